@@ -1,0 +1,66 @@
+# The commands of the project, one line each. CMakePresets.json says how each build is made.
+SHELL := /bin/bash
+.SHELLFLAGS := -e -o pipefail -c
+JOBS ?= $(shell nproc)
+BUILD := build/release
+CTEST := ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure --no-tests=error
+FUZZ_SECONDS ?= 600
+
+.PHONY: demo test check sanitize nightly bench tidy format clean deps build
+
+# Renders the sun through a glass of cognac into out/demo.
+demo: build
+	$(BUILD)/bin/sunfleck scene cognac-1 -o out/demo
+	$(BUILD)/bin/sunfleck render out/demo/cognac-1.pbrt -o out/demo/cognac.png -o out/demo/cognac.exr
+
+# Everything: what the README promises and .ci/run runs.
+test: build-tests
+	$(CTEST)
+
+# The quick ones.
+check: build-tests
+	$(CTEST) -LE slow
+
+# Installs what is missing of Debian for all of this.
+deps:
+	tools/setup.sh build test nightly
+
+build:
+	tools/setup.sh build
+	cmake --preset release -DSUNFLECK_TESTS=OFF
+	cmake --build $(BUILD) -j $(JOBS)
+
+.PHONY: build-tests
+build-tests:
+	tools/setup.sh build test
+	cmake --preset release -DSUNFLECK_TESTS=ON
+	cmake --build $(BUILD) -j $(JOBS)
+
+# The quick tests under the sanitizers: address, undefined behaviour, threads.
+sanitize:
+	tools/setup.sh build test
+	tools/sanitize.sh
+
+# What takes hours: everything above, lint, another compiler, long fuzzing.
+nightly: test sanitize tidy
+	cmake --preset clang
+	cmake --build build/clang -j $(JOBS)
+	ctest --test-dir build/clang -j $(JOBS) --output-on-failure --no-tests=error -LE check
+	tools/fuzz.sh $(FUZZ_SECONDS)
+
+# Ratios of speed, never compared with a fixed time.
+bench:
+	tools/setup.sh build
+	cmake --preset bench
+	cmake --build build/bench -j $(JOBS)
+	for program in build/bench/bin/bench_*; do $$program; done
+
+tidy:
+	tools/setup.sh build test nightly
+	tools/tidy.sh
+
+format:
+	find src apps tests bench \( -name '*.h' -o -name '*.cpp' \) -exec clang-format-14 -i {} +
+
+clean:
+	rm -rf build out

@@ -1,0 +1,26 @@
+# Flags of every target. The bytes of a picture depend on the first line: no fused multiply-add
+# beyond what the source says, and never -ffast-math (docs/decisions.md).
+add_library(sunfleck_flags INTERFACE)
+target_compile_options(sunfleck_flags INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+target_compile_options(sunfleck_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
+# GCC 12 warns of string and vector copies that are right (GCC bug 105329), and its vectoriser of
+# straight-line code drops the rounding of a pair of doubles to float and back (docs/decisions.md).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(sunfleck_flags INTERFACE -Wno-restrict -Wno-stringop-overread
+    -fno-tree-slp-vectorize)
+endif()
+if(SUNFLECK_WERROR)
+  target_compile_options(sunfleck_flags INTERFACE -Werror)
+endif()
+# The oldest x86 that we run on (SSE4.2, 2009); Embree picks AVX2 by itself at run time.
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  target_compile_options(sunfleck_flags INTERFACE -march=x86-64-v2)
+endif()
+target_include_directories(sunfleck_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
+target_compile_definitions(sunfleck_flags INTERFACE SUNFLECK_VERSION="${PROJECT_VERSION}")
+
+# Where ccache is installed, it is used.
+find_program(SUNFLECK_CCACHE ccache)
+if(SUNFLECK_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${SUNFLECK_CCACHE})
+endif()

@@ -1,0 +1,24 @@
+// A BSDF whose pdf() cannot be told from a weight of eight lanes is refused.
+// Refused with: constraint|BsdfModel
+#include "bsdf/bsdf.h"
+
+namespace sunfleck {
+
+#ifdef FAULT
+using Density = Spectrum;
+#else
+using Density = float;
+#endif
+
+struct Muddled {
+    Spectrum eval(const Vec3&, const Vec3&, Transport) const { return Spectrum(); }
+    Density pdf(const Vec3&, const Vec3&, Transport) const { return Density(0); }
+    std::optional<BsdfSample> sample(const Vec3&, const BsdfDraw&) const { return {}; }
+    static Scattering scattering() { return Scattering::diffuse; }
+    static bool gathers(float, float) { return false; }
+};
+
+using WithMuddled = BsdfVariant<Muddled>;
+static_assert(std::variant_size_v<WithMuddled> == 1);
+
+}  // namespace sunfleck

@@ -1,0 +1,28 @@
+// A BSDF that lacks pdf() is refused on the line where it joins the variant.
+// Refused with: does not satisfy|constraint|BsdfModel
+#include "bsdf/bsdf.h"
+
+namespace sunfleck {
+
+struct Incomplete {
+    Spectrum eval(const Vec3&, const Vec3&, Transport) const { return Spectrum(); }
+#ifndef FAULT
+    float pdf(const Vec3&, const Vec3&, Transport) const {
+        return 0;
+    }
+#endif
+    std::optional<BsdfSample> sample(const Vec3&, const BsdfDraw&) const {
+        return {};
+    }
+    static Scattering scattering() {
+        return Scattering::diffuse;
+    }
+    static bool gathers(float, float) {
+        return false;
+    }
+};
+
+using WithIncomplete = BsdfVariant<Lambert, Incomplete>;
+static_assert(std::variant_size_v<WithIncomplete> == 2);
+
+}  // namespace sunfleck

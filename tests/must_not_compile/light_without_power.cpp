@@ -1,0 +1,24 @@
+// A light that does not say its power cannot be chosen in proportion to it: refused.
+// Refused with: constraint|LightModel
+#include "light/light.h"
+
+namespace sunfleck {
+
+struct Powerless {
+    SpectralCurve curve;
+
+    Emission sample_emission(const std::array<double, 4>&, const SceneSphere&) const { return {}; }
+    std::optional<DirectSample> sample_direct(const Vec3&, const Vec2&, const SceneSphere&) const {
+        return {};
+    }
+#ifndef FAULT
+    double power(const SceneSphere&) const {
+        return 0;
+    }
+#endif
+};
+
+using WithPowerless = LightVariant<PointLight, Powerless>;
+static_assert(std::variant_size_v<WithPowerless> == 2);
+
+}  // namespace sunfleck

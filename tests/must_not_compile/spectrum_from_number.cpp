@@ -1,0 +1,15 @@
+// A number does not silently become a spectrum that has it in every lane.
+// Refused with: conversion from|could not convert|no viable conversion
+#include "math/spectrum.h"
+
+namespace sunfleck {
+
+Spectrum albedo() {
+#ifdef FAULT
+    return 0.5F;
+#else
+    return Spectrum(0.5F);
+#endif
+}
+
+}  // namespace sunfleck

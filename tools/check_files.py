@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Checks what each C++ file must be: short and introduced; in src/ and apps/ deterministic, too;
+in tests/ named after a file of src/. Number tables (.inc) may be long.
+
+Usage: check_files.py [REPOSITORY]. Prints one line for each fault; exit code 1 when there is one.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+LINE_CEILING = 300
+SUFFIXES = {".h", ".cpp"}
+TABLES = {".inc"}
+PRODUCT = ("src", "apps")
+OTHERS = ("tests", "bench")
+# Tests of whole pictures: named after what they show, not after a file.
+UNMIRRORED = {"tests/render"}
+# What would make a picture depend on the machine, the day or the schedule, or hide a fault.
+BANNED = [(re.compile(pattern), why) for pattern, why in (
+    (r"\bstd::(mt19937\w*|random_device|rand|uniform_\w+_distribution)\b",
+     "numbers come from a RandomStream"),
+    (r"\bstd::atomic<(float|double)>", "its sum depends on the schedule; use ordered_sum"),
+    (r"\bstd::(reduce|transform_reduce)\b", "its order is not fixed; use ordered_sum"),
+    (r"\bstd::lgamma\b", "it writes a global, and its last bits differ between libraries"),
+    (r"\bcatch \(\.\.\.\)", "catch what you can mend; the rest reaches main"),
+    (r"\busing namespace\b", "name what you use"),
+    (r"\bNOLINT\b(?!.*:)", "say which check and why: NOLINT(check): reason"),
+)]
+
+
+def check_file(root, file):
+    name = file.relative_to(root)
+    lines = file.read_text(encoding="utf-8").splitlines()
+    if not lines or not lines[0].startswith("// "):
+        yield f"{name}:1: begins without a comment; say what the file is for"
+    if len(lines) > LINE_CEILING and file.suffix not in TABLES:
+        yield f"{name}: {len(lines)} lines, ceiling {LINE_CEILING}; move the second idea out"
+    if name.parts[0] not in PRODUCT:
+        return
+    for number, line in enumerate(lines, 1):
+        for pattern, why in BANNED:
+            if match := pattern.search(line.split("// ")[0] if "NOLINT" not in line else line):
+                yield f"{name}:{number}: {match[0]}: {why}"
+
+
+def check(root):
+    files = [f for top in PRODUCT + OTHERS for f in sorted((root / top).rglob("*"))
+             if f.suffix in SUFFIXES | TABLES]
+    faults = [fault for file in files for fault in check_file(root, file)]
+    for test in sorted((root / "tests").rglob("*_test.cpp")):
+        if str(test.parent.relative_to(root)) in UNMIRRORED:
+            continue
+        room = root / "src" / test.parent.relative_to(root / "tests")
+        subject = test.name.removesuffix("_test.cpp").removesuffix("_slow")
+        if room.is_dir() and not any((room / (subject + s)).exists() for s in SUFFIXES):
+            faults.append(f"{test.relative_to(root)}: tests nothing that src/ has by that name")
+    return faults
+
+
+if __name__ == "__main__":
+    found = check(Path(sys.argv[1] if len(sys.argv) > 1 else "."))
+    print("\n".join(found) or "files: no faults")
+    sys.exit(1 if found else 0)

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""Checks that files speak of the project alone: not of the place or the day they were written in.
+
+Usage: check_words.py [REPOSITORY]. Prints one line for each fault; exit code 1 when there is one.
+A word that a user needs after all stands in ALLOWED with the file that may say it.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# Folders that are made, not written.
+SKIPPED = {".git", "build", "out", ".cache", "__pycache__"}
+SUFFIXES = {"", ".h", ".cpp", ".inc", ".py", ".sh", ".md", ".txt", ".cmake", ".json", ".pbrt",
+            ".html", ".css", ".js", ".yml", ".yaml", ".toml", ".dict"}
+# Patterns are broken up where they would find themselves.
+BANNED = [(re.compile(pattern, re.IGNORECASE), why) for pattern, why in (
+    (r"(?<![\w./])/(work|home|root|Users|mnt|opt)/\w", "a path of one machine; write it relative"),
+    (r"/tmp/(?!\$|\{|sunfleck)\w", "a path of one machine; let mktemp choose"),
+    (r"\b(deb|snapshot|security|ftp)[.]debian[.]org\b|\bpypi[.]org\b|\bregistry[.][a-z]"
+     r"|\bdocker[.]io\b|\bghcr[.]io\b|\bcrates[.]io\b|\bnpmjs\b",
+     "a registry; the user's system knows its own"),
+    (r"\b(my|this|our|the|previous|next|last|earlier|another) sess" r"ions?\b|\bsess" r"ions? (of|ago)\b",
+     "say what is, not when it was made"),
+    (r"\b(chat" r"bot|lang" r"uage mod" r"el|co-auth" r"ored|sand" r"box|work" r"place)\b",
+     "it is no part of the project"),
+    (r"(?-i:\b(TO" r"DO|FIX" r"ME|XX" r"X)\b)", "do it, or open an issue"),
+)]
+ALLOWED = {("LICENSE", "registry")}
+
+
+def check_file(name, text):
+    for number, line in enumerate(text.splitlines(), 1):
+        for pattern, why in BANNED:
+            match = pattern.search(line)
+            if match and (name, match[0]) not in ALLOWED:
+                yield f"{name}:{number}: {match[0]}: {why}"
+
+
+def check(root):
+    faults = []
+    for file in sorted(root.rglob("*")):
+        name = file.relative_to(root)
+        if SKIPPED & set(name.parts) or not file.is_file() or file.suffix not in SUFFIXES:
+            continue
+        faults += check_file(str(name), file.read_text(encoding="utf-8", errors="replace"))
+    return faults
+
+
+if __name__ == "__main__":
+    found = check(Path(sys.argv[1] if len(sys.argv) > 1 else "."))
+    print("\n".join(found) or "words: no faults")
+    sys.exit(1 if found else 0)
