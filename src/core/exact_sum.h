@@ -1,0 +1,74 @@
+// Sums of real numbers that do not depend on the order of adding: two-word fixed point.
+//
+// Unit 2^-64, range [-2^63, 2^63). A float is added exactly if its last bit is worth 2^-64 or
+// more (any |x| >= 2^-41); smaller ones are rounded towards zero to the unit. Addition of integers
+// is associative, so threads, ranks and merged files give the same bytes in any order.
+#pragma once
+
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+
+namespace sunfleck {
+
+/// A number of the exact sums: value = high + low / 2^64.
+struct FixedPoint {
+    std::int64_t high = 0;
+    std::uint64_t low = 0;
+
+    friend bool operator==(const FixedPoint&, const FixedPoint&) = default;
+
+    /// Wraps around beyond the range; from_double() keeps single terms far inside it.
+    FixedPoint& operator+=(const FixedPoint& other) {
+        low += other.low;
+        const std::uint64_t carry = low < other.low ? 1 : 0;
+        high = static_cast<std::int64_t>(static_cast<std::uint64_t>(high) +
+                                         static_cast<std::uint64_t>(other.high) + carry);
+        return *this;
+    }
+
+    FixedPoint operator-() const {
+        const std::uint64_t carry = low == 0 ? 1 : 0;
+        return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(high) + carry), ~low + 1};
+    }
+
+    /// The multiple of the unit nearest to x on the side of zero. @param x  |x| <= kLargestTerm.
+    static FixedPoint from_double(double x) {
+        const double size = std::abs(x);
+        const auto whole = static_cast<std::int64_t>(size);
+        const double rest = size - static_cast<double>(whole);
+        const FixedPoint result{whole, static_cast<std::uint64_t>(rest * 0x1p64)};
+        return x < 0 ? -result : result;
+    }
+
+    /// The value, to one unit in the last place of a double; small negative ones, too.
+    double to_double() const {
+        if (high < 0 && *this != -*this) return -(-*this).to_double();  // -2^63 is its own negative
+        return static_cast<double>(high) + static_cast<double>(low) * 0x1p-64;
+    }
+};
+
+/// Terms beyond this are saturated by whoever adds, and counted: fewer than 2^16 of them fit.
+inline constexpr double kLargestTerm = 0x1p47;
+
+/// A FixedPoint that many threads may add to at once. Read it only when all adding has ended.
+class AtomicFixedPoint {
+public:
+    void add(const FixedPoint& term) {
+        const std::uint64_t before = low_.fetch_add(term.low, std::memory_order_relaxed);
+        const std::uint64_t carry = before + term.low < before ? 1 : 0;
+        const std::uint64_t high = static_cast<std::uint64_t>(term.high) + carry;
+        if (high != 0) high_.fetch_add(high, std::memory_order_relaxed);
+    }
+
+    FixedPoint value() const {
+        return {static_cast<std::int64_t>(high_.load(std::memory_order_relaxed)),
+                low_.load(std::memory_order_relaxed)};
+    }
+
+private:
+    std::atomic<std::uint64_t> high_{0};
+    std::atomic<std::uint64_t> low_{0};
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,125 @@
+// The only file that includes the thread library.
+#include "core/parallel.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+
+#if defined(__SANITIZE_THREAD__)
+#include <future>
+#include <vector>
+#endif
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+namespace sunfleck {
+namespace {
+
+/// Denormals are flushed to zero and read as zero while it lives, on every thread alike.
+class FlushDenormals {
+public:
+#if defined(__SSE__)
+    FlushDenormals() : before_(_mm_getcsr()) {
+        _mm_setcsr(before_ | 0x8040U);
+    }
+    ~FlushDenormals() {
+        _mm_setcsr(before_);
+    }
+#else
+    FlushDenormals() = default;
+    ~FlushDenormals() = default;
+#endif
+    FlushDenormals(const FlushDenormals&) = delete;
+    FlushDenormals& operator=(const FlushDenormals&) = delete;
+    FlushDenormals(FlushDenormals&&) = delete;
+    FlushDenormals& operator=(FlushDenormals&&) = delete;
+
+private:
+    unsigned before_ = 0;
+};
+
+/// The innermost ThreadLimit's threads; null while there is none.
+std::atomic<tbb::task_arena*> limited_arena{nullptr};
+
+}  // namespace
+
+/// The control bounds the threads of all libraries that share TBB (Embree's builds, too); the
+/// arena gives loops that many even where there are fewer cores.
+struct ThreadLimit::Control {
+    explicit Control(std::size_t count)
+        : control(tbb::global_control::max_allowed_parallelism, count),
+          arena(static_cast<int>(count)),
+          outer(limited_arena.exchange(&arena)) {}
+    ~Control() { limited_arena = outer; }
+    Control(const Control&) = delete;
+    Control& operator=(const Control&) = delete;
+    Control(Control&&) = delete;
+    Control& operator=(Control&&) = delete;
+
+    tbb::global_control control;
+    tbb::task_arena arena;
+    tbb::task_arena* outer;
+};
+
+ThreadLimit::ThreadLimit(std::size_t count)
+    : control_(count == 0 ? nullptr : std::make_unique<Control>(count)) {}
+
+ThreadLimit::~ThreadLimit() = default;
+
+std::size_t thread_count() {
+    const auto limit =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    const tbb::task_arena* arena = limited_arena;
+    const int threads =
+        arena != nullptr ? arena->max_concurrency() : tbb::this_task_arena::max_concurrency();
+    return std::min(limit, static_cast<std::size_t>(threads));
+}
+
+namespace {
+
+#if defined(__SANITIZE_THREAD__)
+/// The library is not built for the thread sanitizer, which would take its insides for races. In
+/// such a build plain threads run the loops, so that what tasks do to each other is what is found.
+template <class Task>
+void run_loop(std::size_t count, const Task& task) {
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+        for (std::size_t i = next++; i < count; i = next++) task(i);
+    };
+    std::vector<std::future<void>> others;
+    for (std::size_t i = 1; i < std::min(count, thread_count()); ++i)
+        others.push_back(std::async(std::launch::async, work));
+    work();
+    for (std::future<void>& other : others) other.get();
+}
+#else
+template <class Task>
+void run_loop(std::size_t count, const Task& task) {
+    const auto loop = [&] { tbb::parallel_for(std::size_t{0}, count, task); };
+    if (tbb::task_arena* arena = limited_arena)
+        arena->execute(loop);
+    else
+        loop();
+}
+#endif
+
+}  // namespace
+
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
+    run_loop(count, [&](std::size_t i) {
+        const FlushDenormals flush;
+        task(i);
+    });
+}
+
+void parallel_blocks(std::size_t count, std::size_t block,
+                     const std::function<void(std::size_t, std::size_t)>& task) {
+    parallel_for(count / block + (count % block != 0 ? 1 : 0),
+                 [&](std::size_t i) { task(i * block, std::min(count, (i + 1) * block)); });
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,96 @@
+// Counter-based random streams: number n of a stream is a function of the stream's name alone.
+//
+// In:  a seed, and a name (purpose, pass, index) that no other stream of the render has.
+// Out: 64-bit fractions of one turn, or numbers of the open interval (0,1); the same everywhere.
+// Source: Philox4x32-10; Salmon et al., Parallel Random Numbers: As Easy as 1, 2, 3 (SC 2011).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace sunfleck {
+
+using RandomBlock = std::array<std::uint32_t, 4>;
+
+/// A keyed bijection on 128-bit counters: distinct counters give distinct, unrelated blocks.
+constexpr RandomBlock philox(RandomBlock counter, std::uint64_t key) {
+    auto key_low = static_cast<std::uint32_t>(key);
+    auto key_high = static_cast<std::uint32_t>(key >> 32U);
+    for (int round = 0; round < 10; ++round) {
+        const std::uint64_t even = std::uint64_t{0xD2511F53} * counter[0];
+        const std::uint64_t odd = std::uint64_t{0xCD9E8D57} * counter[2];
+        counter = {static_cast<std::uint32_t>(odd >> 32U) ^ counter[1] ^ key_low,
+                   static_cast<std::uint32_t>(odd),
+                   static_cast<std::uint32_t>(even >> 32U) ^ counter[3] ^ key_high,
+                   static_cast<std::uint32_t>(even)};
+        key_low += 0x9E3779B9;
+        key_high += 0xBB67AE85;
+    }
+    return counter;
+}
+
+/// What a stream is for: one entry per place that draws, so that no two places share numbers.
+enum class Purpose : std::uint32_t {
+    wavelengths,
+    eye,
+    uniform_path,
+    sobol_shift,
+    deposit,
+    reference_path,
+    test
+};
+
+/// A 64-bit fraction of one turn as a double of the open interval (0,1): an odd multiple of 2^-53.
+constexpr double to_unit(std::uint64_t fraction) {
+    return (static_cast<double>(fraction >> 12U) + 0.5) * 0x1p-52;
+}
+
+/// A 64-bit fraction of one turn as a float of (0,1): an odd multiple of 2^-24.
+constexpr float to_unit_float(std::uint64_t fraction) {
+    return (static_cast<float>(fraction >> 41U) + 0.5F) * 0x1p-23F;
+}
+
+/// Numbers by position: number i of a stream, in any order.
+class RandomStream {
+public:
+    constexpr RandomStream(std::uint64_t seed, Purpose purpose, std::uint32_t pass,
+                           std::uint32_t index)
+        : seed_(seed), name_{0, index, pass, static_cast<std::uint32_t>(purpose)} {}
+
+    /// Number i of the stream, as a fraction of one turn. Neighbours i, i ^ 1 share one block.
+    constexpr std::uint64_t at(std::uint32_t i) {
+        if ((i >> 1U) + 1 != cached_) {
+            cached_ = (i >> 1U) + 1;
+            name_[0] = i >> 1U;
+            block_ = philox(name_, seed_);
+        }
+        const std::size_t half = (i & 1U) * 2;
+        return (std::uint64_t{block_.at(half)} << 32U) | block_.at(half + 1);
+    }
+
+    /// The number after the last one that next() gave.
+    constexpr std::uint64_t next_fraction() { return at(next_++); }
+    constexpr double next() { return to_unit(next_fraction()); }
+    constexpr float next_float() { return to_unit_float(next_fraction()); }
+
+private:
+    std::uint64_t seed_;
+    RandomBlock name_;
+    RandomBlock block_{};
+    std::uint32_t cached_ = 0;
+    std::uint32_t next_ = 0;
+};
+
+/// Which pass of which render: all that randomness may depend on.
+struct PassId {
+    std::uint64_t seed = 0;
+    std::uint32_t number = 0;  // from 0
+
+    /// The stream of one pixel, uniform path or chain of this pass. @param index  below 2^32.
+    constexpr RandomStream stream(Purpose purpose, std::size_t index) const {
+        return {seed, purpose, number, static_cast<std::uint32_t>(index)};
+    }
+};
+
+}  // namespace sunfleck
