@@ -1,0 +1,163 @@
+// PNG files by way of libpng.
+//
+// libpng leaves by longjmp: the two functions that call it hold nothing with a destructor.
+#include "image/png.h"
+
+#include "core/error.h"
+#include "image/atomic_file.h"
+#include "image/read_file.h"
+#include "image/srgb.h"
+
+#include <png.h>
+
+#include <array>
+#include <cmath>
+#include <csetjmp>
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::uint32_t kMostPixelsAcross = 1U << 17U;
+constexpr std::uint64_t kBytesPerByte = 1100;  // deflate gives at most 1032 for one
+constexpr std::uint64_t kFreeBytes = 1U << 16U;
+
+/// What one call of libpng works on, and the fault that it left by.
+struct Job {
+    std::string_view input;
+    std::size_t used = 0;
+    std::vector<std::byte> output;
+    std::string fault;
+    PngImage image;
+    std::vector<png_byte> row;
+};
+
+[[noreturn]] void on_fault(png_structp png, png_const_charp text) {
+    static_cast<Job*>(png_get_error_ptr(png))->fault = text;
+    png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+void on_read(png_structp png, png_bytep bytes, std::size_t count) {
+    auto& job = *static_cast<Job*>(png_get_io_ptr(png));
+    if (job.input.size() - job.used < count) png_error(png, "the file is cut");
+    std::memcpy(bytes, job.input.data() + job.used, count);
+    job.used += count;
+}
+
+void on_write(png_structp png, png_bytep bytes, std::size_t count) {
+    auto& job = *static_cast<Job*>(png_get_io_ptr(png));
+    const auto all = std::as_bytes(std::span(bytes, count));
+    job.output.insert(job.output.end(), all.begin(), all.end());
+}
+
+void on_flush(png_structp) {}
+
+/// Takes the header; every transformation that makes 8 or 16 bits a channel is set.
+void prepare(png_structp png, png_infop info, Job& job) {
+    png_set_user_limits(png, kMostPixelsAcross, kMostPixelsAcross);
+    png_read_info(png, info);
+    png_set_expand(png);  // palettes and few bits to 8 bits, transparency to alpha
+    const int passes = png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    job.image.width = static_cast<int>(png_get_image_width(png, info));
+    job.image.height = static_cast<int>(png_get_image_height(png, info));
+    job.image.channels = png_get_channels(png, info);
+    job.image.bits = png_get_bit_depth(png, info);
+    const std::uint64_t bytes =
+        std::uint64_t{png_get_rowbytes(png, info)} * static_cast<std::uint64_t>(job.image.height);
+    if (bytes > job.input.size() * kBytesPerByte + kFreeBytes)
+        png_error(png, "it claims more pixels than its size can hold");
+    if (passes != 1 && passes != 7) png_error(png, "unknown interlacing");
+    job.row.resize(bytes);  // the whole picture: interlaced rows come back several times
+}
+
+void read_rows(png_structp png, png_infop info, Job& job) {
+    const std::size_t row_bytes = png_get_rowbytes(png, info);
+    const int passes = png_get_interlace_type(png, info) == PNG_INTERLACE_NONE ? 1 : 7;
+    for (int pass = 0; pass < passes; ++pass)
+        for (std::size_t y = 0; y < static_cast<std::size_t>(job.image.height); ++y)
+            png_read_row(png, job.row.data() + y * row_bytes, nullptr);
+    png_read_end(png, nullptr);
+}
+
+void decode(Job& job) {
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &job, on_fault, on_warning);
+    png_infop info = png_create_info_struct(png);
+    // NOLINTNEXTLINE(cert-err52-cpp,modernize-avoid-*): the library's only way to report
+    if (setjmp(png_jmpbuf(png)) == 0) {
+        png_set_read_fn(png, &job, on_read);
+        prepare(png, info, job);
+        read_rows(png, info, job);
+    }
+    png_destroy_read_struct(&png, &info, nullptr);
+}
+
+void encode(Job& job) {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, on_fault, on_warning);
+    png_infop info = png_create_info_struct(png);
+    const auto width = static_cast<png_uint_32>(job.image.width);
+    const auto height = static_cast<png_uint_32>(job.image.height);
+    // NOLINTNEXTLINE(cert-err52-cpp,modernize-avoid-*): the library's only way to report
+    if (setjmp(png_jmpbuf(png)) == 0) {
+        png_set_write_fn(png, &job, on_write, on_flush);
+        png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+        png_write_info(png, info);
+        for (std::size_t y = 0; y < height; ++y) png_write_row(png, job.row.data() + y * width * 3);
+        png_write_end(png, info);
+    }
+    png_destroy_write_struct(&png, &info);
+}
+
+/// 8-bit values, pixel after pixel.
+std::vector<png_byte> encoded_rgb(const std::string& path, const Picture& picture, float scale) {
+    std::vector<png_byte> bytes(picture.pixels() * 3);
+    std::size_t first = 0;
+    for (const std::string_view name : {"R", "G", "B"}) {
+        const Channel* channel = picture.find(name);
+        if (channel == nullptr)
+            throw Error({path}, "the picture has no channel " + std::string(name),
+                        "write it as .exr");
+        for (std::size_t i = 0; i < picture.pixels(); ++i)
+            bytes[i * 3 + first] = srgb_byte(channel->values[i] * scale);
+        ++first;
+    }
+    return bytes;
+}
+
+}  // namespace
+
+void write_png(const std::string& path, const Picture& picture, float exposure) {
+    Job job;
+    job.image.width = picture.width;
+    job.image.height = picture.height;
+    job.row = encoded_rgb(path, picture, std::exp2(exposure));
+    encode(job);
+    if (!job.fault.empty())
+        throw Error({path}, "cannot be written as PNG: " + job.fault, "write it as .exr");
+    write_file(path, job.output);
+}
+
+PngImage read_png(const std::string& path) {
+    const std::string bytes = read_file(path);
+    Job job;
+    job.input = bytes;
+    decode(job);
+    if (!job.fault.empty())
+        throw Error({path}, "cannot be read as PNG: " + job.fault,
+                    "write the picture again as PNG");
+    const std::size_t step = job.image.bits == 16 ? 2 : 1;
+    job.image.values.resize(job.row.size() / step);
+    for (std::size_t i = 0; i < job.image.values.size(); ++i)
+        job.image.values[i] = static_cast<std::uint16_t>(
+            step == 1 ? job.row[i] : (job.row[2 * i] << 8U) | job.row[2 * i + 1]);
+    return std::move(job.image);
+}
+
+}  // namespace sunfleck
