@@ -1,0 +1,71 @@
+// Every BSDF there is, as one value. To add one: write its header, then name it here and give an
+// example in tests/laws/bsdf_examples.h.
+#pragma once
+
+#include "bsdf/lambert.h"
+#include "bsdf/model.h"
+#include "bsdf/rough_conductor.h"
+#include "bsdf/rough_dielectric.h"
+#include "bsdf/smooth_conductor.h"
+#include "bsdf/smooth_dielectric.h"
+#include "bsdf/thin_dielectric.h"
+
+#include <variant>
+
+namespace sunfleck {
+
+template <BsdfModel... Models>
+using BsdfVariant = std::variant<Models...>;
+
+/// A BSDF at one point of a surface: a value, copied into the visible point that needs it.
+using Bsdf = BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielectric,
+                         SmoothConductor, RoughConductor>;
+
+/// f per steradian, without the cosine; zero for delta lobes (bsdf/model.h).
+inline Spectrum eval(const Bsdf& bsdf, const Vec3& w_from, const Vec3& w_to, Transport transport) {
+    return std::visit([&](const auto& b) { return b.eval(w_from, w_to, transport); }, bsdf);
+}
+
+/// Density per steradian with which sample() chooses w_to, given w_from; zero for delta lobes.
+/// Dispersive and glossy: see RoughDielectric::pdf.
+inline float pdf(const Bsdf& bsdf, const Vec3& w_from, const Vec3& w_to, Transport transport) {
+    return std::visit([&](const auto& b) { return b.pdf(w_from, w_to, transport); }, bsdf);
+}
+
+/// A direction to go on in; nothing when the light is absorbed.
+inline std::optional<BsdfSample> sample(const Bsdf& bsdf, const Vec3& w_from,
+                                        const BsdfDraw& draw) {
+    return std::visit([&](const auto& b) { return b.sample(w_from, draw); }, bsdf);
+}
+
+inline Scattering scattering(const Bsdf& bsdf) {
+    return std::visit([](const auto& b) { return b.scattering(); }, bsdf);
+}
+
+/// Whether eval() can be other than zero: can light of the side of z_to be gathered on that of
+/// z_from? @param z_from, z_to  cosines with the normal, of which the signs alone count.
+inline bool gathers(const Bsdf& bsdf, float z_from, float z_to) {
+    return std::visit([&](const auto& b) { return b.gathers(z_from, z_to); }, bsdf);
+}
+
+/// Whether lanes part in direction here.
+inline bool is_dispersive(const Bsdf& bsdf) {
+    return std::visit(
+        []<class B>(const B& b) {
+            if constexpr (DispersiveModel<B>) return b.is_dispersive();
+            return false;
+        },
+        bsdf);
+}
+
+/// The same with that lane's index in every lane: no longer dispersive. @param lane  below kLanes.
+inline Bsdf for_lane(const Bsdf& bsdf, std::size_t lane) {
+    return std::visit(
+        [&]<class B>(const B& b) -> Bsdf {
+            if constexpr (DispersiveModel<B>) return b.for_lane(lane);
+            return b;
+        },
+        bsdf);
+}
+
+}  // namespace sunfleck

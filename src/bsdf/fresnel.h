@@ -1,0 +1,61 @@
+// How much of unpolarised light a plane boundary reflects: exact, for glass and for metal.
+//
+// Source: Born and Wolf, Principles of Optics (7th ed.), 1.5.2 and 14.2. Mean of the two
+// polarisations.
+#pragma once
+
+#include "math/spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck {
+
+/// The cosine on the far side of the boundary; 0 under total reflection.
+/// @param sin2  squared sine of the incident angle. @param eta  far index over near index, > 0.
+inline float refracted_cosine(float sin2, float eta) {
+    return std::sqrt(std::max(0.0F, 1 - sin2 / (eta * eta)));
+}
+
+/// Reflected fraction in [0,1] between two dielectrics, 1 under total reflection (cos_far 0).
+/// @param cos_near  in (0,1]. @param cos_far  refracted_cosine(). @param eta  far over near.
+inline float dielectric_reflectance(float cos_near, float cos_far, float eta) {
+    const float parallel = (eta * cos_near - cos_far) / (eta * cos_near + cos_far);
+    const float across = (cos_near - eta * cos_far) / (cos_near + eta * cos_far);
+    return 0.5F * (parallel * parallel + across * across);
+}
+
+/// The same from the incident cosine alone. @param cos_near  in (0,1].
+inline float dielectric_reflectance(float cos_near, float eta) {
+    const float sin2 = std::max(0.0F, 1 - cos_near * cos_near);
+    return dielectric_reflectance(cos_near, refracted_cosine(sin2, eta), eta);
+}
+
+/// Reflected fraction per lane of a metal of index eta + i k (over that of air), in [0,1].
+/// @param cosine  of the incident angle, in (0,1]. @param eta, k  not negative, not both zero.
+///
+/// With a + i b = sqrt((eta + i k)^2 - sin^2): |r_s|^2 = |cos - a - i b|^2 / |cos + a + i b|^2,
+/// and |r_p|^2 = |r_s|^2 |cos (a + i b) - sin^2|^2 / |cos (a + i b) + sin^2|^2.
+inline Spectrum conductor_reflectance(float cosine, const Spectrum& eta, const Spectrum& k) {
+    const float cos2 = cosine * cosine;
+    const float sin2 = std::max(0.0F, 1 - cos2);
+    Spectrum reflectance;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float real = eta[i] * eta[i] - k[i] * k[i] - sin2;
+        const float imaginary = 2 * eta[i] * k[i];
+        const float norm = std::sqrt(real * real + imaginary * imaginary);  // a^2 + b^2
+        const float a = std::sqrt(std::max(0.0F, 0.5F * (norm + real)));
+
+        const float even = norm + cos2;
+        const float odd = 2 * cosine * a;
+        const float across = (even - odd) / (even + odd);
+
+        const float even_p = cos2 * norm + sin2 * sin2;
+        const float odd_p = odd * sin2;
+        const float parallel = even_p > 0 ? across * (even_p - odd_p) / (even_p + odd_p) : across;
+        reflectance[i] = std::max(0.0F, 0.5F * (across + parallel));
+    }
+    return reflectance;
+}
+
+}  // namespace sunfleck

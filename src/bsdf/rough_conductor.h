@@ -1,0 +1,52 @@
+// A metal of many small facets (GGX), lit on both sides; light that meets a second facet is lost.
+//
+// In:  eta + i k per lane over the index of air, facets. Out: one glossy lobe.
+// Source: Walter et al. 2007, eq. 20; visible normals, Heitz 2018 (bsdf/ggx.h).
+#pragma once
+
+#include "bsdf/fresnel.h"
+#include "bsdf/ggx.h"
+#include "bsdf/model.h"
+
+namespace sunfleck {
+
+struct RoughConductor {
+    Spectrum eta;
+    Spectrum k;
+    Ggx facets;
+
+    /// F D G / (4 |cos| |cos|); the same for both transports, for it is symmetric.
+    Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport) const {
+        const Vec3 sum = w_from + w_to;
+        const float length = sum.length();
+        if (!gathers(w_from.z, w_to.z) || !(length > 0)) return {};
+        const float shape =
+            facets.density(sum / length) * facets.shadowing_over_cosines(w_from, w_to) * 0.25F;
+        return conductor_reflectance(std::min(1.0F, 0.5F * length), eta, k) * shape;
+    }
+
+    float pdf(const Vec3& w_from, const Vec3& w_to, Transport) const {
+        const Vec3 sum = w_from + w_to;
+        const float length = sum.length();
+        if (!gathers(w_from.z, w_to.z) || !(length > 0)) return 0;
+        return facets.visible_density_over_cosine(w_from, sum / length) * 0.25F;
+    }
+
+    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
+        if (w_from.z == 0) return {};
+        const float side = std::copysign(1.0F, w_from.z);
+        const Vec3 w = w_from * side;
+        const Vec3 h = facets.sample_visible(w, draw.u.y, draw.u.z);
+        const float cosine = std::min(1.0F, w.dot(h));
+        const Vec3 mirrored = h * (2 * cosine) - w;
+        if (!(cosine > 0) || !(mirrored.z > 0)) return {};
+        return BsdfSample{
+            conductor_reflectance(cosine, eta, k) * facets.shadowing_given_masking(w, mirrored),
+            mirrored * side, facets.visible_density_over_cosine(w, h) * 0.25F};
+    }
+
+    static constexpr Scattering scattering() { return Scattering::glossy; }
+    static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,146 @@
+// Rough glass: its two lobes for one index, and how lanes share them.
+#include "bsdf/rough_dielectric.h"
+
+#include "bsdf/fresnel.h"
+
+namespace sunfleck {
+
+namespace {
+
+/// The facet that refracts one direction into the other. Built from the two sides, not from
+/// w_from and w_to, so that swapping these changes no bit.
+struct RefractingFacet {
+    Vec3 normal;        // unit
+    float cos_out = 0;  // of the outer direction with the normal; 0 when there is no such facet
+    float cos_in = 0;   // of the inner direction, as a positive number
+    float length2 = 0;  // (cos_out - eta cos_in)^2: the change of solid angle
+};
+
+RefractingFacet refracting_facet(const Vec3& a, const Vec3& b, float eta) {
+    const Vec3& outer = a.z > 0 ? a : b;
+    const Vec3& inner = a.z > 0 ? b : a;
+    const Vec3 sum = outer + inner * eta;  // along the facet's normal, by Snell's law
+    const float length2 = sum.length2();
+    if (!(length2 > 0)) return {};
+    const Vec3 normal = sum * (std::copysign(1.0F, sum.z) / std::sqrt(length2));
+    const float cos_out = outer.dot(normal);
+    const float cos_in = -inner.dot(normal);
+    if (!(cos_out > 0 && cos_in > 0)) return {};  // seen from behind
+    return {normal, std::min(1.0F, cos_out), std::min(1.0F, cos_in), length2};
+}
+
+/// Rough glass of one index, between two given directions.
+struct Lane {
+    const Ggx& facets;
+    float eta;  // inside over outside
+
+    /// The part of f that both transports share: times the squared index of the side that light
+    /// goes out into it is Walter's eq. 21.
+    float transmitted(const Vec3& a, const Vec3& b) const {
+        const RefractingFacet facet = refracting_facet(a, b, eta);
+        if (facet.cos_out == 0) return 0;
+        const float passed = 1 - dielectric_reflectance(facet.cos_out, facet.cos_in, eta);
+        return passed * facets.density(facet.normal) * facets.shadowing_over_cosines(a, b) *
+               facet.cos_out * facet.cos_in / facet.length2;
+    }
+
+    float transmitted_pdf(const Vec3& w_from, const Vec3& w_to) const {
+        const RefractingFacet facet = refracting_facet(w_from, w_to, eta);
+        if (facet.cos_out == 0) return 0;
+        const float passed = 1 - dielectric_reflectance(facet.cos_out, facet.cos_in, eta);
+        const float index_to = w_to.z > 0 ? 1 : eta;
+        return passed * facets.visible_density_over_cosine(w_from, facet.normal) * index_to *
+               index_to * facet.cos_out * facet.cos_in / facet.length2;
+    }
+
+    /// @param cosine  between either direction and the facet.
+    float reflected_share(float cosine, float z) const {
+        return dielectric_reflectance(std::min(1.0F, cosine), z > 0 ? eta : 1 / eta);
+    }
+
+    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const;
+};
+
+std::optional<BsdfSample> Lane::sample(const Vec3& w_from, const BsdfDraw& draw) const {
+    // In a frame turned about the surface so that w_from lies above; GGX looks the same there.
+    const float side = std::copysign(1.0F, w_from.z);
+    const Vec3 w = w_from * side;
+    const Vec3 h = facets.sample_visible(w, draw.u.y, draw.u.z);
+    const float cosine = std::min(1.0F, w.dot(h));
+    if (!(cosine > 0)) return {};
+    const float far_over_near = w_from.z > 0 ? eta : 1 / eta;
+    const float cos_far = refracted_cosine(1 - cosine * cosine, far_over_near);
+    const float share = dielectric_reflectance(cosine, cos_far, far_over_near);
+    const float seen = facets.visible_density_over_cosine(w, h);
+
+    if (draw.u.x < share || cos_far == 0) {
+        const Vec3 w_to = h * (2 * cosine) - w;
+        if (!(w_to.z > 0)) return {};
+        return BsdfSample{Spectrum(facets.shadowing_given_masking(w, w_to)), w_to * side,
+                          share * seen * 0.25F};
+    }
+    const Vec3 w_to = (h * (cosine / far_over_near - cos_far) - w / far_over_near).normalized();
+    if (!(w_to.z < 0)) return {};
+    const float eta2 = far_over_near * far_over_near;
+    const float length = cosine - far_over_near * cos_far;
+    const float pdf = (1 - share) * seen * cosine * cos_far * eta2 / (length * length);
+    const float scale = draw.transport == Transport::radiance ? 1 / eta2 : 1;
+    return BsdfSample{Spectrum(scale * facets.shadowing_given_masking(w, w_to)), w_to * side, pdf,
+                      far_over_near};
+}
+
+}  // namespace
+
+Spectrum RoughDielectric::eval(const Vec3& w_from, const Vec3& w_to, Transport transport) const {
+    if (!gathers(w_from.z, w_to.z)) return {};
+    Spectrum f;
+    if (w_from.z * w_to.z > 0) {
+        const Vec3 sum = w_from + w_to;
+        const float length = sum.length();
+        if (!(length > 0)) return f;
+        const float shape =
+            facets_.density(sum / length) * facets_.shadowing_over_cosines(w_from, w_to) * 0.25F;
+        for (std::size_t i = 0; i < kLanes; ++i)
+            f[i] = shape * Lane{facets_, eta_[i]}.reflected_share(0.5F * length, w_from.z);
+        return f;
+    }
+    // Light goes out into the side of w_from in radiance transport, of w_to in flux transport.
+    const bool goes_inside = (transport == Transport::radiance ? w_from.z : w_to.z) < 0;
+    const std::size_t different = dispersive_ ? kLanes : 1;
+    for (std::size_t i = 0; i < different; ++i)
+        f[i] = Lane{facets_, eta_[i]}.transmitted(w_from, w_to);
+    if (!dispersive_) f = Spectrum(f[0]);
+    return goes_inside ? f * eta_ * eta_ : f;
+}
+
+float RoughDielectric::pdf(const Vec3& w_from, const Vec3& w_to, Transport) const {
+    if (!gathers(w_from.z, w_to.z)) return 0;
+    const Vec3 sum = w_from + w_to;
+    const float length = sum.length();
+    const bool reflected = w_from.z * w_to.z > 0;
+    if (reflected && !(length > 0)) return 0;
+    const float seen =
+        reflected ? facets_.visible_density_over_cosine(w_from, sum / length) * 0.25F : 0;
+
+    const std::size_t different = dispersive_ ? kLanes : 1;
+    float total = 0;
+    for (std::size_t i = 0; i < different; ++i) {
+        const Lane lane{facets_, eta_[i]};
+        total += reflected ? seen * lane.reflected_share(0.5F * length, w_from.z)
+                           : lane.transmitted_pdf(w_from, w_to);
+    }
+    return total / static_cast<float>(different);
+}
+
+std::optional<BsdfSample> RoughDielectric::sample(const Vec3& w_from, const BsdfDraw& draw) const {
+    if (w_from.z == 0) return {};
+    const std::size_t chosen = draw.lanes.chosen;
+    auto drawn = Lane{facets_, eta_[chosen]}.sample(w_from, draw);
+    if (drawn && dispersive_ && !draw.lanes.single) {
+        drawn->weight = Spectrum::only(chosen, drawn->weight[chosen] * static_cast<float>(kLanes));
+        drawn->dispersed = true;
+    }
+    return drawn;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,64 @@
+// What a surface is made of, as a scene says it; bsdf_of() makes the Bsdf of one pass from it.
+//
+// To add one: its header in bsdf/, its alternative here, a row in import/pbrt/materials.cpp.
+#pragma once
+
+#include "bsdf/bsdf.h"
+#include "math/spectral_curve.h"
+
+#include <cmath>
+#include <optional>
+#include <variant>
+
+namespace sunfleck {
+
+/// Below this in both alphas facets are not seen: the surface is perfectly smooth (pbrt-v4).
+inline constexpr float kSmoothAlpha = 1e-3F;
+
+/// The GGX alpha of a scene's "roughness" where it asks for remapping (pbrt-v4's remaproughness).
+/// @param roughness  not negative.
+inline float alpha_from_roughness(float roughness) {
+    return std::sqrt(roughness);
+}
+
+struct DiffuseMaterial {
+    SpectralCurve reflectance = SpectralCurve::constant(0.5F);
+};
+
+/// GGX alphas along the tangent and across; below kSmoothAlpha the surface is perfectly smooth.
+struct Roughness {
+    float alpha_u = 0;
+    float alpha_v = 0;
+};
+
+struct DielectricMaterial {
+    SpectralCurve eta = SpectralCurve::constant(1.5F);  // inside over outside
+    Roughness roughness;
+};
+
+struct ThinDielectricMaterial {
+    SpectralCurve eta = SpectralCurve::constant(1.5F);
+};
+
+struct ConductorMaterial {
+    SpectralCurve eta;
+    SpectralCurve k;
+    std::optional<SpectralCurve> reflectance;  // instead: eta 1, k = 2 sqrt(r) / sqrt(1 - r)
+    Roughness roughness;
+};
+
+/// A surface that is not there: light passes straight, and it is no bounce.
+struct InterfaceMaterial {};
+
+using Material = std::variant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
+                              ConductorMaterial, InterfaceMaterial>;
+
+/// The material at one pass's wavelengths; nothing for an interface.
+///
+/// Limits, as in pbrt-v4: reflectances are held in [0,1] (of a conductor in [0, 0.9999], where k is
+/// finite); an alpha below 1e-4 beside a larger one counts as 1e-4; a curve that gives no index
+/// (eta <= 0) at a wavelength gives 1 there. A rough dielectric with an index within
+/// RoughDielectric::kLeastContrast of 1 is smooth.
+std::optional<Bsdf> bsdf_of(const Material& material, const Wavelengths& wavelengths);
+
+}  // namespace sunfleck

@@ -1,0 +1,117 @@
+// Laws of the BSDFs that have delta lobes alone: each lane is shared out as Fresnel says.
+//
+// No chance: the lobe's number and the lane run through all their strata. The quadrature's error is
+// the largest weight over the strata, some 3e-4; the rest is float.
+#include "laws/bsdf_examples.h"
+#include "laws/bsdf_fresnel.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace sunfleck::laws {
+namespace {
+
+constexpr std::size_t kStrata = 1U << 15U;
+
+class BsdfDeltaLaws : public testing::TestWithParam<BsdfExample> {};
+
+/// Mean weights on the two sides, per lane.
+struct Shares {
+    std::array<double, kLanes> reflected{};
+    std::array<double, kLanes> passed{};
+};
+
+/// Adds the mean over all strata of the lobe's number, times `scale`.
+void add_shares(const BsdfExample& example, const Vec3& w_from, LaneChoice lanes, double scale,
+                Shares& sum) {
+    for (std::size_t i = 0; i < kStrata; ++i) {
+        const float lobe = (static_cast<float>(i) + 0.5F) / static_cast<float>(kStrata);
+        const auto drawn =
+            sample(example.bsdf, w_from, {Vec3(lobe, 0.5F, 0.5F), Transport::flux, lanes});
+        if (!drawn) continue;
+        auto& side = drawn->w_to.z * w_from.z > 0 ? sum.reflected : sum.passed;
+        for (std::size_t l = 0; l < kLanes; ++l) side.at(l) += drawn->weight[l] * scale / kStrata;
+    }
+}
+
+/// What one boundary, sheet or metal reflects and lets pass, in one lane.
+struct Truth {
+    double reflected = 0;
+    double passed = 0;
+};
+
+Truth truth(const Bsdf& bsdf, const Vec3& w_from, std::size_t lane) {
+    const double cosine = std::abs(w_from.z);
+    if (const auto* glass = std::get_if<SmoothDielectric>(&bsdf)) {
+        const double eta = glass->eta()[lane];
+        const double r = fresnel(cosine, w_from.z > 0 ? eta : 1 / eta);
+        return {r, 1 - r};
+    }
+    if (const auto* sheet = std::get_if<ThinDielectric>(&bsdf)) {
+        const double r = fresnel(cosine, sheet->eta[lane]);
+        const double t = 1 - r;
+        return {r + t * t * r / (1 - r * r), t * t / (1 - r * r)};
+    }
+    const auto& metal = std::get<SmoothConductor>(bsdf);
+    return {fresnel(cosine, {metal.eta[lane], metal.k[lane]}), 0};
+}
+
+/// The mean over the choice of lane: dispersion, total reflection and all.
+TEST_P(BsdfDeltaLaws, each_lane_is_shared_as_fresnel_says) {
+    for (const Vec3& w_from : probe_directions()) {
+        Shares mean;
+        for (std::size_t lane = 0; lane < kLanes; ++lane)
+            add_shares(GetParam(), w_from, {lane, false}, 1.0 / kLanes, mean);
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const Truth exact = truth(GetParam().bsdf, w_from, lane);
+            EXPECT_NEAR(mean.reflected.at(lane), exact.reflected, 4e-4) << w_from << lane;
+            EXPECT_NEAR(mean.passed.at(lane), exact.passed, 4e-4) << w_from << lane;
+        }
+    }
+}
+
+TEST_P(BsdfDeltaLaws, a_single_lane_is_shared_by_its_own_index) {
+    for (const Vec3& w_from : probe_directions())
+        for (const std::size_t lane : {std::size_t{0}, kLanes - 1}) {
+            Shares mean;
+            add_shares(GetParam(), w_from, {lane, true}, 1, mean);
+            const Truth exact = truth(GetParam().bsdf, w_from, lane);
+            EXPECT_NEAR(mean.reflected.at(lane), exact.reflected, 5e-5) << w_from << lane;
+            EXPECT_NEAR(mean.passed.at(lane), exact.passed, 5e-5) << w_from << lane;
+        }
+}
+
+/// Weights stay small enough for roulette to have nothing to do: reflection at most kLanes.
+TEST_P(BsdfDeltaLaws, weights_are_bounded) {
+    for (const Vec3& w_from : probe_directions())
+        for (std::size_t i = 0; i < 1000; ++i) {
+            const float lobe = (static_cast<float>(i) + 0.5F) / 1000;
+            const LaneChoice lanes{i % kLanes, false};
+            const auto drawn =
+                sample(GetParam().bsdf, w_from, {Vec3(lobe, 0, 0), Transport::flux, lanes});
+            if (!drawn) continue;
+            const float bound = drawn->dispersed ? kLanes * kLanes : kLanes;
+            EXPECT_LE(drawn->weight.max(), bound * 1.0001F);
+        }
+}
+
+/// A lossless BSDF without dispersion never changes a weight: not in the mean, each time.
+TEST(BsdfWhiteFurnace, weights_are_exactly_one) {
+    for (const BsdfExample& e : delta_examples()) {
+        if (e.name != "glass" && e.name != "bubble" && e.name != "pane") continue;
+        RandomStream stream(3, Purpose::test, 0, 0);
+        for (std::size_t i = 0; i < 20000; ++i) {
+            const auto drawn =
+                sample(e.bsdf, random_direction(stream), draw_number(i, 20000, stream));
+            ASSERT_TRUE(drawn);
+            EXPECT_EQ(drawn->weight, Spectrum(1)) << e.name;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BsdfDeltaLaws, testing::ValuesIn(delta_examples()),
+                         [](const auto& info) { return name_of(info); });
+
+}  // namespace
+}  // namespace sunfleck::laws

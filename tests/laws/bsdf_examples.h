@@ -1,0 +1,112 @@
+// Examples of every BSDF, which the laws of tests/laws/bsdf_*_test.cpp run over, and what all of
+// those tests draw from.
+#pragma once
+
+#include "bsdf/bsdf.h"
+#include "core/random.h"
+#include "math/warp.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace sunfleck::laws {
+
+struct BsdfExample {
+    std::string name;
+    Bsdf bsdf;
+    Spectrum inside = Spectrum(1);  // index of the side -z over that of +z
+};
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
+inline void PrintTo(const BsdfExample& example, std::ostream* out) {
+    *out << example.name;
+}
+
+inline std::string name_of(const auto& info) {
+    return info.param.name;
+}
+
+/// From first to last, evenly over the lanes.
+inline Spectrum ramp(float first, float last) {
+    Spectrum s;
+    for (std::size_t i = 0; i < kLanes; ++i)
+        s[i] = first + (last - first) * static_cast<float>(i) / (kLanes - 1);
+    return s;
+}
+
+/// One line an example. All numbers are made up but those of gold's order of magnitude.
+inline std::vector<BsdfExample> bsdf_examples() {
+    const Spectrum glass(1.5F);
+    const Spectrum bubble(1 / 1.33F);
+    const Spectrum flint = ramp(1.62F, 1.54F);
+    const Spectrum gold_eta = ramp(1.6F, 0.15F);
+    const Spectrum gold_k = ramp(1.9F, 4.5F);
+    return {
+        {"grey", Lambert{ramp(0.2F, 0.8F)}},
+        {"white", Lambert{Spectrum(1)}},
+        {"glass", SmoothDielectric(glass), glass},
+        {"bubble", SmoothDielectric(bubble), bubble},
+        {"prism", SmoothDielectric(flint), flint},
+        {"rough_glass", RoughDielectric(glass, {0.3F, 0.3F}), glass},
+        {"brushed_glass", RoughDielectric(glass, {0.1F, 0.4F}), glass},
+        {"rough_bubble", RoughDielectric(bubble, {0.25F, 0.15F}), bubble},
+        {"rough_prism", RoughDielectric(flint, {0.2F, 0.2F}), flint},
+        {"pane", ThinDielectric{glass}},
+        {"coloured_pane", ThinDielectric{ramp(1.3F, 1.9F)}},
+        {"mirror", SmoothConductor{Spectrum(1), Spectrum(2000)}},
+        {"gold", SmoothConductor{gold_eta, gold_k}},
+        {"rough_mirror", RoughConductor{Spectrum(1), Spectrum(2000), {0.5F, 0.1F}}},
+        {"rough_gold", RoughConductor{gold_eta, gold_k, {0.2F, 0.2F}}},
+        {"chalky_gold", RoughConductor{gold_eta, gold_k, {1, 0.6F}}},
+    };
+}
+
+/// Those that spread light over a solid angle.
+inline std::vector<BsdfExample> spread_examples() {
+    std::vector<BsdfExample> spread;
+    for (const BsdfExample& e : bsdf_examples())
+        if (scattering(e.bsdf) != Scattering::specular) spread.push_back(e);
+    return spread;
+}
+
+/// Those that have delta lobes alone.
+inline std::vector<BsdfExample> delta_examples() {
+    std::vector<BsdfExample> deltas;
+    for (const BsdfExample& e : bsdf_examples())
+        if (scattering(e.bsdf) == Scattering::specular) deltas.push_back(e);
+    return deltas;
+}
+
+inline Vec3 random_direction(RandomStream& stream) {
+    const double u = stream.next();
+    const Vec3d w = uniform_sphere(Vec2d(u, stream.next()));
+    return {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
+}
+
+/// @param cosine  with +z, either sign. @param azimuth  in radians.
+inline Vec3 direction_at(float cosine, float azimuth) {
+    const float sine = std::sqrt(1 - cosine * cosine);
+    return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine};
+}
+
+/// From straight on to grazing, from both sides; the last is beyond the prism's critical angle in
+/// some lanes and not in others.
+inline std::vector<Vec3> probe_directions() {
+    return {direction_at(1, 0),        direction_at(0.8F, 0.4F),   direction_at(0.35F, 2.5F),
+            direction_at(0.05F, 4.0F), direction_at(-0.9F, 1.2F),  direction_at(-0.6F, 5.0F),
+            direction_at(-0.2F, 3.0F), direction_at(-0.03F, 0.1F), direction_at(-0.775F, 3.3F)};
+}
+
+/// Number i of n draws: lanes in turn, the lobe's number stratified, the direction random.
+inline BsdfDraw draw_number(std::size_t i, std::size_t n, RandomStream& stream) {
+    const std::size_t lane = i % kLanes;
+    const std::size_t stratum = i / kLanes;
+    const std::size_t strata = (n + kLanes - 1) / kLanes;
+    const auto lobe = static_cast<float>((static_cast<double>(stratum) + stream.next()) /
+                                         static_cast<double>(strata));
+    const float u = stream.next_float();
+    return {Vec3(lobe, u, stream.next_float()), Transport::flux, {lane, false}};
+}
+
+}  // namespace sunfleck::laws

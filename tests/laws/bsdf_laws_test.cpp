@@ -1,0 +1,180 @@
+// Laws of every BSDF: both transports agree, nothing gains energy, samples say what eval() says.
+//
+// Fixed seeds; what is statistical here states its error where it is tested.
+#include "laws/bsdf_examples.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace sunfleck::laws {
+namespace {
+
+class BsdfLaws : public testing::TestWithParam<BsdfExample> {
+protected:
+    const Bsdf& bsdf() const { return GetParam().bsdf; }
+    float index(float z, std::size_t lane) const { return z > 0 ? 1 : GetParam().inside[lane]; }
+
+    RandomStream stream_{1, Purpose::test, 0, 0};
+};
+
+void expect_close(float a, float b, float relative) {
+    EXPECT_NEAR(a, b, relative * std::max(std::abs(a), std::abs(b)));
+}
+
+TEST(BsdfExamples, cover_every_alternative) {
+    std::set<std::size_t> seen;
+    std::set<std::string> names;
+    for (const BsdfExample& e : bsdf_examples()) {
+        seen.insert(e.bsdf.index());
+        EXPECT_TRUE(names.insert(e.name).second) << e.name;
+    }
+    EXPECT_EQ(seen.size(), std::variant_size_v<Bsdf>);
+}
+
+/// Radiance gathered from b towards a is flux sent from b towards a.
+TEST_P(BsdfLaws, eye_and_photon_paths_agree) {
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 a = random_direction(stream_);
+        const Vec3 b = random_direction(stream_);
+        const Spectrum gathered = eval(bsdf(), a, b, Transport::radiance);
+        const Spectrum sent = eval(bsdf(), b, a, Transport::flux);
+        for (std::size_t lane = 0; lane < kLanes; ++lane)
+            expect_close(gathered[lane], sent[lane], 1e-5F);
+    }
+}
+
+/// f / eta^2 is the same both ways, eta of the side that the light goes out into.
+TEST_P(BsdfLaws, reciprocity) {
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 a = random_direction(stream_);
+        const Vec3 b = random_direction(stream_);
+        const Spectrum to_a = eval(bsdf(), a, b, Transport::radiance);
+        const Spectrum to_b = eval(bsdf(), b, a, Transport::radiance);
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const float at_a = index(a.z, lane);
+            const float at_b = index(b.z, lane);
+            expect_close(to_a[lane] / (at_a * at_a), to_b[lane] / (at_b * at_b), 1e-5F);
+        }
+    }
+}
+
+/// The lobe is stratified, so smooth ones are exact to 1e-4; rough ones lose light and so have
+/// room, but the white Lambert, whose every weight is one.
+TEST_P(BsdfLaws, no_lane_gains_energy) {
+    constexpr std::size_t kSamples = 1U << 14U;
+    for (const Vec3& w_from : probe_directions()) {
+        Spectrum mean;
+        for (std::size_t i = 0; i < kSamples; ++i)
+            if (const auto drawn = sample(bsdf(), w_from, draw_number(i, kSamples, stream_)))
+                mean += drawn->weight / static_cast<float>(kSamples);
+        EXPECT_LE(mean.max(), 1 + 1e-3F) << w_from;
+    }
+}
+
+/// Weight, pdf, eta and side of a sample are those that eval() and pdf() give for it.
+TEST_P(BsdfLaws, samples_say_what_eval_and_pdf_say) {
+    constexpr std::size_t kSamples = 4000;
+    const bool delta = scattering(bsdf()) == Scattering::specular;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        BsdfDraw draw = draw_number(i, kSamples, stream_);
+        draw.transport = i % 3 == 0 ? Transport::radiance : Transport::flux;
+        const Vec3 w_from = random_direction(stream_);
+        const auto drawn = sample(bsdf(), w_from, draw);
+        if (!drawn) continue;
+        EXPECT_NEAR(drawn->w_to.length(), 1, 1e-6F);
+        EXPECT_TRUE(drawn->weight.is_finite() && drawn->weight.min() >= 0);
+        const std::size_t lane = draw.lanes.chosen;
+        expect_close(drawn->eta, index(drawn->w_to.z, lane) / index(w_from.z, lane), 1e-6F);
+        ASSERT_EQ(drawn->pdf.has_value(), !delta);
+        if (delta) {
+            EXPECT_TRUE(eval(bsdf(), w_from, drawn->w_to, draw.transport).is_zero());
+            EXPECT_EQ(pdf(bsdf(), w_from, drawn->w_to, draw.transport), 0);
+            continue;
+        }
+        // A dispersed sample says what its lane alone would say, for all lanes.
+        const Bsdf one = drawn->dispersed ? for_lane(bsdf(), lane) : bsdf();
+        const float share = drawn->dispersed ? static_cast<float>(kLanes) : 1;
+        const float density = pdf(one, w_from, drawn->w_to, draw.transport);
+        const Spectrum f = eval(one, w_from, drawn->w_to, draw.transport);
+        expect_close(*drawn->pdf, density, 2e-3F);
+        for (std::size_t l = 0; l < kLanes; ++l) {
+            const bool kept = !drawn->dispersed || l == lane;
+            const float says = f[l] * std::abs(drawn->w_to.z) / density * share;
+            expect_close(drawn->weight[l], kept ? says : 0, 2e-3F);
+        }
+    }
+}
+
+TEST_P(BsdfLaws, gathers_tells_where_eval_is_not_zero) {
+    std::array<bool, 4> lit{};
+    const auto sides = [](float a, float b) {
+        return std::size_t{a > 0 ? 2U : 0U} + std::size_t{b > 0 ? 1U : 0U};
+    };
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3 a = random_direction(stream_);
+        const Vec3 b = random_direction(stream_);
+        if (!eval(bsdf(), a, b, Transport::radiance).is_zero()) lit.at(sides(a.z, b.z)) = true;
+    }
+    for (const float a : {-0.5F, 0.5F})
+        for (const float b : {-0.5F, 0.5F})
+            EXPECT_EQ(gathers(bsdf(), a, b), lit.at(sides(a, b))) << a << " " << b;
+    EXPECT_FALSE(gathers(bsdf(), 0.5F, 0));
+}
+
+/// A path that has lost its other lanes goes on as if the BSDF had that lane's index alone.
+TEST_P(BsdfLaws, single_lane_is_the_lane_alone) {
+    constexpr std::size_t kSamples = 2000;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        BsdfDraw draw = draw_number(i, kSamples, stream_);
+        draw.lanes.single = true;
+        const Vec3 w_from = random_direction(stream_);
+        const std::size_t lane = draw.lanes.chosen;
+        const auto here = sample(bsdf(), w_from, draw);
+        const auto alone = sample(for_lane(bsdf(), lane), w_from, draw);
+        ASSERT_EQ(here.has_value(), alone.has_value());
+        if (!here) continue;
+        EXPECT_FALSE(here->dispersed);
+        EXPECT_TRUE(here->weight.is_finite());
+        EXPECT_EQ(here->w_to, alone->w_to);
+        EXPECT_EQ(here->weight[lane], alone->weight[lane]);
+    }
+}
+
+/// Numbers at the very edge of the square, and directions along the surface, give no nonsense.
+TEST_P(BsdfLaws, edges_are_finite) {
+    for (const float lobe : {0.0F, 0x1p-24F, 0.5F, 1.0F})
+        for (const float u : {0.0F, 0.5F, 1.0F})
+            for (const Vec3& w : {Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(1, 0, 0), Vec3(1, 0, 1e-7F),
+                                  Vec3(0, 1, -1e-20F)}) {
+                const auto drawn =
+                    sample(bsdf(), w, {{lobe, u, 1 - u}, Transport::flux, {3, false}});
+                if (!drawn) continue;
+                EXPECT_TRUE(drawn->weight.is_finite()) << w << lobe << u;
+                EXPECT_NEAR(drawn->w_to.length(), 1, 1e-6F) << w << lobe << u;
+                EXPECT_TRUE(!drawn->pdf || std::isfinite(*drawn->pdf)) << w << lobe << u;
+            }
+}
+
+/// Markov chains move in u: a small move turns the direction a little, but at the horizon, where
+/// lobes are cut and square roots are steep.
+TEST_P(BsdfLaws, direction_is_continuous_in_u) {
+    constexpr std::size_t kSamples = 20000;
+    std::size_t jumps = 0;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        BsdfDraw draw = draw_number(i, kSamples, stream_);
+        const Vec3 w_from = random_direction(stream_);
+        const auto here = sample(bsdf(), w_from, draw);
+        draw.u += Vec3(0, 1e-4F, -1e-4F);
+        const auto near = sample(bsdf(), w_from, draw);
+        if (!here || !near || here->w_to.z * near->w_to.z <= 0) continue;
+        if ((here->w_to - near->w_to).length() > 100 * 1e-4F) ++jumps;
+    }
+    EXPECT_LE(jumps, kSamples / 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BsdfLaws, testing::ValuesIn(bsdf_examples()),
+                         [](const auto& info) { return name_of(info); });
+
+}  // namespace
+}  // namespace sunfleck::laws

@@ -1,0 +1,96 @@
+// Materials at the wavelengths of a pass: which BSDF each becomes, and with what numbers.
+#include "material/material.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+Wavelengths some_wavelengths() {
+    Wavelengths w;
+    for (std::size_t i = 0; i < kLanes; ++i) w.nm.at(i) = 400 + 40 * static_cast<float>(i);
+    return w;
+}
+
+/// value(nm) = nm / 1000: lanes that differ, known by heart.
+SpectralCurve rising() {
+    return SpectralCurve::table({{300, 0.3F}, {900, 0.9F}});
+}
+
+template <class B>
+B as(const Material& material) {
+    const std::optional<Bsdf> bsdf = bsdf_of(material, some_wavelengths());
+    EXPECT_TRUE(bsdf && std::holds_alternative<B>(*bsdf));
+    return std::get<B>(*bsdf);
+}
+
+TEST(Material, diffuse_takes_its_curve_at_each_wavelength) {
+    const auto b = as<Lambert>(DiffuseMaterial{rising()});
+    for (std::size_t i = 0; i < kLanes; ++i)
+        EXPECT_NEAR(b.albedo[i], 0.4F + 0.04F * static_cast<float>(i), 1e-6F);
+}
+
+TEST(Material, diffuse_is_held_in_zero_and_one) {
+    EXPECT_EQ(as<Lambert>(DiffuseMaterial{SpectralCurve::constant(1.5F)}).albedo, Spectrum(1));
+    EXPECT_EQ(as<Lambert>(DiffuseMaterial{SpectralCurve::constant(-1)}).albedo, Spectrum(0));
+}
+
+TEST(Material, dielectric_is_smooth_below_the_limit_in_both) {
+    const SpectralCurve eta = SpectralCurve::constant(1.5F);
+    EXPECT_EQ(as<SmoothDielectric>(DielectricMaterial{eta, {}}).eta(), Spectrum(1.5F));
+    as<SmoothDielectric>(DielectricMaterial{eta, {0.9e-3F, 0.9e-3F}});
+    const auto rough = as<RoughDielectric>(DielectricMaterial{eta, {0, 0.2F}});
+    EXPECT_EQ(rough.facets().alpha_x, 1e-4F);
+    EXPECT_EQ(rough.facets().alpha_y, 0.2F);
+    EXPECT_EQ(rough.eta(), Spectrum(1.5F));
+}
+
+TEST(Material, dielectric_without_an_index_is_air) {
+    as<SmoothDielectric>(DielectricMaterial{SpectralCurve::constant(1), {0.3F, 0.3F}});
+    EXPECT_EQ(as<SmoothDielectric>(DielectricMaterial{SpectralCurve::constant(0), {}}).eta(),
+              Spectrum(1));
+}
+
+TEST(Material, dielectric_that_depends_on_the_wavelength_is_dispersive) {
+    const SpectralCurve glass = SpectralCurve::table({{300, 1.6F}, {900, 1.5F}});
+    EXPECT_TRUE(as<SmoothDielectric>(DielectricMaterial{glass, {}}).is_dispersive());
+    EXPECT_TRUE(as<RoughDielectric>(DielectricMaterial{glass, {0.1F, 0.1F}}).is_dispersive());
+    const SpectralCurve plain = SpectralCurve::constant(1.5F);
+    EXPECT_FALSE(as<SmoothDielectric>(DielectricMaterial{plain, {}}).is_dispersive());
+}
+
+TEST(Material, thin_dielectric_keeps_its_index) {
+    const SpectralCurve eta = SpectralCurve::constant(1.4F);
+    EXPECT_EQ(as<ThinDielectric>(ThinDielectricMaterial{eta}).eta, Spectrum(1.4F));
+}
+
+TEST(Material, conductor_by_index_and_by_reflectance) {
+    ConductorMaterial metal;
+    metal.eta = SpectralCurve::constant(0.2F);
+    metal.k = rising();
+    const auto smooth = as<SmoothConductor>(metal);
+    EXPECT_EQ(smooth.eta, Spectrum(0.2F));
+    EXPECT_NEAR(smooth.k[7], 0.68F, 1e-6F);
+
+    metal.roughness = {0.3F, 0.1F};
+    metal.reflectance = SpectralCurve::constant(0.8F);
+    const auto rough = as<RoughConductor>(metal);
+    EXPECT_EQ(rough.facets.alpha_x, 0.3F);
+    EXPECT_EQ(rough.facets.alpha_y, 0.1F);
+    EXPECT_NEAR(conductor_reflectance(1, rough.eta, rough.k)[2], 0.8F, 1e-6F);
+
+    metal.reflectance = SpectralCurve::constant(1);
+    EXPECT_TRUE(as<RoughConductor>(metal).k.is_finite());
+}
+
+TEST(Material, interface_is_no_surface) {
+    EXPECT_FALSE(bsdf_of(InterfaceMaterial{}, some_wavelengths()));
+}
+
+TEST(Material, alpha_is_the_root_of_roughness) {
+    EXPECT_EQ(alpha_from_roughness(0), 0);
+    EXPECT_NEAR(alpha_from_roughness(0.09F), 0.3F, 1e-7F);
+}
+
+}  // namespace
+}  // namespace sunfleck
