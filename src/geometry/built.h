@@ -1,0 +1,129 @@
+// What a geometry is built into: shapes ready to be traced, groups of them, instances of groups.
+//
+// A group is one Embree scene: the world, or an object. In a group, Embree's geometry number k is
+// the mesh that is shape k of the group's list; in the world's, instances follow; one number more
+// holds all shapes that are intersected exactly.
+#pragma once
+
+#include "geometry/affine.h"
+#include "geometry/embree.h"
+#include "geometry/geometry.h"
+#include "geometry/triangle.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace sunfleck {
+
+/// A line origin + t * direction.
+struct Line {
+    Vec3d origin;
+    Vec3d direction;
+
+    Line through(const Affine& map) const { return {map.point(origin), map.vector(direction)}; }
+};
+
+/// One shape in the frame of its group. The input must stay where it is.
+class BuiltShape {
+public:
+    using Corners = std::array<std::uint32_t, 3>;
+
+    BuiltShape() = default;
+    /// @param counting  {0,1,2}, {3,4,5} and so on, at least as many as a mesh has triangles.
+    BuiltShape(const PlacedShape& source, RTCDevice device, const std::vector<Corners>& counting);
+
+    const Shape& shape() const { return source_->shape; }
+    /// Null for shapes that are intersected exactly.
+    const TriangleMesh* mesh() const { return std::get_if<TriangleMesh>(&source_->shape); }
+    const Placement& placement() const { return placement_; }
+    bool flip() const { return source_->flip; }
+    const Bounds& bounds() const { return bounds_; }
+    /// Is there nothing to hit?
+    bool is_empty() const { return bounds_.is_empty(); }
+    /// Of a mesh that is not empty.
+    RTCGeometry geometry() const { return geometry_.get(); }
+    const Corners& corners(std::uint32_t primitive) const { return mesh()->triangles[primitive]; }
+    /// In the frame of the group, as Embree has it.
+    Triangle triangle(std::uint32_t primitive) const {
+        const float* v = &vertices_[std::size_t{9} * primitive];
+        return {{Vec3d(v[0], v[1], v[2]), Vec3d(v[3], v[4], v[5]), Vec3d(v[6], v[7], v[8])}};
+    }
+
+private:
+    void place_triangles();
+    void build_mesh(RTCDevice device, const std::vector<Corners>& counting);
+
+    const PlacedShape* source_ = nullptr;
+    Placement placement_;
+    Bounds bounds_;
+    // Nine floats a triangle: a hit needs its corners, and one look at memory costs less than an
+    // index and three looks. At the end one float that Embree reads but does not use.
+    std::vector<float> vertices_;
+    embree::Geometry geometry_;
+};
+
+/// Shapes that one Embree scene holds. Must stay where it is once build() was called.
+struct ShapeGroup {
+    const std::vector<BuiltShape>* built = nullptr;
+    std::vector<std::uint32_t> shapes;  // indices into `built`
+    std::vector<std::uint32_t> exact;   // those that are intersected exactly, by primitive
+    embree::Scene scene;
+    Bounds bounds;
+
+    /// Makes the scene and attaches the shapes; what remains is more geometry, and commit().
+    /// @param exact_number  Embree's number for the shapes that are intersected exactly.
+    void attach(RTCDevice device, std::uint32_t exact_number);
+    /// The shape that Embree's numbers name.
+    std::uint32_t shape_of(std::uint32_t geometry, std::uint32_t primitive) const {
+        return geometry < shapes.size() ? shapes[geometry] : exact[primitive];
+    }
+};
+
+/// A group under a matrix. The matrix is rounded to float first, as Embree does: then both mean
+/// the same surface.
+struct BuiltInstance {
+    const ShapeGroup* group = nullptr;
+    Placement placement;
+    Affine size_of_inverse;   // absolute values
+    Affine error_of_inverse;  // bound of what Embree's inverse, times the matrix, may be off
+    embree::Geometry geometry;
+
+    BuiltInstance(const Matrix& to_world, const ShapeGroup& what, RTCDevice device);
+    /// Box around the turned box of the group.
+    Bounds bounds() const;
+    /// How far, along `normal`, Embree's ray in the group's frame may be from the true one.
+    /// @param local  a point in the group's frame; `world` the same in the world.
+    double ray_uncertainty(const Vec3d& normal, const Vec3d& local, const Vec3d& world) const;
+};
+
+/// What a trace carries to the shapes that are intersected exactly.
+struct Query : RTCIntersectContext {
+    Line line;  // in the world
+    const std::vector<BuiltInstance>* instances;
+    std::uint32_t first_instance;  // Embree's number of instance 0
+    double t = 0;                  // of the nearest point on such a shape so far
+
+    Query(const Line& world_line, const std::vector<BuiltInstance>& all, std::uint32_t first)
+        : RTCIntersectContext(), instances(&all), first_instance(first) {
+        line = world_line;
+        rtcInitIntersectContext(this);
+    }
+};
+
+/// Lets Embree call the exact shapes of a group; attach() uses it.
+void attach_exact_shapes(ShapeGroup& group, RTCDevice device, std::uint32_t number);
+
+/// What Embree found, by the numbers of the input.
+struct Found {
+    const BuiltShape* shape = nullptr;
+    const BuiltInstance* instance = nullptr;  // or null
+    std::uint32_t primitive = 0;
+    Vec2d weights;  // Embree's, of corners 1 and 2
+    double t = 0;   // of an exact shape
+};
+
+/// All of the hit but its numbers. @param line  in the world, direction unit.
+Hit complete_hit(const Found& found, const Line& line);
+
+}  // namespace sunfleck

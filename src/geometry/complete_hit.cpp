@@ -1,0 +1,163 @@
+// From the primitive that Embree names to a hit: place, normals, tangent and error, in double.
+//
+// In:  the primitive and the ray. Out: values that depend on these alone, not on Embree's float
+// barycentrics (whose last bits differ between processors, through the approximate reciprocal).
+#include "geometry/built.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+/// A surface around a point, in the frame of the group.
+struct Patch {
+    Vec3d position;
+    Vec3d normal;  // unit
+    Vec3d shading_normal;
+    Vec3d tangent;
+    Vec2 uv;
+    double uncertainty = 0;  // along the normal, of the surface that Embree sees
+};
+
+template <class V>
+V interpolate(const std::vector<V>& values, const BuiltShape::Corners& c, const Vec3d& weights) {
+    return values[c[0]] * static_cast<float>(weights.x) +
+           values[c[1]] * static_cast<float>(weights.y) +
+           values[c[2]] * static_cast<float>(weights.z);
+}
+
+Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
+    const double length2 = v.dot(v);
+    const bool usable = length2 > 0 && std::isfinite(length2);
+    return usable ? v * (1 / std::sqrt(length2)) : otherwise;
+}
+
+/// dp/du of the linear map from uv to position; any edge where the uvs have no area.
+Vec3d tangent_from_uvs(const Triangle& triangle, const std::array<Vec2, 3>& uv) {
+    const Vec2d du(double{uv[0].x} - uv[2].x, double{uv[1].x} - uv[2].x);
+    const Vec2d dv(double{uv[0].y} - uv[2].y, double{uv[1].y} - uv[2].y);
+    const Vec3d dp02 = triangle.corner[0] - triangle.corner[2];
+    const Vec3d dp12 = triangle.corner[1] - triangle.corner[2];
+    const double determinant = du.x * dv.y - dv.x * du.y;
+    const Vec3d tangent = (dp02 * dv.y - dp12 * dv.x) * (1 / determinant);
+    const double length2 = tangent.dot(tangent);
+    return length2 > 0 && std::isfinite(length2) ? tangent : -dp02;
+}
+
+void texture(const BuiltShape& shape, const BuiltShape::Corners& c, const Vec3d& weights,
+             Patch& patch, const Triangle& triangle) {
+    std::array<Vec2, 3> uv{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)};
+    const TriangleMesh& mesh = *shape.mesh();
+    if (!mesh.uvs.empty()) uv = {mesh.uvs[c[0]], mesh.uvs[c[1]], mesh.uvs[c[2]]};
+    for (int i = 0; i < 2; ++i)
+        patch.uv[i] =
+            static_cast<float>(weights.x * uv[0][i] + weights.y * uv[1][i] + weights.z * uv[2][i]);
+    if (!mesh.tangents.empty()) {
+        const Vec3d given(interpolate(mesh.tangents, c, weights));
+        patch.tangent = shape.placement().to_world.vector(given);
+        const double length2 = patch.tangent.dot(patch.tangent);
+        if (length2 > 0 && std::isfinite(length2)) return;
+    }
+    patch.tangent = tangent_from_uvs(triangle, uv);
+}
+
+Patch on_mesh(const Found& found, const Line& line) {
+    const BuiltShape& shape = *found.shape;
+    const BuiltShape::Corners& c = shape.corners(found.primitive);
+    const Triangle triangle = shape.triangle(found.primitive);
+    const Vec3d weights = barycentrics(triangle, line.origin, line.direction, found.weights);
+    Patch patch;
+    patch.position = triangle.point(weights);
+    const Vec3d area_vector = triangle.area_vector();
+    patch.normal = unit_or(area_vector, {0, 0, 1});
+    patch.uncertainty = plane_uncertainty(triangle, area_vector, patch.position);
+    if (shape.flip() != shape.placement().mirrors) patch.normal = -patch.normal;
+    patch.shading_normal = patch.normal;
+    if (!shape.mesh()->normals.empty()) {
+        const Vec3d given(interpolate(shape.mesh()->normals, c, weights));
+        const Vec3d smooth = shape.placement().normal(shape.flip() ? -given : given);
+        patch.shading_normal = unit_or(smooth, patch.normal);
+        if (patch.normal.dot(patch.shading_normal) < 0) patch.normal = -patch.normal;
+    }
+    texture(shape, c, weights, patch, triangle);
+    return patch;
+}
+
+Patch on_exact_shape(const Found& found, const Line& line) {
+    const Placement& placement = found.shape->placement();
+    const Line local = line.through(placement.to_object);
+    const Vec3d near = local.origin + local.direction * found.t;
+    const LocalSurface surface = std::visit(
+        [&](const auto& s) -> LocalSurface {
+            if constexpr (ExactShape<std::decay_t<decltype(s)>>)
+                return s.at(near);
+            else
+                return {};
+        },
+        found.shape->shape());
+    Patch patch;
+    patch.position = placement.to_world.point(surface.position);
+    patch.normal = unit_or(placement.normal(surface.normal), {0, 0, 1});
+    if (found.shape->flip()) patch.normal = -patch.normal;
+    patch.shading_normal = patch.normal;
+    patch.tangent = placement.to_world.vector(surface.tangent);
+    patch.uv = surface.uv;
+    return patch;
+}
+
+/// Rounding in double, of a point that went through a map and its inverse.
+double double_uncertainty(const Vec3d& position, const Affine& map) {
+    const Vec3d from_origin = position - map.origin;
+    const double size = std::abs(position.x) + std::abs(position.y) + std::abs(position.z) +
+                        std::abs(from_origin.x) + std::abs(from_origin.y) + std::abs(from_origin.z);
+    return 0x1p-42 * size;
+}
+
+/// Takes the patch out of the instance's frame into the world.
+void leave_instance(const BuiltInstance& instance, bool is_mesh, Patch& patch) {
+    const Placement& placement = instance.placement;
+    const Vec3d local = patch.position;
+    patch.position = placement.to_world.point(local);
+    const Vec3d normal = placement.normal(patch.normal);
+    if (is_mesh) {
+        // Planes d apart are d times this apart after the map.
+        const double stretch =
+            std::abs(placement.to_world.determinant()) / std::sqrt(normal.dot(normal));
+        patch.uncertainty += instance.ray_uncertainty(patch.normal, local, patch.position);
+        patch.uncertainty *= stretch;
+    }
+    patch.normal = unit_or(normal, {0, 0, 1});
+    patch.shading_normal = unit_or(placement.normal(patch.shading_normal), patch.normal);
+    patch.tangent = placement.to_world.vector(patch.tangent);
+    patch.uncertainty += double_uncertainty(patch.position, placement.to_world);
+}
+
+}  // namespace
+
+Hit complete_hit(const Found& found, const Line& line) {
+    const bool is_mesh = found.shape->mesh() != nullptr;
+    const BuiltInstance* instance = found.instance;
+    const Line local = instance == nullptr ? line : line.through(instance->placement.to_object);
+    Patch patch = is_mesh ? on_mesh(found, local) : on_exact_shape(found, local);
+    if (!is_mesh)
+        patch.uncertainty += double_uncertainty(patch.position, found.shape->placement().to_world);
+    if (instance != nullptr) leave_instance(*instance, is_mesh, patch);
+
+    const double margin = patch.uncertainty + rounding_uncertainty(patch.normal, patch.position);
+    const Vec3d way = patch.position - line.origin;
+    Hit hit;
+    hit.position = Vec3(patch.position);
+    hit.normal = Vec3(patch.normal);
+    hit.shading_normal = Vec3(patch.shading_normal);
+    if (!(hit.normal.dot(hit.shading_normal) > 0)) hit.shading_normal = hit.normal;
+    hit.tangent = Vec3(patch.tangent);
+    hit.uv = patch.uv;
+    hit.error = std::max(static_cast<float>(margin * 1.1), 1e-30F);
+    const double distance = way.dot(line.direction) / line.direction.dot(line.direction);
+    hit.distance = static_cast<float>(distance);
+    hit.primitive = is_mesh ? found.primitive : 0;
+    return hit;
+}
+
+}  // namespace sunfleck

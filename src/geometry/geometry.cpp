@@ -1,0 +1,210 @@
+// Building a geometry, and tracing rays through it.
+#include "geometry/geometry.h"
+
+#include "core/parallel.h"
+#include "geometry/built.h"
+
+#include <embree3/rtcore_ray.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace sunfleck {
+namespace {
+
+/// Hits at t = 0 are none: t must be at least this.
+constexpr float kNearest = std::numeric_limits<float>::min();
+
+/// The float before `length`: Embree takes hits at the very end, too.
+float last_before(float length) {
+    return length * 0x1.fffffep-1F;
+}
+
+RTCRay embree_ray(const Line& line, float length) {
+    RTCRay ray{};
+    ray.org_x = static_cast<float>(line.origin.x);
+    ray.org_y = static_cast<float>(line.origin.y);
+    ray.org_z = static_cast<float>(line.origin.z);
+    ray.tnear = kNearest;
+    ray.dir_x = static_cast<float>(line.direction.x);
+    ray.dir_y = static_cast<float>(line.direction.y);
+    ray.dir_z = static_cast<float>(line.direction.z);
+    ray.tfar = last_before(length);
+    ray.mask = 0xFFFFFFFF;
+    return ray;
+}
+
+bool is_traceable(const Line& line, float length) {
+    const double size =
+        absolute_dot(line.origin, Vec3d(1)) + absolute_dot(line.direction, Vec3d(1));
+    return size < embree::kLargest && length > 0 && line.direction != Vec3d(0);
+}
+
+}  // namespace
+
+struct Geometry::Impl {
+    GeometryInput input;
+    embree::Device device;
+    std::vector<BuiltShape::Corners> counting;    // Embree's index buffer, of all meshes
+    std::vector<BuiltShape> shapes;               // as in the input; only those that are used
+    std::map<std::uint32_t, ShapeGroup> objects;  // by their number
+    std::vector<BuiltInstance> instances;
+    ShapeGroup world;
+    Bounds bounds;
+    std::size_t triangles = 0;
+
+    Impl(GeometryInput in, const std::string& isa);
+
+    void build_shapes();
+    void build_objects();
+    void build_world();
+    std::uint32_t first_instance() const { return static_cast<std::uint32_t>(world.shapes.size()); }
+    std::size_t triangles_of(const std::vector<std::uint32_t>& list) const;
+    std::optional<Hit> trace(const Line& line, float length) const;
+    bool is_far(double distance, const Vec3& position) const;
+};
+
+Geometry::Impl::Impl(GeometryInput in, const std::string& isa)
+    : input(std::move(in)), device(embree::open_device(isa)) {
+    build_shapes();
+    build_objects();
+    build_world();
+    triangles = triangles_of(input.in_world);
+    for (const PlacedInstance& instance : input.instances)
+        triangles += triangles_of(instance.shapes);
+}
+
+void Geometry::Impl::build_shapes() {
+    std::vector<char> is_used(input.shapes.size(), 0);
+    for (const std::uint32_t s : input.in_world) is_used[s] = 1;
+    for (const PlacedInstance& instance : input.instances)
+        for (const std::uint32_t s : instance.shapes) is_used[s] = 1;
+    shapes.resize(input.shapes.size());
+    std::size_t most = 0;
+    for (const PlacedShape& shape : input.shapes)
+        if (const auto* mesh = std::get_if<TriangleMesh>(&shape.shape))
+            most = std::max(most, mesh->triangles.size());
+    counting.resize(most);
+    for (std::uint32_t i = 0; i < most; ++i) counting[i] = {3 * i, 3 * i + 1, 3 * i + 2};
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        if (is_used[i] != 0) shapes[i] = BuiltShape(input.shapes[i], device.get(), counting);
+}
+
+void Geometry::Impl::build_objects() {
+    for (const PlacedInstance& instance : input.instances) {
+        const auto [place, is_new] = objects.try_emplace(instance.object);
+        ShapeGroup& object = place->second;
+        if (!is_new) continue;
+        object.built = &shapes;
+        object.shapes = instance.shapes;
+        object.attach(device.get(), static_cast<std::uint32_t>(object.shapes.size()));
+        embree::commit(object.scene.get());
+    }
+}
+
+void Geometry::Impl::build_world() {
+    world.built = &shapes;
+    world.shapes = input.in_world;
+    const std::size_t exact_number = input.in_world.size() + input.instances.size();
+    world.attach(device.get(), static_cast<std::uint32_t>(exact_number));
+    bounds = world.bounds;
+    instances.reserve(input.instances.size());
+    for (const PlacedInstance& placed : input.instances) {
+        const auto number = first_instance() + static_cast<std::uint32_t>(instances.size());
+        const BuiltInstance& instance =
+            instances.emplace_back(placed.to_world, objects.at(placed.object), device.get());
+        if (!instance.geometry) continue;
+        rtcAttachGeometryByID(world.scene.get(), instance.geometry.get(), number);
+        bounds.extend(instance.bounds());
+    }
+    embree::commit(world.scene.get());
+}
+
+std::size_t Geometry::Impl::triangles_of(const std::vector<std::uint32_t>& list) const {
+    std::size_t sum = 0;
+    for (const std::uint32_t s : list)
+        if (const auto* mesh = std::get_if<TriangleMesh>(&input.shapes[s].shape))
+            sum += mesh->triangles.size();
+    return sum;
+}
+
+std::optional<Hit> Geometry::Impl::trace(const Line& line, float length) const {
+    if (!is_traceable(line, length)) return {};
+    Query query(line, instances, first_instance());
+    RTCRayHit met{embree_ray(line, length), {}};
+    met.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    met.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(world.scene.get(), &query, &met);
+    if (met.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+
+    const bool in_world = met.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
+    const std::uint32_t number = in_world ? kNone : met.hit.instID[0] - first_instance();
+    const BuiltInstance* instance = in_world ? nullptr : &instances[number];
+    const ShapeGroup& group = in_world ? world : *instance->group;
+    const std::uint32_t shape = group.shape_of(met.hit.geomID, met.hit.primID);
+    const Vec2d weights(met.hit.u, met.hit.v);
+    Hit hit = complete_hit({&shapes[shape], instance, met.hit.primID, weights, query.t}, line);
+    hit.shape = shape;
+    hit.instance = number;
+    return hit;
+}
+
+/// Far: floats at the hit would resolve more than is left of them after the way to it; but ways
+/// that are short for the whole scene are not worth a second trace.
+bool Geometry::Impl::is_far(double distance, const Vec3& p) const {
+    const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return distance > 64 * size && distance > 0x1p-9 * bounds.radius();
+}
+
+Geometry::Geometry(GeometryInput input, const std::string& isa)
+    : impl_(std::make_unique<Impl>(std::move(input), isa)) {}
+Geometry::~Geometry() = default;
+Geometry::Geometry(Geometry&&) noexcept = default;
+Geometry& Geometry::operator=(Geometry&&) noexcept = default;
+
+std::optional<Hit> Geometry::intersect(const Ray& ray) const {
+    return impl_->trace({Vec3d(ray.origin), Vec3d(ray.direction)}, ray.length);
+}
+
+/// A float ray from 10 km off misses its mark by half a millimetre: its origin is on a grid of
+/// 2^-11 m there, and its direction is good to 2^-24. So the first trace finds out how far the
+/// surface is, and the next starts a thousandth of that before it, from a point walked to in
+/// double: what is left of the way is short, and so are the errors. The place of the hit is
+/// computed from the line in double in any case; what the repetition mends is which primitive is
+/// met. If that is far again (the first one was brushed by mistake), once more, thrice in all.
+/// What a thin thing more than a thousandth of the way before the hit would have shown is lost.
+std::optional<Hit> Geometry::intersect_precise(const Vec3d& origin, const Vec3d& direction) const {
+    constexpr int kMostRepetitions = 3;
+    constexpr double kWalk = 1 - 0x1p-10;
+    double walked = 0;
+    for (int repetition = 0;; ++repetition) {
+        auto hit = impl_->trace({origin + direction * walked, direction}, kInfinity);
+        if (!hit) return hit;
+        const double left = hit->distance;
+        hit->distance = static_cast<float>(walked + left);
+        if (repetition == kMostRepetitions || !impl_->is_far(left, hit->position)) return hit;
+        walked += left * kWalk;
+    }
+}
+
+bool Geometry::occluded(const Ray& ray) const {
+    const Line line{Vec3d(ray.origin), Vec3d(ray.direction)};
+    if (!is_traceable(line, ray.length)) return false;
+    Query query(line, impl_->instances, impl_->first_instance());
+    RTCRay embree = embree_ray(line, ray.length);
+    rtcOccluded1(impl_->world.scene.get(), &query, &embree);
+    return embree.tfar < 0;
+}
+
+const Bounds& Geometry::bounds() const {
+    return impl_->bounds;
+}
+const GeometryInput& Geometry::input() const {
+    return impl_->input;
+}
+std::size_t Geometry::triangle_count() const {
+    return impl_->triangles;
+}
+
+}  // namespace sunfleck

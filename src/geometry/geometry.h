@@ -1,0 +1,92 @@
+// All surfaces of a scene, ready to be traced: the only door to Embree.
+//
+// In:  shapes with their object-to-world matrices; objects and instances of them.
+// Out: nearest hits and occlusion. Immutable once built; any number of threads may trace.
+// Same bytes on every x86-64 with AVX2: Embree opened with isa=avx2, medium quality, robust,
+// single-ray kernels only (docs/decisions.md). Embree says only which primitive is hit; where, is
+// worked out again in double.
+#pragma once
+
+#include "geometry/bounds.h"
+#include "geometry/ray.h"
+#include "geometry/shape.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sunfleck {
+
+/// Has this processor what Embree's AVX2 kernels need? If not, bytes may differ from other
+/// machines' (Geometry then takes the kernels that Embree picks).
+bool cpu_has_avx2();
+
+/// One shape in the world or in an object.
+struct PlacedShape {
+    Shape shape;
+    Matrix to_world;    // object frame to world (or to the frame of the object that holds it)
+    bool flip = false;  // ReverseOrientation: the normal side is the other one (mirroring
+                        // matrices need nothing here: normals stay on the object-space side)
+};
+
+/// Shapes, once, under many matrices.
+struct PlacedInstance {
+    std::vector<std::uint32_t> shapes;  // indices into GeometryInput::shapes
+    Matrix to_world;
+    std::uint32_t object = 0;  // instances of one object share one Embree scene
+};
+
+struct GeometryInput {
+    std::vector<PlacedShape> shapes;
+    std::vector<std::uint32_t> in_world;  // indices of the shapes that stand in the world
+    std::vector<PlacedInstance> instances;
+};
+
+/// Left out, for nothing can be hit there: triangles without area, with a corner that is not
+/// in the list; spheres, disks and instances under a matrix without an inverse; what is not finite
+/// or farther out than 1e18.
+/// Triangles keep their numbers.
+class Geometry {
+public:
+    /// @param isa  "avx2" (the promise of equal bytes), or "native" (whatever Embree picks).
+    /// @throws std::runtime_error when Embree cannot build (memory), or on another `isa`.
+    explicit Geometry(GeometryInput input, const std::string& isa = "avx2");
+    ~Geometry();
+    Geometry(Geometry&&) noexcept;
+    Geometry& operator=(Geometry&&) noexcept;
+    Geometry(const Geometry&) = delete;
+    Geometry& operator=(const Geometry&) = delete;
+
+    /// The nearest surface strictly between the ray's ends (t of a triangle is good to some 2^-22
+    /// of itself). A ray that is not finite (or starts beyond 1e18)
+    /// hits nothing.
+    std::optional<Hit> intersect(const Ray& ray) const;
+    /// The nearest surface for a ray that starts far away (a camera or a sun 10 km off), as if all
+    /// were done in double: see the definition for the how. Costs up to four traces when the hit is
+    /// far compared with the precision that floats have at the hit, one otherwise.
+    /// @param direction  unit.
+    std::optional<Hit> intersect_precise(const Vec3d& origin, const Vec3d& direction) const;
+    /// Is there any surface strictly between the ray's ends?
+    bool occluded(const Ray& ray) const;
+
+    /// Holds all surfaces; tight for shapes in the world, a box around the object's turned box for
+    /// an instance. Empty for an empty scene.
+    const Bounds& bounds() const;
+    const GeometryInput& input() const;
+    /// Of the input; an instance counts all its triangles.
+    std::size_t triangle_count() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// A point of a shape chosen uniformly by area in world space, for emission.
+struct SurfacePoint {
+    Vec3d position;
+    Vec3 normal;      // geometric, the side that emits
+    double area = 0;  // of the sampled patch; the density is 1 / area
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,23 @@
+// Sizes of placed shapes in the world: for the power of lights, and for choosing points on them.
+#pragma once
+
+#include "geometry/affine.h"
+#include "geometry/geometry.h"
+#include "geometry/triangle.h"
+
+namespace sunfleck {
+
+/// Where a vertex of a mesh stands for Geometry: its image, rounded to float.
+inline Vec3 placed_vertex(const Vec3& p, const Affine& to_world) {
+    return {to_world.point(Vec3d(p))};
+}
+
+/// The corners of one triangle of a placed mesh, as Geometry has them.
+Triangle placed_triangle(const TriangleMesh& mesh, const Affine& to_world, std::size_t triangle);
+
+/// The area of one side in the world, in squares of the scene's unit. Triangles are summed in
+/// double, in order; spheres by a closed form under rotations, mirrors and uniform scales, else by
+/// quadrature to 1e-6; disks exactly. Not finite or out of range triangles count nothing.
+double surface_area(const PlacedShape& placed);
+
+}  // namespace sunfleck
