@@ -1,0 +1,94 @@
+// Area light: uniform positions and cosine directions out; caps or areas seen from a point.
+#include "light/area_light.h"
+
+#include "light/emitting_surface.h"
+#include "math/warp.h"
+
+namespace sunfleck {
+
+namespace {
+
+/// A direction to the part of a whole sphere that the point sees, and how far it is.
+DirectSample sample_cap(const VisibleCap& cap, const Vec2d& u) {
+    const DiscPoint disc = concentric_disc_point(u);
+    const double versine = disc.radius2 * cap.versine;
+    const Vec3d direction = rotate_z_to(cap.axis, around_pole(disc, versine));
+    const double across2 = cap.distance * cap.distance * versine * (2 - versine);
+    const double half_chord = std::sqrt(std::max(0.0, cap.radius * cap.radius - across2));
+    const double solid_angle = 2 * kPiDouble * cap.versine;
+    return {Vec3(direction), static_cast<float>(cap.distance * (1 - versine) - half_chord),
+            static_cast<float>(solid_angle), static_cast<float>(1 / solid_angle)};
+}
+
+/// A direction to a point of the whole surface; nothing if that does not emit towards us.
+std::optional<DirectSample> sample_by_area(const SurfaceSample& on, const Vec3d& point,
+                                           bool two_sided) {
+    const Vec3d to_light = on.position - point;
+    const double distance2 = to_light.length2();
+    if (!(distance2 > 0)) return {};
+    const double distance = std::sqrt(distance2);
+    const double cosine = -on.normal.dot(to_light) / distance;
+    const double facing = two_sided ? std::abs(cosine) : cosine;
+    if (!(facing > 0)) return {};
+    const double solid_angle = on.spread * facing / distance2;
+    const auto pdf = static_cast<float>(1 / solid_angle);
+    if (!std::isfinite(pdf)) return {};
+    return DirectSample{Vec3(to_light / distance), static_cast<float>(distance),
+                        static_cast<float>(solid_angle), pdf};
+}
+
+}  // namespace
+
+Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneSphere&) const {
+    const auto on_surface = [&](const auto& s) { return sample_surface(s, {u[0], u[1]}); };
+    const SurfaceSample on = std::visit(on_surface, surface);
+    const auto bound = [&](const auto& s) { return surface_error(s, on); };
+    const bool back = two_sided && u[2] > 0.5;
+    // The two sides are the halves of the slot, folded so that they meet at the horizon.
+    const double folded = two_sided ? 2 * std::min(u[2], 1 - u[2]) : u[2];
+    Vec3d local = cosine_hemisphere({folded, u[3]});
+    if (back) local.z = -local.z;
+    const double sides = two_sided ? 2 : 1;
+    return {on.position, rotate_z_to(on.normal, local), sides * kPiDouble * on.spread,
+            Vec3(on.normal), std::visit(bound, surface)};
+}
+
+std::optional<DirectSample> AreaLight::sample_direct(const Vec3& point, const Vec2& u,
+                                                     const SceneSphere&) const {
+    const Vec3d from(point);
+    const auto sample = [&](const auto& s) -> std::optional<DirectSample> {
+        if (const auto cap = visible_cap(s, from)) {
+            if (is_flipped(s) && !two_sided) return {};
+            return sample_cap(*cap, Vec2d(u));
+        }
+        return sample_by_area(sample_surface(s, Vec2d(u)), from, two_sided);
+    };
+    return std::visit(sample, surface);
+}
+
+double AreaLight::power(const SceneSphere&) const {
+    return (two_sided ? 2 : 1) * kPiDouble * area();
+}
+
+double AreaLight::area() const {
+    return std::visit([](const auto& s) { return surface_area(s); }, surface);
+}
+
+float AreaLight::direct_pdf(const Vec3& point, const Vec3& on, const Vec3& normal) const {
+    const Vec3d to_point = Vec3d(point) - Vec3d(on);
+    const Vec3d n(normal);
+    const double facing = n.dot(to_point);
+    const double distance2 = to_point.length2();
+    if (!(distance2 > 0) || !(two_sided ? facing != 0 : facing > 0)) return 0;
+    const auto density = [&](const auto& s) {
+        if (const auto cap = visible_cap(s, Vec3d(point))) {
+            const bool outside = is_flipped(s) ? facing < 0 : facing > 0;
+            return outside ? 1 / (2 * kPiDouble * cap->versine) : 0.0;
+        }
+        const double cosine = std::abs(facing) / std::sqrt(distance2);
+        return distance2 / (cosine * surface_spread(s, n));
+    };
+    return static_cast<float>(std::visit(density, surface));
+}
+
+}  // namespace sunfleck

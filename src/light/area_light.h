@@ -1,0 +1,59 @@
+// A surface that emits the same radiance in all directions of one side, or of both: one emitting
+// triangle, sphere or disk, in the world's frame.
+//
+// Curve: radiance, W/(sr m^2).
+// Emission: uniform by area (spheres under matrices that are no similarity: in their own frame),
+// cosine-weighted directions. Two-sided emitters choose the side by the
+// halves of the first direction slot, folded so that they meet at the horizon; Emission::normal
+// stays on the side of Hit::normal.
+// Direct light: whole spheres under similarities are sampled in the cone that the point sees (by
+// area from inside), all else by area.
+#pragma once
+
+#include "geometry/disk.h"
+#include "geometry/sphere.h"
+#include "light/model.h"
+
+#include <variant>
+
+namespace sunfleck {
+
+/// A triangle in the world's frame. Emits on the side of `normal` (unit, geometric).
+struct EmittingTriangle {
+    Vec3d p0;
+    Vec3d edge1;  // p1 - p0
+    Vec3d edge2;  // p2 - p0
+    Vec3d normal;
+};
+
+/// A sphere or disk of its own frame, placed in the world by any affine matrix (area and density
+/// are those of the world). `flip` emits on the other side.
+template <class Quadric>
+struct EmittingQuadric {
+    Quadric shape;
+    Matrix to_world;
+    bool flip = false;
+};
+
+struct AreaLight {
+    SpectralCurve curve;
+    std::variant<EmittingTriangle, EmittingQuadric<Sphere>, EmittingQuadric<Disk>> surface;
+    bool two_sided = false;
+    std::uint32_t shape = kNone;      // Hit::shape of the surface
+    std::uint32_t primitive = kNone;  // Hit::primitive
+
+    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
+                                              const SceneSphere&) const;
+    /// pi * area, twice if two-sided.
+    double power(const SceneSphere&) const;
+    /// In m^2, in the world. By quadrature for spheres under matrices that are no similarity.
+    double area() const;
+    /// Does the surface emit into w (unit, world, away from it)? @param normal  of the hit.
+    bool emits(const Vec3& normal, const Vec3& w) const { return two_sided || normal.dot(w) > 0; }
+    /// Density per steradian at `point` with which sample_direct() would choose the point `on`
+    /// of the surface (whose geometric normal is `normal`): the other half of MIS.
+    float direct_pdf(const Vec3& point, const Vec3& on, const Vec3& normal) const;
+};
+
+}  // namespace sunfleck

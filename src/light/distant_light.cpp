@@ -1,0 +1,23 @@
+// Distant light: parallel rays from a disc as wide as the scene.
+#include "light/distant_light.h"
+
+#include "light/scene_disc.h"
+
+namespace sunfleck {
+
+Emission DistantLight::sample_emission(const std::array<double, 4>& u,
+                                       const SceneSphere& sphere) const {
+    return {scene_disc_point(sphere, direction, {u[0], u[1]}), direction, scene_disc_area(sphere),
+            Vec3(0), 0};
+}
+
+std::optional<DirectSample> DistantLight::sample_direct(const Vec3&, const Vec2&,
+                                                        const SceneSphere&) const {
+    return DirectSample{Vec3(-direction), kInfinity, 1, std::nullopt};
+}
+
+double DistantLight::power(const SceneSphere& sphere) const {
+    return scene_disc_area(sphere);
+}
+
+}  // namespace sunfleck

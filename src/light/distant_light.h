@@ -1,0 +1,21 @@
+// Parallel light from infinitely far away.
+//
+// Curve: irradiance on a plane perpendicular to the direction, W/m^2. Photons start on the disc of
+// the scene's sphere, perpendicular to the direction, one radius before its centre.
+#pragma once
+
+#include "light/model.h"
+
+namespace sunfleck {
+
+struct DistantLight {
+    SpectralCurve curve;
+    Vec3d direction;  // unit; the way that the light travels
+
+    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
+    std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
+                                              const SceneSphere&) const;
+    double power(const SceneSphere& sphere) const;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,70 @@
+// Points and visible caps of emitting spheres, whole or in part, under any matrix.
+#include "light/affine_area.h"
+#include "light/emitting_surface.h"
+#include "math/warp.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+
+namespace {
+
+/// The part of a sphere that is there: heights over the radius, and azimuths.
+struct Zone {
+    double low;
+    double high;
+    double turns;  // phi_max over a full turn
+
+    explicit Zone(const Sphere& s)
+        : low(std::clamp(std::min(s.z_min, s.z_max) / std::abs(s.radius), -1.0, 1.0)),
+          high(std::clamp(std::max(s.z_min, s.z_max) / std::abs(s.radius), -1.0, 1.0)),
+          turns(std::clamp(s.phi_max / (2 * kPiDouble), 0.0, 1.0)) {}
+
+    bool is_whole() const { return low <= -1 && high >= 1 && turns > 1 - 1e-9; }
+};
+
+double own_area(const Sphere& sphere) {
+    const Zone zone(sphere);
+    return sphere.radius * sphere.radius * (zone.high - zone.low) * zone.turns * 2 * kPiDouble;
+}
+
+/// The unit normal, outwards, in the sphere's frame.
+Vec3d own_normal(const Sphere& sphere, const Vec2d& u) {
+    const Zone zone(sphere);
+    if (zone.is_whole()) return uniform_sphere(u);
+    const double z = zone.low + u.x * (zone.high - zone.low);
+    const double r = std::sqrt(std::max(0.0, 1 - z * z));
+    const SinCos phi = sin_cos_turn(u.y * zone.turns);
+    return {r * phi.cos, r * phi.sin, z};
+}
+
+}  // namespace
+
+SurfaceSample sample_surface(const EmittingQuadric<Sphere>& sphere, const Vec2d& u) {
+    const Affine map(sphere.to_world);
+    const Vec3d own = own_normal(sphere.shape, u);
+    const Vec3d area = area_vector(map, own);
+    const double ratio = area.length();
+    const double side = sphere.flip ? -1 : 1;
+    return {map.point(own * std::abs(sphere.shape.radius)), area * (side / ratio),
+            own_area(sphere.shape) * ratio};
+}
+
+double surface_spread(const EmittingQuadric<Sphere>& sphere, const Vec3d& normal) {
+    return own_area(sphere.shape) * area_ratio_of_image(Affine(sphere.to_world), normal);
+}
+
+std::optional<VisibleCap> visible_cap(const EmittingQuadric<Sphere>& sphere, const Vec3d& point) {
+    const Affine map(sphere.to_world);
+    if (!Zone(sphere.shape).is_whole() || !is_similarity(map)) return {};
+    const Vec3d to_center = map.origin - point;
+    const double radius2 = sphere.shape.radius * sphere.shape.radius * mean_scale2(map);
+    const double distance2 = to_center.length2();
+    if (!(distance2 > radius2 * (1 + 1e-9))) return {};
+    const double sine2 = radius2 / distance2;
+    const double distance = std::sqrt(distance2);
+    return VisibleCap{to_center / distance, distance, std::sqrt(radius2),
+                      sine2 / (1 + std::sqrt(1 - sine2))};
+}
+
+}  // namespace sunfleck

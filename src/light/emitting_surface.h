@@ -1,0 +1,69 @@
+// The surfaces of area lights: points spread over them, and how densely.
+//
+// In:  u in (0,1)^2, in double. Out: world positions, normals, areas. Triangles, disks and
+// similar images of spheres are covered uniformly by area. A sphere under any other matrix is
+// covered uniformly in its own frame: `spread` then varies over it.
+// The maps are continuous; sectors and rings have one seam at azimuth 0, full spheres and disks
+// none.
+#pragma once
+
+#include "light/area_light.h"
+
+#include <optional>
+
+namespace sunfleck {
+
+struct SurfaceSample {
+    Vec3d position;
+    Vec3d normal;       // unit; the side of Hit::normal, flip included
+    double spread = 0;  // 1 / density, m^2; uniform: the area
+};
+
+SurfaceSample sample_surface(const EmittingTriangle& triangle, const Vec2d& u);
+SurfaceSample sample_surface(const EmittingQuadric<Sphere>& sphere, const Vec2d& u);
+SurfaceSample sample_surface(const EmittingQuadric<Disk>& disk, const Vec2d& u);
+
+/// SurfaceSample::spread at the point of the surface whose unit world normal (either side) is
+/// `normal`.
+double surface_spread(const EmittingTriangle& triangle, const Vec3d& normal);
+double surface_spread(const EmittingQuadric<Sphere>& sphere, const Vec3d& normal);
+double surface_spread(const EmittingQuadric<Disk>& disk, const Vec3d& normal);
+
+/// World area, m^2.
+double surface_area(const EmittingTriangle& triangle);
+template <class Quadric>
+double surface_area(const EmittingQuadric<Quadric>& surface) {
+    return surface.shape.area(Affine(surface.to_world));
+}
+
+/// Does the normal point inwards (spheres) or down (disks)? Never for triangles: theirs is given.
+inline bool is_flipped(const EmittingTriangle&) {
+    return false;
+}
+template <class Quadric>
+bool is_flipped(const EmittingQuadric<Quadric>& surface) {
+    return surface.flip;
+}
+
+/// How far along its normal a ray that starts at the point must be moved, so that rounding to
+/// float leaves it on its side of the surface.
+float surface_error(const EmittingTriangle& triangle, const SurfaceSample& on);
+float surface_error(const EmittingQuadric<Sphere>& sphere, const SurfaceSample& on);
+float surface_error(const EmittingQuadric<Disk>& disk, const SurfaceSample& on);
+
+/// The part of a whole sphere that a point outside it sees, as a cone of directions.
+struct VisibleCap {
+    Vec3d axis;           // unit, to the centre
+    double distance = 0;  // to the centre
+    double radius = 0;
+    double versine = 0;  // 1 - cos of the cone's half angle
+};
+
+/// Nothing for parts of spheres, for matrices that are no similarity, and from inside.
+std::optional<VisibleCap> visible_cap(const EmittingQuadric<Sphere>& sphere, const Vec3d& point);
+template <class Surface>
+std::optional<VisibleCap> visible_cap(const Surface&, const Vec3d&) {
+    return {};
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,29 @@
+// Infinite light: every direction equally, each from a disc as wide as the scene.
+#include "light/infinite_light.h"
+
+#include "light/scene_disc.h"
+
+namespace sunfleck {
+
+Emission InfiniteLight::sample_emission(const std::array<double, 4>& u,
+                                        const SceneSphere& sphere) const {
+    const Vec3d direction = uniform_sphere({u[2], u[3]});
+    return {scene_disc_point(sphere, direction, {u[0], u[1]}), direction, power(sphere), Vec3(0),
+            0};
+}
+
+std::optional<DirectSample> InfiniteLight::sample_direct(const Vec3&, const Vec2& u,
+                                                         const SceneSphere&) const {
+    const Vec3 direction(uniform_sphere(Vec2d(u)));
+    return DirectSample{direction, kInfinity, 4 * kPi, direct_pdf(direction)};
+}
+
+double InfiniteLight::power(const SceneSphere& sphere) const {
+    return 4 * kPiDouble * scene_disc_area(sphere);
+}
+
+float InfiniteLight::direct_pdf(const Vec3&) const {
+    return 1 / (4 * kPi);
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,22 @@
+// The same radiance from all directions, from infinitely far away.
+//
+// Curve: radiance, W/(sr m^2). Directions are uniform on the sphere, for photons (which start on
+// the disc of the scene's sphere that is perpendicular to them) and for direct light.
+#pragma once
+
+#include "light/model.h"
+
+namespace sunfleck {
+
+struct InfiniteLight {
+    SpectralCurve curve;
+
+    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
+    std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
+                                              const SceneSphere&) const;
+    double power(const SceneSphere& sphere) const;
+    /// Density per steradian of sample_direct(): the other half of MIS.
+    float direct_pdf(const Vec3& direction) const;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,58 @@
+// What a light must offer, as a concept, and what it hands on.
+//
+// Two users: photon paths start with sample_emission(); eye paths ask sample_direct() and, when a
+// ray meets an emitter or leaves the scene, radiance() and direct_pdf() for the other half of MIS.
+// Curves are evaluated once a pass: a light's functions return a unitless or geometric factor and
+// `LightSpectra` holds each light's emission at the pass's wavelengths.
+#pragma once
+
+#include "geometry/ray.h"
+#include "math/spectral_curve.h"
+#include "math/vector.h"
+
+#include <concepts>
+#include <optional>
+
+namespace sunfleck {
+
+/// The sphere around everything: where distant and infinite lights shoot from.
+struct SceneSphere {
+    Vec3d center;
+    double radius = 1;
+};
+
+/// The start of a photon path, in double: a disc of 10 km must aim at 1 mm.
+struct Emission {
+    Vec3d origin;
+    Vec3d direction;  // unit, away from the light
+    /// Flux per unit of the light's curve: factor * curve = Le |cos| / (pdf position * pdf
+    /// direction). The choice of the light is not in it.
+    double factor = 0;
+    Vec3 normal;      // geometric, of an area light's surface; zero for others
+    float error = 0;  // bound of the origin's error on an area light
+};
+
+/// One sample of the light that arrives straight at a point.
+struct DirectSample {
+    Vec3 direction;  // unit, from the point to the light
+    float distance = kInfinity;
+    float factor = 0;  // radiance (or irradiance, for delta lights) per unit of the curve, / pdf
+    std::optional<float> pdf;  // per steradian at the point; none for delta lights
+};
+
+/// emission:   u in (0,1)^4: position (2), direction (2). Continuous and gentle in u.
+/// direct:     a direction to the light from `point`, u in (0,1)^2; nothing if it cannot be seen
+///             (behind a one-sided emitter, outside a spot).
+/// power:      total emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).
+/// curve:      the emission's spectrum.
+template <class L>
+concept LightModel = std::copyable<L> &&
+    requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,
+             const SceneSphere& sphere) {
+    { light.sample_emission(u4, sphere) } -> std::same_as<Emission>;
+    { light.sample_direct(p, u2, sphere) } -> std::same_as<std::optional<DirectSample>>;
+    { light.power(sphere) } -> std::same_as<double>;
+    { light.curve } -> std::convertible_to<SpectralCurve>;
+};
+
+}  // namespace sunfleck

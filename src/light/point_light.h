@@ -1,0 +1,20 @@
+// A point that emits evenly in all directions.
+//
+// Curve: radiant intensity, W/sr. Slots: direction, equal-area on the sphere.
+#pragma once
+
+#include "light/model.h"
+
+namespace sunfleck {
+
+struct PointLight {
+    SpectralCurve curve;
+    Vec3d position;
+
+    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
+                                              const SceneSphere&) const;
+    double power(const SceneSphere&) const { return 4 * kPiDouble; }
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,27 @@
+// A point that emits into a cone with a smooth edge (pbrt-v4's falloff).
+//
+// Curve: radiant intensity on the axis, W/sr. Photon directions follow the intensity exactly, so
+// Emission::factor is the power; they are steep in the slots at the cone's rim alone.
+#pragma once
+
+#include "light/model.h"
+
+namespace sunfleck {
+
+struct SpotLight {
+    SpectralCurve curve;
+    Vec3d position;
+    Vec3d axis;            // unit
+    double cos_total = 0;  // no light outside
+    double cos_start = 1;  // full intensity inside; smoothstep of the cosine between
+
+    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
+                                              const SceneSphere&) const;
+    /// 2 pi ((1 - cos_start) + (cos_start - cos_total) / 2), which is exact for the smoothstep.
+    double power(const SceneSphere&) const;
+    /// Intensity over that on the axis, in [0,1]. @param cos_angle  of direction and axis.
+    double falloff(double cos_angle) const;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,111 @@
+// One or more lights of every kind, each with a small disc that it lights. The light laws run
+// over all of them; a new kind of light without an example does not pass.
+#pragma once
+
+#include "light/light.h"
+#include "math/warp.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace sunfleck::testing_support {
+
+/// What the examples light stands in this sphere.
+inline const SceneSphere kExampleSphere = {Vec3d(0.5, -0.25, 1), 2.5};
+
+struct LightExample {
+    std::string name;
+    Light light;
+    /// A disc of radius 0.5 that sees the light on its front, unhindered by the light itself.
+    Vec3 point{0.3F, 0.2F, 0};
+    Vec3 normal{0, 0, 1};
+
+    friend std::ostream& operator<<(std::ostream& out, const LightExample& example) {
+        return out << example.name;
+    }
+};
+
+inline Matrix placed(const Vec3d& move, const Vec3d& scale, double turn_x, double turn_z) {
+    Matrix matrix;
+    matrix.translate(move);
+    matrix.rotate(Vec3d(0, 0, turn_z));
+    matrix.rotate(Vec3d(turn_x, 0, 0));
+    matrix.scale(scale);
+    return matrix;
+}
+
+template <class Surface>
+LightExample area_example(std::string name, Surface surface, bool two_sided = false) {
+    AreaLight light;
+    light.surface = surface;
+    light.two_sided = two_sided;
+    return {std::move(name), light};
+}
+
+inline EmittingTriangle example_triangle(bool facing_down) {
+    EmittingTriangle t{Vec3d(-1, -0.5, 2), Vec3d(2.5, 0.2, 0.4), Vec3d(0.1, 1.8, -0.3), {}};
+    t.normal = t.edge1.cross(t.edge2).normalized() * (facing_down ? -1 : 1);
+    return t;
+}
+
+inline std::vector<LightExample> sphere_examples() {
+    const Matrix above = placed({0.2, 0.1, 2.2}, Vec3d(0.8), 0.7, 0.3);
+    const Matrix mirrored = placed({-0.5, 0.4, 2}, {0.8, -0.8, 0.8}, -0.4, 1);
+    const Matrix uneven = placed({0.4, 0.1, 2.4}, {0.6, 1.2, 0.9}, 0.5, -0.6);
+    Sphere zone;
+    zone.z_min = -0.8;
+    zone.z_max = 0.4;
+    zone.phi_max = 4;
+    std::vector<LightExample> all;
+    all.push_back(area_example("sphere", EmittingQuadric<Sphere>{{}, above}));
+    all.push_back(area_example("mirrored_sphere", EmittingQuadric<Sphere>{{}, mirrored}));
+    all.push_back(area_example("sphere_zone", EmittingQuadric<Sphere>{zone, above}, true));
+    all.push_back(area_example("mirrored_zone", EmittingQuadric<Sphere>{zone, mirrored, true}));
+    all.push_back(area_example("ellipsoid", EmittingQuadric<Sphere>{{}, uneven}));
+    // Seen from inside.
+    const Matrix around = placed({0, 0, 0.2}, Vec3d(1.7), 0.2, 0.1);
+    all.push_back(area_example("hollow_sphere", EmittingQuadric<Sphere>{{}, around, true}));
+    const Matrix egg = placed({0, 0, 0.3}, {1.2, 2, 1.5}, 0.2, 0.1);
+    all.push_back(area_example("hollow_egg", EmittingQuadric<Sphere>{{}, egg, true}));
+    return all;
+}
+
+inline std::vector<LightExample> disk_examples() {
+    Disk sector;
+    sector.height = 0.25;
+    sector.radius = 1.4;
+    sector.inner_radius = 0.5;
+    sector.phi_max = 5;
+    Matrix sheared = placed({-0.2, 0.1, 1.8}, {1, 1.3, 1}, 0.4, 0.2);
+    sheared[1][0] += 0.5;
+    const Matrix facing_down = placed({0, 0.3, 2}, {0.9, 0.9, -1}, kPiDouble + 0.3, 0);
+    std::vector<LightExample> all;
+    all.push_back(area_example("disk", EmittingQuadric<Disk>{{}, facing_down, true}));
+    all.push_back(area_example("sector", EmittingQuadric<Disk>{sector, sheared, true}));
+    all.push_back(area_example("two_sided_sector", EmittingQuadric<Disk>{sector, sheared}, true));
+    return all;
+}
+
+inline std::vector<LightExample> light_examples() {
+    std::vector<LightExample> all;
+    all.push_back({"point", PointLight{{}, Vec3d(0.8, -0.3, 1.4)}});
+    SpotLight spot{{}, Vec3d(0.2, 0.3, 2), Vec3d(0.3, -0.2, -1).normalized()};
+    spot.cos_total = std::cos(0.9);
+    spot.cos_start = std::cos(0.3);
+    all.push_back({"spot", spot});
+    spot.cos_start = spot.cos_total = std::cos(0.35);
+    all.push_back({"sharp_spot", spot});
+    spot.cos_start = 1;
+    spot.cos_total = -0.5;
+    all.push_back({"spot_without_core", spot});
+    all.push_back({"distant", DistantLight{{}, Vec3d(0.4, 0.5, -1).normalized()}});
+    all.push_back({"infinite", InfiniteLight{}});
+    all.push_back(area_example("triangle", example_triangle(true)));
+    all.push_back(area_example("two_sided_triangle", example_triangle(false), true));
+    for (const LightExample& example : sphere_examples()) all.push_back(example);
+    for (const LightExample& example : disk_examples()) all.push_back(example);
+    return all;
+}
+
+}  // namespace sunfleck::testing_support
