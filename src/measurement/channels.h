@@ -1,0 +1,44 @@
+// The layers of light and features that a pass measures for each pixel: one row each.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace sunfleck {
+
+enum class Layer : std::size_t {
+    total,
+    direct,
+    caustic,
+    indirect,
+    emission,
+    albedo,
+    normal,
+    depth,
+    count
+};
+
+struct LayerRow {
+    Layer layer;
+    std::string_view name;      // as the user writes it and as EXR channels begin
+    std::string_view channels;  // one letter each, at most three
+    std::string_view what;
+};
+
+inline constexpr std::size_t kLayerCount = static_cast<std::size_t>(Layer::count);
+
+inline constexpr std::array<LayerRow, kLayerCount> kLayers = {{
+    {Layer::total, "", "RGB", "all light, radiance"},
+    {Layer::direct, "direct", "RGB", "light that comes straight from an emitter to what is seen"},
+    {Layer::caustic, "caustic", "RGB",
+     "light from an emitter by way of smooth glass or metal alone"},
+    {Layer::indirect, "indirect", "RGB", "light that has met a rough surface before"},
+    {Layer::emission, "emission", "RGB",
+     "emitters seen by themselves, through glass or in mirrors"},
+    {Layer::albedo, "albedo", "RGB", "share of white light reflected by the first surface"},
+    {Layer::normal, "normal", "XYZ", "shading normal of the first surface, world frame"},
+    {Layer::depth, "depth", "Z", "distance to the first surface along the ray; 0 for none"},
+}};
+
+}  // namespace sunfleck

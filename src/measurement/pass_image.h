@@ -1,0 +1,88 @@
+// What one pass adds to each pixel: exact sums that many threads fill at once.
+//
+// Terms are pixel values of this pass alone (radiance in linear sRGB, or a feature), already
+// divided by the number of photon paths; the film's picture is the mean over passes.
+#pragma once
+
+#include "core/exact_sum.h"
+#include "math/vector.h"
+#include "measurement/channels.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace sunfleck {
+
+/// Which layers are measured; the total always is.
+using LayerSet = std::array<bool, kLayerCount>;
+
+class PassImage {
+public:
+    using Pixel = std::array<AtomicFixedPoint, 3>;
+
+    PassImage(std::size_t pixels, const LayerSet& wanted) : pixels_(pixels) {
+        for (std::size_t i = 0; i < kLayerCount; ++i)
+            if (i == 0 || wanted.at(i)) layers_.at(i) = std::vector<Pixel>(pixels);
+    }
+
+    std::size_t pixels() const { return pixels_; }
+    bool has(Layer layer) const { return !at(layer).empty(); }
+
+    /// Adds to the total and, if measured, to the layer that owns this light. A value that is not
+    /// finite is dropped and counted; one beyond kLargestTerm is cut there and counted.
+    void add_light(std::size_t pixel, const Vec3& rgb, Layer owner) {
+        if (!is_finite(rgb)) return;
+        add(layers_[0][pixel], rgb);
+        if (owner != Layer::total && has(owner))
+            add(layers_[static_cast<std::size_t>(owner)][pixel], rgb);
+    }
+
+    /// Adds to a feature layer alone, if it is measured.
+    void add_feature(std::size_t pixel, const Vec3& value, Layer layer) {
+        if (has(layer) && is_finite(value))
+            add(layers_[static_cast<std::size_t>(layer)][pixel], value);
+    }
+
+    FixedPoint value(Layer layer, std::size_t pixel, std::size_t channel) const {
+        return at(layer)[pixel][channel].value();
+    }
+
+    std::uint64_t dropped() const { return counts_[kDropped].load(); }
+    std::uint64_t saturated() const { return counts_[kSaturated].load(); }
+
+private:
+    static constexpr std::size_t kDropped = 0;
+    static constexpr std::size_t kSaturated = 1;
+
+    const std::vector<Pixel>& at(Layer layer) const {
+        return layers_[static_cast<std::size_t>(layer)];
+    }
+
+    /// Counts what is not.
+    bool is_finite(const Vec3& v) {
+        if (std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) return true;
+        counts_[kDropped].fetch_add(1, std::memory_order_relaxed);
+        return false;
+    }
+
+    void add(Pixel& pixel, const Vec3& rgb) {
+        for (unsigned c = 0; c < 3; ++c) {
+            auto term = static_cast<double>(rgb[static_cast<int>(c)]);
+            if (term == 0) continue;
+            if (std::abs(term) > kLargestTerm) {
+                counts_[kSaturated].fetch_add(1, std::memory_order_relaxed);
+                term = std::copysign(kLargestTerm, term);
+            }
+            pixel[c].add(FixedPoint::from_double(term));
+        }
+    }
+
+    std::size_t pixels_;
+    std::array<std::vector<Pixel>, kLayerCount> layers_;
+    std::vector<std::atomic<std::uint64_t>> counts_ = std::vector<std::atomic<std::uint64_t>>(2);
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,25 @@
+// The photons of some paths, kept together so that they can be looked up in a good order.
+#pragma once
+
+#include "measurement/statistics.h"
+#include "measurement/visible_point.h"
+
+#include <vector>
+
+namespace sunfleck {
+
+/// Photon i belongs to path paths[i] of the pass and is marked in taken[i] when deposited.
+struct PhotonBatch {
+    std::vector<Photon> photons;
+    std::vector<std::uint32_t> paths;
+    std::vector<std::uint8_t> taken;
+    Statistics statistics;  // of tracing these paths
+
+    void add(const Photon& photon, std::uint32_t path) {
+        photons.push_back(photon);
+        paths.push_back(path);
+        taken.push_back(0);
+    }
+};
+
+}  // namespace sunfleck

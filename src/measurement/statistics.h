@@ -1,0 +1,60 @@
+// What a pass counts: integers, so that their sums are the same in any order.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace sunfleck {
+
+enum class Count : std::size_t {
+    eye_rays,
+    photon_rays,
+    visible_points,
+    uniform_paths,
+    uniform_visible,
+    photons_stored,
+    deposits,
+    escaped,
+    too_long,
+    dropped_nonfinite,
+    saturated,
+    count
+};
+
+struct CountRow {
+    Count count;
+    std::string_view name;  // in film files and stats.json
+    std::string_view what;
+};
+
+inline constexpr std::size_t kCounts = static_cast<std::size_t>(Count::count);
+
+inline constexpr std::array<CountRow, kCounts> kCountRows = {{
+    {Count::eye_rays, "eye_rays", "rays of camera paths and of direct light"},
+    {Count::photon_rays, "photon_rays", "rays of photon paths"},
+    {Count::visible_points, "visible_points", "visible points"},
+    {Count::uniform_paths, "uniform_paths", "photon paths traced from uniform numbers"},
+    {Count::uniform_visible, "uniform_visible", "of these, deposited at one visible point or more"},
+    {Count::photons_stored, "photons_stored", "photons that at least one visible point took"},
+    {Count::deposits, "deposits", "photons times the visible points that took them"},
+    {Count::escaped, "escaped", "photon paths that left the scene"},
+    {Count::too_long, "too_long", "photon paths cut at the greatest depth"},
+    {Count::dropped_nonfinite, "dropped_nonfinite", "contributions that were not finite"},
+    {Count::saturated, "saturated", "contributions cut at the range of the exact sums"},
+}};
+
+struct Statistics {
+    std::array<std::uint64_t, kCounts> value{};
+
+    std::uint64_t& operator[](Count which) { return value[static_cast<std::size_t>(which)]; }
+    std::uint64_t operator[](Count which) const { return value[static_cast<std::size_t>(which)]; }
+    Statistics& operator+=(const Statistics& other) {
+        for (std::size_t i = 0; i < kCounts; ++i) value[i] += other.value[i];
+        return *this;
+    }
+    friend bool operator==(const Statistics&, const Statistics&) = default;
+};
+
+}  // namespace sunfleck

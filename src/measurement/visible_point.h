@@ -1,0 +1,87 @@
+// Visible points: where camera paths end to gather photons; and the photons that they gather.
+//
+// A disc says where and what a visible point takes; photons that it takes are deposited. One
+// function, takes(), decides it for the visibility query and for the deposit alike.
+#pragma once
+
+#include "bsdf/bsdf.h"
+#include "math/spectrum.h"
+#include "math/vector.h"
+
+#include <cstdint>
+
+namespace sunfleck {
+
+/// How a photon reached the surface that it meets: exactly one.
+enum class PhotonKind : std::uint8_t {
+    direct = 1,   // straight from the light
+    caustic = 2,  // scattered by smooth (specular) surfaces alone, at least once
+    indirect = 4  // scattered by a rough surface at least once
+};
+
+/// A photon at a surface that can gather.
+struct Photon {
+    Vec3 position{0};
+    Vec3 normal{0};  // geometric, on the side that the photon arrives at
+    Vec3 w{0};       // unit, back along the photon
+    Spectrum flux;
+    std::uint16_t bounces = 0;  // scattering events so far
+    PhotonKind kind = PhotonKind::direct;
+};
+
+/// The part of a visible point that decides which photons it takes. 40 bytes.
+struct Disc {
+    Vec3 position{0};
+    float radius = 0;
+    Vec3 normal{0};             // geometric, on the side that the camera path arrived at
+    std::uint16_t bounces = 0;  // scattering events of the eye path before this point
+    std::uint8_t kinds = 0;     // sum of the PhotonKinds that it takes
+    bool both_sides = false;    // transmits: takes photons from behind, too
+};
+
+/// Normals further apart than 60 degrees do not agree.
+inline constexpr float kNormalAgreement = 0.5F;
+/// Half height of the disc over its radius. Distance is measured along the mean of both normals,
+/// which vanishes between points of any sphere: smooth rims lose nothing, thin walls do not leak.
+inline constexpr float kDiscFlatness = 0.25F;
+
+/// Does the disc take this photon? @param max_depth  of scattering events of the whole path.
+inline bool takes(const Disc& disc, const Photon& photon, int max_depth) {
+    const Vec3 d = photon.position - disc.position;
+    const float radius2 = disc.radius * disc.radius;
+    const float distance2 = d.length2();
+    if (!(distance2 < 1.5F * radius2)) return false;  // a quick no: what follows is narrower
+    if ((disc.kinds & static_cast<std::uint8_t>(photon.kind)) == 0) return false;
+    if (disc.bounces + photon.bounces >= max_depth) return false;
+    float agreement = disc.normal.dot(photon.normal);
+    Vec3 other = photon.normal;
+    if (agreement < 0) {
+        if (!disc.both_sides) return false;
+        agreement = -agreement;
+        other = -other;
+    }
+    if (agreement < kNormalAgreement) return false;
+    const float along = d.dot(disc.normal + other) * 0.5F;
+    if (std::abs(along) > kDiscFlatness * disc.radius) return false;
+    const float above = d.dot(disc.normal);
+    return distance2 - above * above < radius2;
+}
+
+/// A disc and what a photon there is worth to its pixel.
+struct VisiblePoint {
+    Disc disc;
+    Vec3 shading_normal{0};
+    Vec3 tangent{0};
+    Vec3 w_from{0};       // world, unit, back towards the camera
+    Spectrum throughput;  // of the eye path, with the filter's weight; for a Lambertian surface
+                          // times albedo / pi
+    std::uint32_t pixel = 0;
+    std::uint32_t material = 0;  // whose Bsdf of this pass gathers; kLambertian: none needed
+    std::uint8_t lane = 0;       // a path that has dispersed: its lane
+    bool single_lane = false;
+    bool after_rough = false;  // the eye path has been scattered by a rough surface before
+};
+
+inline constexpr std::uint32_t kLambertian = 0xFFFFFFFF;
+
+}  // namespace sunfleck

@@ -1,0 +1,54 @@
+// The slots of a photon path: which coordinate of u in [0,1)^D means what.
+//
+// Fixed layout: the emission's slots, then the same four for every scattering event, so that a
+// small change of u is a small change of the path. A slot is a 64-bit fraction of one turn, whose
+// wrap-around is exact; it is read once or not at all, and an unread slot is never drawn.
+#pragma once
+
+#include "core/random.h"
+
+#include <concepts>
+
+namespace sunfleck {
+
+enum class EmissionSlot : std::uint32_t {
+    position_u,
+    position_v,
+    direction_u,
+    direction_v,
+    light,
+    lane,  // which wavelength lane a dispersive refraction keeps
+    count
+};
+enum class BounceSlot : std::uint32_t { lobe, direction_u, direction_v, roulette, count };
+
+constexpr std::uint32_t slot(EmissionSlot which) {
+    return static_cast<std::uint32_t>(which);
+}
+
+/// @param bounce  0 at the first surface that scatters the photon.
+constexpr std::uint32_t slot(std::uint32_t bounce, BounceSlot which) {
+    return slot(EmissionSlot::count) + bounce * static_cast<std::uint32_t>(BounceSlot::count) +
+           static_cast<std::uint32_t>(which);
+}
+
+/// What a tracer sees of a primary sample: it names a slot and gets its fraction, the same each
+/// time. The samplers differ in nothing but their readers.
+template <class R>
+concept SlotReader = requires(R& read, std::uint32_t index) {
+    { read(index) } -> std::same_as<std::uint64_t>;
+};
+
+/// Independent uniform slots: slot i is number i of the path's own stream.
+class IndependentReader {
+public:
+    explicit IndependentReader(RandomStream stream) : stream_(stream) {}
+    std::uint64_t operator()(std::uint32_t index) { return stream_.at(index); }
+
+private:
+    RandomStream stream_;
+};
+
+static_assert(SlotReader<IndependentReader>);
+
+}  // namespace sunfleck

@@ -1,0 +1,69 @@
+// Numbers for camera paths and direct light: over the 16 passes of a round, each pair of
+// dimensions of a pixel runs through 16 Owen-scrambled Sobol' points, scrambled anew each round.
+//
+// In:  a pass, a pixel; then dimensions in the order of asking. Out: numbers in (0,1).
+// Source: Owen 1995; hashed nested scrambling: Laine and Karras 2011, Burley 2020 (JCGT 9(4));
+// constants of the hash from Vegdahl 2021.
+#pragma once
+
+#include "math/vector.h"
+#include "math/wavelengths.h"
+#include "sampler/sobol.h"
+
+namespace sunfleck {
+
+namespace round_detail {
+
+constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+    x = ((x >> 1U) & 0x55555555U) | ((x & 0x55555555U) << 1U);
+    x = ((x >> 2U) & 0x33333333U) | ((x & 0x33333333U) << 2U);
+    x = ((x >> 4U) & 0x0F0F0F0FU) | ((x & 0x0F0F0F0FU) << 4U);
+    x = ((x >> 8U) & 0x00FF00FFU) | ((x & 0x00FF00FFU) << 8U);
+    return (x >> 16U) | (x << 16U);
+}
+
+/// A random permutation of the 32-bit fractions that keeps every elementary interval whole.
+constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
+    x = reverse_bits(x);
+    x ^= x * 0x3D20ADEAU;
+    x += seed;
+    x *= (seed >> 16U) | 1U;
+    x ^= x * 0x05526C56U;
+    x ^= x * 0x53A22864U;
+    return reverse_bits(x);
+}
+
+}  // namespace round_detail
+
+class RoundPoints {
+public:
+    /// @param pixel  any index that no other camera path of the pass has.
+    RoundPoints(PassId pass, std::uint32_t pixel)
+        : seed_(pass.seed),
+          index_(pass.number % kRoundPasses),
+          name_{0, pixel, pass.number / kRoundPasses, static_cast<std::uint32_t>(Purpose::eye)} {}
+
+    /// The next pair of dimensions.
+    Vec2d next_2d() {
+        const RandomBlock random = philox(name_, seed_);
+        ++name_[0];
+        // Owen's scrambling of the index permutes the points within each power of two.
+        const std::uint32_t shuffled = round_detail::owen_scramble(index_ << 28U, random[2]) >> 28U;
+        return {unit(round_detail::owen_scramble(sobol(shuffled, 0), random[0])),
+                unit(round_detail::owen_scramble(sobol(shuffled, 1), random[1]))};
+    }
+
+    /// One number; takes a pair of dimensions.
+    double next() { return next_2d().x; }
+
+private:
+    static double unit(std::uint32_t fraction) {
+        return (static_cast<double>(fraction) + 0.5) * 0x1p-32;
+    }
+
+    std::uint64_t seed_;
+    std::uint32_t index_;
+    RandomBlock name_;
+};
+
+}  // namespace sunfleck

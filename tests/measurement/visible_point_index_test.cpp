@@ -1,0 +1,141 @@
+// The index finds exactly the discs that takes() accepts, whatever their sizes and places.
+#include "measurement/visible_point_index.h"
+
+#include "core/random.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace sunfleck {
+namespace {
+
+Vec3 direction(RandomStream& stream) {
+    const float z = 2 * stream.next_float() - 1;
+    const float phi = 2 * kPi * stream.next_float();
+    const float r = std::sqrt(1 - z * z);
+    return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+/// Discs on wavy surfaces of very different scale, some far away, radii over four decades.
+std::vector<VisiblePoint> random_points(std::uint32_t count, std::uint32_t which) {
+    RandomStream stream(3, Purpose::test, which, 0);
+    std::vector<VisiblePoint> points(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        VisiblePoint& p = points[i];
+        const float scale = std::pow(10.0F, -2 + 4 * stream.next_float());
+        p.disc.position =
+            Vec3(stream.next_float(), stream.next_float(), stream.next_float()) * scale;
+        p.disc.radius = 0.05F * scale * (0.1F + stream.next_float());
+        p.disc.normal = direction(stream);
+        p.disc.kinds = 7;
+        p.disc.both_sides = stream.next_float() < 0.3F;
+        p.pixel = i;
+    }
+    return points;
+}
+
+/// Most photons near a disc, with a normal near its own.
+Photon random_photon(const std::vector<VisiblePoint>& points, RandomStream& stream) {
+    const Disc& near =
+        points[static_cast<std::size_t>(stream.next() * static_cast<double>(points.size()))].disc;
+    Photon photon;
+    photon.normal = (near.normal + direction(stream) * stream.next_float()).normalized();
+    if (stream.next_float() < 0.3F) photon.normal = -photon.normal;
+    photon.position = near.position + direction(stream) * (near.radius * stream.next_float());
+    photon.w = photon.normal;
+    return photon;
+}
+
+TEST(VisiblePointIndex, finds_what_takes_accepts) {
+    std::uint64_t found = 0;
+    for (const std::uint32_t count : {1U, 7U, 8U, 9U, 64U, 65U, 1000U}) {
+        const auto points = random_points(count, count);
+        const VisiblePointIndex index(points, 10);
+        RandomStream stream(3, Purpose::test, count, 1);
+        for (int i = 0; i < 4000; ++i) {
+            const Photon photon = random_photon(points, stream);
+            std::set<std::uint32_t> expected;
+            for (const VisiblePoint& p : points)
+                if (takes(p.disc, photon, 10)) expected.insert(p.pixel);
+            std::set<std::uint32_t> actual;
+            const bool any = index.for_each(
+                photon, [&](const VisiblePoint& p) { EXPECT_TRUE(actual.insert(p.pixel).second); });
+            ASSERT_EQ(actual, expected);
+            ASSERT_EQ(any, !expected.empty());
+            ASSERT_EQ(index.any(photon), any);
+            found += expected.size();
+        }
+    }
+    EXPECT_GT(found, 10000U);  // the test would be empty otherwise
+}
+
+TEST(VisiblePointIndex, empty_takes_nothing) {
+    const VisiblePointIndex index({}, 10);
+    EXPECT_FALSE(index.any(Photon{}));
+}
+
+class Takes : public ::testing::Test {
+protected:
+    Takes() {
+        disc_.normal = Vec3(0, 0, 1);
+        disc_.radius = 1;
+        disc_.kinds = static_cast<std::uint8_t>(PhotonKind::caustic);
+        photon_.normal = Vec3(0, 0, 1);
+        photon_.kind = PhotonKind::caustic;
+    }
+    Disc disc_;
+    Photon photon_;
+};
+
+TEST_F(Takes, a_disc_of_its_radius) {
+    photon_.position = Vec3(0.999F, 0, 0);
+    EXPECT_TRUE(takes(disc_, photon_, 4));
+    photon_.position = Vec3(1.001F, 0, 0);
+    EXPECT_FALSE(takes(disc_, photon_, 4));
+}
+
+TEST_F(Takes, not_a_ball) {
+    photon_.position = Vec3(0, 0, 0.24F);
+    EXPECT_TRUE(takes(disc_, photon_, 4));
+    photon_.position = Vec3(0, 0, 0.26F);
+    EXPECT_FALSE(takes(disc_, photon_, 4));
+}
+
+TEST_F(Takes, nothing_from_the_wrong_side) {
+    photon_.normal = Vec3(0, 0, -1);
+    EXPECT_FALSE(takes(disc_, photon_, 4));
+    disc_.both_sides = true;
+    EXPECT_TRUE(takes(disc_, photon_, 4));
+}
+
+TEST_F(Takes, nothing_from_the_wall_beside) {
+    photon_.normal = Vec3(1, 0, 0);
+    EXPECT_FALSE(takes(disc_, photon_, 4));
+}
+
+TEST_F(Takes, only_its_kinds) {
+    photon_.kind = PhotonKind::direct;
+    EXPECT_FALSE(takes(disc_, photon_, 4));
+}
+
+TEST_F(Takes, no_path_beyond_the_greatest_depth) {
+    disc_.bounces = 2;
+    photon_.bounces = 1;  // with the scattering here: four events
+    EXPECT_TRUE(takes(disc_, photon_, 4));
+    EXPECT_FALSE(takes(disc_, photon_, 3));
+}
+
+/// On a sphere every photon within the tangential radius is taken, up to radius = 0.8 of the
+/// sphere's: the flat disc alone would lose those that the curvature drops below it.
+TEST_F(Takes, curved_surfaces_lose_nothing) {
+    const float angle = std::asin(0.79F);
+    photon_.normal = Vec3(std::sin(angle), 0, std::cos(angle));
+    photon_.position = (photon_.normal - Vec3(0, 0, 1));
+    disc_.radius = 0.8F;
+    EXPECT_TRUE(takes(disc_, photon_, 4));
+}
+
+}  // namespace
+}  // namespace sunfleck

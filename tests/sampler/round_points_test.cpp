@@ -1,0 +1,56 @@
+// Round points: within a round every pixel's pairs are a net; rounds are fresh; all are uniform.
+#include "sampler/round_points.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace sunfleck {
+namespace {
+
+TEST(RoundPoints, a_round_is_a_net_in_every_pair) {
+    for (const std::uint32_t pixel : {0U, 77U}) {
+        for (unsigned split = 0; split <= 4; ++split) {
+            for (int pair = 0; pair < 5; ++pair) {
+                std::set<int> cells;
+                for (std::uint32_t pass = 32; pass < 48; ++pass) {
+                    RoundPoints points({5, pass}, pixel);
+                    Vec2d u;
+                    for (int skip = 0; skip <= pair; ++skip) u = points.next_2d();
+                    const int x = static_cast<int>(u.x * (1 << split));
+                    const int y = static_cast<int>(u.y * (16 >> split));
+                    cells.insert(x * 16 + y);
+                }
+                EXPECT_EQ(cells.size(), 16U) << split << " " << pair;
+            }
+        }
+    }
+}
+
+TEST(RoundPoints, rounds_and_pixels_differ) {
+    EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({5, 16}, 1).next());
+    EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({5, 0}, 2).next());
+    EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({6, 0}, 1).next());
+}
+
+// 65,536 pixels of one pass: means of x, y and xy within 4 standard errors (sees 0.005).
+TEST(RoundPoints, one_pass_is_uniform_over_pixels) {
+    constexpr std::uint32_t kPixels = 65536;
+    Vec2d sum(0);
+    double product = 0;
+    for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
+        RoundPoints points({9, 3}, pixel);
+        points.next();
+        const Vec2d u = points.next_2d();
+        sum += u;
+        product += u.x * u.y;
+    }
+    const double error = std::sqrt(1.0 / 12 / kPixels);
+    EXPECT_NEAR(sum.x / kPixels, 0.5, 4 * error);
+    EXPECT_NEAR(sum.y / kPixels, 0.5, 4 * error);
+    EXPECT_NEAR(product / kPixels, 0.25, 4 * error);
+}
+
+}  // namespace
+}  // namespace sunfleck
