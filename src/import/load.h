@@ -1,0 +1,13 @@
+// Chooses the importer for a scene file.
+#pragma once
+
+#include "scene/description.h"
+
+#include <string>
+
+namespace sunfleck {
+
+/// @throws Error for what cannot be read.
+SceneDescription load_scene(const std::string& path);
+
+}  // namespace sunfleck

@@ -1,0 +1,176 @@
+// The picture as the scene asks for it, and what it asks of the renderer.
+#include "import/pbrt/film.h"
+
+#include "import/pbrt/reading.h"
+#include "import/pbrt/words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+constexpr int kLongestSide = 65536;
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
+
+Vec2i resolution_of(const Statement& film) {
+    const Vec2i size(film.integer("xresolution").value_or(1280),
+                     film.integer("yresolution").value_or(720));
+    const bool sides = size.x > 0 && size.y > 0 && size.x <= kLongestSide && size.y <= kLongestSide;
+    if (sides && std::int64_t{size.x} * size.y <= kMostPixels) return size;
+    throw Error(
+        film.where,
+        "a picture of " + std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels",
+        "use 1 to 65536 a side, and at most 268435456 pixels");
+}
+
+/// x0 x1 y0 y1 as fractions of the picture, rounded up as in pbrt-v4, in float.
+std::array<int, 4> crop_by_window(const std::vector<double>& window, const Vec2i& size) {
+    const auto pixel = [](double fraction, int extent) {
+        const float clamped = std::clamp(static_cast<float>(fraction), 0.0F, 1.0F);
+        return static_cast<int>(std::ceil(static_cast<float>(extent) * clamped));
+    };
+    return {pixel(std::min(window[0], window[1]), size.x),
+            pixel(std::max(window[0], window[1]), size.x),
+            pixel(std::min(window[2], window[3]), size.y),
+            pixel(std::max(window[2], window[3]), size.y)};
+}
+
+std::optional<std::array<int, 4>> crop_of(const Statement& film, const Vec2i& size) {
+    const auto window = film.reals("cropwindow", 4);
+    const Parameter* bounds = film.find("pixelbounds", ParameterType::integer);
+    if (!window && !bounds) return std::nullopt;
+    std::array<int, 4> crop{};
+    if (window) {
+        crop = crop_by_window(*window, size);
+    } else {
+        if (bounds->integers.size() != 4)
+            throw Error(bounds->where, "\"pixelbounds\" with other than 4 values",
+                        "give x0 x1 y0 y1");
+        const auto& b = bounds->integers;
+        crop = {std::clamp(b[0], 0, size.x), std::clamp(b[1], 0, size.x),
+                std::clamp(b[2], 0, size.y), std::clamp(b[3], 0, size.y)};
+    }
+    if (crop[0] < crop[1] && crop[2] < crop[3]) return crop;
+    throw Error(film.where, "the crop leaves no pixel", "check \"cropwindow\" and \"pixelbounds\"");
+}
+
+void warn_approximations(const Statement& film, Reading& reading) {
+    const std::string sensor = film.text("sensor").value_or("cie1931");
+    if (sensor != "cie1931")
+        reading.warn(film.where, "sensor " + in_quotes(sensor) +
+                                     " is not simulated: it is the observer cie1931");
+    if (film.real("whitebalance", 0) > 0)
+        reading.warn(film.where, "white balance is ignored: D65 stays white");
+    if (film.type != "rgb")
+        reading.warn(film.where, "film " + in_quotes(film.type) + " is read as \"rgb\"");
+    if (film.find("scale"))
+        reading.warn(film.where, "\"scale\" of Film is ignored, as in pbrt-v4: use \"iso\"");
+    if (film.find("maxcomponentvalue"))
+        reading.warn(film.where, "\"maxcomponentvalue\" is ignored: nothing is clamped");
+    film.ignore({"diagonal", "savefp16", "nbuckets", "lambdamin", "lambdamax", "coordinatesystem"});
+}
+
+double exposure_of(Reading& reading) {
+    if (!reading.options.camera) return 1;
+    const Statement& camera = *reading.options.camera;
+    const double open = camera.real("shutteropen", 0);
+    const double close = camera.real("shutterclose", 1);
+    if (close < open)
+        reading.warn(camera.where, "the shutter closes before it opens: the times are swapped");
+    if (close != open) return std::abs(close - open);
+    throw Error(camera.where, "the shutter closes when it opens",
+                "make \"shutterclose\" later than \"shutteropen\"");
+}
+
+}  // namespace
+
+void finish_film(Reading& reading) {
+    FilmDescription& result = reading.scene.film;
+    const Statement none{"Film", "rgb", {reading.scene.path}, {}, nullptr};
+    const Statement& film = reading.options.film ? *reading.options.film : none;
+    static constexpr std::array<std::string_view, 3> kTypes = {"rgb", "gbuffer", "spectral"};
+    if (std::find(kTypes.begin(), kTypes.end(), film.type) == kTypes.end())
+        throw Error(film.where, "unknown film " + in_quotes(film.type),
+                    use_one_of(kTypes, film.type));
+    result.resolution = resolution_of(film);
+    result.crop = crop_of(film, result.resolution);
+    result.filename = film.text("filename").value_or("");
+    const double iso = film.real("iso", 100);
+    if (!(iso > 0)) throw Error(film.where, "\"iso\" is not positive", "use 100");
+    result.imaging_ratio = static_cast<float>(exposure_of(reading) * iso / 100);
+    warn_approximations(film, reading);
+    reading.warn_unused(film);
+}
+
+void finish_filter(Reading& reading) {
+    if (!reading.options.filter) return;
+    struct Row {
+        std::string_view word;
+        FilterKind kind;
+        double radius;
+    };
+    static constexpr std::array<Row, 5> kRows = {{{"box", FilterKind::box, 0.5},
+                                                  {"triangle", FilterKind::triangle, 2},
+                                                  {"gaussian", FilterKind::gaussian, 1.5},
+                                                  {"mitchell", FilterKind::mitchell, 2},
+                                                  {"sinc", FilterKind::sinc, 4}}};
+    const Statement& filter = *reading.options.filter;
+    const auto row = std::find_if(kRows.begin(), kRows.end(),
+                                  [&](const Row& r) { return r.word == filter.type; });
+    if (row == kRows.end()) {
+        std::array<std::string_view, kRows.size()> words;
+        std::transform(kRows.begin(), kRows.end(), words.begin(),
+                       [](const Row& r) { return r.word; });
+        throw Error(filter.where, "unknown filter " + in_quotes(filter.type),
+                    use_one_of(words, filter.type));
+    }
+    FilterSettings& settings = reading.scene.filter;
+    settings.kind = row->kind;
+    settings.radius = {filter.real("xradius", row->radius), filter.real("yradius", row->radius)};
+    if (row->kind == FilterKind::gaussian) settings.sigma = filter.real("sigma", 0.5);
+    if (row->kind == FilterKind::mitchell) {
+        settings.b = filter.real("B", 1.0 / 3);
+        settings.c = filter.real("C", 1.0 / 3);
+    }
+    if (row->kind == FilterKind::sinc) settings.tau = filter.real("tau", 3);
+    const double least =
+        std::min({settings.radius.x, settings.radius.y, settings.sigma, settings.tau});
+    const double most = std::max(settings.radius.x, settings.radius.y);
+    if (!(least > 0 && most <= 1000))
+        throw Error(filter.where, "a filter whose radius, sigma or tau is out of range",
+                    "use positive ones, radii of at most 1000 pixels");
+    reading.warn_unused(filter);
+}
+
+void finish_hints(Reading& reading) {
+    RenderHints& hints = reading.scene.hints;
+    if (reading.options.integrator) {
+        const Statement& integrator = *reading.options.integrator;
+        hints.integrator = integrator.type;
+        hints.max_depth = integrator.integer("maxdepth");
+        if (hints.max_depth && *hints.max_depth < 0)
+            throw Error(integrator.where, "\"maxdepth\" is negative", "use 0 or more");
+        if (integrator.type == "sppm") {
+            hints.radius = integrator.real("radius");
+            if (hints.radius && !(*hints.radius > 0))
+                throw Error(integrator.where, "\"radius\" is not positive", "use more than 0");
+        } else {
+            reading.warn(integrator.where, "integrator " + in_quotes(integrator.type) +
+                                               " is not run: photons render the scene, with its "
+                                               "\"maxdepth\"");
+        }
+        integrator.ignore_all();
+    }
+    if (!reading.options.sampler) return;
+    const Statement& sampler = *reading.options.sampler;
+    hints.samples = sampler.integer("pixelsamples");
+    const auto x = sampler.integer("xsamples");
+    const auto y = sampler.integer("ysamples");
+    if (x && y && *x > 0 && *y > 0 && *x <= kLongestSide / *y) hints.samples = *x * *y;
+    if (hints.samples && *hints.samples < 1)
+        throw Error(sampler.where, "\"pixelsamples\" is not positive", "use 1 or more");
+    sampler.ignore_all();
+}
+
+}  // namespace sunfleck

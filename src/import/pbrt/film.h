@@ -1,0 +1,16 @@
+// Film, PixelFilter, Sampler and Integrator statements: picture and hints.
+#pragma once
+
+#include "import/pbrt/parameters.h"
+
+namespace sunfleck {
+
+struct Reading;
+
+/// Reads the last statement of each kind into the scene; pbrt-v4's defaults without one.
+/// @throws Error for a picture of absurd size and for values out of range.
+void finish_film(Reading& reading);
+void finish_filter(Reading& reading);
+void finish_hints(Reading& reading);
+
+}  // namespace sunfleck

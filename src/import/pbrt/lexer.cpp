@@ -1,0 +1,100 @@
+// Tokens of the pbrt-v4 language.
+#include "import/pbrt/lexer.h"
+
+#include "import/pbrt/words.h"
+
+namespace sunfleck {
+namespace {
+
+constexpr std::size_t kLongestToken = 65536;
+
+bool is_space(char c) {
+    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+
+bool ends_word(char c) {
+    return is_space(c) || c == '"' || c == '[' || c == ']' || c == '#';
+}
+
+char escaped(char c) {
+    constexpr std::string_view kLetters = "nrtbf\\'\"";
+    constexpr std::string_view kMeanings = "\n\r\t\b\f\\'\"";
+    const std::size_t at = kLetters.find(c);
+    return at == std::string_view::npos ? '\0' : kMeanings[at];
+}
+
+}  // namespace
+
+std::string unescaped(const Token& token) {
+    if (token.text.find('\\') == std::string_view::npos) return std::string(token.text);
+    std::string result;
+    for (std::size_t i = 0; i < token.text.size(); ++i) {
+        if (token.text[i] != '\\') {
+            result += token.text[i];
+            continue;
+        }
+        const char c = ++i < token.text.size() ? escaped(token.text[i]) : '\0';
+        if (c == '\0')
+            throw Error(token.where(), "unknown escape in " + in_quotes(token.text),
+                        "write a backslash as \\\\");
+        result += c;
+    }
+    return result;
+}
+
+std::optional<Token> Lexer::next() {
+    skip_space();
+    if (position_ == text_.size()) return std::nullopt;
+    const char c = text_[position_];
+    if (c == '"') return string();
+    if (c != '[' && c != ']') return word();
+    const Token bracket = token(c == '[' ? TokenKind::open : TokenKind::close, position_, 1);
+    ++position_;
+    return bracket;
+}
+
+void Lexer::skip_space() {
+    while (position_ < text_.size()) {
+        const char c = text_[position_];
+        if (c == '#') {
+            const std::size_t end = text_.find('\n', position_);
+            position_ = end == std::string::npos ? text_.size() : end;
+            continue;
+        }
+        if (!is_space(c)) return;
+        ++position_;
+        if (c != '\n') continue;
+        ++line_;
+        line_begin_ = position_;
+    }
+}
+
+Token Lexer::token(TokenKind kind, std::size_t begin, std::size_t length) const {
+    const Token result{kind, std::string_view(text_).substr(begin, length), &file_, line_,
+                       column()};
+    if (length > kLongestToken)
+        throw Error(result.where(), "a token of " + std::to_string(length) + " bytes",
+                    "at most 65536 are read");
+    return result;
+}
+
+Token Lexer::string() {
+    std::size_t end = position_ + 1;
+    while (end < text_.size() && text_[end] != '"' && text_[end] != '\n')
+        end += text_[end] == '\\' && end + 1 < text_.size() && text_[end + 1] != '\n' ? 2 : 1;
+    if (end >= text_.size() || text_[end] != '"')
+        throw Error(here(), "a string has no closing quote on its line", "close it with \"");
+    const Token result = token(TokenKind::string, position_ + 1, end - position_ - 1);
+    position_ = end + 1;
+    return result;
+}
+
+Token Lexer::word() {
+    std::size_t end = position_ + 1;
+    while (end < text_.size() && !ends_word(text_[end])) ++end;
+    const Token result = token(TokenKind::word, position_, end - position_);
+    position_ = end;
+    return result;
+}
+
+}  // namespace sunfleck

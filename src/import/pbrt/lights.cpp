@@ -1,0 +1,152 @@
+// Lights with pbrt-v4's scale: rgb straight through, other spectra divided by their luminance,
+// "power" and "illuminance" (above 0) multiply "scale".
+#include "import/pbrt/lights.h"
+
+#include "import/pbrt/reading.h"
+#include "import/pbrt/spectra.h"
+#include "import/pbrt/words.h"
+#include "math/trigonometry.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sunfleck {
+namespace {
+
+constexpr double kPictureRadiance = 0.5;  // for pictures that are not read
+
+double scale_of(const Statement& statement) {
+    const double scale = statement.real("scale", 1);
+    if (scale >= 0) return scale;
+    throw Error(statement.find("scale")->where, "a light of negative \"scale\"", "use 0 or more");
+}
+
+/// A positive "power" or "illuminance" over what the light has at scale one; else one.
+double factor_by(const Statement& statement, std::string_view name, double at_one) {
+    const double wanted = statement.real(name, 0);
+    return wanted > 0 ? wanted / at_one : 1;
+}
+
+SpectralCurve scaled(const SpectralCurve& curve, double factor) {
+    return curve.scaled(static_cast<float>(std::min(factor, 1e30)));
+}
+
+/// The way from "from" to "to" in the world, as a unit vector.
+Vec3d direction_of(const Statement& statement, const Matrix& to_world) {
+    const Vec3d way = statement.point("to", {0, 0, 1}) - statement.point("from", {0, 0, 0});
+    Vec3d direction;
+    to_world.multDirMatrix(way, direction);
+    const double length = direction.length();
+    if (!(length > 0))
+        throw Error(statement.where, "\"from\" and \"to\" of the light are the same point",
+                    "move one of them");
+    return direction / length;
+}
+
+Vec3d position_of(const Statement& statement, const Matrix& to_world) {
+    return statement.point("from", {0, 0, 0}) * to_world;
+}
+
+Light point_light(const Statement& statement, Reading& reading) {
+    const double factor = scale_of(statement) * factor_by(statement, "power", 4 * kPiDouble);
+    return PointLight{scaled(emission_of(statement, "I", reading), factor),
+                      position_of(statement, reading.still_matrix(statement.where))};
+}
+
+Light picture_light(const Statement& statement, Reading& reading) {
+    reading.warn(statement.where, "light " + in_quotes(statement.type) +
+                                      " is not simulated: it is a point without its picture");
+    statement.ignore({"filename", "fov"});
+    return point_light(statement, reading);
+}
+
+Light spot_light(const Statement& statement, Reading& reading) {
+    const Matrix& to_world = reading.still_matrix(statement.where);
+    const double cone = statement.real("coneangle", 30);
+    const double delta = statement.real("conedeltaangle", 5);
+    if (!(cone > 0 && cone <= 180 && delta >= 0))
+        throw Error(statement.where, "a spot whose angles make no cone",
+                    "use \"coneangle\" in (0, 180] and \"conedeltaangle\" of 0 or more");
+    const double cos_total = sin_cos_turn(cone / 360).cos;
+    const double cos_start = sin_cos_turn(std::max(cone - delta, 0.0) / 360).cos;
+    const double solid_angle = 2 * kPiDouble * ((1 - cos_start) + (cos_start - cos_total) / 2);
+    const double factor = scale_of(statement) * factor_by(statement, "power", solid_angle);
+    return SpotLight{scaled(emission_of(statement, "I", reading), factor),
+                     position_of(statement, to_world), direction_of(statement, to_world), cos_total,
+                     cos_start};
+}
+
+Light distant_light(const Statement& statement, Reading& reading) {
+    const double factor = scale_of(statement) * factor_by(statement, "illuminance", 1);
+    return DistantLight{scaled(emission_of(statement, "L", reading), factor),
+                        direction_of(statement, reading.still_matrix(statement.where))};
+}
+
+Light infinite_light(const Statement& statement, Reading& reading) {
+    double factor = scale_of(statement) * factor_by(statement, "illuminance", kPiDouble);
+    if (const auto file = statement.text("filename")) {
+        if (const Parameter* both = statement.find("L"))
+            throw Error(both->where, "an infinite light with \"L\" and \"filename\"",
+                        "give one of them");
+        if (!(statement.real("illuminance", 0) > 0)) factor *= kPictureRadiance;
+        reading.warn(statement.where, "the picture " + in_quotes(*file) +
+                                          " of an infinite light is not read: its mean is not "
+                                          "known, and radiance 0.5 times \"scale\" (or what "
+                                          "gives its \"illuminance\") comes from everywhere");
+    }
+    if (statement.find("portal"))
+        reading.warn(statement.where, "portals are ignored: the light comes from everywhere");
+    return InfiniteLight{scaled(emission_of(statement, "L", reading), factor)};
+}
+
+using Maker = Light (*)(const Statement&, Reading&);
+
+struct Row {
+    std::string_view word;
+    Maker maker;
+};
+
+constexpr std::array<Row, 6> kRows = {{{"point", point_light},
+                                       {"spot", spot_light},
+                                       {"distant", distant_light},
+                                       {"infinite", infinite_light},
+                                       {"goniometric", picture_light},
+                                       {"projection", picture_light}}};
+
+}  // namespace
+
+void add_light(const Statement& statement, Reading& reading) {
+    const auto row = std::find_if(kRows.begin(), kRows.end(),
+                                  [&](const Row& r) { return r.word == statement.type; });
+    if (row == kRows.end()) {
+        std::array<std::string_view, kRows.size()> words;
+        std::transform(kRows.begin(), kRows.end(), words.begin(),
+                       [](const Row& r) { return r.word; });
+        throw Error(statement.where, "unknown light " + in_quotes(statement.type),
+                    statement.type == "diffuse" ? "use AreaLightSource \"diffuse\""
+                                                : use_one_of(words, statement.type));
+    }
+    reading.scene.lights.push_back(row->maker(statement, reading));
+    reading.warn_unused(statement);
+}
+
+AreaEmission area_emission(const Statement& statement, Reading& reading) {
+    if (statement.type != "diffuse")
+        throw Error(statement.where, "unknown area light " + in_quotes(statement.type),
+                    "use \"diffuse\"");
+    AreaEmission emission;
+    double factor = scale_of(statement);
+    if (const auto file = statement.text("filename")) {
+        factor *= kPictureRadiance;
+        reading.warn(statement.where, "the picture " + in_quotes(*file) +
+                                          " of an area light is not read: its mean is not known, "
+                                          "and radiance 0.5 times \"scale\" is emitted");
+    }
+    emission.radiance = scaled(emission_of(statement, "L", reading), factor);
+    emission.two_sided = statement.flag("twosided", false);
+    emission.power = std::max(statement.real("power", 0), 0.0);
+    reading.warn_unused(statement);
+    return emission;
+}
+
+}  // namespace sunfleck

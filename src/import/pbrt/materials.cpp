@@ -1,0 +1,189 @@
+// Materials by their words: four that we have, and what stands in for the rest.
+#include "import/pbrt/materials.h"
+
+#include "import/pbrt/reading.h"
+#include "import/pbrt/spectra.h"
+#include "import/pbrt/textures.h"
+#include "import/pbrt/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sunfleck {
+namespace {
+
+constexpr float kGrey = 0.5F;               // for textures that are not read
+constexpr double kTexturedRoughness = 0.1;  // likewise
+constexpr int kDeepestMix = 32;
+
+double checked_roughness(const Statement& statement, const std::string& name, double fallback,
+                         Reading& reading) {
+    const double value =
+        find_textured_real(statement, name, kTexturedRoughness, reading).value_or(fallback);
+    if (value >= 0) return value;
+    throw Error(statement.find(name)->where, in_quotes(name) + " is negative", "use 0 or more");
+}
+
+/// @param prefix  of the names of the parameters: "" or "conductor.".
+Roughness roughness_of(const Statement& statement, const std::string& prefix, Reading& reading) {
+    const double both = checked_roughness(statement, prefix + "roughness", 0, reading);
+    const double u = checked_roughness(statement, prefix + "uroughness", both, reading);
+    const double v = checked_roughness(statement, prefix + "vroughness", both, reading);
+    const auto alpha_u = static_cast<float>(u);
+    const auto alpha_v = static_cast<float>(v);
+    if (!statement.flag("remaproughness", true)) return {alpha_u, alpha_v};
+    return {alpha_from_roughness(alpha_u), alpha_from_roughness(alpha_v)};
+}
+
+/// An index of refraction: "float eta" or a spectrum.
+SpectralCurve eta_of(const Statement& statement, Reading& reading) {
+    const Parameter* found = statement.find("eta");
+    if (!found) return SpectralCurve::constant(1.5F);
+    if (found->type != ParameterType::real)
+        return curve_of(*found, SpectrumUse::unbounded, reading);
+    const auto eta = static_cast<float>(*statement.real("eta"));
+    if (eta > 0) return SpectralCurve::constant(eta);
+    throw Error(found->where, "an index of refraction that is not positive",
+                "use 1.5 for glass, or another number above 0");
+}
+
+DiffuseMaterial diffuse_by(const Statement& statement, std::string_view name, Reading& reading) {
+    const auto colour =
+        find_textured_curve(statement, name, SpectrumUse::reflectance, kGrey, reading);
+    return {colour.value_or(SpectralCurve::constant(kGrey))};
+}
+
+Material diffuse(const Statement& statement, Reading& reading) {
+    return diffuse_by(statement, "reflectance", reading);
+}
+
+Material dielectric(const Statement& statement, Reading& reading) {
+    return DielectricMaterial{eta_of(statement, reading), roughness_of(statement, "", reading)};
+}
+
+Material thin_dielectric(const Statement& statement, Reading& reading) {
+    return ThinDielectricMaterial{eta_of(statement, reading)};
+}
+
+ConductorMaterial conductor_by(const Statement& statement, const std::string& prefix,
+                               Reading& reading) {
+    const auto eta =
+        find_textured_curve(statement, prefix + "eta", SpectrumUse::unbounded, 1, reading);
+    const auto k = find_textured_curve(statement, prefix + "k", SpectrumUse::unbounded, 1, reading);
+    ConductorMaterial metal;
+    metal.eta = eta ? *eta : *named_spectrum("metal-Cu-eta");
+    metal.k = k ? *k : *named_spectrum("metal-Cu-k");
+    metal.reflectance =
+        find_textured_curve(statement, "reflectance", SpectrumUse::reflectance, kGrey, reading);
+    if (metal.reflectance && (eta || k))
+        throw Error(statement.find("reflectance")->where,
+                    "a conductor with \"reflectance\" beside \"eta\" or \"k\"",
+                    "give one or the other");
+    metal.roughness = roughness_of(statement, prefix, reading);
+    return metal;
+}
+
+Material conductor(const Statement& statement, Reading& reading) {
+    return conductor_by(statement, "", reading);
+}
+
+Material interface(const Statement& statement, Reading&) {
+    statement.ignore_all();
+    return InterfaceMaterial{};
+}
+
+void warn_approximation(const Statement& statement, const std::string& instead, Reading& reading) {
+    statement.ignore_all();
+    reading.warn(statement.where,
+                 "material " + in_quotes(statement.type) + " is not simulated: " + instead);
+}
+
+Material coated_diffuse(const Statement& statement, Reading& reading) {
+    warn_approximation(statement, "it is diffuse, with its reflectance and no coat", reading);
+    return diffuse(statement, reading);
+}
+
+Material coated_conductor(const Statement& statement, Reading& reading) {
+    warn_approximation(statement, "it is its conductor, without the coat", reading);
+    return conductor_by(statement, "conductor.", reading);
+}
+
+Material hair_or_skin(const Statement& statement, Reading& reading) {
+    const bool coloured = statement.find("reflectance") != nullptr;
+    warn_approximation(
+        statement, coloured ? "it is diffuse, with its reflectance" : "it is diffuse 0.5", reading);
+    return diffuse(statement, reading);
+}
+
+Material diffuse_transmission(const Statement& statement, Reading& reading) {
+    warn_approximation(statement, "it is diffuse, with its reflectance, and transmits nothing",
+                       reading);
+    if (statement.find("reflectance")) return diffuse(statement, reading);
+    return DiffuseMaterial{SpectralCurve::constant(0.25F)};  // pbrt-v4's default
+}
+
+Material measured(const Statement& statement, Reading& reading) {
+    warn_approximation(statement, "it is diffuse 0.5", reading);
+    return DiffuseMaterial{};
+}
+
+/// The first of the two, which may be a mix itself.
+Material mix(const Statement& statement, Reading& reading) {
+    const Statement* first = &statement;
+    for (int depth = 0; first->type == "mix"; ++depth) {
+        const Parameter* names = first->find("materials", ParameterType::text);
+        if (!names || names->texts.size() != 2)
+            throw Error(first->where, "a mix without two materials",
+                        "add \"string materials\" [ \"one\" \"another\" ]");
+        if (depth >= kDeepestMix)
+            throw Error(first->where, "materials mix each other in a circle", "break it");
+        warn_approximation(*first, "it is the first of its materials", reading);
+        if (names->texts[0] == "interface" || names->texts[0].empty()) return InterfaceMaterial{};
+        first = &reading.materials.named(names->texts[0], names->where);
+    }
+    return material_of(*first, reading);
+}
+
+using Maker = Material (*)(const Statement&, Reading&);
+
+struct Row {
+    std::string_view word;
+    Maker maker;
+};
+
+constexpr std::array<Row, 14> kRows = {{{"diffuse", diffuse},
+                                        {"dielectric", dielectric},
+                                        {"thindielectric", thin_dielectric},
+                                        {"conductor", conductor},
+                                        {"interface", interface},
+                                        {"none", interface},
+                                        {"", interface},
+                                        {"coateddiffuse", coated_diffuse},
+                                        {"coatedconductor", coated_conductor},
+                                        {"mix", mix},
+                                        {"measured", measured},
+                                        {"hair", hair_or_skin},
+                                        {"subsurface", hair_or_skin},
+                                        {"diffusetransmission", diffuse_transmission}}};
+
+}  // namespace
+
+std::span<const std::string_view> material_types() {
+    static const std::array<std::string_view, kRows.size()> kWords = [] {
+        std::array<std::string_view, kRows.size()> words;
+        std::transform(kRows.begin(), kRows.end(), words.begin(),
+                       [](const Row& row) { return row.word; });
+        return words;
+    }();
+    return kWords;
+}
+
+Material material_of(const Statement& statement, Reading& reading) {
+    const Row& row = *std::find_if(kRows.begin(), kRows.end(),
+                                   [&](const Row& r) { return r.word == statement.type; });
+    if (statement.find("displacement") || statement.find("normalmap"))
+        reading.warn(statement.where, "bumps and normal maps are not simulated: surfaces are flat");
+    return row.maker(statement, reading);
+}
+
+}  // namespace sunfleck

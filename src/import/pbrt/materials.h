@@ -1,0 +1,20 @@
+// One material of a scene file as one of ours; a row for each word of the language.
+#pragma once
+
+#include "import/pbrt/parameters.h"
+#include "material/material.h"
+
+#include <span>
+
+namespace sunfleck {
+
+struct Reading;
+
+/// The words that there are, "" (for an interface) among them.
+std::span<const std::string_view> material_types();
+
+/// The material of a statement whose type is one of material_types(). What is approximated is
+/// said in a warning.
+Material material_of(const Statement& statement, Reading& reading);
+
+}  // namespace sunfleck

@@ -1,0 +1,79 @@
+// Directives before WorldBegin: camera, picture, integrator, options.
+#include "import/pbrt/directives.h"
+#include "import/pbrt/numbers.h"
+#include "import/pbrt/parameter_parser.h"
+#include "import/pbrt/reading.h"
+#include "import/pbrt/words.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+void camera(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    reading.options.camera = read_statement(tokens, keyword);
+    reading.options.camera_from_world = reading.state.matrix;
+    const Motion& from_world = reading.state.matrix;
+    reading.coordinate_systems["camera"] = {from_world[0].inverse(), from_world[1].inverse()};
+}
+
+void film(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    reading.options.film = read_statement(tokens, keyword);
+}
+
+void filter(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    reading.options.filter = read_statement(tokens, keyword);
+}
+
+void sampler(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    reading.options.sampler = read_statement(tokens, keyword);
+}
+
+void integrator(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    reading.options.integrator = read_statement(tokens, keyword);
+}
+
+void accelerator(Reading&, TokenStream& tokens, const Token& keyword) {
+    read_statement(tokens, keyword);  // ours is Embree's
+}
+
+void color_space(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    static constexpr std::array<std::string_view, 4> kSpaces = {"srgb", "aces2065-1", "rec2020",
+                                                                "dci-p3"};
+    const std::string name = tokens.require_string("the name of a colour space");
+    if (std::find(kSpaces.begin(), kSpaces.end(), name) == kSpaces.end())
+        throw Error(keyword.where(), "unknown colour space " + in_quotes(name),
+                    use_one_of(kSpaces, name));
+    if (name != "srgb")
+        reading.warn(keyword.where(),
+                     "colour space " + in_quotes(name) + " is not read: rgb values count as sRGB");
+}
+
+/// Option "name" value: a number, a quoted string, true or false.
+void option(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    const std::string name = tokens.require_string("the name of an option");
+    const Token value = tokens.require("the value of option " + in_quotes(name));
+    const bool flag = value.text == "true" || value.text == "false";
+    if (value.kind == TokenKind::word && !flag) real_of(value);
+    if (value.kind == TokenKind::open || value.kind == TokenKind::close)
+        throw Error(value.where(), "a list for option " + in_quotes(name), "give one value");
+    reading.warn(keyword.where(), "Option " + in_quotes(name) + " is ignored");
+}
+
+constexpr std::array<Directive, 8> kDirectives = {
+    {{"Camera", Place::before_world, camera},
+     {"Film", Place::before_world, film},
+     {"PixelFilter", Place::before_world, filter},
+     {"Sampler", Place::before_world, sampler},
+     {"Integrator", Place::before_world, integrator},
+     {"Accelerator", Place::before_world, accelerator},
+     {"ColorSpace", Place::anywhere, color_space},
+     {"Option", Place::anywhere, option}}};
+
+}  // namespace
+
+std::span<const Directive> option_directives() {
+    return kDirectives;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,77 @@
+// The reading from its first statement to the finished scene.
+#include "import/pbrt/reader.h"
+
+#include "import/pbrt/camera.h"
+#include "import/pbrt/directives.h"
+#include "import/pbrt/film.h"
+#include "import/pbrt/reading.h"
+#include "import/pbrt/words.h"
+
+#include <filesystem>
+
+namespace sunfleck {
+namespace {
+
+void finish_instances(Reading& reading) {
+    for (const InstanceUse& use : reading.instances) {
+        const auto found = reading.objects.find(use.name);
+        if (found == reading.objects.end())
+            throw Error(use.where, "there is no object " + in_quotes(use.name),
+                        "make it by ObjectBegin and ObjectEnd");
+        reading.scene.instances.push_back({found->second, use.to_world});
+    }
+}
+
+/// Interfaces do not shine (pbrt-v4), but for those that stand for lights of alpha 0.
+void finish_emission(Reading& reading) {
+    for (ShapeDescription& shape : reading.scene.shapes) {
+        const Material& material = reading.scene.materials[shape.material];
+        const bool straight = std::holds_alternative<InterfaceMaterial>(material);
+        if (!shape.emission || !straight || shape.material == reading.unseen_light) continue;
+        shape.emission.reset();
+        reading.warn(shape.where, "area lights on interfaces are ignored, as in pbrt-v4");
+    }
+}
+
+SceneDescription read_all(std::string text, const std::string& path, const FileAccess& files) {
+    Reading reading;
+    reading.files = files;
+    reading.folder = std::filesystem::path(path).parent_path().string();
+    reading.scene.path = path;
+    reading.scene.files.push_back(path);
+
+    TokenStream tokens;
+    tokens.push(std::move(text), std::filesystem::path(path).lexically_normal().string(), {path});
+    read_statements(reading, tokens);
+
+    reading.check_blocks_closed(0);
+    if (!reading.in_world)
+        throw Error({path}, "there is no WorldBegin",
+                    "write it after the camera, and shapes and lights after it");
+    finish_film(reading);
+    finish_camera(reading);
+    finish_filter(reading);
+    finish_hints(reading);
+    reading.scene.materials = reading.materials.finish(reading);
+    finish_emission(reading);
+    finish_instances(reading);
+    return std::move(reading.scene);
+}
+
+}  // namespace
+
+SceneDescription read_pbrt(const std::string& path) {
+    const FileAccess files = disk_access();
+    return read_all(files(path, {path}), path, files);
+}
+
+SceneDescription read_pbrt_text(const std::string& text, const std::string& path) {
+    return read_all(text, path, disk_access());
+}
+
+SceneDescription read_pbrt_text(const std::string& text, const std::string& path,
+                                const FileAccess& files) {
+    return read_all(text, path, files);
+}
+
+}  // namespace sunfleck

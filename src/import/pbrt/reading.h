@@ -1,0 +1,66 @@
+// A reading in progress: the scene so far, and what later statements need to know.
+//
+// In:  statements, one after the other (directives.h). Out: finish() fills in what had to wait.
+#pragma once
+
+#include "import/pbrt/file_access.h"
+#include "import/pbrt/graphics_state.h"
+#include "import/pbrt/material_table.h"
+#include "import/pbrt/textures.h"
+
+#include <map>
+#include <set>
+
+namespace sunfleck {
+
+/// Statements of which the last one counts, read when all files have ended.
+struct Options {
+    std::optional<Statement> camera;
+    std::optional<Statement> film;
+    std::optional<Statement> filter;
+    std::optional<Statement> sampler;
+    std::optional<Statement> integrator;
+    Motion camera_from_world;  // the matrix at the Camera statement
+};
+
+/// An ObjectInstance, whose object may come later in the file.
+struct InstanceUse {
+    std::string name;
+    Matrix to_world;
+    SourceLocation where;
+};
+
+struct Reading {
+    SceneDescription scene;
+    FileAccess files;
+    std::string folder;  // of the main file
+    std::size_t files_opened = 0;
+
+    GraphicsState state;
+    std::vector<Block> blocks;
+    std::size_t block_base = 0;  // blocks that the present Import found open
+    bool in_world = false;
+    Options options;
+    std::map<std::string, Motion> coordinate_systems;
+
+    MaterialTable materials;
+    TextureTable textures;
+    std::optional<std::uint32_t> unseen_light;  // slot of the interface of lights of alpha 0
+    std::set<std::string> media;
+    std::map<std::string, std::uint32_t> objects;
+    std::optional<std::uint32_t> open_object;
+    std::vector<InstanceUse> instances;
+
+    /// Adds a warning; after some hundred different ones only that there are more.
+    void warn(const SourceLocation& where, const std::string& text);
+    /// Warns of parameters that nobody asked for.
+    void warn_unused(const Statement& statement);
+    /// The bytes of a file named in the scene, which is entered in the list of files.
+    std::string read_file(const std::string& name, const SourceLocation& from);
+    /// @throws Error if more than the outer `base` blocks are open.
+    void check_blocks_closed(std::size_t base) const;
+    /// The matrix at the start of the exposure; warns where it moves.
+    const Matrix& still_matrix(const SourceLocation& where);
+};
+
+}  // namespace sunfleck

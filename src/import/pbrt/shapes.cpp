@@ -1,0 +1,151 @@
+// Shapes by their words, and what becomes of those that we have not.
+#include "import/pbrt/shapes.h"
+
+#include "import/pbrt/meshes.h"
+#include "import/pbrt/reading.h"
+#include "import/pbrt/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sunfleck {
+namespace {
+
+void want(bool right, const Statement& statement, std::string_view name, const std::string& fault) {
+    if (right) return;
+    const Parameter* found = statement.find(name);
+    throw Error(found ? found->where : statement.where, statement.title() + ": " + fault,
+                "check " + in_quotes(name));
+}
+
+double radius_of(const Statement& statement) {
+    const double radius = statement.real("radius", 1);
+    want(radius > 0, statement, "radius", "the radius is not positive");
+    return radius;
+}
+
+/// "phimax" in radians.
+double phi_max_of(const Statement& statement) {
+    const double degrees = statement.real("phimax", 360);
+    want(degrees > 0, statement, "phimax", "the angle is not positive");
+    return std::min(degrees / 360, 1.0) * (2 * kPiDouble);
+}
+
+Shape sphere(const Statement& statement, Reading&) {
+    const double radius = radius_of(statement);
+    const double z0 = statement.real("zmin", -radius);
+    const double z1 = statement.real("zmax", radius);
+    Sphere result{radius, std::max(std::min(z0, z1), -radius), std::min(std::max(z0, z1), radius),
+                  phi_max_of(statement)};
+    want(result.z_min < result.z_max, statement, "zmin", "nothing is left between zmin and zmax");
+    return result;
+}
+
+Shape disk(const Statement& statement, Reading&) {
+    Disk result;
+    result.height = statement.real("height", 0);
+    result.radius = radius_of(statement);
+    result.inner_radius = statement.real("innerradius", 0);
+    result.phi_max = phi_max_of(statement);
+    want(result.inner_radius >= 0 && result.inner_radius < result.radius, statement, "innerradius",
+         "the inner radius is not in [0, radius)");
+    return result;
+}
+
+Shape triangles(const Statement& statement, Reading&) {
+    return triangle_mesh(statement);
+}
+Shape ply(const Statement& statement, Reading& reading) {
+    return ply_mesh(statement, reading);
+}
+
+using Maker = Shape (*)(const Statement&, Reading&);
+
+struct Row {
+    std::string_view word;
+    Maker maker;  // null: known, and left out
+};
+
+constexpr std::array<Row, 8> kRows = {{{"trianglemesh", triangles},
+                                       {"plymesh", ply},
+                                       {"sphere", sphere},
+                                       {"disk", disk},
+                                       {"cylinder", nullptr},
+                                       {"bilinearmesh", nullptr},
+                                       {"curve", nullptr},
+                                       {"loopsubdiv", nullptr}}};
+
+const Row& row_of(const Statement& statement) {
+    const auto row = std::find_if(kRows.begin(), kRows.end(),
+                                  [&](const Row& r) { return r.word == statement.type; });
+    if (row != kRows.end()) return *row;
+    std::array<std::string_view, kRows.size()> words;
+    std::transform(kRows.begin(), kRows.end(), words.begin(), [](const Row& r) { return r.word; });
+    throw Error(statement.where, "unknown shape " + in_quotes(statement.type),
+                use_one_of(words, statement.type));
+}
+
+enum class Cover { opaque, invisible };
+
+/// "alpha" of the shape, a number or a texture.
+Cover cover_of(const Statement& statement, Reading& reading) {
+    const double alpha = find_textured_real(statement, "alpha", 1, reading).value_or(1);
+    if (alpha <= 0) return Cover::invisible;
+    if (alpha < 1)
+        reading.warn(statement.where,
+                     "an \"alpha\" between 0 and 1 is ignored: the shape is "
+                     "opaque");
+    return Cover::opaque;
+}
+
+std::optional<AreaEmission> emission_here(const Statement& statement, Reading& reading) {
+    if (!reading.state.emission) return std::nullopt;
+    if (!reading.open_object) return *reading.state.emission;
+    reading.warn(statement.where, "area lights in objects are ignored, as in pbrt-v4");
+    return std::nullopt;
+}
+
+/// The slot of the interface for lights that nothing hits.
+std::uint32_t unseen_light_slot(Reading& reading) {
+    if (!reading.unseen_light) {
+        Statement nothing;
+        nothing.keyword = "Material";
+        nothing.type = "interface";
+        reading.unseen_light = reading.materials.add(nothing);
+    }
+    return *reading.unseen_light;
+}
+
+}  // namespace
+
+void add_shape(const Statement& statement, Reading& reading) {
+    const Row& row = row_of(statement);
+    const GraphicsState& state = reading.state;
+    if (!row.maker) {
+        reading.warn(statement.where, "shape " + in_quotes(statement.type) +
+                                          " is left out: it is " + "not supported" +
+                                          (state.emission ? ", and it emits no light" : ""));
+        return;
+    }
+    if (state.has_medium)
+        reading.warn(statement.where, "media are not simulated: light passes them unchanged");
+    ShapeDescription shape;
+    shape.placed = {row.maker(statement, reading), reading.still_matrix(statement.where),
+                    state.reverse_orientation};
+    shape.emission = emission_here(statement, reading);
+    shape.material = state.material;
+    shape.where = statement.where;
+    const Cover cover = cover_of(statement, reading);
+    reading.warn_unused(statement);
+    if (cover == Cover::invisible && !shape.emission) return;
+    if (cover == Cover::invisible) {
+        reading.warn(statement.where, "a light of \"alpha\" 0 lets light pass, but it can be seen");
+        shape.material = unseen_light_slot(reading);
+    }
+    reading.materials.use(shape.material);
+    auto& scene = reading.scene;
+    auto& list = reading.open_object ? scene.objects[*reading.open_object] : scene.shapes;
+    list.push_back(std::move(shape));
+}
+
+}  // namespace sunfleck

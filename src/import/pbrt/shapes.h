@@ -1,0 +1,14 @@
+// Shape statements as our shapes, with the material and emission of the graphics state.
+#pragma once
+
+#include "import/pbrt/parameters.h"
+
+namespace sunfleck {
+
+struct Reading;
+
+/// Adds the shape to the world, or to the object that is open.
+/// @throws Error for an unknown type and for parameters that no such shape can have.
+void add_shape(const Statement& statement, Reading& reading);
+
+}  // namespace sunfleck

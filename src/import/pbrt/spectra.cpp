@@ -1,0 +1,109 @@
+// Spectra as pbrt-v4 gives them: paramdict.cpp there, measured for lights.
+#include "import/pbrt/spectra.h"
+
+#include "import/pbrt/numbers.h"
+#include "import/pbrt/reading.h"
+#include "import/pbrt/words.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+using Points = std::vector<TableCurve::Point>;
+
+void want(bool right, const Parameter& parameter, const std::string& fault,
+          const std::string& mend) {
+    if (!right) throw Error(parameter.where, "parameter " + parameter.title() + fault, mend);
+}
+
+SpectralCurve rgb_curve(const Parameter& parameter, SpectrumUse use) {
+    const auto& v = parameter.numbers;
+    want(v.size() == 3, parameter, " has " + std::to_string(v.size()) + " numbers", "give 3");
+    want(*std::min_element(v.begin(), v.end()) >= 0, parameter, " has a negative component",
+         "use components of 0 or more");
+    const Vec3 rgb(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
+    if (use == SpectrumUse::emission) return SpectralCurve::rgb_illuminant(rgb);
+    if (use == SpectrumUse::unbounded) return SpectralCurve::rgb_unbounded(rgb);
+    want(*std::max_element(v.begin(), v.end()) <= 1, parameter, " has a component above 1",
+         "a surface reflects at most all light: use components in 0..1");
+    return SpectralCurve::rgb_albedo(rgb);
+}
+
+SpectralCurve sampled(const std::vector<double>& numbers, const Parameter& parameter,
+                      const std::string& of) {
+    want(!numbers.empty() && numbers.size() % 2 == 0, parameter,
+         of + " has " + std::to_string(numbers.size()) + " numbers",
+         "give pairs of wavelength in nm and value");
+    Points points;
+    for (std::size_t i = 0; i < numbers.size(); i += 2) {
+        points.push_back({static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1])});
+        want(i == 0 || points[i / 2 - 1].nm < points[i / 2].nm, parameter,
+             of + " has wavelengths that do not rise", "sort the pairs by wavelength");
+        want(points.back().value >= 0, parameter, of + " has a negative value",
+             "use values of 0 or more");
+    }
+    return SpectralCurve::table(std::move(points));
+}
+
+/// Pairs of numbers in a text file, with # comments.
+SpectralCurve from_file(const std::string& name, const Parameter& parameter, Reading& reading) {
+    Lexer lexer(reading.read_file(name, parameter.where), resolved(name, reading.folder));
+    std::vector<double> numbers;
+    while (const auto token = lexer.next()) numbers.push_back(real_of(*token));
+    return sampled(numbers, parameter, ": the file " + in_quotes(name));
+}
+
+SpectralCurve by_name(const Parameter& parameter, Reading& reading) {
+    const std::string& name = parameter.texts[0];
+    if (auto known = named_spectrum(name)) return *known;
+    const bool prefix =
+        name.starts_with("metal-") || name.starts_with("glass-") || name.starts_with("stdillum-");
+    if (prefix && name.find('.') == std::string::npos) {
+        const std::vector<std::string> names = named_spectra();
+        const std::vector<std::string_view> views(names.begin(), names.end());
+        throw Error(parameter.where, "unknown spectrum " + in_quotes(name),
+                    did_you_mean(views, name));
+    }
+    return from_file(name, parameter, reading);
+}
+
+SpectralCurve raw_curve(const Parameter& parameter, Reading& reading) {
+    if (parameter.type == ParameterType::blackbody) {
+        want(parameter.numbers.size() == 1 && parameter.numbers[0] > 0, parameter,
+             " is no temperature", "give one positive number of kelvin");
+        return SpectralCurve(BlackbodyCurve{static_cast<float>(parameter.numbers[0])});
+    }
+    want(parameter.type == ParameterType::spectrum, parameter, " is no spectrum",
+         "write \"rgb " + parameter.name + "\" or \"spectrum " + parameter.name + "\"");
+    if (parameter.texts.empty()) return sampled(parameter.numbers, parameter, "");
+    want(parameter.texts.size() == 1 && parameter.numbers.empty(), parameter,
+         " mixes names and numbers", "give one name, or pairs of numbers");
+    return by_name(parameter, reading);
+}
+
+}  // namespace
+
+SpectralCurve curve_of(const Parameter& parameter, SpectrumUse use, Reading& reading) {
+    if (parameter.type == ParameterType::rgb) return rgb_curve(parameter, use);
+    SpectralCurve curve = raw_curve(parameter, reading);
+    if (use != SpectrumUse::emission) return curve;
+    const float luminance = curve.luminance();
+    if (luminance > 1e-30F) return curve.scaled(1 / luminance);
+    reading.warn(parameter.where, "parameter " + parameter.title() + " emits nothing visible");
+    return SpectralCurve::constant(0);
+}
+
+std::optional<SpectralCurve> find_curve(const Statement& statement, std::string_view name,
+                                        SpectrumUse use, Reading& reading) {
+    const Parameter* found = statement.find(name);
+    if (!found) return std::nullopt;
+    return curve_of(*found, use, reading);
+}
+
+SpectralCurve emission_of(const Statement& statement, std::string_view name, Reading& reading) {
+    const auto curve = find_curve(statement, name, SpectrumUse::emission, reading);
+    return curve ? *curve : SpectralCurve::d65();
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,28 @@
+// Parameters that are spectra: rgb, blackbody, sampled, named, or in a file.
+#pragma once
+
+#include "import/pbrt/parameters.h"
+#include "math/spectral_curve.h"
+
+namespace sunfleck {
+
+struct Reading;
+
+/// What the spectrum is for: it says what an rgb stands for (pbrt-v4).
+enum class SpectrumUse {
+    reflectance,  // rgb in [0,1]
+    unbounded,    // eta, k
+    emission      // rgb under D65; all other spectra are divided by their luminance
+};
+
+/// @throws Error for numbers that no such spectrum can have, unknown names, missing files.
+SpectralCurve curve_of(const Parameter& parameter, SpectrumUse use, Reading& reading);
+
+/// The spectrum of that name, or nothing. A "texture" is an Error here.
+std::optional<SpectralCurve> find_curve(const Statement& statement, std::string_view name,
+                                        SpectrumUse use, Reading& reading);
+
+/// Emission by a parameter; the white of luminance one where there is none.
+SpectralCurve emission_of(const Statement& statement, std::string_view name, Reading& reading);
+
+}  // namespace sunfleck

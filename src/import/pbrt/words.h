@@ -1,0 +1,22 @@
+// Words of a scene file as messages show them, and the known word that an unknown one may mean.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sunfleck {
+
+/// In quotes, on one line: other than printable ASCII and UTF-8 becomes '?', long texts are cut.
+/// @param most  bytes that are shown.
+std::string in_quotes(std::string_view text, std::size_t most = 60);
+
+/// `use "a", "b" or "c"`: the remedy for an unknown word, the most similar one first where one is
+/// close. @param known  not empty.
+std::string use_one_of(std::span<const std::string_view> known, std::string_view instead_of);
+
+/// `did you mean "Shape"?` where a known word is close, or `check the spelling`.
+std::string did_you_mean(std::span<const std::string_view> known, std::string_view instead_of);
+
+}  // namespace sunfleck

@@ -1,0 +1,101 @@
+// Directives of what is in the world: materials, textures, media, lights, shapes.
+#include "import/pbrt/directives.h"
+#include "import/pbrt/lights.h"
+#include "import/pbrt/parameter_parser.h"
+#include "import/pbrt/reading.h"
+#include "import/pbrt/shapes.h"
+#include "import/pbrt/words.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+void material(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    Statement statement = read_statement(tokens, keyword);
+    statement.defaults = reading.state.material_defaults;
+    reading.state.material = reading.materials.add(std::move(statement));
+}
+
+void make_named_material(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    Statement statement = read_statement(tokens, keyword);
+    statement.defaults = reading.state.material_defaults;
+    const std::string name = statement.type;
+    reading.materials.make(name, std::move(statement));
+}
+
+void named_material(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    const std::string name = tokens.require_string("the name of a material");
+    reading.state.material = reading.materials.slot_of(name, keyword.where());
+}
+
+void texture(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    const std::string name = tokens.require_string("the name of a texture");
+    const std::string kind = tokens.require_string("\"float\" or \"spectrum\"");
+    Statement statement = read_statement(tokens, keyword);
+    statement.defaults = reading.state.texture_defaults;
+    reading.textures.add(kind, name, std::move(statement));
+}
+
+void make_named_medium(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    const Statement statement = read_statement(tokens, keyword);
+    const auto type = statement.text("type");
+    static constexpr std::array<std::string_view, 5> kTypes = {"homogeneous", "uniformgrid",
+                                                               "rgbgrid", "cloud", "nanovdb"};
+    if (!type)
+        throw Error(statement.where, "medium " + in_quotes(statement.type) + " has no type",
+                    "add \"string type\" \"homogeneous\"");
+    if (std::find(kTypes.begin(), kTypes.end(), *type) == kTypes.end())
+        throw Error(statement.where, "unknown medium " + in_quotes(*type),
+                    use_one_of(kTypes, *type));
+    if (!reading.media.insert(statement.type).second)
+        throw Error(statement.where, "a second medium " + in_quotes(statement.type),
+                    "give it another name");
+}
+
+/// One name for both sides, or two; empty names are air.
+void medium_interface(Reading& reading, TokenStream& tokens, const Token&) {
+    const std::string inside = tokens.require_string("the name of a medium");
+    std::string outside = inside;
+    if (tokens.peek() && tokens.peek()->kind == TokenKind::string)
+        outside = tokens.require_string("the name of a medium");
+    reading.state.has_medium = !inside.empty() || !outside.empty();
+}
+
+void light_source(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    Statement statement = read_statement(tokens, keyword);
+    statement.defaults = reading.state.light_defaults;
+    add_light(statement, reading);
+}
+
+void area_light_source(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    Statement statement = read_statement(tokens, keyword);
+    statement.defaults = reading.state.light_defaults;
+    reading.state.emission =
+        std::make_shared<const AreaEmission>(area_emission(statement, reading));
+}
+
+void shape(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    Statement statement = read_statement(tokens, keyword);
+    statement.defaults = reading.state.shape_defaults;
+    add_shape(statement, reading);
+}
+
+constexpr std::array<Directive, 9> kDirectives = {
+    {{"Material", Place::in_world, material},
+     {"MakeNamedMaterial", Place::in_world, make_named_material},
+     {"NamedMaterial", Place::in_world, named_material},
+     {"Texture", Place::in_world, texture},
+     {"MakeNamedMedium", Place::anywhere, make_named_medium},
+     {"MediumInterface", Place::anywhere, medium_interface},
+     {"LightSource", Place::in_world, light_source},
+     {"AreaLightSource", Place::in_world, area_light_source},
+     {"Shape", Place::in_world, shape}}};
+
+}  // namespace
+
+std::span<const Directive> world_directives() {
+    return kDirectives;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,40 @@
+// What the command line changes in a scene before it is built.
+#include "scene/adjust.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+
+void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
+    const Vec2i before = scene.film.resolution;
+    PerspectiveCamera& camera = scene.camera;
+    if (resolution.x * before.y != resolution.y * before.x) {
+        const Vec2d center = (camera.screen_min + camera.screen_max) * 0.5;
+        const Vec2d size = camera.screen_max - camera.screen_min;
+        const double half = std::min(size.x, size.y) * 0.5;
+        const double aspect = static_cast<double>(resolution.x) / resolution.y;
+        const Vec2d extent(aspect >= 1 ? half * aspect : half, aspect >= 1 ? half : half / aspect);
+        camera.screen_min = center - extent;
+        camera.screen_max = center + extent;
+    }
+    camera.resolution = resolution;
+    scene.film.resolution = resolution;
+    if (scene.film.crop) {
+        auto& crop = *scene.film.crop;
+        for (const std::size_t i : {0U, 1U}) crop.at(i) = crop.at(i) * resolution.x / before.x;
+        for (const std::size_t i : {2U, 3U}) crop.at(i) = crop.at(i) * resolution.y / before.y;
+    }
+}
+
+void set_crop(SceneDescription& scene, const std::array<int, 4>& crop) {
+    const Vec2i size = scene.film.resolution;
+    const std::array<int, 4> cut = {std::clamp(crop[0], 0, size.x), std::clamp(crop[1], 0, size.x),
+                                    std::clamp(crop[2], 0, size.y), std::clamp(crop[3], 0, size.y)};
+    if (cut[0] >= cut[1] || cut[2] >= cut[3])
+        throw Error({"--crop"}, "no pixel is left",
+                    "give x0,x1,y0,y1 with x0 < x1 <= " + std::to_string(size.x) +
+                        " and y0 < y1 <= " + std::to_string(size.y));
+    scene.film.crop = cut;
+}
+
+}  // namespace sunfleck

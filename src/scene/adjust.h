@@ -1,0 +1,14 @@
+// What the command line changes in a scene before it is built.
+#pragma once
+
+#include "scene/description.h"
+
+namespace sunfleck {
+
+/// Another film size. The view keeps the extent of its shorter axis; a crop keeps its share.
+void set_resolution(SceneDescription& scene, const Vec2i& resolution);
+
+/// @param crop  x0 x1 y0 y1 in pixels; cut to the film. @throws Error when nothing is left.
+void set_crop(SceneDescription& scene, const std::array<int, 4>& crop);
+
+}  // namespace sunfleck

@@ -1,0 +1,67 @@
+// An emitting shape becomes area lights: one a triangle, one a quadric.
+#include "scene/area_lights.h"
+
+#include "geometry/measure.h"
+
+namespace sunfleck {
+namespace {
+
+/// The side of the triangle that rays will call outside: by its winding in the object's frame,
+/// turned to agree with vertex normals, turned again by ReverseOrientation (pbrt-v4).
+/// @param cross  of the edges in the world.
+Vec3d outside(const TriangleMesh& mesh, std::size_t triangle, const PlacedShape& placed,
+              const Vec3d& cross) {
+    double side = placed.flip ? -1 : 1;
+    const Placement placement(placed.to_world);
+    if (placement.mirrors) side = -side;
+    if (!mesh.normals.empty()) {
+        Vec3d sum(0);
+        for (const std::uint32_t corner : mesh.triangles[triangle])
+            sum += Vec3d(mesh.normals[corner]);
+        const double agreement = placement.normal(sum).dot(cross);
+        if (agreement != 0) side = (agreement > 0) != placed.flip ? 1 : -1;
+    }
+    return cross * (side / cross.length());
+}
+
+EmittingTriangle emitting_triangle(const TriangleMesh& mesh, std::size_t triangle,
+                                   const PlacedShape& placed) {
+    const auto [corner] = placed_triangle(mesh, Affine(placed.to_world), triangle);
+    EmittingTriangle result{corner[0], corner[1] - corner[0], corner[2] - corner[0], Vec3d(0)};
+    const Vec3d cross = result.edge1.cross(result.edge2);
+    if (cross.length2() > 0) result.normal = outside(mesh, triangle, placed, cross);
+    return result;
+}
+
+/// pbrt-v4's "power" is that of each light, and each triangle of a mesh is one.
+SpectralCurve radiance_of(const AreaEmission& emission, double area) {
+    if (!(emission.power > 0) || !(area > 0)) return emission.radiance;
+    const double sides = emission.two_sided ? 2 : 1;
+    return emission.radiance.scaled(
+        static_cast<float>(emission.power / (kPiDouble * area * sides)));
+}
+
+}  // namespace
+
+std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32_t index) {
+    const AreaEmission& emission = *shape.emission;
+    const PlacedShape& placed = shape.placed;
+    std::vector<AreaLight> lights;
+    const auto add = [&](auto surface, double area) {
+        lights.push_back({radiance_of(emission, area), std::move(surface), emission.two_sided,
+                          index, static_cast<std::uint32_t>(lights.size())});
+    };
+    if (const auto* mesh = std::get_if<TriangleMesh>(&placed.shape)) {
+        for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
+            const EmittingTriangle triangle = emitting_triangle(*mesh, t, placed);
+            add(triangle, 0.5 * triangle.edge1.cross(triangle.edge2).length());
+        }
+    } else if (const auto* sphere = std::get_if<Sphere>(&placed.shape)) {
+        add(EmittingQuadric<Sphere>{*sphere, placed.to_world, placed.flip}, surface_area(placed));
+    } else if (const auto* disk = std::get_if<Disk>(&placed.shape)) {
+        add(EmittingQuadric<Disk>{*disk, placed.to_world, placed.flip}, surface_area(placed));
+    }
+    return lights;
+}
+
+}  // namespace sunfleck

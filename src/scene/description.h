@@ -1,0 +1,71 @@
+// A scene as importers hand it over: plain data, every default already filled in.
+#pragma once
+
+#include "camera/camera.h"
+#include "camera/filter.h"
+#include "core/warnings.h"
+#include "geometry/geometry.h"
+#include "light/light.h"
+#include "material/material.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sunfleck {
+
+/// Diffuse emission of a whole shape.
+struct AreaEmission {
+    SpectralCurve radiance;
+    bool two_sided = false;
+    /// When positive: each light of the shape (a quadric, each triangle) emits radiance * power /
+    /// (pi * area * (2 if two-sided)), the curve itself not normalised (pbrt-v4).
+    double power = 0;
+};
+
+struct ShapeDescription {
+    PlacedShape placed;
+    std::uint32_t material = 0;  // index into SceneDescription::materials
+    std::optional<AreaEmission> emission;
+    SourceLocation where;
+};
+
+struct InstanceDescription {
+    std::uint32_t object = 0;  // index into SceneDescription::objects
+    Matrix to_world;
+};
+
+struct FilmDescription {
+    Vec2i resolution{1280, 720};
+    /// Pixels [x0, x1) x [y0, y1) of the resolution that are rendered; all when absent.
+    std::optional<std::array<int, 4>> crop;
+    float imaging_ratio = 1;  // pixel = radiance * exposure time * iso / 100
+    std::string filename;     // as the scene names it; empty when it does not
+};
+
+/// What the scene asks of the renderer; the command line wins.
+struct RenderHints {
+    std::string integrator;  // the scene's word
+    std::optional<int> max_depth;
+    std::optional<double> radius;
+    std::optional<int> samples;
+};
+
+struct SceneDescription {
+    PerspectiveCamera camera;
+    FilterSettings filter;
+    FilmDescription film;
+    RenderHints hints;
+    std::vector<Material> materials;
+    std::vector<ShapeDescription> shapes;                // in the world
+    std::vector<std::vector<ShapeDescription>> objects;  // each list once, placed by instances
+    std::vector<InstanceDescription> instances;
+    std::vector<Light> lights;  // all but area lights
+    /// Illuminance lights (pbrt "illuminance" on infinite lights) and spot/point "power" are
+    /// already in the curves.
+    Warnings warnings;
+    std::string path;                // of the main file
+    std::vector<std::string> files;  // all that were read
+};
+
+}  // namespace sunfleck

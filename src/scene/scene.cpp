@@ -1,0 +1,97 @@
+// Builds the scene: shapes to geometry, emitting shapes to lights, powers to a choice.
+#include "scene/scene.h"
+
+#include "geometry/measure.h"
+#include "scene/area_lights.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+/// Lights are weighed by what they emit in the visible range: power times luminance.
+double weight_of(const Light& light, const SceneSphere& sphere) {
+    return power(light, sphere) * std::max(0.0F, curve(light).luminance());
+}
+
+}  // namespace
+
+Scene::Scene(SceneDescription description, const std::string& isa)
+    : materials_(std::move(description.materials)),
+      geometry_(take_shapes(description), isa),
+      camera_(description.camera),
+      filter_(description.filter),
+      film_(std::move(description.film)),
+      hints_(std::move(description.hints)),
+      warnings_(std::move(description.warnings)),
+      path_(std::move(description.path)) {
+    const Bounds& bounds = geometry_.bounds();
+    if (!bounds.is_empty()) sphere_ = {bounds.center(), std::max(bounds.radius(), 1e-6)};
+    finish_lights(description.lights);
+}
+
+/// Interfaces that do not emit are left out: no path can tell that they are there.
+GeometryInput Scene::take_shapes(SceneDescription& description) {
+    GeometryInput input;
+    const auto take = [&](ShapeDescription& shape) -> std::optional<std::uint32_t> {
+        const bool straight = std::holds_alternative<InterfaceMaterial>(materials_[shape.material]);
+        if (straight && !shape.emission) return {};
+        if (straight) has_straight_hits_ = true;
+        const auto index = static_cast<std::uint32_t>(input.shapes.size());
+        shapes_.push_back({shape.material, kNone});
+        if (shape.emission) add_area_lights(shape, index);
+        input.shapes.push_back(std::move(shape.placed));
+        return index;
+    };
+    for (ShapeDescription& shape : description.shapes)
+        if (const auto index = take(shape)) input.in_world.push_back(*index);
+    std::vector<std::vector<std::uint32_t>> objects;
+    for (auto& object : description.objects) {
+        objects.emplace_back();
+        for (ShapeDescription& shape : object)
+            if (const auto index = take(shape)) objects.back().push_back(*index);
+    }
+    for (const InstanceDescription& instance : description.instances)
+        input.instances.push_back({objects[instance.object], instance.to_world, instance.object});
+    return input;
+}
+
+void Scene::add_area_lights(const ShapeDescription& shape, std::uint32_t index) {
+    shapes_[index].first_light = static_cast<std::uint32_t>(lights_.size());
+    std::vector<AreaLight> made = area_lights_of(shape, index);
+    lights_.insert(lights_.end(), made.begin(), made.end());
+}
+
+void Scene::finish_lights(const std::vector<Light>& others) {
+    lights_.insert(lights_.end(), others.begin(), others.end());
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        const bool infinite = std::holds_alternative<InfiniteLight>(lights_[i]);
+        if (infinite) infinite_lights_.push_back(static_cast<std::uint32_t>(i));
+        if (infinite || std::holds_alternative<AreaLight>(lights_[i])) has_lights_to_meet_ = true;
+        weights.push_back(weight_of(lights_[i], sphere_));
+    }
+    light_choice_ = LightChoice(weights);
+    const bool dark = std::all_of(weights.begin(), weights.end(), [](double w) { return w <= 0; });
+    if (dark) warnings_.add({path_}, "the scene has no light; the picture will be black");
+}
+
+std::uint32_t Scene::light_of(const Hit& hit) const {
+    const std::uint32_t first = shapes_[hit.shape].first_light;
+    return first == kNone ? kNone : first + hit.primitive;
+}
+
+bool Scene::is_free(const Ray& ray) const {
+    if (!has_straight_hits_) return !geometry_.occluded(ray);
+    Ray rest = ray;
+    while (const auto hit = geometry_.intersect(rest)) {
+        if (!passes_straight(*hit)) return false;
+        const float left = rest.length - hit->distance;
+        rest = ray_from(*hit, ray.direction);
+        rest.length = left;
+        if (!(left > 0)) return true;
+    }
+    return true;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,87 @@
+// The immutable whole: surfaces, materials, lights and camera, ready to be traced.
+//
+// In:  a SceneDescription. Out: hits with their material and emission. Any number of threads.
+#pragma once
+
+#include "light/choice.h"
+#include "scene/description.h"
+
+#include <string>
+#include <vector>
+
+namespace sunfleck {
+
+/// What the scene knows of one shape beyond its geometry.
+struct ShapeRecord {
+    std::uint32_t material = 0;
+    std::uint32_t first_light = kNone;  // light of primitive 0, if it emits; the others follow
+};
+
+class Scene {
+public:
+    /// @param isa  see Geometry. @throws Error for a scene that cannot be built.
+    explicit Scene(SceneDescription description, const std::string& isa = "avx2");
+
+    const Geometry& geometry() const { return geometry_; }
+    const PerspectiveCamera& camera() const { return camera_; }
+    const FilterSettings& filter() const { return filter_; }
+    const FilmDescription& film() const { return film_; }
+    const RenderHints& hints() const { return hints_; }
+    const std::vector<Material>& materials() const { return materials_; }
+    const std::vector<Light>& lights() const { return lights_; }
+    const std::vector<std::uint32_t>& infinite_lights() const { return infinite_lights_; }
+    /// By power: photons start, and direct light is sampled, at lights chosen by it.
+    const LightChoice& light_choice() const { return light_choice_; }
+    const SceneSphere& sphere() const { return sphere_; }
+    const Warnings& warnings() const { return warnings_; }
+    const std::string& path() const { return path_; }
+    /// Are there lights that a ray can meet (area, infinite)?
+    bool has_lights_to_meet() const { return has_lights_to_meet_; }
+
+    std::uint32_t material_of(const Hit& hit) const { return shapes_[hit.shape].material; }
+    /// The area light at a hit, or kNone.
+    std::uint32_t light_of(const Hit& hit) const;
+    /// Is the surface no obstacle: light goes straight on, and it is no bounce? Shadow rays, eye
+    /// and photon paths all ask here. (Interfaces that do not emit are not in the geometry.)
+    bool passes_straight(const Hit& hit) const {
+        return std::holds_alternative<InterfaceMaterial>(materials_[material_of(hit)]);
+    }
+
+    /// Is the way from `from` to the end of the ray free, surfaces passed straight aside?
+    bool is_free(const Ray& ray) const;
+
+private:
+    GeometryInput take_shapes(SceneDescription& description);
+    void add_area_lights(const ShapeDescription& shape, std::uint32_t index);
+    void finish_lights(const std::vector<Light>& others);
+
+    std::vector<Material> materials_;
+    std::vector<ShapeRecord> shapes_;
+    std::vector<Light> lights_;
+    std::vector<std::uint32_t> infinite_lights_;
+    bool has_lights_to_meet_ = false;
+    bool has_straight_hits_ = false;
+    Geometry geometry_;
+    SceneSphere sphere_;
+    LightChoice light_choice_;
+    PerspectiveCamera camera_;
+    FilterSettings filter_;
+    FilmDescription film_;
+    RenderHints hints_;
+    Warnings warnings_;
+    std::string path_;
+};
+
+/// The next ray along `direction` from a hit, past its surface.
+inline Ray ray_from(const Hit& hit, const Vec3& direction) {
+    return {offset_origin(hit.position, hit.normal, hit.error, direction), direction};
+}
+
+/// The segment from a hit towards a point `distance` away, short of whatever stands there.
+inline Ray shadow_ray(const Hit& hit, const Vec3& direction, float distance) {
+    Ray ray = ray_from(hit, direction);
+    ray.length = distance * (1 - 1e-4F);
+    return ray;
+}
+
+}  // namespace sunfleck

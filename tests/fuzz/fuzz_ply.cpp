@@ -1,0 +1,23 @@
+// Fuzz target: any bytes as a PLY file end in a mesh or in an Error, within bounds.
+#include "core/error.h"
+#include "import/pbrt/ply.h"
+
+#include <cstdint>
+#include <cstdlib>
+
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it by this name
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    try {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters
+        const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+        const sunfleck::TriangleMesh mesh = sunfleck::parse_ply(bytes, "fuzz.ply");
+        for (const auto& triangle : mesh.triangles)
+            for (const std::uint32_t corner : triangle)
+                if (corner >= mesh.positions.size()) std::abort();
+        if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) std::abort();
+        if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.positions.size()) std::abort();
+    } catch (const sunfleck::Error&) {
+        return 0;
+    }
+    return 0;
+}

@@ -1,0 +1,97 @@
+// Film, filter and hints.
+#include "import/pbrt/film.h"
+
+#include "import/pbrt/scene_text.h"
+
+namespace sunfleck {
+namespace {
+
+SceneDescription with(const std::string& options) {
+    return read_text(options + "\nWorldBegin");
+}
+
+TEST(Film, has_pbrts_defaults) {
+    const SceneDescription scene = with("");
+    EXPECT_EQ(scene.film.resolution, Vec2i(1280, 720));
+    EXPECT_FALSE(scene.film.crop);
+    EXPECT_EQ(scene.film.imaging_ratio, 1);
+    EXPECT_EQ(scene.filter.kind, FilterKind::gaussian);
+    EXPECT_EQ(scene.filter.radius, Vec2d(1.5, 1.5));
+    EXPECT_FALSE(scene.hints.max_depth);
+    EXPECT_TRUE(scene.warnings.entries().empty());
+}
+
+TEST(Film, is_read) {
+    const SceneDescription scene = with(
+        "Film \"rgb\" \"integer xresolution\" 30 \"integer yresolution\" 20 \"float "
+        "cropwindow\" [ .1 .5 .25 .26 ] \"string filename\" \"a.exr\" \"float iso\" 200 "
+        "\"string sensor\" \"cie1931\" \"bool savefp16\" false\n"
+        "Camera \"perspective\" \"float shutteropen\" .25 \"float shutterclose\" .75");
+    EXPECT_EQ(scene.film.resolution, Vec2i(30, 20));
+    const std::array<int, 4> crop = {3, 15, 5, 6};
+    EXPECT_EQ(*scene.film.crop, crop);
+    EXPECT_EQ(scene.film.filename, "a.exr");
+    EXPECT_EQ(scene.film.imaging_ratio, 1);
+    EXPECT_TRUE(scene.warnings.entries().empty());
+    const SceneDescription bounds = with("Film \"rgb\" \"integer pixelbounds\" [ -1 5 700 900 ]");
+    const std::array<int, 4> pixels = {0, 5, 700, 720};
+    EXPECT_EQ(*bounds.film.crop, pixels);
+}
+
+TEST(Film, says_what_is_approximated) {
+    const SceneDescription scene = with(
+        "Film \"gbuffer\" \"string sensor\" \"nikon_d850\" \"float whitebalance\" 5000 "
+        "\"float scale\" 2 \"float colour\" 3");
+    EXPECT_EQ(scene.warnings.entries().size(), 5U);
+    EXPECT_EQ(warnings_with(scene, "unused parameter \"float colour\" of Film \"gbuffer\""), 1);
+}
+
+TEST(Film, filters_have_their_own_defaults) {
+    EXPECT_EQ(with("PixelFilter \"box\"").filter.radius, Vec2d(0.5, 0.5));
+    EXPECT_EQ(with("PixelFilter \"triangle\"").filter.radius, Vec2d(2, 2));
+    EXPECT_EQ(with("PixelFilter \"sinc\"").filter.radius, Vec2d(4, 4));
+    const FilterSettings mitchell =
+        with("PixelFilter \"mitchell\" \"float B\" .1 \"float C\" .2 \"float xradius\" 3").filter;
+    EXPECT_EQ(mitchell.kind, FilterKind::mitchell);
+    EXPECT_EQ(mitchell.radius, Vec2d(3, 2));
+    EXPECT_EQ(mitchell.b, 0.1);
+    EXPECT_EQ(mitchell.c, 0.2);
+    EXPECT_EQ(with("PixelFilter \"gaussian\" \"float sigma\" .7").filter.sigma, 0.7);
+}
+
+TEST(Film, hints_come_from_any_integrator) {
+    const SceneDescription path = with(
+        "Integrator \"path\" \"integer maxdepth\" 17 \"float radius\" 3\nSampler \"halton\" "
+        "\"integer pixelsamples\" 64");
+    EXPECT_EQ(path.hints.max_depth, 17);
+    EXPECT_FALSE(path.hints.radius);
+    EXPECT_EQ(path.hints.samples, 64);
+    EXPECT_EQ(path.hints.integrator, "path");
+    EXPECT_EQ(warnings_with(path, "integrator \"path\""), 1);
+    const SceneDescription sppm = with(
+        "Integrator \"sppm\" \"float radius\" .05\nSampler "
+        "\"stratified\" \"integer xsamples\" 3 \"integer "
+        "ysamples\" 5");
+    EXPECT_EQ(sppm.hints.radius, 0.05);
+    EXPECT_EQ(sppm.hints.samples, 15);
+    EXPECT_TRUE(sppm.warnings.entries().empty());
+}
+
+TEST(Film, that_cannot_be_is_an_error) {
+    for (const char* text :
+         {"Film \"rgb\" \"integer xresolution\" 0", "Film \"rgb\" \"integer yresolution\" -5",
+          "Film \"rgb\" \"integer xresolution\" 70000",
+          "Film \"rgb\" \"integer xresolution\" 65536 \"integer yresolution\" 65536",
+          "Film \"rgb\" \"float cropwindow\" [ .5 .5 0 1 ]",
+          "Film \"rgb\" \"float cropwindow\" [ 0 1 ]",
+          "Film \"rgb\" \"integer pixelbounds\" [ 0 1 ]", "Film \"rgb\" \"float iso\" 0",
+          "Film \"image\"", "PixelFilter \"cone\"", "PixelFilter \"box\" \"float xradius\" 0",
+          "PixelFilter \"gaussian\" \"float sigma\" 0",
+          "Integrator \"path\" \"integer maxdepth\" -1", "Integrator \"sppm\" \"float radius\" 0",
+          "Sampler \"halton\" \"integer pixelsamples\" 0",
+          "Camera \"perspective\" \"float shutterclose\" 0"})
+        EXPECT_NE(error_of(std::string(text) + "\nWorldBegin"), "") << text;
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,115 @@
+// Lights: pbrt-v4's scale, measured there on a plane of reflectance 0.5.
+#include "import/pbrt/lights.h"
+
+#include "import/pbrt/scene_text.h"
+
+namespace sunfleck {
+namespace {
+
+template <class L>
+L made(const std::string& statement) {
+    return std::get<L>(read_world(statement).lights.at(0));
+}
+
+float value_of(const SpectralCurve& curve) {
+    return curve.luminance();
+}
+
+TEST(Lights, of_a_point_have_an_intensity_or_power) {
+    const auto plain = made<PointLight>(
+        "Translate 1 0 0 Scale 2 2 2 LightSource \"point\" \"point3 from\" "
+        "[ 1 2 3 ] \"rgb I\" [ 3 3 3 ] \"float scale\" 2");
+    EXPECT_EQ(plain.position, Vec3d(3, 4, 6));
+    EXPECT_NEAR(value_of(plain.curve), 6, 1e-4);
+    const auto power = made<PointLight>("LightSource \"point\" \"float power\" 100");
+    EXPECT_NEAR(0.5 / kPi * value_of(power.curve) / 4, 0.3166, 2e-4);  // distance 2
+    EXPECT_NEAR(value_of(made<PointLight>("LightSource \"point\" \"float power\" 0").curve), 1,
+                1e-4);
+}
+
+TEST(Lights, of_a_spot_have_a_cone_and_power) {
+    const auto spot = made<SpotLight>(
+        "LightSource \"spot\" \"float power\" 100 \"point3 from\" "
+        "[ 0 0 1 ] \"point3 to\" [ 0 0 -5 ]");
+    EXPECT_NEAR(0.5 / kPi * value_of(spot.curve) / 4, 5.562, 3e-3);  // distance 2
+    EXPECT_NEAR(spot.cos_total, 0.8660254, 1e-7);
+    EXPECT_NEAR(spot.cos_start, 0.9063078, 1e-7);
+    EXPECT_EQ(spot.axis, Vec3d(0, 0, -1));
+    EXPECT_NEAR(spot.power({}) * value_of(spot.curve), 100, 0.02);
+    EXPECT_EQ(made<SpotLight>("LightSource \"spot\" \"float coneangle\" 10 \"float "
+                              "conedeltaangle\" 20")
+                  .cos_start,
+              1);
+}
+
+TEST(Lights, far_away_shine_from_from_to_to) {
+    const auto sun = made<DistantLight>(
+        "Rotate 90 0 0 1 LightSource \"distant\" \"point3 from\" "
+        "[ 2 0 0 ] \"point3 to\" [ 0 0 0 ] \"float scale\" 3");
+    EXPECT_TRUE(sun.direction.equalWithAbsError({0, -1, 0}, 1e-12));
+    EXPECT_NEAR(value_of(sun.curve), 3, 1e-3);
+    const auto lit = made<DistantLight>(
+        "LightSource \"distant\" \"rgb L\" [ 2 2 2 ] \"float "
+        "illuminance\" 10");
+    EXPECT_NEAR(value_of(lit.curve), 20, 1e-3);
+    EXPECT_EQ(lit.direction, Vec3d(0, 0, 1));
+}
+
+TEST(Lights, from_everywhere_have_a_radiance_or_illuminance) {
+    EXPECT_NEAR(value_of(made<InfiniteLight>("LightSource \"infinite\"").curve), 1, 1e-4);
+    EXPECT_NEAR(
+        value_of(made<InfiniteLight>("LightSource \"infinite\" \"float illuminance\" 1").curve),
+        1 / kPi, 1e-4);
+}
+
+TEST(Lights, with_pictures_are_said_to_be_without) {
+    const SceneDescription sky =
+        read_world("LightSource \"infinite\" \"string filename\" \"a.exr\" \"float scale\" 4");
+    EXPECT_NEAR(value_of(curve(sky.lights.at(0))), 2, 1e-3);
+    EXPECT_EQ(warnings_with(sky, "\"a.exr\""), 1);
+    const SceneDescription lit = read_world(
+        "LightSource \"infinite\" \"string filename\" \"a.exr\" \"float illuminance\" 1");
+    EXPECT_NEAR(value_of(curve(lit.lights.at(0))), 1 / kPi, 1e-4);
+    const SceneDescription projector = read_world(
+        "LightSource \"projection\" \"string filename\" \"a.exr\" LightSource \"goniometric\"");
+    EXPECT_TRUE(std::holds_alternative<PointLight>(projector.lights.at(1)));
+    EXPECT_EQ(warnings_with(projector, "without its picture"), 2);
+    EXPECT_EQ(warnings_with(projector, "unused"), 0);
+}
+
+TEST(Lights, on_shapes_end_with_their_block) {
+    const SceneDescription scene = read_world(
+        "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [ 2 2 2 ] \"float scale\" 3 \"bool "
+        "twosided\" true \"float power\" 7 Shape \"sphere\" AttributeEnd Shape \"sphere\"");
+    ASSERT_TRUE(scene.shapes.at(0).emission);
+    EXPECT_NEAR(value_of(scene.shapes[0].emission->radiance), 6, 1e-3);
+    EXPECT_TRUE(scene.shapes[0].emission->two_sided);
+    EXPECT_EQ(scene.shapes[0].emission->power, 7);
+    EXPECT_FALSE(scene.shapes.at(1).emission);
+    EXPECT_TRUE(scene.lights.empty());
+}
+
+TEST(Lights, on_interfaces_are_ignored) {
+    const SceneDescription scene = read_world(
+        "AreaLightSource \"diffuse\" NamedMaterial \"nothing\" Shape \"sphere\" "
+        "MakeNamedMaterial \"nothing\" \"string type\" \"interface\" Shape \"sphere\" "
+        "\"float alpha\" 0");
+    EXPECT_FALSE(scene.shapes.at(0).emission);
+    EXPECT_TRUE(scene.shapes.at(1).emission);
+    EXPECT_EQ(warnings_with(scene, "on interfaces"), 1);
+}
+
+TEST(Lights, that_cannot_be_are_errors) {
+    for (const char* text :
+         {"LightSource \"sun\"", "LightSource \"diffuse\"", "AreaLightSource \"sphere\"",
+          "LightSource \"point\" \"float scale\" -1",
+          "LightSource \"distant\" \"point3 from\" [ 0 0 1 ]",
+          "LightSource \"spot\" \"float coneangle\" 0",
+          "LightSource \"spot\" \"float coneangle\" 200",
+          "LightSource \"spot\" \"float conedeltaangle\" -1",
+          "LightSource \"infinite\" \"rgb L\" [ 1 1 1 ] \"string filename\" \"x.exr\""})
+        EXPECT_NE(world_error(text), "") << text;
+}
+
+}  // namespace
+}  // namespace sunfleck

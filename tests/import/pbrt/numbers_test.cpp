@@ -1,0 +1,34 @@
+// Numbers: every form that is one, and what is none.
+#include "import/pbrt/numbers.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+Token word(std::string_view text) {
+    static const std::string kFile = "a.pbrt";
+    return {TokenKind::word, text, &kFile, 1, 1};
+}
+
+TEST(Numbers, reads_all_forms) {
+    EXPECT_EQ(real_of(word("1")), 1);
+    EXPECT_EQ(real_of(word("-.5")), -0.5);
+    EXPECT_EQ(real_of(word("+2.")), 2);
+    EXPECT_EQ(real_of(word("1.5E+3")), 1500);
+    EXPECT_EQ(real_of(word("0.1")), 0.1);
+    EXPECT_EQ(real_of(word("1e-400")), 0);
+    EXPECT_EQ(integer_of(word("-2147483648")), -2147483648);
+    EXPECT_EQ(integer_of(word("+7")), 7);
+}
+
+TEST(Numbers, refuses_the_rest) {
+    for (const char* text : {"", "x", "1x", "nan", "inf", "-infinity", "1e39", "1e999", "+-1",
+                             "++1", "1,5", "0x10", "."})
+        EXPECT_THROW(real_of(word(text)), Error) << text;
+    for (const char* text : {"", "1.0", "1e3", "2147483648", "one", "true"})
+        EXPECT_THROW(integer_of(word(text)), Error) << text;
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,158 @@
+// Shapes: parameters, what is left out, and what cannot be.
+#include "import/pbrt/shapes.h"
+
+#include "import/pbrt/scene_text.h"
+
+namespace sunfleck {
+namespace {
+
+template <class S>
+S made(const std::string& statement) {
+    return std::get<S>(read_world(statement).shapes.at(0).placed.shape);
+}
+
+const std::string kQuad = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 0 1 0 ] ";
+const std::string kTwo = "\"integer indices\" [ 0 1 2 0 2 3 ] ";
+
+TEST(Shapes, spheres_have_defaults_and_parts) {
+    const auto whole = made<Sphere>("Shape \"sphere\" \"float radius\" 2");
+    EXPECT_EQ(whole.radius, 2);
+    EXPECT_EQ(whole.z_min, -2);
+    EXPECT_EQ(whole.z_max, 2);
+    EXPECT_EQ(whole.phi_max, Sphere().phi_max);
+    const auto part = made<Sphere>(
+        "Shape \"sphere\" \"float zmin\" .5 \"float zmax\" -9 \"float "
+        "phimax\" 90");
+    EXPECT_EQ(part.z_min, -1);
+    EXPECT_EQ(part.z_max, 0.5);
+    EXPECT_NEAR(part.phi_max, kPiDouble / 2, 1e-15);
+}
+
+TEST(Shapes, disks_have_defaults_and_parts) {
+    const auto whole = made<Disk>("Shape \"disk\"");
+    EXPECT_EQ(whole.height, 0);
+    EXPECT_EQ(whole.radius, 1);
+    EXPECT_EQ(whole.inner_radius, 0);
+    const auto part = made<Disk>(
+        "Shape \"disk\" \"float height\" 3 \"float radius\" 2 \"float "
+        "innerradius\" 1 \"float phimax\" 720");
+    EXPECT_EQ(part.height, 3);
+    EXPECT_EQ(part.inner_radius, 1);
+    EXPECT_EQ(part.phi_max, Disk().phi_max);
+}
+
+TEST(Shapes, meshes_have_vertices_and_what_goes_with_them) {
+    const auto mesh = made<TriangleMesh>(
+        kQuad + kTwo +
+        "\"normal N\" [ 0 0 1 0 0 1 0 0 1 0 0 1 ] \"point2 uv\" [ 0 0 1 0 1 1 0 1 "
+        "] \"vector3 S\" [ 1 0 0 1 0 0 1 0 0 1 0 0 ] \"integer faceIndices\" [ 0 "
+        "1 ]");
+    EXPECT_EQ(mesh.positions.at(2), Vec3(1, 1, 0));
+    const std::array<std::uint32_t, 3> second = {0, 2, 3};
+    EXPECT_EQ(mesh.triangles.at(1), second);
+    EXPECT_EQ(mesh.normals.size(), 4U);
+    EXPECT_EQ(mesh.uvs.at(3), Vec2(0, 1));
+    EXPECT_EQ(mesh.tangents.at(0), Vec3(1, 0, 0));
+    const auto one = made<TriangleMesh>("Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]");
+    EXPECT_EQ(one.triangles.size(), 1U);
+}
+
+TEST(Shapes, ply_files_are_read_from_the_main_folder) {
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+        "float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 "
+        "0\n0 1 0\n3 0 1 2\n";
+    const FileAccess files = memory_access({{"folder/a/b.ply", ply}});
+    const SceneDescription scene = read_pbrt_text(
+        "WorldBegin Shape \"plymesh\" \"string filename\" \"a/b.ply\"", "folder/main.pbrt", files);
+    EXPECT_EQ(std::get<TriangleMesh>(scene.shapes.at(0).placed.shape).triangles.size(), 1U);
+    const std::vector<std::string> read = {"folder/main.pbrt", "folder/a/b.ply"};
+    EXPECT_EQ(scene.files, read);
+}
+
+TEST(Shapes, that_we_have_not_are_left_out_and_named) {
+    const SceneDescription scene = read_world(
+        "Shape \"cylinder\" Shape \"curve\" \"float width\" "
+        "1 Shape \"cylinder\" Shape \"loopsubdiv\" Shape "
+        "\"bilinearmesh\"");
+    EXPECT_TRUE(scene.shapes.empty());
+    EXPECT_EQ(warnings_with(scene, "\"cylinder\" is left out"), 2);
+    EXPECT_EQ(scene.warnings.entries().size(), 4U);
+}
+
+TEST(Shapes, that_let_light_pass_are_left_out) {
+    EXPECT_TRUE(read_world("Shape \"sphere\" \"float alpha\" 0").shapes.empty());
+    const SceneDescription half = read_world("Shape \"sphere\" \"float alpha\" .5");
+    EXPECT_EQ(half.shapes.size(), 1U);
+    EXPECT_EQ(warnings_with(half, "alpha"), 1);
+    const SceneDescription mask = read_world(
+        "Texture \"m\" \"float\" \"imagemap\" Shape "
+        "\"sphere\" \"texture alpha\" \"m\"");
+    EXPECT_EQ(mask.shapes.size(), 1U);
+    EXPECT_EQ(warnings_with(mask, "texture \"m\""), 1);
+    const SceneDescription light =
+        read_world("AreaLightSource \"diffuse\" Shape \"sphere\" \"float alpha\" 0");
+    EXPECT_TRUE(
+        std::holds_alternative<InterfaceMaterial>(light.materials.at(light.shapes.at(0).material)));
+}
+
+TEST(Shapes, take_defaults_of_their_block) {
+    const SceneDescription scene = read_world(
+        "AttributeBegin Attribute \"shape\" \"float radius\" 3 \"float alpha\" 1 Shape \"sphere\" "
+        "Shape \"sphere\" \"float radius\" 4 AttributeEnd Shape \"sphere\"");
+    const auto radius = [&](std::size_t i) {
+        return std::get<Sphere>(scene.shapes.at(i).placed.shape).radius;
+    };
+    EXPECT_EQ(radius(0), 3);
+    EXPECT_EQ(radius(1), 4);
+    EXPECT_EQ(radius(2), 1);
+}
+
+TEST(Shapes, in_objects_stand_once_and_shine_not) {
+    const SceneDescription scene = read_world(
+        "ObjectInstance \"o\" Translate 1 0 0 ObjectBegin \"o\" Translate 0 1 0 AreaLightSource "
+        "\"diffuse\" Shape \"sphere\" Shape \"disk\" ObjectEnd Scale 2 2 2 ObjectInstance \"o\" "
+        "Shape \"sphere\"");
+    ASSERT_EQ(scene.objects.size(), 1U);
+    ASSERT_EQ(scene.objects[0].size(), 2U);
+    EXPECT_EQ(Vec3d(0) * scene.objects[0][0].placed.to_world, Vec3d(1, 1, 0));
+    EXPECT_FALSE(scene.objects[0][0].emission);
+    EXPECT_EQ(warnings_with(scene, "area lights in objects"), 2);
+    ASSERT_EQ(scene.instances.size(), 2U);
+    EXPECT_EQ(scene.instances[0].to_world, Matrix());
+    EXPECT_EQ(Vec3d(1, 1, 1) * scene.instances[1].to_world, Vec3d(3, 2, 2));
+    ASSERT_EQ(scene.shapes.size(), 1U);
+    EXPECT_FALSE(scene.shapes[0].emission);
+}
+
+TEST(Shapes, of_media_say_that_there_are_none) {
+    const SceneDescription scene = read_world(
+        "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" AttributeBegin MediumInterface "
+        "\"fog\" \"\" Shape \"sphere\" AttributeEnd Shape \"sphere\"");
+    EXPECT_EQ(warnings_with(scene, "media are not simulated"), 1);
+}
+
+TEST(Shapes, that_cannot_be_are_errors) {
+    const std::vector<std::string> broken = {
+        "Shape \"cube\"",
+        "Shape \"sphere\" \"float radius\" -1",
+        "Shape \"sphere\" \"float radius\" 0",
+        "Shape \"sphere\" \"float zmin\" 2 \"float zmax\" 3",
+        "Shape \"sphere\" \"float phimax\" 0",
+        "Shape \"disk\" \"float innerradius\" 1",
+        "Shape \"trianglemesh\"",
+        "Shape \"plymesh\"",
+        kQuad,
+        kQuad + "\"integer indices\" [ 0 1 ]",
+        kQuad + "\"integer indices\" [ 0 1 4 ]",
+        kQuad + "\"integer indices\" [ 0 1 -1 ]",
+        kQuad + kTwo + "\"normal N\" [ 0 0 1 ]",
+        kQuad + kTwo + "\"point2 uv\" [ 0 0 ]",
+        kQuad + kTwo + "\"vector3 S\" [ 0 0 1 ]",
+        kQuad + kTwo + "\"vector3 N\" [ 0 0 1 0 0 1 0 0 1 0 0 1 ]",
+        "Shape \"sphere\" \"texture alpha\" \"x\""};
+    for (const std::string& text : broken) EXPECT_NE(world_error(text), "") << text;
+}
+
+}  // namespace
+}  // namespace sunfleck

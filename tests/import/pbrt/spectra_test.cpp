@@ -1,0 +1,88 @@
+// Spectra of parameters: scale, names, files, and numbers that no spectrum has.
+#include "import/pbrt/spectra.h"
+
+#include "import/pbrt/scene_text.h"
+
+namespace sunfleck {
+namespace {
+
+SpectralCurve reflectance_of(const std::string& parameter, const MemoryFiles& files = {}) {
+    const SceneDescription scene =
+        read_world("Material \"diffuse\" " + parameter + " Shape \"sphere\"", files);
+    return std::get<DiffuseMaterial>(scene.materials.at(scene.shapes.at(0).material)).reflectance;
+}
+
+SpectralCurve emission_by(const std::string& parameter) {
+    const SceneDescription scene = read_world("LightSource \"infinite\" " + parameter);
+    return curve(scene.lights.at(0));
+}
+
+std::string reflectance_error(const std::string& parameter, const MemoryFiles& files = {}) {
+    return world_error("Material \"diffuse\" " + parameter, files);
+}
+
+TEST(Spectra, rgb_of_a_surface_is_its_colour) {
+    const SpectralCurve grey = reflectance_of("\"rgb reflectance\" [ .3 .3 .3 ]");
+    EXPECT_TRUE(grey.is_constant());
+    EXPECT_FLOAT_EQ(grey(500), 0.3F);
+    const SpectralCurve red = reflectance_of("\"rgb reflectance\" [ .8 .1 .1 ]");
+    EXPECT_GT(red(650), 0.7F);
+    EXPECT_LT(red(480), 0.2F);
+}
+
+TEST(Spectra, rgb_of_a_light_goes_straight_through) {
+    EXPECT_TRUE(emission_by("\"rgb L\" [ 3 2 1 ]").to_rgb().equalWithAbsError({3, 2, 1}, 2e-3F));
+    EXPECT_TRUE(emission_by("").to_rgb().equalWithAbsError({1, 1, 1}, 2e-3F));
+}
+
+TEST(Spectra, other_spectra_of_a_light_have_luminance_one) {
+    for (const char* parameter :
+         {"\"blackbody L\" 3000", "\"spectrum L\" [ 300 1 900 1 ]", "\"spectrum L\" [300 7 900 9]",
+          "\"spectrum L\" \"stdillum-A\"", "\"spectrum L\" \"metal-Cu-eta\""})
+        EXPECT_NEAR(emission_by(parameter).luminance(), 1, 1e-5) << parameter;
+    // Measured with pbrt-v4: a plane of reflectance 0.5, E = 1.
+    const Vec3 warm = emission_by("\"blackbody L\" 3000").to_rgb() * (0.5F / kPi);
+    EXPECT_TRUE(warm.equalWithAbsError({0.2818F, 0.1344F, 0.0433F}, 5e-4F)) << warm;
+    const Vec3 equal = emission_by("\"spectrum L\" [ 300 1 900 1 ]").to_rgb() * (0.5F / kPi);
+    EXPECT_TRUE(equal.equalWithAbsError({0.1918F, 0.1509F, 0.1447F}, 5e-4F)) << equal;
+}
+
+TEST(Spectra, of_a_light_that_is_dark_is_said) {
+    const SceneDescription scene =
+        read_world("LightSource \"infinite\" \"spectrum L\" [ 900 1 1000 1 ]");
+    EXPECT_EQ(curve(scene.lights.at(0))(550), 0);
+    EXPECT_EQ(warnings_with(scene, "nothing visible"), 1);
+}
+
+TEST(Spectra, are_sampled_named_or_in_a_file) {
+    const SpectralCurve ramp = reflectance_of("\"spectrum reflectance\" [ 400 0 600 1 ]");
+    EXPECT_FLOAT_EQ(ramp(500), 0.5F);
+    EXPECT_EQ(ramp(601), 0);
+    const MemoryFiles files = {{"ramp.spd", "# nm value\n400 0\n600 1 # end"}};
+    EXPECT_FLOAT_EQ(reflectance_of("\"spectrum reflectance\" \"ramp.spd\"", files)(500), 0.5F);
+    EXPECT_EQ(reflectance_of("\"spectrum reflectance\" [ \"metal-Au-eta\" ]")(500),
+              (*named_spectrum("metal-Au-eta"))(500));
+}
+
+TEST(Spectra, with_numbers_that_none_has_are_errors) {
+    for (const char* parameter :
+         {"\"rgb reflectance\" [ .1 .2 1.01 ]", "\"rgb reflectance\" [ .1 .2 -.1 ]",
+          "\"rgb reflectance\" []", "\"rgb reflectance\" [ 0 0 0 0 0 0 ]",
+          "\"blackbody reflectance\" 0", "\"spectrum reflectance\" []",
+          "\"spectrum reflectance\" [ 400 ]", "\"spectrum reflectance\" [ 500 1 400 1 ]",
+          "\"spectrum reflectance\" [ 400 1 400 2 ]", "\"spectrum reflectance\" [ 400 -1 ]",
+          "\"spectrum reflectance\" [ \"a\" \"b\" ]",
+          "\"spectrum reflectance\" [ \"metal-Cu-k\" 1 ]", "\"float reflectance\" .5",
+          "\"spectrum reflectance\" \"nowhere.spd\""})
+        EXPECT_NE(reflectance_error(parameter), "") << parameter;
+    EXPECT_NE(reflectance_error("\"spectrum reflectance\" \"a.spd\"", {{"a.spd", "1 2 3"}}), "");
+    EXPECT_NE(reflectance_error("\"spectrum reflectance\" \"a.spd\"", {{"a.spd", ""}}), "");
+    EXPECT_TRUE(contains(
+        reflectance_error("\"spectrum reflectance\" \"a.spd\"", {{"a.spd", "400 1\n500 x"}}),
+        "a.spd:2:5: "));
+    EXPECT_TRUE(contains(reflectance_error("\"spectrum reflectance\" \"metal-Au-etta\""),
+                         "did you mean \"metal-Au-eta\"?"));
+}
+
+}  // namespace
+}  // namespace sunfleck
