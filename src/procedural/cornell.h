@@ -1,0 +1,13 @@
+// The scene cornell: the Cornell box as published, 36 triangles.
+#pragma once
+
+#include "procedural/scenes.h"
+
+#include <vector>
+
+namespace sunfleck {
+
+/// One file. Millimetres, y up, camera outside the open front.
+std::vector<SceneFile> cornell_scene();
+
+}  // namespace sunfleck

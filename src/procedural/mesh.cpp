@@ -1,0 +1,79 @@
+// Meshes as bytes: binary PLY and pbrt-v4's trianglemesh; the box.
+
+#include "procedural/mesh.h"
+
+#include <bit>
+#include <charconv>
+#include <cstddef>
+
+namespace sunfleck {
+namespace {
+
+void append_word(std::string& bytes, std::uint32_t word) {
+    for (unsigned shift = 0; shift < 32; shift += 8)
+        bytes.push_back(static_cast<char>(static_cast<unsigned char>(word >> shift)));
+}
+
+std::string shortest(float value) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end.ptr};
+}
+
+}  // namespace
+
+std::string ply_bytes(const Mesh& mesh) {
+    std::string bytes =
+        "ply\n"
+        "format binary_little_endian 1.0\n"
+        "comment Sunfleck procedural scene, CC0 1.0\n"
+        "element vertex " +
+        std::to_string(mesh.points.size()) +
+        "\n"
+        "property float x\n"
+        "property float y\n"
+        "property float z\n"
+        "element face " +
+        std::to_string(mesh.triangles.size()) +
+        "\n"
+        "property list uchar int vertex_indices\n"
+        "end_header\n";
+    bytes.reserve(bytes.size() + 12 * mesh.points.size() + 13 * mesh.triangles.size());
+    for (const auto& point : mesh.points)
+        for (const float x : point) append_word(bytes, std::bit_cast<std::uint32_t>(x));
+    for (const auto& triangle : mesh.triangles) {
+        bytes.push_back(3);
+        for (const std::uint32_t index : triangle) append_word(bytes, index);
+    }
+    return bytes;
+}
+
+std::string shape_text(const Mesh& mesh) {
+    std::string text = "Shape \"trianglemesh\"\n    \"point3 P\" [";
+    for (const auto& p : mesh.points)
+        text += "\n        " + shortest(p[0]) + ' ' + shortest(p[1]) + ' ' + shortest(p[2]);
+    text += " ]\n    \"integer indices\" [";
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto& t = mesh.triangles[i];
+        text += i % 4 == 0 ? "\n        " : "   ";
+        text += std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]);
+    }
+    return text + " ]\n";
+}
+
+Mesh box_mesh(const std::array<float, 3>& low, const std::array<float, 3>& high) {
+    Mesh mesh;
+    for (unsigned corner = 0; corner < 8; ++corner)
+        mesh.points.push_back({(corner & 1U) != 0 ? high[0] : low[0],
+                               (corner & 2U) != 0 ? high[1] : low[1],
+                               (corner & 4U) != 0 ? high[2] : low[2]});
+    mesh.add_quad(0, 2, 3, 1);  // -z
+    mesh.add_quad(4, 5, 7, 6);  // +z
+    mesh.add_quad(0, 1, 5, 4);  // -y
+    mesh.add_quad(2, 6, 7, 3);  // +y
+    mesh.add_quad(0, 4, 6, 2);  // -x
+    mesh.add_quad(1, 3, 7, 5);  // +x
+    return mesh;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,29 @@
+// Sunfleck's own scenes, made by rule: pbrt-v4 files that pbrt-v4 itself can render.
+//
+// In:  a name. Out: the bytes of the files, the same on every machine.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace sunfleck {
+
+struct ProceduralScene {
+    std::string name;
+    std::string what;  // one line
+};
+
+/// All of them, in the order of listing.
+std::vector<ProceduralScene> procedural_scenes();
+
+struct SceneFile {
+    std::string name;  // relative to the folder of the scene, with '/'
+    std::string bytes;
+};
+
+/// The files of one scene. The first is NAME.pbrt; it names the others relative to itself
+/// (geometry/*.ply, binary).
+/// @throws Error for a name that procedural_scenes() does not have; the message lists them.
+std::vector<SceneFile> make_scene(const std::string& name);
+
+}  // namespace sunfleck

@@ -1,0 +1,20 @@
+// The scene window-room: a closed room that the sun enters through one small pane of glass.
+#pragma once
+
+#include "procedural/mesh.h"
+#include "procedural/scenes.h"
+
+#include <vector>
+
+namespace sunfleck {
+
+/// One file. Metres, z up.
+std::vector<SceneFile> window_room_scene();
+
+/// The walls: a closed surface (2 shells and the window's reveal), normals out of the masonry.
+Mesh room_walls();
+
+/// The pane: a closed slab, 6 mm thick, 1 cm of each edge within the wall.
+Mesh window_pane();
+
+}  // namespace sunfleck

@@ -1,0 +1,67 @@
+// The cognac scenes: one scene, seven looks; indices of refraction on the right surfaces.
+
+#include "procedural/cognac.h"
+
+#include "procedural/cognac_glass.h"
+#include "scene_reading.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+std::string world(const SceneFile& file) {
+    return file.bytes.substr(file.bytes.find("WorldBegin"));
+}
+
+TEST(Cognac, all_views_show_the_same_world) {
+    const std::vector<SceneFile> whole = cognac_scene(kCognacViews[0]);
+    for (const CognacView& view : kCognacViews) {
+        const std::vector<SceneFile> closer = cognac_scene(view);
+        EXPECT_EQ(world(closer.at(0)), world(whole.at(0)));
+        for (std::size_t i = 1; i < whole.size(); ++i)
+            EXPECT_EQ(closer.at(i).bytes, whole.at(i).bytes);
+    }
+}
+
+TEST(Cognac, the_views_close_in) {
+    const auto fov = [](std::size_t i) { return std::stod(std::string(kCognacViews.at(i).fov)); };
+    for (const std::size_t i : {1, 2, 4, 5, 6}) EXPECT_LT(fov(i), fov(i == 4 ? 2 : i - 1));
+    EXPECT_NE(kCognacViews[3].target, kCognacViews[2].target);
+}
+
+/// The "float eta" that holds for the shape of this file.
+double eta_of(const std::vector<std::string>& words, const std::string& file) {
+    double eta = 0;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "\"float eta") eta = std::stod(words.at(i + 1));
+        if (words[i] == "\"" + file) return eta;
+    }
+    return 0;
+}
+
+TEST(Cognac, each_surface_has_the_ratio_of_its_two_media) {
+    const std::vector<std::string> words = pbrt_words(cognac_scene(kCognacViews[0]).at(0).bytes);
+    EXPECT_NEAR(eta_of(words, "geometry/glass-air.ply"), kGlassIndex, 1e-7);
+    EXPECT_NEAR(eta_of(words, "geometry/brandy-glass.ply"), kBrandyIndex / kGlassIndex, 1e-7);
+    EXPECT_NEAR(eta_of(words, "geometry/brandy-air.ply"), kBrandyIndex, 1e-7);
+}
+
+TEST(Cognac, each_file_holds_its_surface) {
+    const std::vector<SceneFile> files = cognac_scene(kCognacViews[0]);
+    const CognacGlass glass = cognac_glass();
+    EXPECT_EQ(files.at(1).bytes, ply_bytes(glass.glass_air));
+    EXPECT_EQ(files.at(2).bytes, ply_bytes(glass.liquid_glass));
+    EXPECT_EQ(files.at(3).bytes, ply_bytes(glass.liquid_air));
+}
+
+TEST(Cognac, the_table_is_as_wide_as_the_constant_says) {
+    const Mesh table = scene_meshes(cognac_scene(kCognacViews[0])).at(0);
+    const auto side = static_cast<float>(kTableHalfWidth);
+    EXPECT_EQ(table.triangles.size(), 2);
+    EXPECT_EQ(table.points.at(2), (std::array<float, 3>{side, side, 0}));
+    EXPECT_EQ(table.points.at(0), (std::array<float, 3>{-side, -side, 0}));
+}
+
+}  // namespace
+}  // namespace sunfleck

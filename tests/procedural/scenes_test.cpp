@@ -1,0 +1,157 @@
+// Every procedural scene: its files, their form, their sizes, and their bytes.
+
+#include "procedural/scenes.h"
+
+#include "core/error.h"
+#include "scene_reading.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace sunfleck {
+namespace {
+
+class EveryScene : public testing::TestWithParam<ProceduralScene> {
+protected:
+    std::vector<SceneFile> files_ = make_scene(GetParam().name);
+};
+
+TEST_P(EveryScene, begins_with_the_file_of_its_name) {
+    EXPECT_EQ(files_.at(0).name, GetParam().name + ".pbrt");
+    EXPECT_FALSE(GetParam().what.empty());
+    const std::string& text = files_.at(0).bytes;
+    EXPECT_TRUE(text.starts_with("# Sunfleck, scene " + GetParam().name));
+    EXPECT_NE(text.find("CC0 1.0"), std::string::npos);
+    EXPECT_EQ(text.find('@'), std::string::npos) << "a mark was not replaced";
+}
+
+TEST_P(EveryScene, has_balanced_brackets_and_blocks) {
+    int open = 0;
+    int blocks = 0;
+    int worlds = 0;
+    for (const std::string& word : pbrt_words(files_.at(0).bytes)) {
+        open += word == "[" ? 1 : 0;
+        open -= word == "]" ? 1 : 0;
+        blocks += word == "AttributeBegin" ? 1 : 0;
+        blocks -= word == "AttributeEnd" ? 1 : 0;
+        worlds += word == "WorldBegin" ? 1 : 0;
+        ASSERT_TRUE(open == 0 || open == 1) << word;
+        ASSERT_GE(blocks, 0);
+    }
+    EXPECT_EQ(open, 0);
+    EXPECT_EQ(blocks, 0);
+    EXPECT_EQ(worlds, 1);
+}
+
+TEST_P(EveryScene, uses_only_statements_that_pbrt_has) {
+    const std::vector<std::string> known = {"Scale",
+                                            "LookAt",
+                                            "Camera",
+                                            "Film",
+                                            "PixelFilter",
+                                            "Sampler",
+                                            "Integrator",
+                                            "WorldBegin",
+                                            "LightSource",
+                                            "Material",
+                                            "MakeNamedMaterial",
+                                            "NamedMaterial",
+                                            "AreaLightSource",
+                                            "Shape",
+                                            "AttributeBegin",
+                                            "AttributeEnd"};
+    for (const std::string& word : pbrt_words(files_.at(0).bytes)) {
+        if (std::isalpha(static_cast<unsigned char>(word[0])) == 0) continue;
+        EXPECT_NE(std::find(known.begin(), known.end(), word), known.end()) << word;
+    }
+}
+
+TEST_P(EveryScene, names_each_file_it_brings_and_no_other) {
+    const std::vector<std::string> words = pbrt_words(files_.at(0).bytes);
+    for (std::size_t i = 1; i < files_.size(); ++i) {
+        EXPECT_TRUE(files_[i].name.starts_with("geometry/"));
+        EXPECT_EQ(std::count(words.begin(), words.end(), "\"" + files_[i].name), 1);
+    }
+    EXPECT_NO_THROW(scene_meshes(files_));
+}
+
+TEST_P(EveryScene, has_sound_triangles) {
+    for (const Mesh& mesh : scene_meshes(files_)) {
+        ASSERT_FALSE(mesh.triangles.empty());
+        for (const auto& t : mesh.triangles)
+            for (std::size_t i = 0; i < 3; ++i) {
+                ASSERT_LT(t.at(i), mesh.points.size());
+                ASSERT_NE(mesh.points[t.at(i)], mesh.points[t.at((i + 1) % 3)]);
+            }
+    }
+}
+
+TEST_P(EveryScene, is_made_alike_each_time) {
+    const std::vector<SceneFile> again = make_scene(GetParam().name);
+    ASSERT_EQ(again.size(), files_.size());
+    for (std::size_t i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].bytes, files_[i].bytes);
+}
+
+/// FNV-1a of all names and bytes.
+std::uint64_t fingerprint(const std::vector<SceneFile>& files) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    const auto add = [&](const std::string& text) {
+        for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    };
+    for (const SceneFile& file : files) {
+        add(file.name);
+        add(file.bytes);
+    }
+    return hash;
+}
+
+// A change of any byte of a scene shows here: pictures made of it are then no longer comparable.
+TEST_P(EveryScene, has_the_bytes_that_pictures_were_made_of) {
+    const std::map<std::string, std::uint64_t> known = {
+        {"cornell", 0x91ac4398ab085897},    {"cognac-0", 0x44c956006899667d},
+        {"cognac-1", 0x9c0cbd6f97a14462},   {"cognac-2", 0x3d236a3728cdb121},
+        {"cognac-3", 0xa9baea26be3b83a5},   {"cognac-4", 0x9928d3768ccb555a},
+        {"cognac-5", 0x9c628b5743ddfa4c},   {"cognac-6", 0x8be59a0468be5182},
+        {"window-room", 0x2b0f398c90f67e1b}};
+    EXPECT_EQ(known.at(GetParam().name), fingerprint(files_))
+        << "0x" << std::hex << fingerprint(files_);
+}
+
+TEST_P(EveryScene, has_the_number_of_triangles_it_promises) {
+    std::size_t triangles = 0;
+    for (const Mesh& mesh : scene_meshes(files_)) triangles += mesh.triangles.size();
+    const std::map<std::string, std::size_t> promised = {{"cornell", 36}, {"window-room", 262}};
+    const bool is_cognac = GetParam().name.starts_with("cognac");
+    EXPECT_EQ(triangles, is_cognac ? 16456 : promised.at(GetParam().name));
+}
+
+INSTANTIATE_TEST_SUITE_P(all, EveryScene, testing::ValuesIn(procedural_scenes()),
+                         [](const auto& info) {
+                             std::string name = info.param.name;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(Scenes, are_these) {
+    std::string names;
+    for (const ProceduralScene& scene : procedural_scenes()) names += scene.name + ' ';
+    EXPECT_EQ(names,
+              "cornell cognac-0 cognac-1 cognac-2 cognac-3 cognac-4 cognac-5 cognac-6 "
+              "window-room ");
+}
+
+TEST(Scenes, an_unknown_name_is_answered_with_the_known_ones) {
+    try {
+        make_scene("cognac-7");
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("\"cognac-7\""), std::string::npos) << message;
+        for (const ProceduralScene& scene : procedural_scenes())
+            EXPECT_NE(message.find(scene.name), std::string::npos) << message;
+    }
+}
+
+}  // namespace
+}  // namespace sunfleck
