@@ -1,0 +1,72 @@
+// Next-event estimation and bsdf sampling of emitters.
+#include "eye/direct_light.h"
+
+namespace sunfleck {
+
+Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
+                       const Vec2d& u, Statistics& statistics) {
+    const Scene& scene = pass.scene;
+    if (scene.light_choice().empty()) return Spectrum(0);
+    const auto choice = scene.light_choice().choose(u_choice);
+    const auto light =
+        sample_direct(scene.lights()[choice.index], vertex.hit.position, Vec2(u), scene.sphere());
+    if (!light) return Spectrum(0);
+    const Vec3 w_to = vertex.frame.to_local(light->direction);
+    const Spectrum f = eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance);
+    if (f.is_zero()) return f;
+    ++statistics[Count::eye_rays];
+    if (!scene.is_free(shadow_ray(vertex.hit, light->direction, light->distance)))
+        return Spectrum(0);
+    const auto probability = static_cast<float>(choice.probability);
+    float weight = light->factor * std::abs(w_to.z) / probability;
+    if (light->pdf)
+        weight *= mis_weight(*light->pdf * probability,
+                             pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance));
+    return f * pass.emission[choice.index] * weight;
+}
+
+EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Vec3& from,
+                      const Vec3& direction) {
+    const std::uint32_t index = pass.scene.light_of(hit);
+    if (index == kNone) return {};
+    const auto& light = std::get<AreaLight>(pass.scene.lights()[index]);
+    if (!light.emits(hit.normal, -direction)) return {};
+    const double chosen = pass.scene.light_choice().probability(index);
+    return {pass.emission[index],
+            static_cast<float>(chosen) * light.direct_pdf(from, hit.position, hit.normal)};
+}
+
+EmitterMet emitter_beyond(const PassScene& pass, const Vec3& direction) {
+    EmitterMet all;
+    for (const std::uint32_t index : pass.scene.infinite_lights()) {
+        const auto& light = std::get<InfiniteLight>(pass.scene.lights()[index]);
+        all.radiance += pass.emission[index];
+        all.pdf += static_cast<float>(pass.scene.light_choice().probability(index)) *
+                   light.direct_pdf(direction);
+    }
+    return all;
+}
+
+Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
+                            Statistics& statistics) {
+    const Vec3 direction = vertex.frame.to_world(drawn.w_to);
+    Spectrum sum;
+    const auto add = [&](const EmitterMet& met) {
+        if (!met.radiance.is_zero())
+            sum += drawn.weight * met.radiance * mis_weight(drawn.pdf.value_or(1), met.pdf);
+    };
+    Ray ray = ray_from(vertex.hit, direction);
+    while (true) {
+        ++statistics[Count::eye_rays];
+        const auto hit = pass.scene.geometry().intersect(ray);
+        if (!hit) {
+            add(emitter_beyond(pass, direction));
+            return sum;
+        }
+        add(emitter_at(pass, *hit, vertex.hit.position, direction));
+        if (!pass.scene.passes_straight(*hit)) return sum;
+        ray = ray_from(*hit, direction);
+    }
+}
+
+}  // namespace sunfleck

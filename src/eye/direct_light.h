@@ -1,0 +1,52 @@
+// Light that comes straight from an emitter to a vertex of a camera path: next-event estimation
+// and bsdf sampling, joined by multiple importance sampling.
+//
+// Source: Veach 1997, chapter 9 (power heuristic, exponent 2).
+#pragma once
+
+#include "measurement/statistics.h"
+#include "scene/pass_scene.h"
+
+#include <optional>
+
+namespace sunfleck {
+
+/// A vertex of a camera path where a rough surface scatters.
+struct EyeVertex {
+    Hit hit;
+    Frame frame;       // shading
+    Vec3 w_from;       // local, unit
+    const Bsdf& bsdf;  // one lane only where the path has dispersed
+};
+
+/// Radiance that an emitter sends along a ray, and how else it could have been found.
+struct EmitterMet {
+    Spectrum radiance;
+    float pdf = 0;  // per steradian, of sample_lights() at the ray's origin, choice included
+};
+
+/// One light sample: f * |cos| * radiance * weight / pdf, unoccluded. @param u  choice; position.
+Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
+                       const Vec2d& u, Statistics& statistics);
+
+/// The emitter at a hit, seen along `direction` (unit, of the ray) from `from`; zero if it shows
+/// its dark side or is none.
+EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Vec3& from,
+                      const Vec3& direction);
+
+/// The infinite lights along a ray that leaves the scene.
+EmitterMet emitter_beyond(const PassScene& pass, const Vec3& direction);
+
+/// Light found by following one bsdf sample from a vertex to the first thing it meets: weighted
+/// for MIS, the sample's weight included.
+Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
+                            Statistics& statistics);
+
+/// Weight of the strategy with density `mine` against one with density `other`.
+inline float mis_weight(float mine, float other) {
+    const float a = mine * mine;
+    const float b = other * other;
+    return a / (a + b);
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,45 @@
+// The eye pass: camera paths end in visible points, and in light that needs no photon.
+//
+// In:  the scene at a pass's wavelengths. Out: visible points; emission and direct light are added
+// to the pass's image.
+// Owners of light: docs/method.md has the table; measurement/visible_point.h what photons bring.
+#pragma once
+
+#include "eye/settings.h"
+#include "measurement/pass_image.h"
+#include "measurement/statistics.h"
+#include "measurement/transport.h"
+#include "measurement/visible_point.h"
+#include "scene/pass_scene.h"
+
+#include <vector>
+
+namespace sunfleck {
+
+/// Pixels [x0, x1) x [y0, y1) of the film, row by row: pixel i of a pass.
+struct PixelWindow {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
+    }
+};
+
+struct EyePass {
+    const PassScene& scene;
+    const TransportSettings& transport;
+    const EyeSettings& settings;
+    PixelWindow window;
+    PassId id;
+    double radius_factor = 1;  // r_p / r_0
+};
+
+/// One camera path a pixel. The order of the points is that of the pixels.
+std::vector<VisiblePoint> trace_eye_paths(const EyePass& pass, PassImage& image,
+                                          Statistics& statistics);
+
+}  // namespace sunfleck

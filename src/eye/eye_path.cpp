@@ -1,0 +1,201 @@
+// Follows one camera path; who brings which light is decided here (docs/method.md, owners).
+#include "eye/eye_path.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::uint8_t kCausticOnly = static_cast<std::uint8_t>(PhotonKind::caustic);
+constexpr std::uint8_t kScattered = kCausticOnly | static_cast<std::uint8_t>(PhotonKind::indirect);
+constexpr std::uint8_t kEverything = kScattered | static_cast<std::uint8_t>(PhotonKind::direct);
+
+/// Discs are never smaller than some steps of the float positions that they are compared with.
+float smallest_radius(const Vec3& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1e-30F}) * 0x1p-20F;
+}
+
+/// Roulette begins after this many events: short paths are worth their numbers.
+constexpr int kRouletteFrom = 4;
+
+}  // namespace
+
+void EyePath::trace(std::uint32_t pixel) {
+    pixel_ = pixel;
+    RoundPoints numbers(pass_.id, pixel);
+    Ray ray = start(numbers);
+    const Scene& scene = pass_.scene.scene;
+    bool first = true;
+    while (true) {
+        ++statistics_[Count::eye_rays];
+        const auto hit = scene.geometry().intersect(ray);
+        if (!hit) {
+            add_emission(emitter_beyond(pass_.scene, direction_));
+            return;
+        }
+        grow_footprint(*hit);
+        add_emission(emitter_at(pass_.scene, *hit, glossy_position_, direction_));
+        if (!scene.passes_straight(*hit)) {
+            if (first) first_footprint_ = footprint_;
+            first = false;
+            if (!meet(*hit, numbers)) return;
+        }
+        ray = ray_from(*hit, direction_);
+    }
+}
+
+Ray EyePath::start(RoundPoints& numbers) {
+    const PixelWindow& window = pass_.window;
+    const auto width = static_cast<std::uint32_t>(window.width());
+    const FilterSample filtered = filter_.sample(numbers.next_2d());
+    const Vec2d film(window.x0 + static_cast<int>(pixel_ % width) + 0.5 + filtered.offset.x,
+                     window.y0 + static_cast<int>(pixel_ / width) + 0.5 + filtered.offset.y);
+    const CameraRay ray = pass_.scene.scene.camera().ray(film, numbers.next_2d());
+    weight_ = filtered.weight * pass_.scene.scene.film().imaging_ratio;
+    throughput_ = Spectrum(1);
+    lanes_.chosen = lane_of(numbers.next());
+    direction_ = Vec3(ray.direction);
+    footprint_angle_ = ray.footprint_angle;
+    return {Vec3(ray.origin), direction_};
+}
+
+/// @return whether the path goes on, in the new direction.
+bool EyePath::meet(const Hit& hit, RoundPoints& numbers) {
+    const TransportSettings& transport = pass_.transport;
+    const Bsdf& at_surface = pass_.scene.bsdf_of(hit);
+    const Scattering kind = scattering(at_surface);
+    std::optional<Bsdf> narrowed;
+    if (is_dispersive(at_surface)) {
+        if (kind != Scattering::specular) keep_lane(throughput_, lanes_);
+        if (lanes_.single) narrowed = for_lane(at_surface, lanes_.chosen);
+    }
+    const Frame frame(hit.shading_normal, hit.tangent);
+    const EyeVertex vertex{hit, frame, frame.to_local(-direction_),
+                           narrowed ? *narrowed : at_surface};
+    if (bounces_ >= transport.max_depth) return false;
+    const bool sampled = transport.direct == DirectLight::sampled;
+    switch (kind) {
+        case Scattering::diffuse:
+            gather(hit, at_surface, sampled ? kScattered : kEverything);
+            if (sampled) add_direct_light(vertex, numbers, true);
+            if (bounces_ == 0) add_features(hit, std::get<Lambert>(at_surface).albedo);
+            return false;
+        case Scattering::glossy:
+            gather(hit, at_surface, sampled ? kCausticOnly : kEverything);
+            if (!sampled) return false;
+            add_direct_light(vertex, numbers, false);
+            break;
+        case Scattering::specular:
+            break;
+    }
+    return scatter(vertex, numbers);
+}
+
+void EyePath::add_emission(const EmitterMet& met) {
+    if (met.radiance.is_zero() || emitters_ == Emitters::none) return;
+    const float weight = emitters_ == Emitters::all ? 1 : mis_weight(bsdf_pdf_, met.pdf);
+    constexpr std::array<Layer, 3> kOwners = {Layer::emission, Layer::direct, Layer::indirect};
+    add_light(throughput_ * met.radiance * weight, kOwners.at(std::min<std::size_t>(rough_, 2)));
+}
+
+void EyePath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
+    VisiblePoint point;
+    const bool behind = hit.normal.dot(direction_) > 0;
+    point.disc = {hit.position, radius_at(hit), behind ? -hit.normal : hit.normal,
+                  bounces_,     kinds,          gathers(bsdf, 1, -1)};
+    point.shading_normal = hit.shading_normal;
+    point.tangent = hit.tangent;
+    point.w_from = -direction_;
+    point.throughput = throughput_ * weight_;
+    point.pixel = pixel_;
+    point.material = pass_.scene.scene.material_of(hit);
+    if (const auto* lambert = std::get_if<Lambert>(&bsdf)) {
+        point.throughput *= lambert->albedo / kPi;
+        point.material = kLambertian;
+    }
+    point.lane = static_cast<std::uint8_t>(lanes_.chosen);
+    point.single_lane = lanes_.single;
+    point.after_rough = rough_ > 0;
+    points_.push_back(point);
+}
+
+void EyePath::add_light(const Spectrum& radiance, Layer owner) {
+    image_.add_light(pixel_, pass_.scene.wavelengths.to_rgb(radiance * weight_), owner);
+}
+
+/// @param follow  trace a bsdf sample for the other half of MIS (a path that goes on needs none).
+void EyePath::add_direct_light(const EyeVertex& vertex, RoundPoints& numbers, bool follow) {
+    const PassScene& pass = pass_.scene;
+    const double u_choice = numbers.next();
+    Spectrum light = sample_lights(pass, vertex, u_choice, numbers.next_2d(), statistics_);
+    if (follow && pass.scene.has_lights_to_meet()) {
+        const Vec2d u = numbers.next_2d();
+        const BsdfDraw draw{
+            {static_cast<float>(numbers.next()), static_cast<float>(u.x), static_cast<float>(u.y)},
+            Transport::radiance,
+            lanes_};
+        if (const auto drawn = sample(vertex.bsdf, vertex.w_from, draw))
+            light += follow_bsdf_sample(pass, vertex, *drawn, statistics_);
+    }
+    if (light.is_zero()) return;
+    add_light(throughput_ * light, rough_ > 0 ? Layer::indirect : Layer::direct);
+}
+
+bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {
+    const Vec2d u = numbers.next_2d();
+    const Vec2d choices = numbers.next_2d();
+    const BsdfDraw draw{
+        {static_cast<float>(choices.x), static_cast<float>(u.x), static_cast<float>(u.y)},
+        Transport::radiance,
+        lanes_};
+    const auto drawn = sample(vertex.bsdf, vertex.w_from, draw);
+    if (!drawn) return false;
+    if (bounces_ == 0) add_features(vertex.hit, drawn->weight * (drawn->eta * drawn->eta));
+    throughput_ *= drawn->weight;
+    if (drawn->dispersed) lanes_.single = true;
+    eta_scale_ *= drawn->eta * drawn->eta;
+    footprint_angle_ /= drawn->eta;
+    ++bounces_;
+    if (drawn->pdf) {
+        emitters_ = Emitters::weighted;
+        bsdf_pdf_ = *drawn->pdf;
+        glossy_position_ = vertex.hit.position;
+        ++rough_;
+    } else if (emitters_ == Emitters::weighted) {
+        emitters_ = Emitters::none;
+    }
+    direction_ = vertex.frame.to_world(drawn->w_to);
+    if (bounces_ < kRouletteFrom) return !throughput_.is_zero();
+    const float survival =
+        std::min(1.0F, std::max(0.0F, throughput_.sum() * eta_scale_ / static_cast<float>(kLanes)));
+    if (!(choices.y < survival)) return false;
+    throughput_ /= survival;
+    return true;
+}
+
+/// Footprint = pixel angle times path length; a refraction changes the angle by the ratio of
+/// indices. Curvature and grazing angles are left out: the radius shrinks anyway.
+void EyePath::grow_footprint(const Hit& hit) {
+    footprint_ += footprint_angle_ * hit.distance;
+}
+
+float EyePath::radius_at(const Hit& hit) const {
+    const EyeSettings& settings = pass_.settings;
+    const auto factor = static_cast<float>(pass_.radius_factor);
+    const float floor = smallest_radius(hit.position);
+    if (settings.radius) return std::max(floor, static_cast<float>(*settings.radius) * factor);
+    // A footprint that swings from pass to pass would give 1 / (pi r^2) a heavy tail.
+    const float width = std::clamp(footprint_, 0.25F * first_footprint_, 4 * first_footprint_);
+    return std::max(floor, static_cast<float>(settings.radius_pixels) * width * factor);
+}
+
+/// @param reflectance  share of the light of each lane that the surface scatters.
+void EyePath::add_features(const Hit& hit, const Spectrum& reflectance) {
+    image_.add_feature(pixel_, hit.shading_normal, Layer::normal);
+    image_.add_feature(pixel_, Vec3(footprint_ / footprint_angle_), Layer::depth);
+    if (image_.has(Layer::albedo))
+        image_.add_feature(pixel_, pass_.scene.wavelengths.to_rgb(reflectance * pass_.scene.white),
+                           Layer::albedo);
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,65 @@
+// One camera path: through smooth surfaces to what gathers, with the light that it finds itself.
+#pragma once
+
+#include "camera/filter.h"
+#include "eye/direct_light.h"
+#include "eye/eye_pass.h"
+#include "sampler/round_points.h"
+
+#include <optional>
+#include <vector>
+
+namespace sunfleck {
+
+class EyePath {
+public:
+    /// Visible points are appended to `points`, light is added to `image`.
+    EyePath(const EyePass& pass, const FilterSampler& filter, PassImage& image,
+            std::vector<VisiblePoint>& points, Statistics& statistics)
+        : pass_(pass), filter_(filter), image_(image), points_(points), statistics_(statistics) {}
+
+    /// @param pixel  index in the pass's window.
+    void trace(std::uint32_t pixel);
+
+private:
+    /// What an emitter met by the next hit counts, by the vertex that the path left last.
+    enum class Emitters {
+        all,       // only smooth surfaces since the camera: nobody else brings it
+        weighted,  // straight after a glossy vertex: the bsdf's half of MIS
+        none       // by smooth surfaces after a glossy vertex: photons bring it
+    };
+
+    Ray start(RoundPoints& numbers);
+    bool meet(const Hit& hit, RoundPoints& numbers);
+    void add_emission(const EmitterMet& met);
+    void add_light(const Spectrum& radiance, Layer owner);
+    void add_features(const Hit& hit, const Spectrum& reflectance);
+    void gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds);
+    void add_direct_light(const EyeVertex& vertex, RoundPoints& numbers, bool follow);
+    bool scatter(const EyeVertex& vertex, RoundPoints& numbers);
+    void grow_footprint(const Hit& hit);
+    float radius_at(const Hit& hit) const;
+
+    const EyePass& pass_;
+    const FilterSampler& filter_;
+    PassImage& image_;
+    std::vector<VisiblePoint>& points_;
+    Statistics& statistics_;
+
+    std::uint32_t pixel_ = 0;
+    float weight_ = 1;  // of the pixel filter, and of the film's exposure
+    Spectrum throughput_;
+    LaneChoice lanes_;
+    Vec3 direction_{0};
+    float footprint_ = 0;        // width of the pixel here
+    float footprint_angle_ = 0;  // its growth per distance
+    float first_footprint_ = 0;  // at the first surface
+    float eta_scale_ = 1;        // undoes the radiance's factor of refraction for roulette
+    std::uint16_t bounces_ = 0;
+    Emitters emitters_ = Emitters::all;
+    float bsdf_pdf_ = 0;  // of the last glossy sample
+    Vec3 glossy_position_{0};
+    std::size_t rough_ = 0;  // glossy vertices so far
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,109 @@
+// Means over complete rounds: the totals less the rounds that are still open, exactly.
+#include "film/error_bars.h"
+
+#include "core/parallel.h"
+#include "film/luminance.h"
+#include "math/wavelengths.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+RgbSum pixel_of(const FixedPoints& rgb, std::size_t pixel) {
+    return {{rgb[3 * pixel], rgb[3 * pixel + 1], rgb[3 * pixel + 2]}};
+}
+
+/// Exact sum of a pixel over the passes of complete rounds.
+RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
+    RgbSum rgb = pixel_of(sums.layers[0], pixel);
+    for (const auto& [number, round] : sums.open_rounds) rgb -= pixel_of(round, pixel);
+    return rgb;
+}
+
+MeanError mean_error(double mean, const FixedPoint& squares, double rounds) {
+    const double variance = squares.to_double() / rounds - mean * mean;
+    return {mean, std::sqrt(std::max(0.0, variance) / (rounds - 1))};
+}
+
+/// Luminance of each block, summed over its pixels, for `passes` passes.
+template <class PixelSum>
+std::vector<double> block_sums(const BlockGrid& grid, double passes, const PixelSum& pixel_sum) {
+    std::vector<double> sums(grid.count());
+    parallel_for(grid.count(), [&](std::size_t b) {
+        RgbSum block;
+        grid.for_pixels(b, [&](std::size_t pixel) { block += pixel_sum(pixel); });
+        sums[b] = block.mean_luminance(passes);
+    });
+    return sums;
+}
+
+double total(const std::vector<double>& terms) {
+    double sum = 0;
+    for (const double term : terms) sum += term;
+    return sum;
+}
+
+std::vector<double> complete_block_sums(const Film& film) {
+    const auto passes = static_cast<double>(film.rounds() * kRoundPasses);
+    return block_sums(BlockGrid(film.key(), kErrorBlock), passes,
+                      [&](std::size_t pixel) { return complete_sum(film.sums(), pixel); });
+}
+
+}  // namespace
+
+std::vector<MeanError> pixel_errors(const Film& film) {
+    const auto rounds = static_cast<double>(film.rounds());
+    if (rounds < 2) return {};
+    std::vector<MeanError> errors(film.key().pixels());
+    parallel_blocks(errors.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const double mean = complete_sum(film.sums(), i).mean_luminance(rounds * kRoundPasses);
+            errors[i] = mean_error(mean, film.sums().pixel_squares[i], rounds);
+        }
+    });
+    return errors;
+}
+
+std::vector<MeanError> block_errors(const Film& film) {
+    const auto rounds = static_cast<double>(film.rounds());
+    if (rounds < 2) return {};
+    const BlockGrid grid(film.key(), kErrorBlock);
+    const std::vector<double> sums = complete_block_sums(film);
+    std::vector<MeanError> errors(grid.count());
+    for (std::size_t b = 0; b < errors.size(); ++b) {
+        const double mean = sums[b] / static_cast<double>(grid.block(b).pixels());
+        errors[b] = mean_error(mean, film.sums().block_squares[b], rounds);
+    }
+    return errors;
+}
+
+std::optional<MeanError> image_error(const Film& film) {
+    const auto rounds = static_cast<double>(film.rounds());
+    if (rounds < 2) return {};
+    const double mean = total(complete_block_sums(film)) / static_cast<double>(film.key().pixels());
+    return mean_error(mean, film.sums().image_square, rounds);
+}
+
+double image_mean(const Film& film) {
+    const auto passes = static_cast<double>(film.pass_count());
+    if (passes == 0) return 0;
+    const BlockGrid grid(film.key(), kErrorBlock);
+    const std::vector<double> sums = block_sums(
+        grid, passes, [&](std::size_t pixel) { return pixel_of(film.sums().layers[0], pixel); });
+    return total(sums) / static_cast<double>(film.key().pixels());
+}
+
+std::optional<double> target_error(const Film& film) {
+    if (film.rounds() < kTargetRounds) return {};
+    const double floor = 0.01 * image_error(film)->mean;
+    std::vector<double> relative;
+    for (const MeanError& block : block_errors(film))
+        if (floor > 0 && block.mean > floor) relative.push_back(block.standard_error / block.mean);
+    if (relative.empty()) return {};
+    std::sort(relative.begin(), relative.end());
+    return relative[(relative.size() * 95 + 99) / 100 - 1];
+}
+
+}  // namespace sunfleck

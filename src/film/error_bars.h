@@ -1,0 +1,42 @@
+// Standard errors from complete rounds, the independent samples that a film has.
+//
+// A quantity y (luminance of a pixel, a block, the picture) has the mean m and the sum of squares
+// q over n rounds; the mean's standard error is sqrt((q/n - m^2) / (n - 1)). It holds also when
+// rounds differ in variance, as they do while radii shrink. Precision: of y about 2^-26 relative
+// and 2^-32 absolute (the squares' unit is 2^-64).
+#pragma once
+
+#include "film/film.h"
+
+#include <optional>
+#include <vector>
+
+namespace sunfleck {
+
+/// Rounds that target_error() needs: from fewer a standard error is itself too uncertain.
+inline constexpr std::uint64_t kTargetRounds = 4;
+
+struct MeanError {
+    double mean = 0;            // over complete rounds
+    double standard_error = 0;  // of that mean
+};
+
+/// Luminance of each pixel. Empty with fewer than two complete rounds.
+std::vector<MeanError> pixel_errors(const Film& film);
+
+/// Luminance of each block of 8 x 8 pixels, row after row; smaller at the right and lower edges.
+/// Empty with fewer than two complete rounds.
+std::vector<MeanError> block_errors(const Film& film);
+
+/// Luminance of the whole picture: the error that all pixels share is in this one, too. Nothing
+/// with fewer than two complete rounds.
+std::optional<MeanError> image_error(const Film& film);
+
+/// Mean luminance over all passes, complete round or not; zero without passes.
+double image_mean(const Film& film);
+
+/// The relative standard error that 95% of the blocks above 1% of the mean keep (design: "Target
+/// error"). Nothing with fewer than kTargetRounds complete rounds, or in a black picture.
+std::optional<double> target_error(const Film& film);
+
+}  // namespace sunfleck

@@ -1,0 +1,99 @@
+// The film: exact sums over passes, from which picture and error bars are computed.
+//
+// In:  PassImages, in any order, each once. Out: sums that depend on the set of passes alone.
+// Unit 2^-64; range of a pixel's sum [-2^63, 2^63): a PassImage's terms are at most 2^47 each
+// (core/exact_sum.h), so 2^16 passes fit even if a term that large hits one pixel in every pass.
+//
+// Rounds of kRoundPasses passes are the independent samples of error bars. When a round is
+// complete its mean luminance y is computed from its exact sums, of each pixel, each block and the
+// whole picture, and y^2 is added to the sums of squares: floored to 2^-64, at most 2^47 (beyond:
+// cut and counted). Until then the round's own RGB sums are kept beside the totals.
+#pragma once
+
+#include "film/film_key.h"
+#include "film/pass_set.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace sunfleck {
+
+/// Errors are also measured for square blocks of that many pixels a side.
+inline constexpr int kErrorBlock = 8;
+
+using FixedPoints = std::vector<FixedPoint>;
+
+/// Name to sum; names are those of stats.json where it has them.
+using FilmStatistics = std::map<std::string, FixedPoint, std::less<>>;
+
+/// All that a film is. One set of passes has one value of this, however it was put together.
+struct FilmSums {
+    FilmKey key;
+    PassSet passes;
+    FilmStatistics statistics;
+    std::array<FixedPoints, kLayerCount> layers;  // pixel after pixel, channel after channel
+    FixedPoints pixel_squares;                    // of complete rounds' luminance
+    FixedPoints block_squares;                    // row after row of blocks
+    FixedPoint image_square;
+    std::map<std::uint64_t, FixedPoints> open_rounds;  // number to RGB of each pixel
+
+    friend bool operator==(const FilmSums&, const FilmSums&) = default;
+};
+
+class Film {
+public:
+    /// @param key  at least one pixel.
+    explicit Film(FilmKey key);
+    /// Sums that keep the rules above, as film_file reads them.
+    explicit Film(FilmSums sums) : sums_(std::move(sums)) {}
+
+    /// Adds one pass, and its dropped and saturated counts to the statistics.
+    /// @throws Error if the film holds it already, or its size or layers are other than the key's.
+    void add_pass(std::uint32_t number, const PassImage& image);
+
+    /// Adds to the statistic of that name. Zero makes no entry.
+    void count(std::string_view name, std::uint64_t events);
+    /// The same for a real number. @param x  finite; cut at +-kLargestTerm.
+    void sum(std::string_view name, double x);
+    /// Value of a statistic; zero if nothing was added.
+    double statistic(std::string_view name) const;
+
+    /// Adds another film of the same render. The result does not depend on the order of merging.
+    /// @param other_name  where it came from, for the Error.
+    /// @throws Error, and changes nothing, if the keys differ or both hold one pass.
+    void merge(const Film& other, const std::string& other_name);
+
+    const FilmKey& key() const { return sums_.key; }
+    const FilmSums& sums() const& { return sums_; }
+    FilmSums sums() && { return std::move(sums_); }
+    const PassSet& passes() const { return sums_.passes; }
+    std::uint64_t pass_count() const { return sums_.passes.count(); }
+    /// Complete rounds.
+    std::uint64_t rounds() const;
+
+private:
+    void close_rounds();
+
+    FilmSums sums_;
+};
+
+/// merge() with the words for films that are no files.
+inline void merge(Film& film, const Film& other) {
+    film.merge(other, "the other film");
+}
+
+/// Passes of a round.
+PassRange round_range(std::uint64_t round);
+
+/// Complete rounds in a set of passes.
+std::uint64_t complete_rounds(const PassSet& passes);
+
+/// Rounds of which a set holds some passes and not all, ascending.
+std::vector<std::uint64_t> open_rounds(const PassSet& passes);
+
+}  // namespace sunfleck

@@ -1,0 +1,29 @@
+// Film files (.film): all of a film, to be resumed or merged with nothing lost.
+//
+// Layout, in 64-bit little-endian words: magic, version, width, height, layers (bit i: row i of
+// kLayers), seed, scene hash, settings; count of pass ranges, and each begin and end; count of
+// statistics, and each name, high and low word; the sums (high, low) of each layer, pixel squares,
+// block squares, the picture's square, and for each open round its RGB sums; checksum of all
+// before. Texts are their length and their bytes, padded with zeros. One film has one file.
+#pragma once
+
+#include "film/film.h"
+
+#include <cstdint>
+#include <istream>
+#include <string>
+
+namespace sunfleck {
+
+/// Writes the film, atomically.
+/// @throws Error if the file cannot be written.
+void write_film(const std::string& path, const Film& film);
+
+/// @throws Error for what is no film, is cut or damaged, or was written by another version.
+Film read_film(const std::string& path);
+
+/// The same from a stream. @param size  bytes of the film, all of the stream's from here on.
+/// @param name  for errors.
+Film read_film(std::istream& stream, std::uint64_t size, const std::string& name);
+
+}  // namespace sunfleck

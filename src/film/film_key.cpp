@@ -1,0 +1,54 @@
+// Two film keys compared, field by field, for the user to read.
+#include "film/film_key.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace sunfleck {
+namespace {
+
+std::string both(const std::string& what, const std::string& here, const std::string& there) {
+    return what + " differs: " + here + " and " + there;
+}
+
+std::string resolution(const FilmKey& key) {
+    return std::to_string(key.width) + "x" + std::to_string(key.height);
+}
+
+std::string layer_names(const FilmKey& key) {
+    std::string names = "RGB";
+    for (std::size_t i = 1; i < kLayerCount; ++i)
+        if (key.has(i)) names += " " + std::string(kLayers.at(i).name);
+    return names;
+}
+
+/// The first lines of two texts that differ.
+std::string differing_lines(const std::string& here, const std::string& there) {
+    std::istringstream lines(here);
+    std::istringstream others(there);
+    std::string line;
+    std::string other;
+    while (true) {
+        const bool more = static_cast<bool>(std::getline(lines, line));
+        const bool others_more = static_cast<bool>(std::getline(others, other));
+        if (!more) line = "nothing";
+        if (!others_more) other = "nothing";
+        if (!more || !others_more || line != other) return both("setting", line, other);
+    }
+}
+
+}  // namespace
+
+std::string difference(const FilmKey& here, const FilmKey& there) {
+    if (resolution(here) != resolution(there))
+        return both("resolution", resolution(here), resolution(there));
+    if (layer_names(here) != layer_names(there))
+        return both("set of layers", layer_names(here), layer_names(there));
+    if (here.seed != there.seed)
+        return both("seed", std::to_string(here.seed), std::to_string(there.seed));
+    if (here.scene_hash != there.scene_hash) return "scene differs";
+    if (here.settings != there.settings) return differing_lines(here.settings, there.settings);
+    return "";
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,39 @@
+// What two films must have in common to be parts of one render.
+#pragma once
+
+#include "measurement/pass_image.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace sunfleck {
+
+struct FilmKey {
+    int width = 0;
+    int height = 0;
+    LayerSet layers{};  // the total counts as wanted, whatever this says
+    std::uint64_t seed = 0;
+    std::uint64_t scene_hash = 0;  // of all that the scene file and its parts hold
+    std::string settings;          // one "name=value" a line: all that a pass depends on
+
+    friend bool operator==(const FilmKey&, const FilmKey&) = default;
+
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+    bool has(std::size_t layer) const { return layer == 0 || layers.at(layer); }
+};
+
+/// FNV-1a, 64 bits: for scene_hash. Start with the hash of what came before to hash in parts.
+constexpr std::uint64_t hash_text(std::string_view text,
+                                  std::uint64_t before = 0xCBF29CE484222325) {
+    for (const char c : text)
+        before = (before ^ static_cast<unsigned char>(c)) * std::uint64_t{0x100000001B3};
+    return before;
+}
+
+/// The first thing in which two keys differ, in words with both values; empty if they are equal.
+std::string difference(const FilmKey& here, const FilmKey& there);
+
+}  // namespace sunfleck

@@ -1,0 +1,76 @@
+// From exact sums to luminance: of pixels, of 8 x 8 blocks, of the picture.
+#pragma once
+
+#include "core/exact_sum.h"
+#include "film/film_key.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace sunfleck {
+
+/// Luminance of linear sRGB (Rec. 709 primaries): IEC 61966-2-1, rows of its matrix to XYZ.
+inline double luminance(const std::array<double, 3>& rgb) {
+    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+}
+
+/// Three exact sums.
+struct RgbSum {
+    std::array<FixedPoint, 3> channel;
+
+    RgbSum& operator+=(const RgbSum& other) {
+        for (std::size_t c = 0; c < 3; ++c) channel[c] += other.channel[c];
+        return *this;
+    }
+    RgbSum& operator-=(const RgbSum& other) {
+        for (std::size_t c = 0; c < 3; ++c) channel[c] += -other.channel[c];
+        return *this;
+    }
+
+    /// Luminance of this divided by `terms`.
+    double mean_luminance(double terms) const {
+        const std::array<double, 3> rgb = {channel[0].to_double(), channel[1].to_double(),
+                                           channel[2].to_double()};
+        return luminance(rgb) / terms;
+    }
+};
+
+/// The pixel rectangle of each block: blocks at the right and lower edges may be smaller.
+class BlockGrid {
+public:
+    struct Block {
+        std::size_t x_begin, x_end, y_begin, y_end;
+        std::size_t pixels() const { return (x_end - x_begin) * (y_end - y_begin); }
+    };
+
+    explicit BlockGrid(const FilmKey& key, std::size_t block_size)
+        : width_(static_cast<std::size_t>(key.width)),
+          height_(static_cast<std::size_t>(key.height)),
+          size_(block_size) {}
+
+    std::size_t across() const { return (width_ + size_ - 1) / size_; }
+    std::size_t down() const { return (height_ + size_ - 1) / size_; }
+    std::size_t count() const { return across() * down(); }
+
+    Block block(std::size_t i) const {
+        const std::size_t x = i % across() * size_;
+        const std::size_t y = i / across() * size_;
+        return {x, std::min(x + size_, width_), y, std::min(y + size_, height_)};
+    }
+
+    /// Calls visit(pixel) for each pixel of block i, row after row.
+    template <class Visit>
+    void for_pixels(std::size_t i, const Visit& visit) const {
+        const Block b = block(i);
+        for (std::size_t y = b.y_begin; y < b.y_end; ++y)
+            for (std::size_t x = b.x_begin; x < b.x_end; ++x) visit(y * width_ + x);
+    }
+
+private:
+    std::size_t width_;
+    std::size_t height_;
+    std::size_t size_;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,146 @@
+// A photon path as a function of its primary sample: light, then surface after surface.
+//
+// In:  a slot reader (the point u), the scene at a pass's wavelengths. Out: each photon at a
+// surface that can gather goes to a visitor, which may end the path.
+// Source: adjoint correction of shading normals: Veach 1997, section 5.3.2; roulette on the
+// throughput keeps it about constant, as the paper's binary target assumes (docs/method.md).
+#pragma once
+
+#include "measurement/statistics.h"
+#include "measurement/transport.h"
+#include "measurement/visible_point.h"
+#include "sampler/primary_sample.h"
+#include "scene/pass_scene.h"
+
+#include <concepts>
+#include <optional>
+
+namespace sunfleck {
+
+/// Called with each photon; false ends the path.
+template <class V>
+concept PhotonVisitor = requires(V& visit, const Photon& photon) {
+    { visit(photon) } -> std::same_as<bool>;
+};
+
+enum class PathEnd {
+    no_light,  // nothing emits
+    escaped,   // left the scene
+    absorbed,  // by a surface, or by roulette
+    too_long,  // the next event would exceed the greatest depth
+    stopped    // by the visitor
+};
+
+/// A photon on its way: what the next event needs to know.
+struct PhotonState {
+    Spectrum flux;
+    Vec3 direction{0};
+    LaneChoice lanes;
+    bool lane_read = false;
+    std::uint16_t bounces = 0;
+    PhotonKind kind = PhotonKind::direct;
+};
+
+class PhotonTracer {
+public:
+    PhotonTracer(const PassScene& pass, const TransportSettings& transport)
+        : pass_(pass), transport_(transport) {}
+
+    /// @param rays  counts the rays traced.
+    template <SlotReader Reader, PhotonVisitor Visitor>
+    PathEnd trace(Reader&& read, Visitor&& visit, std::uint64_t& rays) const {
+        PhotonState state;
+        std::optional<Emission> start = emit(read, state);
+        if (!start) return PathEnd::no_light;
+        ++rays;
+        auto hit = pass_.scene.geometry().intersect_precise(start->origin, start->direction);
+        while (hit) {
+            if (!pass_.scene.passes_straight(*hit)) {
+                const Bsdf& bsdf = pass_.bsdf_of(*hit);
+                if (scattering(bsdf) != Scattering::specular && !visit(arrive(*hit, state)))
+                    return PathEnd::stopped;
+                if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
+                if (!scatter(read, bsdf, *hit, state)) return PathEnd::absorbed;
+            }
+            ++rays;
+            hit = pass_.scene.geometry().intersect(ray_from(*hit, state.direction));
+        }
+        return PathEnd::escaped;
+    }
+
+private:
+    /// Chooses the light and the first ray; sets flux and direction.
+    template <SlotReader Reader>
+    std::optional<Emission> emit(Reader& read, PhotonState& state) const {
+        const auto unit = [&](EmissionSlot which) { return to_unit(read(slot(which))); };
+        if (pass_.scene.light_choice().empty()) return {};
+        const auto choice = pass_.scene.light_choice().choose(unit(EmissionSlot::light));
+        Emission start =
+            sample_emission(pass_.scene.lights()[choice.index],
+                            {unit(EmissionSlot::position_u), unit(EmissionSlot::position_v),
+                             unit(EmissionSlot::direction_u), unit(EmissionSlot::direction_v)},
+                            pass_.scene.sphere());
+        const Vec3d normal(start.normal);
+        start.origin += normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
+        state.flux =
+            pass_.emission[choice.index] * static_cast<float>(start.factor / choice.probability);
+        state.direction = Vec3(start.direction);
+        return start;
+    }
+
+    static Photon arrive(const Hit& hit, const PhotonState& state) {
+        const Vec3 normal = hit.normal.dot(state.direction) > 0 ? -hit.normal : hit.normal;
+        return {hit.position, normal, -state.direction, state.flux, state.bounces, state.kind};
+    }
+
+    /// One scattering event. @return false when the photon is absorbed.
+    template <SlotReader Reader>
+    bool scatter(Reader& read, const Bsdf& at_surface, const Hit& hit, PhotonState& state) const {
+        const auto unit = [&](BounceSlot which) {
+            return to_unit_float(read(slot(state.bounces, which)));
+        };
+        const bool specular = scattering(at_surface) == Scattering::specular;
+        std::optional<Bsdf> narrowed;
+        if (is_dispersive(at_surface)) {
+            choose_lane(read, state);
+            if (!specular) keep_lane(state.flux, state.lanes);
+            if (state.lanes.single) narrowed = for_lane(at_surface, state.lanes.chosen);
+        }
+        const Frame frame(hit.shading_normal, hit.tangent);
+        const Vec3 w_from = frame.to_local(-state.direction);
+        const BsdfDraw draw{
+            {unit(BounceSlot::lobe), unit(BounceSlot::direction_u), unit(BounceSlot::direction_v)},
+            Transport::flux,
+            state.lanes};
+        const auto drawn = sample(narrowed ? *narrowed : at_surface, w_from, draw);
+        if (!drawn) return false;
+        const Vec3 w_to = frame.to_world(drawn->w_to);
+        const float corrected = std::abs(w_from.z * w_to.dot(hit.normal)) /
+                                std::abs(state.direction.dot(hit.normal) * drawn->w_to.z);
+        const Spectrum flux = state.flux * drawn->weight * corrected;
+        const float before = state.flux.sum();
+        const float survival = std::min(1.0F, flux.sum() / before);
+        if (!(unit(BounceSlot::roulette) < survival)) return false;
+        if (drawn->dispersed) state.lanes.single = true;
+        state.flux = flux / survival;
+        state.direction = w_to;
+        ++state.bounces;
+        if (!specular)
+            state.kind = PhotonKind::indirect;
+        else if (state.kind == PhotonKind::direct)
+            state.kind = PhotonKind::caustic;
+        return true;
+    }
+
+    template <SlotReader Reader>
+    static void choose_lane(Reader& read, PhotonState& state) {
+        if (state.lane_read) return;
+        state.lanes.chosen = lane_of(to_unit(read(slot(EmissionSlot::lane))));
+        state.lane_read = true;
+    }
+
+    const PassScene& pass_;
+    const TransportSettings& transport_;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,159 @@
+// One path a pixel: emission, next-event estimation and bsdf sampling at every vertex.
+#include "reference/path_integrator.h"
+
+#include "camera/filter.h"
+#include "core/parallel.h"
+
+#include <mutex>
+#include <optional>
+
+namespace sunfleck {
+namespace {
+
+class ReferencePath {
+public:
+    ReferencePath(const ReferencePass& pass, RandomStream numbers, std::uint64_t& rays)
+        : pass_(pass), scene_(pass.scene.scene), numbers_(numbers), rays_(rays) {}
+
+    /// Radiance along the ray. @return one sample of it.
+    Spectrum radiance(Ray ray) {
+        lanes_.chosen = lane_of(numbers_.next());
+        for (int depth = 0;; ++depth) {
+            const auto hit = next_surface(ray);
+            if (!hit || depth >= pass_.transport.max_depth) return sum_;
+            const auto drawn = scatter(*hit, ray);
+            if (!drawn) return sum_;
+            throughput_ *= drawn->weight;
+            specular_ = !drawn->pdf;
+            pdf_ = drawn->pdf.value_or(0);
+            if (drawn->dispersed) lanes_.single = true;
+            scale_ *= drawn->eta * drawn->eta;
+            if (depth > 2 && !survives()) return sum_;
+        }
+    }
+
+private:
+    double number() { return numbers_.next(); }
+
+    /// Follows the ray past surfaces that are no obstacle, adding the emitters on the way.
+    std::optional<Hit> next_surface(Ray& ray) {
+        while (true) {
+            ++rays_;
+            const auto hit = scene_.geometry().intersect(ray);
+            if (!hit) {
+                for (const std::uint32_t i : scene_.infinite_lights())
+                    add_emitter(
+                        i, std::get<InfiniteLight>(scene_.lights()[i]).direct_pdf(ray.direction));
+                return {};
+            }
+            if (const std::uint32_t i = scene_.light_of(*hit); i != kNone) {
+                const auto& light = std::get<AreaLight>(scene_.lights()[i]);
+                if (light.emits(hit->normal, -ray.direction))
+                    add_emitter(i, light.direct_pdf(last_, hit->position, hit->normal));
+            }
+            if (!scene_.passes_straight(*hit)) return hit;
+            ray = ray_from(*hit, ray.direction);
+        }
+    }
+
+    /// An emitter that the last bsdf sample found. @param pdf  of finding it by a light sample.
+    void add_emitter(std::uint32_t light, float pdf) {
+        const auto other = static_cast<float>(scene_.light_choice().probability(light)) * pdf;
+        const float weight = specular_ ? 1 : pdf_ / (pdf_ + other);
+        sum_ += throughput_ * pass_.scene.emission[light] * weight;
+    }
+
+    /// Direct light, then a direction to go on in: `ray` becomes the next one.
+    std::optional<BsdfSample> scatter(const Hit& hit, Ray& ray) {
+        Bsdf bsdf = pass_.scene.bsdf_of(hit);
+        if (is_dispersive(bsdf)) {
+            if (scattering(bsdf) != Scattering::specular) keep_lane(throughput_, lanes_);
+            if (lanes_.single) bsdf = for_lane(bsdf, lanes_.chosen);
+        }
+        const Frame frame(hit.shading_normal, hit.tangent);
+        const Vec3 w_from = frame.to_local(-ray.direction);
+        if (scattering(bsdf) != Scattering::specular) add_light_sample(hit, frame, bsdf, w_from);
+        const BsdfDraw draw{{static_cast<float>(number()), static_cast<float>(number()),
+                             static_cast<float>(number())},
+                            Transport::radiance,
+                            lanes_};
+        auto drawn = sample(bsdf, w_from, draw);
+        if (drawn) ray = ray_from(hit, frame.to_world(drawn->w_to));
+        last_ = hit.position;
+        return drawn;
+    }
+
+    void add_light_sample(const Hit& hit, const Frame& frame, const Bsdf& bsdf,
+                          const Vec3& w_from) {
+        if (scene_.light_choice().empty()) return;
+        const auto choice = scene_.light_choice().choose(number());
+        const Vec2 u{static_cast<float>(number()), static_cast<float>(number())};
+        const auto light =
+            sample_direct(scene_.lights()[choice.index], hit.position, u, scene_.sphere());
+        if (!light) return;
+        const Vec3 w_to = frame.to_local(light->direction);
+        const Spectrum f = eval(bsdf, w_from, w_to, Transport::radiance);
+        ++rays_;
+        if (f.is_zero() || !scene_.is_free(shadow_ray(hit, light->direction, light->distance)))
+            return;
+        const auto chosen = static_cast<float>(choice.probability);
+        float weight = 1;
+        if (light->pdf) {
+            const float mine = *light->pdf * chosen;
+            weight = mine / (mine + pdf(bsdf, w_from, w_to, Transport::radiance));
+        }
+        sum_ += throughput_ * f * pass_.scene.emission[choice.index] *
+                (light->factor * std::abs(w_to.z) * weight / chosen);
+    }
+
+    bool survives() {
+        const float survival = std::min(1.0F, throughput_.mean() * scale_);
+        if (!(number() < static_cast<double>(survival))) return false;
+        throughput_ /= survival;
+        return true;
+    }
+
+    const ReferencePass& pass_;
+    const Scene& scene_;
+    RandomStream numbers_;
+    std::uint64_t& rays_;
+    Spectrum sum_;
+    Spectrum throughput_{1};
+    LaneChoice lanes_;
+    bool specular_ = true;
+    float pdf_ = 0;
+    float scale_ = 1;
+    Vec3 last_{0};
+};
+
+}  // namespace
+
+void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statistics& statistics) {
+    const auto [x0, x1, y0, y1] = pass.window;
+    const auto width = static_cast<std::size_t>(x1 - x0);
+    const FilterSampler filter(pass.scene.scene.filter());
+    std::mutex guard;
+    parallel_blocks(
+        width * static_cast<std::size_t>(y1 - y0), 256,
+        [&, x = x0, y = y0](std::size_t begin, std::size_t end) {
+            std::uint64_t rays = 0;
+            for (std::size_t pixel = begin; pixel < end; ++pixel) {
+                RandomStream numbers = pass.id.stream(Purpose::reference_path, pixel);
+                const Vec2d u{numbers.next(), numbers.next()};
+                const FilterSample filtered = filter.sample(u);
+                const Vec2d film(x + static_cast<double>(pixel % width) + 0.5 + filtered.offset.x,
+                                 y + static_cast<double>(pixel / width) + 0.5 + filtered.offset.y);
+                const Vec2d lens{numbers.next(), numbers.next()};
+                const CameraRay camera = pass.scene.scene.camera().ray(film, lens);
+                ReferencePath path(pass, numbers, rays);
+                const Spectrum radiance =
+                    path.radiance({Vec3(camera.origin), Vec3(camera.direction), kInfinity}) *
+                    (filtered.weight * pass.scene.scene.film().imaging_ratio);
+                image.add_light(pixel, pass.scene.wavelengths.to_rgb(radiance), Layer::total);
+            }
+            const std::lock_guard lock(guard);
+            statistics[Count::eye_rays] += rays;
+        });
+}
+
+}  // namespace sunfleck

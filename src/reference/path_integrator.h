@@ -1,0 +1,26 @@
+// Path tracing: the reference that photon mapping is tested against where both converge.
+//
+// Written apart from the eye pass, on purpose: it shares scene, bsdfs and lights, but neither its
+// direct light, nor its numbers, nor its idea of who brings what. It brings no caustics of point,
+// spot and distant lights: no path from the eye can find them.
+// Source: Kajiya 1986; multiple importance sampling by the balance heuristic, Veach 1997, ch. 9.
+#pragma once
+
+#include "measurement/pass_image.h"
+#include "measurement/statistics.h"
+#include "measurement/transport.h"
+#include "scene/pass_scene.h"
+
+namespace sunfleck {
+
+struct ReferencePass {
+    const PassScene& scene;
+    const TransportSettings& transport;  // max_depth; `direct` does not matter here
+    std::array<int, 4> window;           // pixels [x0, x1) x [y0, y1), as x0 x1 y0 y1
+    PassId id;
+};
+
+/// Adds one path a pixel to the total of the image, pixels row by row.
+void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statistics& statistics);
+
+}  // namespace sunfleck

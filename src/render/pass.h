@@ -1,0 +1,41 @@
+// One pass of the renderer, as a pure function.
+//
+// In:  scene, settings, seed and number of the pass. Out: the image of this pass alone, unbiased
+// for its radius, and integer counts. So passes may run in any order, on any machine, or again:
+// the film only adds them up.
+#pragma once
+
+#include "eye/eye_pass.h"
+#include "render/settings.h"
+
+namespace sunfleck {
+
+/// Seconds.
+struct PassTimes {
+    double build = 0;  // the scene at the pass's wavelengths
+    double eye = 0;
+    double index = 0;
+    double photon = 0;  // tracing and deposits, which are made while tracing
+
+    PassTimes& operator+=(const PassTimes& other) {
+        build += other.build;
+        eye += other.eye;
+        index += other.index;
+        photon += other.photon;
+        return *this;
+    }
+};
+
+struct PassResult {
+    PassImage image;
+    Statistics statistics;
+    PassTimes seconds;
+    double radius_factor = 1;
+};
+
+/// The pixels that the scene's film renders.
+PixelWindow window_of(const FilmDescription& film);
+
+PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::uint32_t number);
+
+}  // namespace sunfleck

@@ -1,0 +1,94 @@
+// The loop over passes, and when it ends.
+#include "render/progressive.h"
+
+#include "film/error_bars.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+class Clock {
+public:
+    double seconds() const {
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+        return passed.count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+FilmKey key_of(const RenderJob& job) {
+    const PixelWindow window = window_of(job.scene.film());
+    const Vec2i whole = job.scene.film().resolution;
+    FilmKey key{window.width(),    window.height(), job.settings.layers,
+                job.settings.seed, job.scene_hash,  job.settings.text()};
+    key.settings += "resolution=" + std::to_string(whole.x) + "x" + std::to_string(whole.y) +
+                    "\nwindow=" + std::to_string(window.x0) + "," + std::to_string(window.y0) +
+                    "\n";
+    return key;
+}
+
+void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
+    film.add_pass(number, pass.image);
+    for (const CountRow& row : kCountRows)
+        if (row.count != Count::dropped_nonfinite && row.count != Count::saturated)
+            film.count(row.name, pass.statistics[row.count]);
+    const std::uint64_t paths = pass.statistics[Count::uniform_paths];
+    const std::uint64_t visible = pass.statistics[Count::uniform_visible];
+    if (paths == 0) return;
+    film.count("starved_passes", visible == 0 ? 1 : 0);
+    const double fraction = static_cast<double>(visible) / static_cast<double>(paths);
+    film.sum("visible_fraction_square", fraction * fraction);
+}
+
+/// The error falls about with the root of the number of passes; the bias of the radius apart.
+std::optional<double> seconds_left(const Progress& p, const StopSettings& stop) {
+    std::optional<double> left;
+    const auto at_most = [&](double seconds) {
+        left = std::min(left.value_or(seconds), std::max(0.0, seconds));
+    };
+    if (p.of) at_most(p.seconds / p.passes * (*p.of - p.passes));
+    if (stop.seconds) at_most(*stop.seconds - p.seconds);
+    if (p.error && p.target) at_most(p.seconds * (std::pow(*p.error / *p.target, 2) - 1));
+    return left;
+}
+
+}  // namespace
+
+RenderResult render(const RenderJob& job, const RenderHooks& hooks) {
+    const StopSettings& stop = job.stop;
+    const Clock clock;
+    RenderResult result{Film(key_of(job)), {}, 0, 0, 1, false};
+    Progress progress;
+    progress.target = stop.target_error;
+    if (stop.end_pass) progress.of = *stop.end_pass - stop.first_pass;
+    double paths = 0;
+    for (std::uint32_t number = stop.first_pass; !stop.end_pass || number < *stop.end_pass;
+         ++number) {
+        const PassResult pass = render_pass(job.scene, job.settings, number);
+        add_pass(result.film, number, pass);
+        result.seconds += pass.seconds;
+        result.radius_factor = pass.radius_factor;
+        progress.passes = ++result.passes;
+        progress.seconds = clock.seconds();
+        paths += static_cast<double>(job.settings.integrator == Integrator::sppm
+                                         ? pass.statistics[Count::uniform_paths]
+                                         : pass.image.pixels());
+        progress.paths_per_second = paths / progress.seconds;
+        if ((number + 1) % kRoundPasses == 0) progress.error = target_error(result.film);
+        progress.seconds_left = seconds_left(progress, stop);
+        if (hooks.report) hooks.report(progress);
+        result.interrupted = hooks.interrupted != nullptr && hooks.interrupted->load();
+        const bool late = stop.seconds && progress.seconds >= *stop.seconds;
+        const bool good = progress.error && progress.target && *progress.error <= *progress.target;
+        if (result.interrupted || late || good) break;
+    }
+    result.total_seconds = clock.seconds();
+    return result;
+}
+
+}  // namespace sunfleck

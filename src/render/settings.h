@@ -1,0 +1,41 @@
+// All that a user may choose about a render, stage by stage.
+#pragma once
+
+#include "eye/settings.h"
+#include "measurement/channels.h"
+#include "measurement/pass_image.h"
+#include "measurement/transport.h"
+#include "photon/settings.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace sunfleck {
+
+enum class Integrator { sppm, path };
+
+/// What a pass is a function of, beside the scene.
+struct RenderSettings {
+    Integrator integrator = Integrator::sppm;
+    TransportSettings transport;
+    EyeSettings eye;
+    PhotonSettings photon;
+    double alpha = 2.0 / 3.0;  // of the radius sequence, in (0,1)
+    LayerSet layers{};
+    std::uint64_t seed = 0;
+
+    /// One line that two renders share if and only if their passes are the same function:
+    /// what film files are compared by.
+    std::string text() const;
+};
+
+/// When a render ends: whichever comes first. Passes are always finished.
+struct StopSettings {
+    std::uint32_t first_pass = 0;
+    std::optional<std::uint32_t> end_pass;  // not rendered any more
+    std::optional<double> seconds;
+    std::optional<double> target_error;  // relative, of blocks; see Film
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,147 @@
+// Error bars against the true spread over 400 renders of synthetic noise.
+//
+// The noise of a pass: stratified within its round (so that passes are not independent and errors
+// taken from them would be wrong), times a brightness that all pixels share. Seeds 0 to 399; the
+// spread over 400 is itself known to 3.5% (one sigma), so that an error bar wrong by a factor of
+// 1.1 or more is seen at 10% tolerance for what is averaged over many pixels or blocks.
+#include "film/error_bars.h"
+
+#include "math/statistics.h"
+#include "synthetic.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::uint32_t kSeeds = 400;
+constexpr std::uint32_t kPasses = 101;  // six rounds and five passes
+constexpr int kWidth = 12;              // blocks of 8 x 8 and of 4 x 8 pixels
+constexpr int kHeight = 8;
+
+/// Pixel i of a pass has expectation 1 + i % 3.
+Film noisy_film(std::uint64_t seed) {
+    const FilmKey key{kWidth, kHeight, {}, seed, 0, ""};
+    Film film(key);
+    for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
+        RandomStream shared(seed, Purpose::test, pass, 0xFFFF);
+        const float brightness = 0.8F + 0.4F * shared.next_float();
+        PassImage image(key.pixels(), key.layers);
+        for (std::uint32_t i = 0; i < key.pixels(); ++i) {
+            RandomStream shift(seed, Purpose::test, pass / kRoundPasses, 0x10000 + i);
+            const auto stratum = static_cast<float>(pass % kRoundPasses) / kRoundPasses;
+            float u = stratum + shift.next_float();
+            if (u >= 1) u -= 1;
+            RandomStream own(seed, Purpose::test, pass, i);
+            const float level = static_cast<float>(1 + i % 3);
+            const float value = level * brightness * (u + own.next_float());
+            image.add_light(i, Vec3(value, value, value), Layer::direct);
+        }
+        film.add_pass(pass, image);
+    }
+    return film;
+}
+
+/// The true spread of some means beside what their error bars said.
+struct Spread {
+    std::vector<RunningMean> means;
+    RunningMean variances;  // as claimed, over all quantities and seeds
+
+    void add(const std::vector<MeanError>& errors) {
+        means.resize(errors.size());
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            means[i].add(errors[i].mean);
+            variances.add(errors[i].standard_error * errors[i].standard_error);
+        }
+    }
+    /// Claimed standard error over the true one.
+    double ratio() const {
+        double truth = 0;
+        for (const RunningMean& mean : means) truth += mean.variance();
+        return std::sqrt(variances.mean() * static_cast<double>(means.size()) / truth);
+    }
+};
+
+TEST(ErrorBars, agree_with_the_spread_over_seeds) {
+    Spread pixels;
+    Spread blocks;
+    Spread image;
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+        const Film film = noisy_film(seed);
+        pixels.add(pixel_errors(film));
+        blocks.add(block_errors(film));
+        image.add({*image_error(film)});
+    }
+    EXPECT_EQ(blocks.means.size(), 2U);
+    EXPECT_NEAR(pixels.ratio(), 1, 0.1);
+    EXPECT_NEAR(blocks.ratio(), 1, 0.1);
+    EXPECT_NEAR(image.ratio(), 1, 0.1);
+    EXPECT_NEAR(image.means[0].mean(), 2, 4 * image.means[0].standard_error());
+    // The shared brightness is in the error of the picture: pixels alone would average it away.
+    EXPECT_GT(image.means[0].standard_deviation(), 0.01);
+}
+
+TEST(ErrorBars, need_complete_rounds) {
+    const FilmKey key = testing_support::small_key();
+    Film film = testing_support::film_of(key, testing_support::numbers(0, 31));
+    EXPECT_TRUE(pixel_errors(film).empty());
+    EXPECT_TRUE(block_errors(film).empty());
+    EXPECT_FALSE(image_error(film).has_value());
+    merge(film, testing_support::film_of(key, testing_support::numbers(31, 63)));
+    EXPECT_EQ(pixel_errors(film).size(), key.pixels());
+    EXPECT_EQ(block_errors(film).size(), 6U);
+    EXPECT_FALSE(target_error(film).has_value());
+    merge(film, testing_support::film_of(key, {63}));
+    EXPECT_TRUE(target_error(film).has_value());
+}
+
+/// A film whose pass values are given by value(round, pixel), grey.
+template <class Value>
+Film film_by_round(int width, int height, std::uint32_t passes, const Value& value) {
+    const FilmKey key{width, height, {}, 1, 0, ""};
+    Film film(key);
+    for (std::uint32_t pass = 0; pass < passes; ++pass) {
+        PassImage image(key.pixels(), key.layers);
+        for (std::size_t i = 0; i < key.pixels(); ++i)
+            image.add_light(i, Vec3(value(pass / kRoundPasses, i)), Layer::direct);
+        film.add_pass(pass, image);
+    }
+    return film;
+}
+
+TEST(ErrorBars, two_rounds_by_hand) {
+    // Rounds of 1 and 3, and an open one of 100 that must not count: mean 2, error 1.
+    const Film film = film_by_round(3, 2, 37, [](std::uint32_t round, std::size_t) {
+        return round == 0 ? 1.0F : round == 1 ? 3.0F : 100.0F;
+    });
+    EXPECT_NEAR(pixel_errors(film)[4].mean, 2, 1e-12);
+    EXPECT_NEAR(pixel_errors(film)[4].standard_error, 1, 1e-12);
+    EXPECT_NEAR(block_errors(film)[0].mean, 2, 1e-12);
+    EXPECT_NEAR(block_errors(film)[0].standard_error, 1, 1e-12);
+    EXPECT_NEAR(image_error(film)->standard_error, 1, 1e-12);
+    EXPECT_NEAR(image_mean(film), (16 * 1 + 16 * 3 + 5 * 100) / 37.0, 1e-12);
+}
+
+TEST(ErrorBars, equal_rounds_have_no_error) {
+    const Film film = film_by_round(3, 2, 64, [](std::uint32_t, std::size_t) { return 0.1F; });
+    EXPECT_LT(pixel_errors(film)[0].standard_error, 1e-8);
+    EXPECT_LT(*target_error(film), 1e-7);
+}
+
+TEST(ErrorBars, target_is_the_95th_percentile_of_bright_blocks) {
+    // 40 bright blocks whose relative error rises from 1 to 40 steps; 10 dark ones of wild error.
+    const auto value = [](std::uint32_t round, std::size_t pixel) {
+        const std::size_t block = pixel % 400 / 8;
+        const float sign = round % 2 == 0 ? 1.0F : -1.0F;
+        if (block >= 40) return 1e-4F * (1 + sign);
+        return 1 + sign * 0.01F * static_cast<float>(block + 1);
+    };
+    const Film film = film_by_round(400, 8, 64, value);
+    // Four rounds of 1 +- d: standard error d / sqrt(3). 38 of 40 blocks are at or below the 38th.
+    EXPECT_NEAR(*target_error(film), 0.38 / std::sqrt(3.0), 1e-5);
+    const Film black = film_by_round(8, 8, 64, [](std::uint32_t, std::size_t) { return 0.0F; });
+    EXPECT_FALSE(target_error(black).has_value());
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,128 @@
+// Film files: nothing is lost, merged parts give the same bytes, every damage is an Error.
+#include "film/film_file.h"
+
+#include "core/error.h"
+#include "image/read_file.h"
+#include "synthetic.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <sstream>
+
+namespace sunfleck {
+namespace {
+
+using testing_support::film_of;
+using testing_support::numbers;
+using testing_support::small_key;
+
+class FilmFile : public testing::Test {
+protected:
+    void SetUp() override { std::filesystem::create_directories(folder_); }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return folder_ + "/" + name; }
+
+    std::string bytes_of(const Film& film) const {
+        write_film(path("bytes.film"), film);
+        return read_file(path("bytes.film"));
+    }
+
+    /// Reads a file of these bytes; what the Error says, or "" if there is none.
+    std::string fault_of(const std::string& bytes) const {
+        std::istringstream stream(bytes);
+        try {
+            read_film(stream, bytes.size(), "fault.film");
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+private:
+    std::string folder_ = testing::TempDir() + "/sunfleck_film_" + std::to_string(::getpid());
+};
+
+TEST_F(FilmFile, comes_back_as_it_was) {
+    for (const std::uint32_t passes : {0U, 1U, 16U, 40U}) {
+        const Film film = film_of(small_key(), numbers(0, passes));
+        write_film(path("a.film"), film);
+        EXPECT_EQ(read_film(path("a.film")).sums(), film.sums()) << passes;
+    }
+}
+
+TEST_F(FilmFile, merged_parts_have_the_bytes_of_one_run) {
+    const std::string whole = bytes_of(film_of(small_key(), numbers(0, 40)));
+    write_film(path("a.film"), film_of(small_key(), numbers(0, 7)));
+    write_film(path("b.film"), film_of(small_key(), numbers(7, 29)));
+    write_film(path("c.film"), film_of(small_key(), numbers(29, 40)));
+    for (std::string order : {"abc", "acb", "bac", "bca", "cab", "cba"}) {
+        Film film = read_film(path(order.substr(0, 1) + ".film"));
+        merge(film, read_film(path(order.substr(1, 1) + ".film")));
+        merge(film, read_film(path(order.substr(2, 1) + ".film")));
+        EXPECT_TRUE(bytes_of(film) == whole) << order;
+    }
+}
+
+TEST_F(FilmFile, a_resumed_film_goes_on_as_if_never_stopped) {
+    write_film(path("a.film"), film_of(small_key(), numbers(0, 21)));
+    Film film = read_film(path("a.film"));
+    merge(film, film_of(small_key(), numbers(21, 34)));
+    EXPECT_EQ(film.sums(), film_of(small_key(), numbers(0, 34)).sums());
+}
+
+TEST_F(FilmFile, every_flipped_byte_is_an_error) {
+    const std::string bytes = bytes_of(film_of(small_key(3, 2), numbers(0, 18)));
+    EXPECT_EQ(fault_of(bytes), "");
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        for (const int flip : {0x01, 0x80, 0xFF}) {
+            std::string broken = bytes;
+            broken[i] = static_cast<char>(broken[i] ^ flip);
+            EXPECT_NE(fault_of(broken), "") << "byte " << i;
+        }
+}
+
+TEST_F(FilmFile, top_bits_flipped_in_two_words_do_not_cancel) {
+    std::string bytes = bytes_of(film_of(small_key(3, 2), numbers(0, 18)));
+    for (const std::size_t word : {60U, 70U})
+        bytes[8 * word + 7] = static_cast<char>(bytes[8 * word + 7] ^ 0x80);
+    EXPECT_NE(fault_of(bytes), "");
+}
+
+TEST_F(FilmFile, every_cut_is_an_error_and_so_is_more) {
+    const std::string bytes = bytes_of(film_of(small_key(3, 2), numbers(0, 18)));
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+        EXPECT_NE(fault_of(bytes.substr(0, size)), "") << size;
+    EXPECT_NE(fault_of(bytes + std::string(8, '\0')), "");
+    EXPECT_NE(fault_of(bytes + "x"), "");
+}
+
+/// Every word of the header set to large values: refused before anything is allocated for it.
+TEST_F(FilmFile, huge_claims_are_refused) {
+    const std::string bytes = bytes_of(film_of(small_key(3, 2), numbers(0, 18)));
+    for (std::size_t word = 0; word < 30; ++word)
+        for (const std::uint64_t claim : {std::uint64_t{1} << 17U, std::uint64_t{1} << 31U,
+                                          std::uint64_t{1} << 61U, ~std::uint64_t{0}}) {
+            std::string broken = bytes;
+            for (std::size_t i = 0; i < 8; ++i)
+                broken[8 * word + i] = static_cast<char>(claim >> (8 * i));
+            EXPECT_NE(fault_of(broken), "") << word;
+        }
+}
+
+TEST_F(FilmFile, errors_are_one_clear_line) {
+    std::string bytes = bytes_of(film_of(small_key(3, 2), numbers(0, 18)));
+    EXPECT_EQ(fault_of("ply\n"), std::string("fault.film") +
+                                     ": is no film file, or is cut or damaged; use another copy, "
+                                     "or render its passes again");
+    bytes[8] = 9;
+    EXPECT_EQ(fault_of(bytes), std::string("fault.film") +
+                                   ": is a film file of version 9; use the program that wrote "
+                                   "it; this one reads version 1");
+    EXPECT_THROW(read_film(path("none.film")), Error);
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,177 @@
+// The film depends on the set of passes alone: not on order, splits or the tree of merges.
+#include "film/film.h"
+
+#include "core/error.h"
+#include "synthetic.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using testing_support::film_of;
+using testing_support::noise_pass;
+using testing_support::numbers;
+using testing_support::shuffle;
+using testing_support::small_key;
+
+constexpr std::uint32_t kPasses = 51;  // three rounds and three passes
+
+const Film& whole() {
+    static const Film film = film_of(small_key(), numbers(0, kPasses));
+    return film;
+}
+
+TEST(Film, sums_are_exact) {
+    Film film(FilmKey{1, 1, {}, 1, 1, ""});
+    const float tiny = 0x1p-60F;
+    for (std::uint32_t pass = 0; pass < 3; ++pass) {
+        PassImage image(1, {});
+        image.add_light(0, Vec3(pass == 1 ? -0x1p40F : 0x1p39F, tiny, 0.1F), Layer::direct);
+        film.add_pass(pass, image);
+    }
+    const FixedPoints& total = film.sums().layers[0];
+    EXPECT_EQ(total[0], FixedPoint{});
+    EXPECT_EQ(total[1], (FixedPoint{0, 3 * 16}));
+    EXPECT_EQ(total[2].to_double(), 3 * static_cast<double>(0.1F));
+}
+
+TEST(Film, order_of_passes_leaves_no_trace) {
+    for (std::uint32_t which = 0; which < 10; ++which) {
+        std::vector<std::uint32_t> passes = numbers(0, kPasses);
+        shuffle(passes, which);
+        EXPECT_EQ(film_of(small_key(), passes).sums(), whole().sums()) << which;
+    }
+}
+
+TEST(Film, a_split_at_any_pass_leaves_no_trace) {
+    for (std::uint32_t split = 0; split <= kPasses; ++split) {
+        Film head = film_of(small_key(), numbers(0, split));
+        Film tail = film_of(small_key(), numbers(split, kPasses));
+        Film backwards = tail;
+        merge(backwards, head);
+        merge(head, tail);
+        EXPECT_EQ(head.sums(), whole().sums()) << split;
+        EXPECT_EQ(backwards.sums(), whole().sums()) << split;
+    }
+}
+
+TEST(Film, any_tree_of_merges_leaves_no_trace) {
+    for (std::uint32_t which = 0; which < 20; ++which) {
+        std::vector<std::uint32_t> passes = numbers(0, kPasses);
+        shuffle(passes, which);
+        std::vector<Film> parts;
+        RandomStream random(5, Purpose::test, which, 1);
+        for (std::size_t begin = 0; begin < passes.size();) {
+            const auto left = static_cast<double>(passes.size() - begin);
+            const auto size = 1 + static_cast<std::ptrdiff_t>(random.next() * left * 0.3);
+            const auto first = passes.begin() + static_cast<std::ptrdiff_t>(begin);
+            parts.push_back(film_of(small_key(), {first, first + size}));
+            begin += static_cast<std::size_t>(size);
+        }
+        while (parts.size() > 1) {
+            const auto count = static_cast<double>(parts.size() - 1);
+            const auto i = static_cast<std::size_t>(random.next() * count);
+            merge(parts[i], parts.back());
+            parts.pop_back();
+        }
+        EXPECT_EQ(parts[0].sums(), whole().sums()) << which;
+    }
+}
+
+TEST(Film, ranks_that_take_every_nth_pass_leave_no_trace) {
+    Film all(small_key());
+    for (std::uint32_t rank = 0; rank < 5; ++rank) {
+        std::vector<std::uint32_t> passes;
+        for (std::uint32_t pass = rank; pass < kPasses; pass += 5) passes.push_back(pass);
+        const Film part = film_of(small_key(), passes);
+        EXPECT_EQ(part.rounds(), 0U);
+        merge(all, part);
+    }
+    EXPECT_EQ(all.sums(), whole().sums());
+}
+
+TEST(Film, only_incomplete_rounds_keep_their_own_sums) {
+    EXPECT_EQ(whole().rounds(), 3U);
+    ASSERT_EQ(whole().sums().open_rounds.size(), 1U);
+    EXPECT_EQ(whole().sums().open_rounds.begin()->first, 3U);
+    const Film film = film_of(small_key(), numbers(15, 33));
+    EXPECT_EQ(film.rounds(), 1U);
+    EXPECT_EQ(film.sums().open_rounds.size(), 2U);
+    EXPECT_EQ(open_rounds(film.passes()), (std::vector<std::uint64_t>{0, 2}));
+}
+
+TEST(Film, statistics_add_up) {
+    EXPECT_EQ(whole().statistic("rays"), 100 * kPasses + kPasses * (kPasses - 1) / 2);
+    double fractions = 0;
+    for (std::uint32_t pass = 0; pass < kPasses; ++pass) fractions += 0.1 / (pass + 1);
+    EXPECT_NEAR(whole().statistic("visible_fraction"), fractions, 1e-14);
+    EXPECT_EQ(whole().statistic("unheard of"), 0);
+    Film film(FilmKey{1, 1, {}, 1, 1, ""});
+    PassImage image(1, {});
+    image.add_light(0, Vec3(0x1p50F, 0, 0), Layer::direct);
+    image.add_light(0, Vec3(NAN, 0, 0), Layer::direct);
+    film.add_pass(0, image);
+    EXPECT_EQ(film.statistic("saturated"), 1);
+    EXPECT_EQ(film.statistic("dropped_nonfinite"), 1);
+    EXPECT_EQ(film.sums().layers[0][0], FixedPoint::from_double(kLargestTerm));
+}
+
+TEST(Film, squares_too_large_are_cut_and_counted) {
+    Film film(FilmKey{1, 1, {}, 1, 1, ""});
+    for (std::uint32_t pass = 0; pass < 16; ++pass) {
+        PassImage image(1, {});
+        image.add_light(0, Vec3(0x1p30F), Layer::direct);
+        film.add_pass(pass, image);
+    }
+    EXPECT_EQ(film.statistic("saturated_squares"), 3);  // of the pixel, its block, the picture
+    EXPECT_EQ(film.sums().pixel_squares[0], FixedPoint::from_double(kLargestTerm));
+}
+
+std::string merge_fault(const FilmKey& key, const std::vector<std::uint32_t>& passes) {
+    Film film = whole();
+    try {
+        film.merge(film_of(key, passes), "b.film");
+    } catch (const Error& error) {
+        EXPECT_EQ(film.sums(), whole().sums());  // nothing was changed
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Film, parts_of_other_renders_are_refused_by_name) {
+    const auto starts = [](const std::string& text, const std::string& begin) {
+        EXPECT_EQ(text.substr(0, begin.size()), begin) << text;
+    };
+    const std::string other = "b.film: is of another render: ";
+    starts(merge_fault(small_key(), numbers(50, 60)), "b.film: passes 50:60 are in another part");
+    FilmKey key = small_key(20, 10);
+    starts(merge_fault(key, {90}), other + "resolution differs: 19x10 and 20x10;");
+    key = small_key();
+    key.seed = 8;
+    starts(merge_fault(key, {90}), other + "seed differs: 7 and 8;");
+    key = small_key();
+    key.scene_hash = 1;
+    starts(merge_fault(key, {90}), other + "scene differs;");
+    key = small_key();
+    key.settings = "alpha=0.667\nphotons_per_pass=2000\n";
+    starts(merge_fault(key, {90}),
+           other + "setting differs: photons_per_pass=1000 and photons_per_pass=2000;");
+    key.settings = "alpha=0.667\n";
+    starts(merge_fault(key, {90}), other + "setting differs: photons_per_pass=1000 and nothing;");
+    key = small_key();
+    key.layers[static_cast<std::size_t>(Layer::direct)] = true;
+    starts(merge_fault(key, {90}), other + "set of layers differs: RGB caustic depth and RGB dir");
+    EXPECT_EQ(merge_fault(small_key(), {90}), "");
+}
+
+TEST(Film, a_pass_that_does_not_fit_is_refused) {
+    Film film = film_of(small_key(), {3});
+    EXPECT_THROW(film.add_pass(3, noise_pass(small_key(), 3)), Error);
+    EXPECT_THROW(film.add_pass(4, noise_pass(small_key(5, 5), 4)), Error);
+    EXPECT_THROW(film.add_pass(4, PassImage(small_key().pixels(), {})), Error);
+    EXPECT_EQ(film.sums(), film_of(small_key(), {3}).sums());
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,57 @@
+// Passes of noise with a known spread, for the tests of the film.
+#pragma once
+
+#include "core/random.h"
+#include "film/film.h"
+#include "math/wavelengths.h"
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace sunfleck::testing_support {
+
+inline FilmKey small_key(int width = 19, int height = 10) {
+    FilmKey key{width, height, {}, 7, 0xABCDEF, "alpha=0.667\nphotons_per_pass=1000\n"};
+    key.layers[static_cast<std::size_t>(Layer::caustic)] = true;
+    key.layers[static_cast<std::size_t>(Layer::depth)] = true;
+    return key;
+}
+
+/// A pass of skewed noise, some of it negative, of many magnitudes: a function of (seed, number).
+inline PassImage noise_pass(const FilmKey& key, std::uint32_t number) {
+    PassImage image(key.pixels(), key.layers);
+    for (std::size_t i = 0; i < key.pixels(); ++i) {
+        RandomStream random(key.seed, Purpose::test, number, static_cast<std::uint32_t>(i));
+        const float size = std::exp(20 * random.next_float() - 12);
+        const Vec3 rgb(size, random.next_float() * size, -0.01F * size);
+        image.add_light(i, rgb, random.next_float() < 0.5F ? Layer::caustic : Layer::indirect);
+        image.add_feature(i, Vec3(3 + random.next_float(), 0, 0), Layer::depth);
+    }
+    return image;
+}
+
+inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes) {
+    Film film(key);
+    for (const std::uint32_t pass : passes) {
+        film.add_pass(pass, noise_pass(key, pass));
+        film.count("rays", 100 + pass);
+        film.sum("visible_fraction", 0.1 / (pass + 1));
+    }
+    return film;
+}
+
+inline std::vector<std::uint32_t> numbers(std::uint32_t begin, std::uint32_t end) {
+    std::vector<std::uint32_t> all(end - begin);
+    std::iota(all.begin(), all.end(), begin);
+    return all;
+}
+
+inline void shuffle(std::vector<std::uint32_t>& values, std::uint32_t which) {
+    RandomStream random(99, Purpose::test, which, 0);
+    for (std::size_t i = values.size(); i > 1; --i)
+        std::swap(values[i - 1],
+                  values[static_cast<std::size_t>(random.next() * static_cast<double>(i))]);
+}
+
+}  // namespace sunfleck::testing_support
