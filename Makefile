@@ -10,8 +10,10 @@ FUZZ_SECONDS ?= 600
 
 # Renders the sun through a glass of cognac into out/demo.
 demo: build
-	$(BUILD)/bin/sunfleck scene cognac-1 -o out/demo
-	$(BUILD)/bin/sunfleck render out/demo/cognac-1.pbrt -o out/demo/cognac.png -o out/demo/cognac.exr
+	$(BUILD)/bin/sunfleck scene cognac-0 -o out/demo
+	$(BUILD)/bin/sunfleck render out/demo/cognac-0.pbrt -o out/demo/cognac.png \
+	  -o out/demo/cognac.exr --resolution 512x512 --photons-per-pass 1000000 --passes 96 \
+	  --exposure -0.5
 
 # Everything: what the README promises and .ci/run runs.
 test: build-tests

@@ -1,0 +1,17 @@
+// The commands of the program, one function each. All throw Error for bad input.
+#pragma once
+
+#include "apps/cli/options.h"
+
+namespace sunfleck {
+
+/// Renders and writes the outputs. @return 0, or 130 when interrupted.
+int run_render(const RenderOptions& options);
+/// Says what was read, what is approximated, lights, bounds, triangles.
+int run_info(const InfoOptions& options);
+/// Writes one of our own scenes, or lists them.
+int run_scene(const SceneOptions& options);
+/// Adds up pass ranges of one render.
+int run_merge(const MergeOptions& options);
+
+}  // namespace sunfleck

@@ -1,0 +1,64 @@
+// `sunfleck info`: what was read, what is approximated, lights, bounds, triangles.
+#include "apps/cli/commands.h"
+#include "import/load.h"
+#include "render/pass.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::array<const char*, std::variant_size_v<Material>> kMaterialNames = {
+    "diffuse", "dielectric", "thindielectric", "conductor", "interface"};
+constexpr std::array<const char*, std::variant_size_v<Light>> kLightNames = {
+    "point", "spot", "distant", "infinite", "area"};
+
+void print_lights(const Scene& scene) {
+    std::map<std::string, std::pair<int, double>> kinds;  // count, share of the photons
+    for (std::size_t i = 0; i < scene.lights().size(); ++i) {
+        auto& [count, share] = kinds[kLightNames.at(scene.lights()[i].index())];
+        ++count;
+        share += scene.light_choice().probability(i);
+    }
+    for (const auto& [name, kind] : kinds)
+        fmt::print("lights      {} {} ({:.3g}% of the photons)\n", kind.first, name,
+                   100 * kind.second);
+    if (kinds.empty()) fmt::print("lights      none\n");
+}
+
+}  // namespace
+
+int run_info(const InfoOptions& options) {
+    SceneDescription description = load_scene(options.scene);
+    std::size_t in_objects = 0;
+    for (const auto& object : description.objects) in_objects += object.size();
+    const std::size_t shapes = description.shapes.size();
+    const std::size_t instances = description.instances.size();
+    const std::vector<std::string> files = description.files;
+    const Scene scene(std::move(description));
+    fmt::print("scene       {}\n", options.scene);
+    for (const std::string& file : files) fmt::print("file        {}\n", file);
+    fmt::print("shapes      {} in the world, {} in objects, {} instances\n", shapes, in_objects,
+               instances);
+    fmt::print("triangles   {} (instances counted each)\n", scene.geometry().triangle_count());
+    std::map<std::string, int> materials;
+    for (const Material& material : scene.materials())
+        ++materials[kMaterialNames.at(material.index())];
+    for (const auto& [name, count] : materials) fmt::print("materials   {} {}\n", count, name);
+    print_lights(scene);
+    const SceneSphere& sphere = scene.sphere();
+    fmt::print("bounds      centre {:.6g} {:.6g} {:.6g}, radius {:.6g}\n", sphere.center.x,
+               sphere.center.y, sphere.center.z, sphere.radius);
+    const PixelWindow window = window_of(scene.film());
+    fmt::print("film        {} x {}, rendered {} x {}\n", scene.film().resolution.x,
+               scene.film().resolution.y, window.width(), window.height());
+    if (!scene.hints().integrator.empty())
+        fmt::print("integrator  \"{}\" in the scene; sunfleck renders by sppm\n",
+                   scene.hints().integrator);
+    for (const auto& warning : scene.warnings().entries()) fmt::print("{}\n", warning.line());
+    return 0;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,225 @@
+// The flags of every command, row by row.
+#include "apps/cli/options.h"
+
+#include "core/error.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+#include <functional>
+
+namespace sunfleck {
+namespace {
+
+/// Flags whose text needs a reader of its own.
+struct RenderTexts {
+    std::string time;
+    std::string target_error;
+    std::string resolution;
+    std::string crop;
+    std::string pass_range;
+    std::string layers;
+    std::string sampler = "uniform";
+    std::string direct = "sampled";
+    std::string integrator = "sppm";
+    std::string seed;
+    std::string log_level;
+    bool quiet = false;
+    std::optional<std::uint32_t> passes;
+};
+
+/// A finite number within [low, high]. (CLI::Range lets pass what is not a number.)
+CLI::Validator between(double low, double high) {
+    return CLI::Validator(
+        [=](std::string& text) {
+            double value = 0;
+            const auto [stop, fault] =
+                std::from_chars(text.data(), text.data() + text.size(), value);
+            const bool is_number = fault == std::errc() && stop == text.data() + text.size();
+            if (is_number && value >= low && value <= high) return std::string();
+            return fmt::format("\"{}\" is no number between {} and {}", text, low, high);
+        },
+        fmt::format("{} to {}", low, high));
+}
+
+void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
+    app.add_option("SCENE", o.scene, "Scene file (pbrt-v4)")->required();
+    app.add_option("-o,--output", o.outputs, "Output file: .exr, .png, .film; may be repeated")
+        ->allow_extra_args(false);
+    app.add_option("--integrator", t.integrator, "sppm, or path (reference path tracer)")
+        ->check(CLI::IsMember({"sppm", "path"}));
+    app.add_option("--photon-sampler", t.sampler,
+                   "uniform (emission by Sobol' points), or random (independent numbers)")
+        ->check(CLI::IsMember({"uniform", "random"}));
+    app.add_option("--direct", t.direct, "Who brings direct light: sampled, or photons")
+        ->check(CLI::IsMember({"sampled", "photons"}));
+    app.add_option("--passes,--spp", t.passes, "End after this many passes")
+        ->check(CLI::Range(1U, 1U << 30U));
+    app.add_option("--time", t.time, "End after this time: 60s, 5m, 2h");
+    app.add_option("--target-error", t.target_error,
+                   "End when 95% of the blocks have this relative error: 2%");
+    app.add_option("--pass-range", t.pass_range, "Render passes a to b - 1 only: a:b");
+    app.add_option("--photons-per-pass", o.settings.photon.paths_per_pass,
+                   "Photon paths a pass (default max(200000, pixels))")
+        ->check(CLI::Range(1U, 1U << 30U));
+    app.add_option("--seed", t.seed, "Random seed (default 0)");
+    app.add_option("--nthreads", o.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
+    app.add_option("--resolution", t.resolution, "Picture size instead of the scene's: WxH");
+    app.add_option("--crop", t.crop, "Render only these pixels: x0,x1,y0,y1");
+    app.add_option("--radius-pixels", o.settings.eye.radius_pixels,
+                   "First radius in pixel footprints (default 2)")
+        ->check(between(1e-3, 1e3));
+    app.add_option("--radius", o.settings.eye.radius, "First radius in scene units")
+        ->check(between(1e-30, 1e30));
+    app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3)")
+        ->check(between(1e-6, 1 - 1e-6));
+    app.add_option("--max-depth", o.max_depth,
+                   "Scattering events on a path, eye and light together")
+        ->check(CLI::Range(1, 10000));
+    app.add_option("--layers", t.layers,
+                   "EXR layers: direct,caustic,indirect,emission,albedo,normal,depth");
+    app.add_option("--exposure", o.exposure, "Stops for PNG (default 0)")
+        ->check(between(-100, 100));
+    app.add_option("--camera", o.camera, "Which of the scene's cameras, by name");
+    app.add_option("--isa", o.isa, "avx2 (same bytes on every such machine), or native")
+        ->check(CLI::IsMember({"avx2", "native"}));
+    app.add_option("--stats", o.stats, "Write statistics as JSON");
+    CLI::Option* const level =
+        app.add_option("--log-level", t.log_level,
+                       "quiet, warning, or info (default: notes and a progress line, too)")
+            ->check(CLI::IsMember({"quiet", "warning", "info"}));
+    app.add_flag("--quiet", t.quiet, "The same as --log-level quiet")->excludes(level);
+}
+
+LayerSet read_layers(const std::string& text) {
+    LayerSet set{};
+    std::string known;
+    for (const LayerRow& row : kLayers)
+        if (!row.name.empty()) known += (known.empty() ? "" : ", ") + std::string(row.name);
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        bool found = false;
+        for (const LayerRow& row : kLayers) {
+            if (row.name != word || word.empty()) continue;
+            set[static_cast<std::size_t>(row.layer)] = true;
+            found = true;
+        }
+        if (!found)
+            throw Error({"--layers"}, "unknown layer \"" + word + "\"", "use some of " + known);
+        begin = end + 1;
+    }
+    return set;
+}
+
+void read_pass_range(const std::string& text, StopSettings& stop) {
+    unsigned long first = 0;
+    unsigned long end = 0;
+    int used = 0;
+    // NOLINTNEXTLINE(cert-err34-c): the conversion is checked by the count and by %n
+    const int read = std::sscanf(text.c_str(), "%lu:%lu%n", &first, &end, &used);
+    if (read != 2 || static_cast<std::size_t>(used) != text.size() || first >= end ||
+        end > (1UL << 30U))
+        throw Error({"--pass-range"}, "\"" + text + "\" is no range of passes",
+                    "write a:b with a < b, such as 0:64");
+    stop.first_pass = static_cast<std::uint32_t>(first);
+    stop.end_pass = static_cast<std::uint32_t>(end);
+}
+
+/// What the reference path tracer has no use for is refused rather than passed over.
+void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
+    if (t.integrator != "path") return;
+    for (const char* flag : {"--photon-sampler", "--direct", "--photons-per-pass", "--radius",
+                             "--radius-pixels", "--alpha", "--layers"})
+        if (given.count(flag) > 0)
+            throw Error({flag}, "has no meaning with --integrator path", "leave it out");
+}
+
+void finish_render(RenderOptions& o, const RenderTexts& t) {
+    o.settings.integrator = t.integrator == "path" ? Integrator::path : Integrator::sppm;
+    o.settings.photon.sampler = t.sampler == "random" ? UniformKind::random : UniformKind::uniform;
+    o.settings.transport.direct =
+        t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
+    if (!t.seed.empty()) o.settings.seed = read_seed(t.seed, "--seed");
+    if (t.quiet || t.log_level == "quiet") o.log = LogLevel::quiet;
+    if (t.log_level == "warning") o.log = LogLevel::warning;
+    if (!t.resolution.empty()) o.resolution = read_size(t.resolution, "--resolution");
+    if (!t.crop.empty()) o.crop = read_crop(t.crop, "--crop");
+    o.settings.layers = read_layers(t.layers);
+    if (!t.time.empty()) o.stop.seconds = read_duration(t.time, "--time");
+    if (!t.target_error.empty()) o.stop.target_error = read_share(t.target_error, "--target-error");
+    if (t.passes) o.stop.end_pass = *t.passes;
+    if (!t.pass_range.empty()) {
+        if (t.passes) throw Error({"--pass-range"}, "given together with --passes", "give one");
+        read_pass_range(t.pass_range, o.stop);
+    }
+    if (!o.stop.end_pass && !o.stop.seconds && !o.stop.target_error) {
+        o.stop.target_error = 0.02;
+        o.stop.seconds = 600;
+    }
+}
+
+}  // namespace
+
+std::optional<Options> read_options(int count, const char* const* words) {
+    CLI::App app("Sunfleck: a renderer for caustics, sun through windows and small gaps.");
+    app.set_version_flag("--version", "sunfleck " SUNFLECK_VERSION);
+    app.require_subcommand(1);
+    RenderOptions render;
+    RenderTexts texts;
+    InfoOptions info;
+    SceneOptions scene;
+    MergeOptions merge;
+    CLI::App* const render_app = app.add_subcommand("render", "Render a scene");
+    add_render(*render_app, render, texts);
+    CLI::App* const info_app = app.add_subcommand("info", "Say what a scene file holds");
+    info_app->add_option("SCENE", info.scene, "Scene file")->required();
+    CLI::App* const scene_app =
+        app.add_subcommand("scene", "Write one of Sunfleck's own scenes; without NAME, list them");
+    scene_app->add_option("NAME", scene.name, "Its name");
+    scene_app->add_option("-o,--output", scene.folder, "Folder to write to (default .)");
+    CLI::App* const merge_app = app.add_subcommand("merge", "Add up pass ranges of one render");
+    merge_app->add_option("FILES", merge.inputs, ".film files")->required();
+    merge_app->add_option("-o,--output", merge.outputs, ".exr, .png, .film; may be repeated")
+        ->allow_extra_args(false)
+        ->required();
+    merge_app->add_option("--exposure", merge.exposure, "Stops for PNG")->check(between(-100, 100));
+    merge_app->add_option("--stats", merge.stats, "Write statistics as JSON");
+    try {
+        app.parse(count, words);
+    } catch (const CLI::ExtrasError&) {
+        throw Error({"sunfleck"}, "unknown flag or word \"" + app.remaining(true).front() + "\"",
+                    "see sunfleck --help and sunfleck COMMAND --help");
+    } catch (const CLI::RequiredError& fault) {
+        const std::vector<std::string> rest = app.remaining();
+        if (app.get_subcommands().empty() && !rest.empty())
+            throw Error({"sunfleck"}, "unknown command \"" + rest.front() + "\"",
+                        "use render, info, scene or merge");
+        throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
+    } catch (const CLI::ParseError& fault) {
+        if (fault.get_exit_code() == 0) {
+            app.exit(fault);
+            return {};
+        }
+        throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
+    }
+    Options options;
+    if (render_app->parsed()) {
+        check_fits_integrator(*render_app, texts);
+        finish_render(render, texts);
+        for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
+        options.render = render;
+    } else if (info_app->parsed()) {
+        options.info = info;
+    } else if (scene_app->parsed()) {
+        options.scene = scene;
+    } else {
+        options.merge = merge;
+    }
+    return options;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,76 @@
+// The command line, read: every flag has its place here and its row in options.cpp.
+#pragma once
+
+#include "render/settings.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sunfleck {
+
+/// What is said on standard error beside errors.
+enum class LogLevel {
+    quiet,    // nothing
+    warning,  // what may make the picture other than expected
+    info      // and defaults taken, and the progress line on a terminal
+};
+
+struct RenderOptions {
+    std::string scene;
+    std::vector<std::string> outputs;
+    RenderSettings settings;
+    StopSettings stop;
+    std::optional<int> max_depth;  // wins over the scene's
+    std::optional<Vec2i> resolution;
+    std::optional<std::array<int, 4>> crop;
+    std::string isa = "avx2";
+    std::string stats;  // file, or empty
+    std::size_t threads = 0;
+    double exposure = 0;  // stops, PNG alone
+    LogLevel log = LogLevel::info;
+    std::string camera;   // the name of one of the scene's cameras, or empty
+    std::string command;  // as typed, for the record
+};
+
+struct InfoOptions {
+    std::string scene;
+};
+
+struct SceneOptions {
+    std::string name;  // empty: list them
+    std::string folder = ".";
+};
+
+struct MergeOptions {
+    std::vector<std::string> inputs;
+    std::vector<std::string> outputs;
+    std::string stats;
+    double exposure = 0;
+};
+
+/// Exactly one of them is set.
+struct Options {
+    std::optional<RenderOptions> render;
+    std::optional<InfoOptions> info;
+    std::optional<SceneOptions> scene;
+    std::optional<MergeOptions> merge;
+};
+
+/// Reads the command line. @return nothing when all has been said (--help, --version): exit 0.
+/// @throws Error with place "sunfleck" or the flag for anything that cannot be used.
+std::optional<Options> read_options(int count, const char* const* words);
+
+/// "60s", "5m", "2h", "90" (seconds). @throws Error naming the flag.
+double read_duration(const std::string& text, const std::string& flag);
+/// "2%" or "0.02". @throws Error naming the flag.
+double read_share(const std::string& text, const std::string& flag);
+/// "42": 0 to 2^64 - 1. @throws Error naming the flag.
+std::uint64_t read_seed(const std::string& text, const std::string& flag);
+/// "640x480". @throws Error naming the flag.
+Vec2i read_size(const std::string& text, const std::string& flag);
+/// "a,b,c,d". @throws Error naming the flag.
+std::array<int, 4> read_crop(const std::string& text, const std::string& flag);
+
+}  // namespace sunfleck

@@ -1,0 +1,114 @@
+// `sunfleck render`: scene in, pictures out.
+#include "apps/cli/commands.h"
+#include "apps/cli/interrupt.h"
+#include "apps/cli/outputs.h"
+#include "apps/cli/progress.h"
+#include "apps/cli/stats.h"
+#include "core/parallel.h"
+#include "image/atomic_file.h"
+#include "import/load.h"
+#include "render/progressive.h"
+#include "scene/adjust.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+namespace sunfleck {
+namespace {
+
+/// The scene's own film name, as a picture that we write, where no -o is given.
+std::vector<std::string> outputs_of(const RenderOptions& options, const SceneDescription& scene) {
+    if (!options.outputs.empty()) return options.outputs;
+    const std::string name = scene.film.filename.empty() ? "out.exr" : scene.film.filename;
+    return {std::filesystem::path(name).filename().replace_extension(".exr").string()};
+}
+
+std::uint64_t hash_of_files(const std::vector<std::string>& files) {
+    std::uint64_t hash = hash_text("");
+    for (const std::string& name : files) {
+        std::ifstream file(name, std::ios::binary);
+        const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+        hash = hash_text(bytes, hash);
+    }
+    return hash;
+}
+
+RenderSettings settings_of(const RenderOptions& options, const RenderHints& hints) {
+    RenderSettings settings = options.settings;
+    if (options.max_depth) {
+        settings.transport.max_depth = *options.max_depth;
+    } else if (hints.max_depth) {
+        settings.transport.max_depth = *hints.max_depth;
+    } else if (options.log == LogLevel::info) {
+        fmt::print(stderr, "no greatest depth in scene and command: --max-depth {}\n",
+                   settings.transport.max_depth);
+    }
+    return settings;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    return passed.count();
+}
+
+void print_lines(const std::vector<std::string>& lines, LogLevel log) {
+    if (log == LogLevel::quiet) return;
+    for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
+}
+
+}  // namespace
+
+int run_render(const RenderOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    const ThreadLimit limit(options.threads);
+    if (!options.outputs.empty()) check_outputs(options.outputs, options.stats);
+    SceneDescription description = load_scene(options.scene);
+    if (!options.camera.empty())
+        throw Error({"--camera"},
+                    "there is no camera \"" + options.camera + "\": a pbrt scene has one, unnamed",
+                    "leave --camera out");
+    const std::vector<std::string> outputs = outputs_of(options, description);
+    check_outputs(outputs, options.stats);
+    if (options.resolution) set_resolution(description, *options.resolution);
+    if (options.crop) set_crop(description, *options.crop);
+    const std::uint64_t hash = hash_of_files(description.files);
+    const Scene scene(std::move(description), options.isa);
+    RunFacts facts{options.scene, options.command, options.isa, thread_count(), 0, 0, {}, 1, {}};
+    for (const auto& entry : scene.warnings().entries()) facts.warnings.push_back(entry.line());
+    if (options.isa == "avx2" && !cpu_has_avx2())
+        facts.warnings.emplace_back(
+            "this machine has no AVX2: bytes may differ from those of other machines");
+    print_lines(facts.warnings, options.log);
+    facts.load_seconds = seconds_since(start);
+
+    const InterruptGuard guard;
+    const RenderSettings settings = settings_of(options, scene.hints());
+    RenderResult result = [&] {
+        ProgressLine line(options.log == LogLevel::info);
+        return render({scene, settings, options.stop, hash},
+                      {[&](const Progress& p) { line.show(p); }, &InterruptGuard::interrupted()});
+    }();
+    InterruptGuard::finish_first([&] { write_outputs(outputs, result.film, options.exposure); });
+    // Without a light the picture is black for sure, and that has been said.
+    const auto doubts =
+        scene.lights().empty() ? std::vector<std::string>() : reliability_warnings(result.film);
+    print_lines(doubts, options.log);
+    facts.warnings.insert(facts.warnings.end(), doubts.begin(), doubts.end());
+    facts.seconds = result.seconds;
+    facts.radius_factor = result.radius_factor;
+    facts.total_seconds = seconds_since(start);
+    if (!options.stats.empty()) {
+        const std::string json = stats_json(result.film, facts);
+        InterruptGuard::finish_first(
+            [&] { write_file(options.stats, std::as_bytes(std::span(json))); });
+    }
+    return result.interrupted ? 130 : 0;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,113 @@
+// stats.json: what a render did, under stable names (docs/stats.md).
+#include "apps/cli/stats.h"
+
+#include "film/error_bars.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Fraction {
+    double value = 0;
+    double error = 0;  // standard, from the spread of passes
+};
+
+Fraction visible_fraction(const Film& film) {
+    const double paths = film.statistic("uniform_paths");
+    const auto passes = static_cast<double>(film.pass_count());
+    if (paths == 0) return {};
+    const double value = film.statistic("uniform_visible") / paths;
+    const double square = film.statistic("visible_fraction_square") / passes;
+    const double variance = std::max(0.0, square - value * value);
+    return {value, passes > 1 ? std::sqrt(variance / (passes - 1)) : 0};
+}
+
+Json settings_json(const FilmKey& key) {
+    Json json = Json::object();
+    std::size_t begin = 0;
+    while (begin < key.settings.size()) {
+        const std::size_t end = std::min(key.settings.find('\n', begin), key.settings.size());
+        const std::string line = key.settings.substr(begin, end - begin);
+        const std::size_t equals = line.find('=');
+        if (equals != std::string::npos) json[line.substr(0, equals)] = line.substr(equals + 1);
+        begin = end + 1;
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string stats_json(const Film& film, const RunFacts& facts) {
+    const auto count = [&](const char* name) {
+        return static_cast<std::uint64_t>(film.statistic(name));
+    };
+    const Fraction fraction = visible_fraction(film);
+    const auto error = image_error(film);
+    Json json;
+    json["version"] = SUNFLECK_VERSION;
+    json["scene"] = facts.scene;
+    json["command"] = facts.command;
+    json["settings"] = settings_json(film.key());
+    json["seed"] = film.key().seed;
+    json["threads"] = facts.threads;
+    json["isa"] = facts.isa;
+    json["resolution"] = {film.key().width, film.key().height};
+    json["passes"] = film.pass_count();
+    for (const PassRange& range : film.passes().ranges())
+        json["pass_ranges"].push_back({range.begin, range.end});
+    json["rounds"] = film.rounds();
+    // Deposits are made while tracing: "estimate" is part of "photon".
+    json["seconds"] = {{"load", facts.load_seconds},     {"build", facts.seconds.build},
+                       {"eye", facts.seconds.eye},       {"index", facts.seconds.index},
+                       {"photon", facts.seconds.photon}, {"estimate", 0.0},
+                       {"total", facts.total_seconds}};
+    json["rays"] = {{"eye", count("eye_rays")}, {"photon", count("photon_rays")}};
+    json["visible_points"] = count("visible_points");
+    json["photon_paths"] = {{"uniform", count("uniform_paths")},
+                            {"uniform_visible", count("uniform_visible")},
+                            {"mutated", 0},
+                            {"accepted", 0},
+                            {"distinct_visible", count("uniform_visible")},
+                            {"deposited", count("uniform_visible")}};
+    json["photons_stored"] = count("photons_stored");
+    json["deposits"] = count("deposits");
+    json["starved_passes"] = count("starved_passes");
+    json["visible_fraction"] = {{"value", fraction.value}, {"std_error", fraction.error}};
+    json["radius_factor"] = facts.radius_factor;
+    json["dropped_nonfinite"] = count("dropped_nonfinite");
+    json["saturated"] = count("saturated");
+    json["escaped"] = count("escaped");
+    json["too_long"] = count("too_long");
+    json["image"]["mean"] = image_mean(film);
+    if (error) json["image"]["mean_std_error"] = error->standard_error;
+    if (const auto target = target_error(film)) json["image"]["target_error"] = *target;
+    json["warnings"] = facts.warnings;
+    return json.dump(2) + "\n";
+}
+
+std::vector<std::string> reliability_warnings(const Film& film) {
+    std::vector<std::string> lines;
+    const double starved = film.statistic("starved_passes");
+    if (starved > 0 && film.statistic("uniform_paths") > 0)
+        lines.push_back(
+            fmt::format("in {:.0f} of {} passes no photon reached what the camera sees; raise "
+                        "--photons-per-pass if light by way of glass or walls is missing",
+                        starved, film.pass_count()));
+    const auto error = image_error(film);
+    if (error && error->mean > 0 && error->standard_error > 0.05 * error->mean)
+        lines.push_back(fmt::format("the brightness of the whole picture is uncertain by {:.0f}%",
+                                    100 * error->standard_error / error->mean));
+    const double dropped = film.statistic("dropped_nonfinite");
+    if (dropped > 0)
+        lines.push_back(
+            fmt::format("{:.0f} contributions were not finite and were left out", dropped));
+    return lines;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,31 @@
+// stats.json: what a render did, under stable names (docs/stats.md).
+#pragma once
+
+#include "film/film.h"
+#include "render/pass.h"
+
+#include <string>
+#include <vector>
+
+namespace sunfleck {
+
+/// What the film does not hold.
+struct RunFacts {
+    std::string scene;
+    std::string command;
+    std::string isa;
+    std::size_t threads = 0;
+    double load_seconds = 0;
+    double total_seconds = 0;
+    PassTimes seconds;
+    double radius_factor = 1;
+    std::vector<std::string> warnings;
+};
+
+/// @return JSON text, ending in a new line.
+std::string stats_json(const Film& film, const RunFacts& facts);
+
+/// What makes the picture unreliable, a line each: starved passes, an uncertain brightness.
+std::vector<std::string> reliability_warnings(const Film& film);
+
+}  // namespace sunfleck

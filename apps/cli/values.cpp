@@ -1,0 +1,84 @@
+// Values of flags that are more than a number: durations, shares, sizes, rectangles.
+#include "apps/cli/options.h"
+#include "core/error.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+/// A number at the start of `text`; `rest` is what follows it. NaN if there is none.
+double leading_number(const std::string& text, std::string& rest) {
+    double value = std::nan("");
+    const char* end = text.data() + text.size();
+    const auto [stop, fault] = std::from_chars(text.data(), end, value);
+    if (fault != std::errc()) value = std::nan("");
+    rest.assign(stop, end);
+    return value;
+}
+
+std::vector<int> integers(const std::string& text, char separator) {
+    std::vector<int> values;
+    const char* at = text.data();
+    const char* const end = text.data() + text.size();
+    while (true) {
+        int value = 0;
+        const auto [stop, fault] = std::from_chars(at, end, value);
+        if (fault != std::errc()) return {};
+        values.push_back(value);
+        if (stop == end) return values;
+        if (*stop != separator) return {};
+        at = stop + 1;
+    }
+}
+
+}  // namespace
+
+double read_duration(const std::string& text, const std::string& flag) {
+    std::string unit;
+    const double value = leading_number(text, unit);
+    const double seconds = unit == "h"                   ? 3600
+                           : unit == "m"                 ? 60
+                           : unit.empty() || unit == "s" ? 1
+                                                         : 0;
+    if (!(value > 0) || seconds == 0 || !std::isfinite(value))
+        throw Error({flag}, "\"" + text + "\" is no time", "write 60s, 5m or 2h");
+    return value * seconds;
+}
+
+double read_share(const std::string& text, const std::string& flag) {
+    std::string unit;
+    const double value = leading_number(text, unit);
+    const double share = unit == "%" ? value / 100 : value;
+    if (!(share > 0 && share < 1) || !(unit.empty() || unit == "%"))
+        throw Error({flag}, "\"" + text + "\" is no share between 0 and 1", "write 2% or 0.02");
+    return share;
+}
+
+std::uint64_t read_seed(const std::string& text, const std::string& flag) {
+    std::uint64_t seed = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, fault] = std::from_chars(text.data(), end, seed);
+    if (fault != std::errc() || stop != end)
+        throw Error({flag}, "\"" + text + "\" is no seed", "write a whole number of 0 to 2^64 - 1");
+    return seed;
+}
+
+Vec2i read_size(const std::string& text, const std::string& flag) {
+    const std::vector<int> v = integers(text, 'x');
+    if (v.size() != 2 || v[0] < 1 || v[1] < 1 || v[0] > 65536 || v[1] > 65536 ||
+        static_cast<double>(v[0]) * v[1] > 0x1p28)
+        throw Error({flag}, "\"" + text + "\" is no picture size",
+                    "write WIDTHxHEIGHT, such as 640x480, of at most 65536 a side and 2^28 pixels");
+    return {v[0], v[1]};
+}
+
+std::array<int, 4> read_crop(const std::string& text, const std::string& flag) {
+    const std::vector<int> v = integers(text, ',');
+    if (v.size() != 4)
+        throw Error({flag}, "\"" + text + "\" is no crop", "write x0,x1,y0,y1 in pixels");
+    return {v[0], v[1], v[2], v[3]};
+}
+
+}  // namespace sunfleck
