@@ -18,6 +18,7 @@ folder=${1:-$(mktemp -d)}
 if [[ $# -gt 0 ]]; then shift; fi
 targets=("$@")
 if [[ $# == 0 ]]; then targets=(demo test); fi
+mkdir -p "$folder"
 root=$folder/root
 
 # The first address that the system's sources name for the main archive of this release.

@@ -1,0 +1,23 @@
+// The same bytes however a render is cut: threads by splits, on a room, through glass, and by sun
+// through a window.
+#include "app/determinism_support.h"
+
+namespace sunfleck {
+namespace {
+
+class DeterminismTable : public testing_support::DeterminismTest,
+                         public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(DeterminismTable, threads_by_splits) {
+    use(GetParam(), {"--resolution", "48x40", "--photons-per-pass", "12000", "--layers",
+                     "direct,caustic,indirect,albedo,normal,depth"});
+    part("reference", "0:16", 1);
+    const Bytes reference = bytes("reference");
+    for (const int threads : {1, 2, 3, 8}) expect_one_render(threads, reference);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, DeterminismTable,
+                         ::testing::Values("cornell", "cognac-1", "window-room"));
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,73 @@
+// One render cut in many ways: threads, pass ranges, orders of merging. One hash each.
+#pragma once
+
+#include "app/program.h"
+
+namespace sunfleck::testing_support {
+
+class DeterminismTest : public ProgramTest {
+protected:
+    /// The bytes of a film's picture and of the film itself.
+    struct Bytes {
+        std::string film;
+        std::string exr;
+        friend bool operator==(const Bytes&, const Bytes&) = default;
+    };
+
+    /// Makes a procedural scene the one that is rendered.
+    void use(const std::string& name, const Words& words) {
+        ASSERT_EQ(run({"scene", name, "-o", "."}).code, 0);
+        render_words_ = Words{"render", name + ".pbrt", "--quiet"} + words;
+    }
+
+    /// Renders passes "a:b" into NAME.film and NAME.exr.
+    void part(const std::string& name, const std::string& range, int threads) const {
+        const Ran ran =
+            run(render_words_ + Words{"--pass-range", range, "--nthreads", std::to_string(threads),
+                                      "-o", name + ".film", "-o", name + ".exr"});
+        ASSERT_EQ(ran.code, 0) << ran.err;
+    }
+
+    /// Merges NAMES.film, in this order, into NAME.film and NAME.exr.
+    void merge(const std::string& name, const Words& names) const {
+        Words words{"merge", "-o", name + ".film", "-o", name + ".exr"};
+        for (const std::string& part : names) words.push_back(part + ".film");
+        const Ran ran = run(words);
+        ASSERT_EQ(ran.code, 0) << ran.err;
+    }
+
+    Bytes bytes(const std::string& name) const {
+        return {read_text(path(name + ".film")), read_text(path(name + ".exr"))};
+    }
+
+    /// Whole; two parts either way round; single passes in a shuffled order; merges of merges.
+    void expect_one_render(int threads, const Bytes& expected) const {
+        part("whole", "0:16", threads);
+        EXPECT_TRUE(bytes("whole") == expected) << "whole, threads " << threads;
+        part("low", "0:5", threads);
+        part("high", "5:16", threads);
+        merge("sum", {"low", "high"});
+        EXPECT_TRUE(bytes("sum") == expected) << "0:5 + 5:16, threads " << threads;
+        merge("sum", {"high", "low"});
+        EXPECT_TRUE(bytes("sum") == expected) << "5:16 + 0:5, threads " << threads;
+        Words single;
+        for (int i = 0; i < 16; ++i) {
+            const int pass = (11 * i + 3) % 16;  // every pass once, not in order
+            single.push_back("pass" + std::to_string(pass));
+            part(single.back(), std::to_string(pass) + ":" + std::to_string(pass + 1), threads);
+        }
+        merge("sum", single);
+        EXPECT_TRUE(bytes("sum") == expected) << "single passes, threads " << threads;
+        merge("first", {single.begin(), single.begin() + 6});
+        merge("second", {single.begin() + 6, single.begin() + 9});
+        merge("third", {"second", single[9], single[10]});
+        merge("fourth", {single.begin() + 11, single.end()});
+        merge("sum", {"fourth", "first", "third"});
+        EXPECT_TRUE(bytes("sum") == expected) << "nested merges, threads " << threads;
+    }
+
+private:
+    Words render_words_;
+};
+
+}  // namespace sunfleck::testing_support

@@ -1,0 +1,111 @@
+// Ctrl-C: the first ends the render after the pass that runs and writes the picture, the second
+// ends at once; neither leaves half of a file.
+#include "app/program.h"
+#include "image/exr.h"
+
+namespace sunfleck {
+namespace {
+
+using testing_support::operator+;
+using testing_support::Process;
+using testing_support::ProgramTest;
+using testing_support::Ran;
+using testing_support::Words;
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+class Interrupt : public ProgramTest {
+protected:
+    /// Would run for days; each pass takes as long as its photons.
+    static Words endless(const std::string& photons) {
+        return {"render",
+                "room.pbrt",
+                "-o",
+                "x.exr",
+                "-o",
+                "x.film",
+                "--stats",
+                "x.json",
+                "--passes",
+                "100000000",
+                "--photons-per-pass",
+                photons};
+    }
+};
+
+TEST_F(Interrupt, first_writes_the_picture) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        Process process(path(""), endless("2000"));
+        ASSERT_TRUE(process.wait_for_handler());
+        std::this_thread::sleep_for(100ms);
+        process.send(signal);
+        const Ran ran = process.wait();
+        EXPECT_EQ(ran.code, 130) << ran.err;
+        EXPECT_EQ(names(), "x.exr x.film x.json");
+        const Picture picture = read_exr(path("x.exr"));
+        EXPECT_EQ(picture.width, 16);
+        EXPECT_GT(picture.find("G")->values[0], 0);
+        EXPECT_GE(json("x.json")["passes"], 1);
+        // What was rendered is a render of so many passes, to the bit.
+        const std::string passes = json("x.json")["passes"].dump();
+        ASSERT_EQ(render({"-o", "y.exr", "--passes", passes, "--quiet"}).code, 0);
+        EXPECT_EQ(read_exr(path("y.exr")), picture);
+        std::filesystem::remove(path("y.exr"));
+    }
+}
+
+TEST_F(Interrupt, second_ends_at_once_without_files) {
+    Process process(path(""), endless("1000000000"));
+    ASSERT_TRUE(process.wait_for_handler());
+    process.send(SIGINT);
+    std::this_thread::sleep_for(200ms);
+    const auto start = Clock::now();
+    process.send(SIGINT);
+    EXPECT_EQ(process.wait().code, 130);
+    EXPECT_LT(Clock::now() - start, 5s);  // a pass takes many minutes
+    EXPECT_EQ(names(), "");
+}
+
+/// The second comes while a file is being written: that file is finished.
+TEST_F(Interrupt, second_while_writing_leaves_no_half) {
+    Process process(path(""), endless("200") + Words{"--resolution", "800x600"});
+    ASSERT_TRUE(process.wait_for_handler());
+    process.send(SIGINT);
+    const auto is_writing = [&] {
+        for (const auto& entry : std::filesystem::directory_iterator(path("")))
+            if (entry.path().extension() == ".part") return true;
+        return false;
+    };
+    const auto start = Clock::now();
+    while (!is_writing() && Clock::now() - start < 60s) std::this_thread::sleep_for(1ms);
+    process.send(SIGINT);
+    EXPECT_EQ(process.wait().code, 130);
+    EXPECT_FALSE(is_writing());
+    EXPECT_EQ(read_exr(path("x.exr")).width, 800);
+}
+
+/// Whenever the two come, each file is whole or absent, and nothing else is there.
+TEST_F(Interrupt, files_are_whole_or_absent) {
+    for (int delay = 0; delay < 12; ++delay) {
+        Process process(path(""), endless("200") + Words{"--resolution", "300x200"});
+        ASSERT_TRUE(process.wait_for_handler());
+        std::this_thread::sleep_for(10ms);
+        process.send(SIGINT);
+        std::this_thread::sleep_for(std::chrono::milliseconds(3 * delay));
+        process.send(SIGINT);
+        EXPECT_EQ(process.wait().code, 130);
+        for (const auto& entry : std::filesystem::directory_iterator(path("")))
+            EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+        if (exists("x.exr")) {
+            EXPECT_EQ(read_exr(path("x.exr")).width, 300);
+        }
+        if (exists("x.film")) {
+            EXPECT_EQ(run({"merge", "x.film", "-o", "y.png"}).code, 0);
+        }
+        for (const char* name : {"x.exr", "x.film", "x.json", "y.png"})
+            std::filesystem::remove(path(name));
+    }
+}
+
+}  // namespace
+}  // namespace sunfleck

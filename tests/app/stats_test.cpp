@@ -1,0 +1,106 @@
+// stats.json: every name that docs/stats.md promises, with sound values.
+#include "app/program.h"
+
+#include <set>
+
+namespace sunfleck {
+namespace {
+
+using testing_support::ProgramTest;
+using testing_support::read_text;
+using testing_support::Words;
+
+class Stats : public ProgramTest {
+protected:
+    nlohmann::json stats(const Words& words) const {
+        using testing_support::operator+;
+        const auto ran = render(Words{"-o", "x.exr", "--stats", "x.json"} + words);
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return json("x.json");
+    }
+};
+
+/// "a", "a.b" for all of an object, but of "settings" (docs/stats.md lists those apart).
+void add_names(const nlohmann::json& object, const std::string& prefix,
+               std::set<std::string>& names) {
+    for (const auto& [name, value] : object.items()) {
+        names.insert(prefix + name);
+        if (value.is_object() && name != "settings") add_names(value, prefix + name + ".", names);
+    }
+}
+
+TEST_F(Stats, are_those_of_the_documentation) {
+    const std::string document = read_text(SUNFLECK_SOURCE_DIR "/docs/stats.md");
+    std::set<std::string> promised;
+    for (std::size_t at = document.find("\n| `"); at != std::string::npos;
+         at = document.find("\n| `", at + 1))
+        promised.insert(document.substr(at + 4, document.find('`', at + 4) - at - 4));
+    std::set<std::string> given;
+    add_names(stats({"--passes", "64"}), "", given);
+    EXPECT_EQ(given, promised);
+}
+
+TEST_F(Stats, add_up) {
+    const auto s = stats({"--passes", "32", "--seed", "5", "--nthreads", "2"});
+    EXPECT_EQ(s["version"], SUNFLECK_VERSION);
+    EXPECT_EQ(s["scene"], "room.pbrt");
+    EXPECT_NE(s["command"].get<std::string>().find("--seed 5"), std::string::npos);
+    EXPECT_EQ(s["seed"], 5);
+    EXPECT_EQ(s["threads"], 2);
+    EXPECT_EQ(s["isa"], "avx2");
+    EXPECT_EQ(s["resolution"], (nlohmann::json{16, 12}));
+    EXPECT_EQ(s["passes"], 32);
+    EXPECT_EQ(s["rounds"], 2);
+    const auto& paths = s["photon_paths"];
+    EXPECT_EQ(paths["uniform"], 32 * 2000);
+    EXPECT_LE(paths["uniform_visible"], paths["uniform"]);
+    EXPECT_GT(paths["uniform_visible"], 0);
+    EXPECT_DOUBLE_EQ(s["visible_fraction"]["value"].get<double>(),
+                     paths["uniform_visible"].get<double>() / (32 * 2000));
+    EXPECT_GT(s["visible_fraction"]["std_error"], 0);
+    EXPECT_LT(s["visible_fraction"]["std_error"], 0.1);
+    EXPECT_GE(s["rays"]["photon"], paths["uniform"]);
+    EXPECT_GE(s["rays"]["eye"], 32 * 16 * 12);
+    EXPECT_LE(s["visible_points"], 32 * 16 * 12);
+    EXPECT_GE(s["deposits"], s["photons_stored"]);
+    EXPECT_GE(s["photons_stored"], paths["uniform_visible"]);
+    EXPECT_EQ(s["escaped"], 0);  // the room is closed
+    EXPECT_EQ(s["starved_passes"], 0);
+    EXPECT_EQ(s["dropped_nonfinite"], 0);
+    EXPECT_EQ(s["saturated"], 0);
+    double sum = 0;
+    for (const auto& [name, seconds] : s["seconds"].items()) {
+        EXPECT_GE(seconds, 0) << name;
+        if (name != "total") sum += seconds.get<double>();
+    }
+    EXPECT_LE(sum, s["seconds"]["total"]);
+    EXPECT_GT(s["image"]["mean"], 0);
+    EXPECT_LT(s["image"]["mean_std_error"], 0.2 * s["image"]["mean"].get<double>());
+}
+
+/// Knaus and Zwicker 2011: r_p^2 / r_0^2 = product of (k + alpha) / (k + 1), k = 1 ... p.
+TEST_F(Stats, radius_factor_is_that_of_the_last_pass) {
+    const double factor = stats({"--pass-range", "1:3", "--alpha", "0.5"})["radius_factor"];
+    EXPECT_NEAR(factor * factor, 1.5 / 2 * 2.5 / 3, 1e-12);
+    EXPECT_EQ(stats({"--passes", "1"})["radius_factor"], 1);
+}
+
+TEST_F(Stats, starved_passes_are_counted_and_warned_of) {
+    const auto s = stats({"--passes", "20", "--photons-per-pass", "1", "--radius", "0.001"});
+    EXPECT_GT(s["starved_passes"], 15);
+    EXPECT_NE(s["warnings"].dump().find("no photon reached"), std::string::npos);
+}
+
+/// Times and the command aside, the numbers of two runs are the same.
+TEST_F(Stats, are_reproducible) {
+    auto once = stats({"--passes", "17", "--nthreads", "1"});
+    auto again = stats({"--passes", "17", "--nthreads", "3"});
+    for (const char* name : {"seconds", "command", "threads"}) {
+        once.erase(name);
+        again.erase(name);
+    }
+    EXPECT_EQ(once, again);
+}
+
+}  // namespace
+}  // namespace sunfleck

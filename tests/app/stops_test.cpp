@@ -1,0 +1,56 @@
+// When a render ends: at a finished pass, by number, time or error, whichever comes first.
+#include "app/program.h"
+
+namespace sunfleck {
+namespace {
+
+using testing_support::operator+;
+using testing_support::ProgramTest;
+using testing_support::Ran;
+using testing_support::read_text;
+using testing_support::Words;
+
+class Stops : public ProgramTest {
+protected:
+    nlohmann::json stats_of(const Words& words) const {
+        const Ran ran = render(Words{"-o", "x.exr", "--stats", "x.json", "--quiet"} + words);
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return json("x.json");
+    }
+};
+
+/// The picture after some time is that of as many passes as stats.json says.
+TEST_F(Stops, time_ends_at_a_finished_pass) {
+    const auto stats = stats_of({"--time", "0.3s"});
+    const double seconds = stats["seconds"]["total"];
+    EXPECT_GE(seconds, 0.3);
+    EXPECT_LT(seconds, 30);
+    const std::string by_time = read_text(path("x.exr"));
+    stats_of({"--passes", stats["passes"].dump()});
+    EXPECT_EQ(read_text(path("x.exr")), by_time);
+}
+
+TEST_F(Stops, time_shorter_than_a_pass_gives_one_pass) {
+    EXPECT_EQ(stats_of({"--time", "0.000001"})["passes"], 1);
+}
+
+TEST_F(Stops, target_error_ends_at_the_first_round_that_reaches_it) {
+    const Words few{"--photons-per-pass", "200"};
+    const auto stats = stats_of(few + Words{"--target-error", "3%", "--passes", "5000"});
+    const int passes = stats["passes"];
+    EXPECT_LE(stats["image"]["target_error"], 0.03);
+    EXPECT_EQ(passes % 16, 0);
+    EXPECT_LT(passes, 5000);
+    ASSERT_GT(passes, 64) << "four rounds are the fewest that have an error: take a smaller one";
+    const auto before = stats_of(few + Words{"--passes", std::to_string(passes - 16)});
+    EXPECT_GT(before["image"]["target_error"], 0.03);
+    EXPECT_EQ(stats_of(few + Words{"--target-error", "0.5"})["passes"], 64);
+}
+
+TEST_F(Stops, passes_come_first) {
+    EXPECT_EQ(stats_of({"--passes", "3", "--time", "1h", "--target-error", "0.0001"})["passes"], 3);
+    EXPECT_EQ(stats_of({"--pass-range", "40:43", "--time", "2m"})["passes"], 3);
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,140 @@
+// Where camera paths end, and with which discs.
+#include "eye/eye_path.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+constexpr int kPixels = 16;
+
+/// A square of side 4 at height z, facing up.
+ShapeDescription square(float z, std::uint32_t material) {
+    TriangleMesh mesh;
+    mesh.positions = {{-2, -2, z}, {2, -2, z}, {2, 2, z}, {-2, 2, z}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return {{mesh, Matrix(), false}, material, {}, {}};
+}
+
+/// The camera at height 4 looks down, 20 degrees wide. Materials 0: grey 0.5, 1: thin glass,
+/// 2: rough metal.
+SceneDescription seen_from_above(std::vector<ShapeDescription> shapes) {
+    SceneDescription scene;
+    scene.materials = {
+        DiffuseMaterial{}, ThinDielectricMaterial{},
+        ConductorMaterial{
+            SpectralCurve::constant(0.2F), SpectralCurve::constant(4), {}, {0.3F, 0.3F}}};
+    scene.shapes = std::move(shapes);
+    Matrix camera(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 4, 1);
+    scene.film.resolution = Vec2i(kPixels, kPixels);
+    scene.camera = make_perspective(camera, scene.film.resolution, 20, 1, {});
+    scene.filter = {FilterKind::box, {0.5, 0.5}};
+    return scene;
+}
+
+struct Seen {
+    std::vector<VisiblePoint> points;
+    Statistics statistics;
+    double emission = 0;  // sum over pixels, red
+};
+
+Seen trace(const SceneDescription& description, const TransportSettings& transport,
+           double radius_factor = 1, const EyeSettings& settings = {}) {
+    const Scene scene(description);
+    const PassScene pass(scene, {2, 0});
+    PassImage image(kPixels * kPixels, LayerSet{});
+    Seen seen;
+    seen.points = trace_eye_paths(
+        {pass, transport, settings, {0, 0, kPixels, kPixels}, {2, 0}, radius_factor}, image,
+        seen.statistics);
+    for (std::size_t i = 0; i < image.pixels(); ++i)
+        seen.emission += image.value(Layer::total, i, 0).to_double();
+    return seen;
+}
+
+constexpr TransportSettings kSampled{DirectLight::sampled, 64};
+constexpr TransportSettings kPhotons{DirectLight::photons, 64};
+
+TEST(EyePath, a_diffuse_surface_ends_every_path) {
+    const Seen seen = trace(seen_from_above({square(0, 0)}), kSampled);
+    ASSERT_EQ(seen.points.size(), static_cast<std::size_t>(kPixels * kPixels));
+    EXPECT_EQ(seen.statistics[Count::visible_points], seen.points.size());
+    for (std::size_t i = 0; i < seen.points.size(); ++i) {
+        const VisiblePoint& p = seen.points[i];
+        EXPECT_EQ(p.pixel, i);
+        EXPECT_EQ(p.material, kLambertian);
+        EXPECT_NEAR(p.throughput[0], 0.5 / kPiDouble, 1e-6);
+        EXPECT_EQ(p.disc.normal, Vec3(0, 0, 1));
+        EXPECT_EQ(p.disc.bounces, 0);
+        EXPECT_FALSE(p.disc.both_sides);
+        EXPECT_EQ(p.disc.kinds, 2 + 4);  // caustic and indirect: direct light is sampled
+    }
+    for (const VisiblePoint& p : trace(seen_from_above({square(0, 0)}), kPhotons).points)
+        EXPECT_EQ(p.disc.kinds, 1 + 2 + 4);
+}
+
+/// Two pixel footprints: the pixel's width on the floor; and the schedule's factor, and fixed.
+TEST(EyePath, first_radius) {
+    const double pixel = 2 * 4 * std::tan(10 * kPiDouble / 180) / kPixels;
+    const auto radius = [&](double factor, const EyeSettings& settings) {
+        return static_cast<double>(
+            trace(seen_from_above({square(0, 0)}), kSampled, factor, settings)
+                .points[kPixels * kPixels / 2 + kPixels / 2]
+                .disc.radius);
+    };
+    EXPECT_NEAR(radius(1, {}), 2 * pixel, 0.02 * pixel);
+    EXPECT_NEAR(radius(0.5, {}), pixel, 0.01 * pixel);
+    EXPECT_NEAR(radius(1, {6, {}}), 6 * pixel, 0.06 * pixel);
+    EXPECT_NEAR(radius(0.5, {2, 0.25}), 0.125, 1e-6);
+}
+
+TEST(EyePath, smooth_glass_is_crossed_and_counted) {
+    const Seen seen = trace(seen_from_above({square(0, 0), square(1, 1)}), kSampled);
+    EXPECT_GT(seen.points.size(), 200U);
+    EXPECT_LT(seen.points.size(), 256U);  // what glass reflects goes to the sky
+    for (const VisiblePoint& p : seen.points) {
+        EXPECT_EQ(p.disc.position.z, 0);
+        EXPECT_EQ(p.disc.bounces, 1);
+        EXPECT_FALSE(p.after_rough);
+    }
+}
+
+/// Sampled: a glossy surface takes caustics only, and the path goes on. Photons: it ends there.
+TEST(EyePath, glossy_surfaces_gather_and_go_on) {
+    SceneDescription scene = seen_from_above({square(0, 2), square(6, 0)});
+    const Seen sampled = trace(scene, kSampled);
+    int at_metal = 0;
+    int beyond = 0;
+    for (const VisiblePoint& p : sampled.points) {
+        const bool metal = p.disc.position.z == 0;
+        ++(metal ? at_metal : beyond);
+        EXPECT_EQ(p.disc.kinds, metal ? 2 : 2 + 4);
+        EXPECT_EQ(p.after_rough, !metal);
+        EXPECT_EQ(p.disc.bounces, metal ? 0 : 1);
+        EXPECT_EQ(p.material, metal ? 2U : kLambertian);
+        EXPECT_EQ(p.disc.normal, Vec3(0, 0, metal ? 1.0F : -1.0F));
+    }
+    EXPECT_EQ(at_metal, kPixels * kPixels);
+    EXPECT_GT(beyond, 20);
+    const Seen photons = trace(scene, kPhotons);
+    EXPECT_EQ(photons.points.size(), static_cast<std::size_t>(kPixels * kPixels));
+    for (const VisiblePoint& p : photons.points) EXPECT_EQ(p.disc.kinds, 7);
+}
+
+TEST(EyePath, depth_limits_the_eye) {
+    const SceneDescription scene = seen_from_above({square(0, 0), square(1, 1)});
+    EXPECT_TRUE(trace(scene, {DirectLight::sampled, 0}).points.empty());
+    EXPECT_TRUE(trace(scene, {DirectLight::sampled, 1}).points.empty());
+    EXPECT_FALSE(trace(scene, {DirectLight::sampled, 2}).points.empty());
+}
+
+TEST(EyePath, the_sky_is_emission) {
+    SceneDescription scene = seen_from_above({});
+    scene.lights = {InfiniteLight{SpectralCurve::d65()}};
+    const Seen seen = trace(scene, kSampled);
+    EXPECT_TRUE(seen.points.empty());
+    EXPECT_GT(seen.emission, 0.5 * kPixels * kPixels);
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,140 @@
+// One photon path at a time: kinds, sides, bounces and ends.
+#include "photon/tracer.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace sunfleck {
+namespace {
+
+/// A square of side 4 at height z, facing up.
+ShapeDescription square(float z, std::uint32_t material) {
+    TriangleMesh mesh;
+    mesh.positions = {{-2, -2, z}, {2, -2, z}, {2, 2, z}, {-2, 2, z}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return {{mesh, Matrix(), false}, material, {}, {}};
+}
+
+/// A sun straight from above; materials 0: grey 0.5, 1: glass, 2: white, 3: rough metal.
+SceneDescription sunny(std::vector<ShapeDescription> shapes) {
+    SceneDescription scene;
+    scene.materials = {
+        DiffuseMaterial{}, ThinDielectricMaterial{}, DiffuseMaterial{SpectralCurve::constant(1)},
+        ConductorMaterial{
+            SpectralCurve::constant(0.2F), SpectralCurve::constant(4), {}, {0.3F, 0.3F}}};
+    scene.shapes = std::move(shapes);
+    scene.lights = {DistantLight{SpectralCurve::constant(1), {0, 0, -1}}};
+    return scene;
+}
+
+struct Path {
+    std::vector<Photon> photons;
+    PathEnd end = PathEnd::no_light;
+    std::uint64_t rays = 0;
+};
+
+std::vector<Path> paths_of(const SceneDescription& description, int max_depth,
+                           std::uint32_t count = 2000) {
+    const Scene scene(description);
+    const PassScene pass(scene, {1, 0});
+    const TransportSettings transport{DirectLight::photons, max_depth};
+    const PhotonTracer tracer(pass, transport);
+    std::vector<Path> paths(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Path& path = paths[i];
+        path.end = tracer.trace(
+            IndependentReader(PassId{1, 0}.stream(Purpose::test, i)),
+            [&](const Photon& photon) {
+                path.photons.push_back(photon);
+                return true;
+            },
+            path.rays);
+    }
+    return paths;
+}
+
+TEST(PhotonTracer, first_photon_is_direct_and_comes_from_the_light) {
+    int met = 0;
+    for (const Path& path : paths_of(sunny({square(0, 0)}), 64)) {
+        if (path.photons.empty()) {
+            EXPECT_EQ(path.end, PathEnd::escaped);
+            continue;
+        }
+        ++met;
+        EXPECT_EQ(path.photons.size(), 1U);
+        EXPECT_EQ(path.photons[0].kind, PhotonKind::direct);
+        EXPECT_EQ(path.photons[0].bounces, 0);
+        EXPECT_EQ(path.photons[0].w, Vec3(0, 0, 1));
+        EXPECT_EQ(path.photons[0].normal, Vec3(0, 0, 1));
+        EXPECT_TRUE(path.end == PathEnd::absorbed || path.end == PathEnd::escaped);
+    }
+    EXPECT_GT(met, 500);
+}
+
+/// Glass keeps no photon and makes the next one a caustic; a grey floor makes it indirect.
+TEST(PhotonTracer, kinds_follow_what_scattered_the_photon) {
+    int caustic = 0;
+    int indirect = 0;
+    for (const Path& path : paths_of(sunny({square(0, 0), square(1, 1)}), 64)) {
+        for (const Photon& photon : path.photons) {
+            EXPECT_EQ(photon.position.z, 0);
+            EXPECT_NE(photon.kind, PhotonKind::direct);
+            const bool first = &photon == path.photons.data();
+            EXPECT_EQ(photon.kind == PhotonKind::caustic, first);
+            EXPECT_EQ(photon.bounces == 1, first);
+            ++(first ? caustic : indirect);
+        }
+    }
+    EXPECT_GT(caustic, 500);
+    EXPECT_GT(indirect, 5);
+}
+
+TEST(PhotonTracer, photons_from_below_have_their_normal_below) {
+    SceneDescription scene = sunny({square(0, 0)});
+    scene.lights = {DistantLight{SpectralCurve::constant(1), {0, 0, 1}}};
+    int met = 0;
+    for (const Path& path : paths_of(scene, 64))
+        for (const Photon& photon : path.photons) {
+            ++met;
+            EXPECT_EQ(photon.normal, Vec3(0, 0, -1));
+        }
+    EXPECT_GT(met, 500);
+}
+
+/// Between white sheets: paths end by leaving or by depth, never by absorption.
+TEST(PhotonTracer, depth_counts_events) {
+    SceneDescription scene = sunny({square(0, 2), square(0.1F, 2)});
+    scene.lights = {PointLight{SpectralCurve::constant(1), {0, 0, 0.05}}};
+    for (const int depth : {1, 3, 10}) {
+        int cut = 0;
+        for (const Path& path : paths_of(scene, depth)) {
+            EXPECT_LE(path.photons.size(), static_cast<std::size_t>(depth));
+            EXPECT_NE(path.end, PathEnd::absorbed);
+            if (path.end != PathEnd::too_long) continue;
+            ++cut;
+            EXPECT_EQ(path.photons.size(), static_cast<std::size_t>(depth));
+            EXPECT_EQ(path.rays, static_cast<std::uint64_t>(depth));
+        }
+        EXPECT_GT(cut, 100);
+    }
+}
+
+TEST(PhotonTracer, glossy_surfaces_keep_photons_and_make_them_indirect) {
+    int second = 0;
+    for (const Path& path : paths_of(sunny({square(0, 3), square(1, 1)}), 64))
+        for (std::size_t i = 0; i < path.photons.size(); ++i) {
+            EXPECT_EQ(path.photons[i].kind == PhotonKind::indirect, i > 0);
+            second += i > 0 ? 1 : 0;
+        }
+    EXPECT_GT(second, 5);
+}
+
+TEST(PhotonTracer, nothing_starts_without_a_light) {
+    SceneDescription scene = sunny({square(0, 0)});
+    scene.lights.clear();
+    EXPECT_EQ(paths_of(scene, 64, 1)[0].end, PathEnd::no_light);
+}
+
+}  // namespace
+}  // namespace sunfleck

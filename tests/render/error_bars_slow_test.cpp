@@ -1,0 +1,74 @@
+// Standard errors, as films report them, against the true spread of many independent renders.
+#include "film/error_bars.h"
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+constexpr int kSeeds = 800;
+constexpr std::uint32_t kRounds = 4;
+constexpr int kSize = 4;
+
+/// Mean over seeds of the reported variance, over the true variance between seeds.
+class Spread {
+public:
+    void add(const MeanError& seen) {
+        ++count_;
+        reported_ += seen.standard_error * seen.standard_error;
+        const double before = seen.mean - mean_;
+        mean_ += before / count_;
+        squares_ += before * (seen.mean - mean_);
+    }
+    double reported() const { return reported_ / count_; }
+    double spread() const { return squares_ / (count_ - 1); }
+
+private:
+    int count_ = 0;
+    double reported_ = 0;
+    double mean_ = 0;
+    double squares_ = 0;
+};
+
+/// Rounds tile wavelengths and camera numbers: passes are not independent, rounds are. Within 10%
+/// for the picture's brightness (800 seeds: one standard error of the ratio is 4%) and for pixels.
+TEST(ErrorBars, reported_errors_are_the_true_spread) {
+    const Scene scene = scene_of(
+        view("0 -3 1.5  0 0 .3  0 0 1", 40, kSize) + diffuse("0.7 0.4 0.2") +
+        quad("-2 -2 0  2 -2 0  2 2 0  -2 2 0") + quad("-2 1 0  2 1 0  2 1 2  -2 1 2") +
+        "Material \"dielectric\"\nAttributeBegin\nTranslate 0 -.2 .5\nShape \"sphere\" \"float "
+        "radius\" .4\n"
+        "AttributeEnd\nAreaLightSource \"diffuse\" \"blackbody L\" 3500\nReverseOrientation\n" +
+        diffuse("0 0 0") + quad("-1 -1 2  1 -1 2  1 1 2  -1 1 2"));
+    RenderSettings settings;
+    settings.photon.paths_per_pass = 200;
+    settings.photon.sampler = UniformKind::random;
+    FilmKey key;
+    key.width = kSize;
+    key.height = kSize;
+    Spread image;
+    std::vector<Spread> pixels(kSize * kSize);
+    for (int seed = 0; seed < kSeeds; ++seed) {
+        settings.seed = static_cast<std::uint64_t>(seed);
+        Film film(key);
+        for (std::uint32_t p = 0; p < kRounds * kRoundPasses; ++p)
+            film.add_pass(p, render_pass(scene, settings, p).image);
+        image.add(*image_error(film));
+        const auto errors = pixel_errors(film);
+        for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i].add(errors[i]);
+    }
+    EXPECT_NEAR(std::sqrt(image.reported() / image.spread()), 1, 0.1);
+    double reported = 0;
+    double spread = 0;
+    for (const Spread& pixel : pixels) {
+        reported += pixel.reported() / pixel.spread();
+        spread += 1;
+    }
+    EXPECT_NEAR(std::sqrt(reported / spread), 1, 0.1);
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,109 @@
+// Every class of light path has one owner: the layers add up exactly, and each class is the same
+// whoever brings it.
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+constexpr std::array<Layer, 4> kLight = {Layer::direct, Layer::caustic, Layer::indirect,
+                                         Layer::emission};
+
+/// A box with a lamp that the eye sees, a ball of glass, a plate of rough metal and a mirror.
+Scene all_classes() {
+    return scene_of(
+        view("0 -3.8 1  0 0 0.9  0 0 1", 34, 12) + diffuse("0.6 0.6 0.6") +
+        "AttributeBegin\nReverseOrientation\n" + box({-1, -4, 0}, {1, 1, 2}) +
+        "AttributeEnd\nAttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [8 8 8]\n" +
+        quad("-.5 .3 1.98  .5 .3 1.98  .5 -.7 1.98  -.5 -.7 1.98") + "AttributeEnd\n" +
+        "AttributeBegin\nMaterial \"dielectric\"\nTranslate 0.4 -0.3 0.5\n" +
+        "Shape \"sphere\" \"float radius\" 0.45\nAttributeEnd\n" +
+        "Material \"conductor\" \"float roughness\" 0.2\n" +
+        quad("-.9 .5 .2  -.3 .9 .2  -.3 .9 1.2  -.9 .5 1.2") + "Material \"conductor\"\n" +
+        quad("-.9 -.6 .01  -.2 -.6 .01  -.2 .2 .01  -.9 .2 .01"));
+}
+
+RenderSettings settings_for(DirectLight direct) {
+    RenderSettings settings;
+    settings.transport.direct = direct;
+    settings.transport.max_depth = 12;
+    settings.photon.paths_per_pass = 20'000;
+    settings.eye.radius_pixels = 0.5;
+    settings.layers.fill(true);
+    settings.seed = 3;
+    return settings;
+}
+
+class Layers : public ::testing::TestWithParam<DirectLight> {};
+
+TEST_P(Layers, add_up_to_the_picture_exactly) {
+    const Scene scene = all_classes();
+    for (const std::uint32_t number : {0U, 5U}) {
+        const PassResult pass = render_pass(scene, settings_for(GetParam()), number);
+        std::array<double, 4> seen{};
+        for (std::size_t i = 0; i < pass.image.pixels(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                FixedPoint sum;
+                for (std::size_t l = 0; l < kLight.size(); ++l) {
+                    sum += pass.image.value(kLight.at(l), i, c);
+                    seen.at(l) += pass.image.value(kLight.at(l), i, c).to_double();
+                }
+                ASSERT_EQ(sum, pass.image.value(Layer::total, i, c)) << i;
+            }
+        }
+        for (std::size_t l = 0; l < kLight.size(); ++l) EXPECT_GT(seen.at(l), 0.05) << l;
+    }
+}
+
+/// With one scattering event there is nothing but emission and direct light; with none, emission.
+TEST_P(Layers, depth_cuts_classes_off) {
+    const Scene scene = all_classes();
+    RenderSettings settings = settings_for(GetParam());
+    const auto sum = [&](Layer layer) {
+        return luminance(render_mean(scene, settings, 2, layer).mean());
+    };
+    settings.transport.max_depth = 1;
+    EXPECT_EQ(sum(Layer::caustic), 0);
+    EXPECT_EQ(sum(Layer::indirect), 0);
+    EXPECT_GT(sum(Layer::direct), 0.01);
+    settings.transport.max_depth = 0;
+    EXPECT_EQ(sum(Layer::direct), 0);
+    EXPECT_GT(sum(Layer::emission), 0.01);
+    EXPECT_EQ(sum(Layer::emission), sum(Layer::total));
+}
+
+INSTANTIATE_TEST_SUITE_P(Direct, Layers,
+                         ::testing::Values(DirectLight::sampled, DirectLight::photons),
+                         [](const auto& way) {
+                             return way.param == DirectLight::sampled ? "sampled" : "photons";
+                         });
+
+/// Classes alone, on a floor that cannot light itself.
+TEST(LayersAlone, a_bare_floor_has_direct_light_and_a_covered_one_caustics) {
+    const std::string floor = view("0 -3 2  0 0 0  0 0 1", 20, 8) +
+                              "LightSource \"point\" \"point3 from\" [0 0 3] \"float scale\" 10\n" +
+                              diffuse("0.5 0.5 0.5") + quad("-3 -3 0  3 -3 0  3 3 0  -3 3 0");
+    const RenderSettings settings = settings_for(DirectLight::sampled);
+    const auto sum = [&](const Scene& scene, Layer layer) {
+        return luminance(render_mean(scene, settings, 4, layer).mean());
+    };
+    const Scene bare = scene_of(floor);
+    EXPECT_EQ(sum(bare, Layer::caustic), 0);
+    EXPECT_EQ(sum(bare, Layer::indirect), 0);
+    EXPECT_EQ(sum(bare, Layer::emission), 0);
+    EXPECT_EQ(sum(bare, Layer::direct), sum(bare, Layer::total));
+
+    // Under a wide plate of glass that hides the lamp, all light of the floor came through glass.
+    const Scene covered =
+        scene_of(floor + "Material \"dielectric\"\n" + box({-3, -3, 1.5}, {3, 3, 1.7}));
+    EXPECT_EQ(sum(covered, Layer::direct), 0);
+    EXPECT_EQ(sum(covered, Layer::emission), 0);
+    EXPECT_GT(sum(covered, Layer::caustic), 0.8 * sum(bare, Layer::direct));
+    EXPECT_GT(sum(covered, Layer::indirect), 0);  // floor, glass, floor
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,91 @@
+// Photon mapping against path tracing where both converge: an equivalence test. The 99% interval
+// of the ratio of their brightness must lie inside 1 +- 0.5% in every view.
+//
+// A disc loses photons where a surface ends, and blurs light by order r^2: each view shows one
+// plane away from its edges, with discs of a pixel's width.
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+constexpr int kSize = 16;
+
+/// Brightness over independent renders of a round each.
+Estimate brightness(const Scene& scene, RenderSettings settings, int renders) {
+    return Estimate::over(renders, [&](int i) {
+        settings.seed = static_cast<std::uint64_t>(i);
+        const MeanPicture picture = render_mean(scene, settings, 16);
+        EXPECT_EQ(picture.statistics[Count::dropped_nonfinite], 0U);
+        return luminance(picture.mean());
+    });
+}
+
+void expect_equivalent(const Scene& scene, int path_renders, int photon_renders) {
+    RenderSettings settings;
+    settings.transport.max_depth = 12;
+    settings.integrator = Integrator::path;
+    const Estimate path = brightness(scene, settings, path_renders);
+    settings.integrator = Integrator::sppm;
+    settings.eye.radius_pixels = 0.5;
+    settings.photon.paths_per_pass = 60'000;
+    for (const DirectLight direct : {DirectLight::sampled, DirectLight::photons}) {
+        settings.transport.direct = direct;
+        const Estimate photons = brightness(scene, settings, photon_renders);
+        EXPECT_LT(worst_ratio(photons, path), 0.005)
+            << (direct == DirectLight::sampled ? "sampled" : "photons") << ": "
+            << photons.mean / path.mean << ", errors " << photons.error / photons.mean << ' '
+            << path.error / path.mean;
+    }
+}
+
+/// A room with coloured walls, open to one side, with an area light and a block.
+Scene diffuse_room(const std::string& look, double fov) {
+    return scene_of(view(look, fov, kSize) + diffuse("0.6 0.6 0.6") +
+                    quad("-1 1 0  1 1 0  1 1 2  -1 1 2") + quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0") +
+                    quad("-1 -1 2  -1 1 2  1 1 2  1 -1 2") + diffuse("0.6 0.1 0.1") +
+                    quad("-1 -1 0  -1 1 0  -1 1 2  -1 -1 2") + diffuse("0.1 0.5 0.1") +
+                    quad("1 -1 0  1 -1 2  1 1 2  1 1 0") + diffuse("0.6 0.6 0.6") +
+                    box({0.2, 0, 0}, {0.9, 0.7, 0.6}) +
+                    "AreaLightSource \"diffuse\" \"rgb L\" [10 9 7]\nReverseOrientation\n" +
+                    quad("-.4 -.6 1.9  .4 -.6 1.9  .4 .2 1.9  -.4 .2 1.9"));
+}
+
+/// Rough metal and a slab of rough glass on a floor, under a lamp and a constant sky.
+Scene rough_objects(const std::string& look, double fov) {
+    return scene_of(
+        view(look, fov, kSize) + "LightSource \"infinite\" \"rgb L\" [0.5 0.6 0.7]\n" +
+        diffuse("0.5 0.5 0.5") + quad("-1.6 -1.6 0  1.6 -1.6 0  1.6 1.6 0  -1.6 1.6 0") +
+        "Material \"conductor\" \"float roughness\" 0.5 \"bool remaproughness\" false\n" +
+        quad("-1.6 .6 0  -.1 .6 0  -.1 1 1.7  -1.6 1 1.7") +
+        "Material \"dielectric\" \"float roughness\" 0.6 \"bool remaproughness\" false\n" +
+        box({0.1, -0.7, 0.3}, {1.1, 0.5, 0.5}) +
+        "AreaLightSource \"diffuse\" \"rgb L\" [3 3 3]\nReverseOrientation\n" +
+        diffuse("0.5 0.5 0.5") + quad("-.8 -.8 1.9  .8 -.8 1.9  .8 .8 1.9  -.8 .8 1.9"));
+}
+
+TEST(PathEquivalence, red_wall) {
+    expect_equivalent(diffuse_room("0.5 0 1  -1 0 1  0 0 1", 50), 100, 20);
+}
+
+TEST(PathEquivalence, floor_and_half_shadow_of_the_block) {
+    expect_equivalent(diffuse_room("-.3 -.2 1.4  -.3 -.2 0  0 1 0", 35), 60, 20);
+}
+
+TEST(PathEquivalence, rough_metal) {
+    expect_equivalent(rough_objects("-.85 -1.5 1  -.85 .8 .85  0 0 1", 20), 100, 30);
+}
+
+TEST(PathEquivalence, rough_glass) {
+    expect_equivalent(rough_objects("0.6 -.1 1.7  .6 -.1 .5  0 1 0", 30), 200, 40);
+}
+
+TEST(PathEquivalence, floor_lit_through_rough_glass_and_by_rough_metal) {
+    expect_equivalent(rough_objects("-.1 -.6 1.2  -.4 -.1 0  0 0 1", 25), 100, 40);
+}
+
+}  // namespace
+}  // namespace sunfleck

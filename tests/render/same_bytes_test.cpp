@@ -1,0 +1,87 @@
+// One picture, to the last bit: with any number of threads, and however passes are cut and ordered.
+#include "core/parallel.h"
+#include "film/film.h"
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+constexpr int kSize = 20;              // two blocks of the eye pass
+constexpr std::uint32_t kPasses = 18;  // a round and a bit
+
+std::string scene_text(const std::string& object_material) {
+    return view("0 -4 2  0 0 0.5  0 0 1", 40, kSize) +
+           "LightSource \"distant\" \"point3 from\" [1 1 3] \"point3 to\" [0 0 0]\n" +
+           diffuse("0.7 0.5 0.2") + quad("-3 -3 0  3 -3 0  3 3 0  -3 3 0") +
+           "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [3 4 5]\n" +
+           quad("-1 1 3  1 1 3  1 -1 3  -1 -1 3") + "AttributeEnd\nMaterial " + object_material +
+           "\nTranslate 0 0 0.8\nShape \"sphere\" \"float radius\" 0.7\n";
+}
+
+RenderSettings settings() {
+    RenderSettings settings;
+    settings.photon.paths_per_pass = 3'000;
+    settings.layers.fill(true);
+    settings.seed = 17;
+    return settings;
+}
+
+FilmKey key() {
+    FilmKey key;
+    key.width = kSize;
+    key.height = kSize;
+    key.layers = settings().layers;
+    key.seed = 17;
+    return key;
+}
+
+/// The film of these passes, in this order.
+Film film_of(const Scene& scene, const std::vector<std::uint32_t>& passes) {
+    Film film(key());
+    for (const std::uint32_t p : passes) {
+        const PassResult pass = render_pass(scene, settings(), p);
+        film.add_pass(p, pass.image);
+        for (const CountRow& row : kCountRows) film.count(row.name, pass.statistics[row.count]);
+    }
+    return film;
+}
+
+class SameBytes : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(SameBytes, with_any_number_of_threads_and_in_any_order) {
+    const Scene scene = scene_of(scene_text(GetParam()));
+    std::vector<std::uint32_t> order(kPasses);
+    for (std::uint32_t p = 0; p < kPasses; ++p) order[p] = p;
+    const Film whole = [&] {
+        const ThreadLimit limit(1);
+        return film_of(scene, order);
+    }();
+    EXPECT_GT(whole.statistic("deposits"), 0);
+    std::reverse(order.begin(), order.end());
+    std::swap(order[2], order[11]);
+    for (const std::size_t threads : {2U, 3U, 8U}) {
+        const ThreadLimit limit(threads);
+        EXPECT_TRUE(film_of(scene, order).sums() == whole.sums()) << threads;
+        std::rotate(order.begin(), order.begin() + 5, order.end());
+    }
+    // In three pieces, each film by itself, merged out of order.
+    Film merged = film_of(scene, {order.begin() + 9, order.end()});
+    merge(merged, film_of(scene, {order.begin(), order.begin() + 4}));
+    merge(merged, film_of(scene, {order.begin() + 4, order.begin() + 9}));
+    EXPECT_TRUE(merged.sums() == whole.sums());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, SameBytes,
+    ::testing::Values("\"diffuse\"", "\"dielectric\" \"spectrum eta\" \"glass-F11\"",
+                      "\"conductor\" \"float roughness\" 0.2"),
+    [](const auto& scene) {
+        return std::string(scene.index == 0 ? "diffuse" : scene.index == 1 ? "glass" : "glossy");
+    });
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,103 @@
+// Query and deposit agree: the index says "visible" of a photon if and only if some visible point
+// takes it, on whole passes, and it misses none.
+#include "measurement/visible_point_index.h"
+#include "procedural/scenes.h"
+#include "scene/adjust.h"
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+constexpr PassId kId{9, 0};
+
+/// What a pass deposits, counted again: every photon asks the index, and every taken one and each
+/// 37th other is compared with all visible points one by one.
+Statistics counted_again(const Scene& scene, const RenderSettings& settings) {
+    const PassScene pass(scene, kId);
+    const PixelWindow window = window_of(scene.film());
+    PassImage image(window.pixels(), {});
+    Statistics counts;
+    const auto points =
+        trace_eye_paths({pass, settings.transport, settings.eye, window, kId, 1}, image, counts);
+    const int max_depth = settings.transport.max_depth;
+    const VisiblePointIndex index(points, max_depth);
+    const auto one_by_one = [&](const Photon& photon) {
+        return static_cast<std::uint64_t>(
+            std::count_if(points.begin(), points.end(),
+                          [&](const VisiblePoint& p) { return takes(p.disc, photon, max_depth); }));
+    };
+    const PhotonTracer tracer(pass, settings.transport);
+    const EmissionPoints emission(kId);
+    std::uint64_t asked = 0;
+    for (std::uint32_t i = 0; i < *settings.photon.paths_per_pass; ++i) {
+        bool visible = false;
+        const auto visit = [&](const Photon& photon) {
+            std::uint64_t deposits = 0;
+            const bool taken = index.for_each(photon, [&](const VisiblePoint&) { ++deposits; });
+            const bool any = index.any(photon);
+            EXPECT_EQ(taken, any);
+            EXPECT_EQ(deposits > 0, any);
+            EXPECT_TRUE(!any || index.may_take(photon.position));
+            if (any || asked++ % 37 == 0) {
+                EXPECT_EQ(one_by_one(photon), deposits);
+            }
+            counts[Count::photons_stored] += any ? 1 : 0;
+            counts[Count::deposits] += deposits;
+            visible |= any;
+            return true;
+        };
+        std::uint64_t rays = 0;
+        tracer.trace(emission.path(i), visit, rays);
+        counts[Count::uniform_visible] += visible ? 1 : 0;
+    }
+    return counts;
+}
+
+void expect_agreement(const Scene& scene, std::uint32_t paths) {
+    for (const DirectLight direct : {DirectLight::sampled, DirectLight::photons}) {
+        RenderSettings settings;
+        settings.seed = kId.seed;
+        settings.transport.direct = direct;
+        settings.photon.paths_per_pass = paths;
+        const Statistics queried = counted_again(scene, settings);
+        const Statistics deposited = render_pass(scene, settings, kId.number).statistics;
+        EXPECT_GT(queried[Count::photons_stored], 40U);
+        for (const Count which : {Count::visible_points, Count::photons_stored, Count::deposits,
+                                  Count::uniform_visible})
+            EXPECT_EQ(queried[which], deposited[which]);
+    }
+}
+
+TEST(Visibility, glossy_and_diffuse_surfaces) {
+    expect_agreement(scene_of(view("0 -4 1.5  0 0 .5  0 0 1", 40, 24) +
+                              "LightSource \"point\" \"point3 from\" [1 -1 4]\n" +
+                              diffuse(".7 .7 .7") + quad("-3 -3 0  3 -3 0  3 3 0  -3 3 0") +
+                              "Material \"dielectric\" \"float roughness\" 0.1\n" +
+                              box({-1.2, -.5, .2}, {-.2, .5, 1}) + "Material \"dielectric\"\n" +
+                              box({.2, -.5, .2}, {1.2, .5, 1}) +
+                              "Material \"conductor\" \"float roughness\" .1\n" +
+                              quad("-1 1 0  1 1 0  1 1.4 2  -1 1.4 2")),
+                     4'000);
+}
+
+/// A glass of the project's own scenes, read with its parts from memory.
+TEST(Visibility, cognac) {
+    const std::vector<SceneFile> files = make_scene("cognac-1");
+    const FileAccess access = [&](const std::string& path, const SourceLocation&) {
+        for (const SceneFile& file : files)
+            if (path.ends_with(file.name)) return file.bytes;
+        throw std::runtime_error("no file " + path);
+    };
+    SceneDescription description = read_pbrt_text(files.at(0).bytes, files.at(0).name, access);
+    set_resolution(description, {24, 24});
+    expect_agreement(Scene(std::move(description)), 40'000);
+}
+
+}  // namespace
+}  // namespace sunfleck
