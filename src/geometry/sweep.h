@@ -10,7 +10,7 @@ namespace sunfleck {
 
 inline constexpr double kFullTurn = 2 * kPiDouble;
 
-/// @param angle  radians.
+/// Within 2^-50. @param angle  radians, at most a turn either way.
 inline SinCos sin_cos(double angle) {
     return sin_cos_turn(angle / kFullTurn);
 }
