@@ -74,16 +74,18 @@ void expect_agreement(const Scene& scene, std::uint32_t paths) {
     }
 }
 
-TEST(Visibility, glossy_and_diffuse_surfaces) {
-    expect_agreement(scene_of(view("0 -4 1.5  0 0 .5  0 0 1", 40, 24) +
-                              "LightSource \"point\" \"point3 from\" [1 -1 4]\n" +
-                              diffuse(".7 .7 .7") + quad("-3 -3 0  3 -3 0  3 3 0  -3 3 0") +
-                              "Material \"dielectric\" \"float roughness\" 0.1\n" +
-                              box({-1.2, -.5, .2}, {-.2, .5, 1}) + "Material \"dielectric\"\n" +
-                              box({.2, -.5, .2}, {1.2, .5, 1}) +
-                              "Material \"conductor\" \"float roughness\" .1\n" +
-                              quad("-1 1 0  1 1 0  1 1.4 2  -1 1.4 2")),
-                     4'000);
+TEST(Visibility, glossy_diffuse_and_round_surfaces) {
+    expect_agreement(
+        scene_of(view("0 -4 1.5  0 0 .5  0 0 1", 40, 24) +
+                 "LightSource \"point\" \"point3 from\" [1 -1 4]\n" + diffuse(".7 .7 .7") +
+                 "AttributeBegin\nTranslate 0 -2 .5\nShape \"sphere\" \"float radius\" .4\n" +
+                 "AttributeEnd\n" + quad("-3 -3 0  3 -3 0  3 3 0  -3 3 0") +
+                 "Material \"dielectric\" \"float roughness\" 0.1\n" +
+                 box({-1.2, -.5, .2}, {-.2, .5, 1}) + "Material \"dielectric\"\n" +
+                 box({.2, -.5, .2}, {1.2, .5, 1}) +
+                 "Material \"conductor\" \"float roughness\" .1\n" +
+                 quad("-1 1 0  1 1 0  1 1.4 2  -1 1.4 2")),
+        4'000);
 }
 
 /// A glass of the project's own scenes, read with its parts from memory.
