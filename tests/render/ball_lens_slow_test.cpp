@@ -147,8 +147,10 @@ private:
             if (x < 8 || y < 8) return;  // by symmetry
             ++count.at(ring);
             for (int s = 0; s < kSub * kSub; ++s) {
-                const double px = (x - 8 + (s % kSub + 0.5) / kSub) * kHalfView / 8;
-                const double py = (y - 8 + (s / kSub + 0.5) / kSub) * kHalfView / 8;
+                const int column = s % kSub;
+                const int row = s / kSub;
+                const double px = (x - 8 + (column + 0.5) / kSub) * kHalfView / 8;
+                const double py = (y - 8 + (row + 0.5) / kSub) * kHalfView / 8;
                 const double r = std::hypot(px, py);
                 sharp.at(ring) += irradiance(r) / (kSub * kSub);
                 blurred.at(ring) += irradiance.blurred(r, radius) / (kSub * kSub);

@@ -26,7 +26,8 @@ Vec3 expected(double cos_light, double albedo) {
     const SpectralCurve eta = *named_spectrum("glass-F11");
     const SpectralCurve white = SpectralCurve::d65();
     std::vector<TableCurve::Point> points;
-    for (float nm = 360; nm <= 830; ++nm) {
+    for (int i = 360; i <= 830; ++i) {
+        const auto nm = static_cast<float>(i);
         const auto n = static_cast<double>(eta(nm));
         const double through = plate(cos_light, n) * plate(1, n) * plate(1, n);
         const double share = cos_light * through * albedo / kPiDouble;

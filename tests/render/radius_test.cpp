@@ -8,18 +8,14 @@ namespace {
 
 constexpr double kAlpha = 2.0 / 3;
 
-/// The product in closed form: r_p^2 / r_0^2 = Gamma(p + 1 + a) / (Gamma(1 + a) Gamma(p + 2))
-/// times (p + 1), that is binomial coefficients; here by log-gamma, independent of the recursion.
+/// The product of (k + a) / (k + 1), k = 1 .. p, in closed form by the gamma function.
 TEST(RadiusSchedule, is_the_product_of_knaus_and_zwicker) {
     for (const double alpha : {0.1, kAlpha, 0.95}) {
         EXPECT_EQ(radius_factor(0, alpha), 1);
-        for (const std::uint32_t pass : {1U, 2U, 3U, 10U, 1000U}) {
-            // prod_{k=1}^{p} (k + a) / (k + 1)
-            const double logarithm = std::lgamma(pass + 1 + alpha) - std::lgamma(1 + alpha) -
-                                     std::lgamma(pass + 2.0) + std::lgamma(2.0);
-            EXPECT_NEAR(std::pow(radius_factor(pass, alpha), 2), std::exp(logarithm),
-                        1e-10 * std::exp(logarithm))
-                << pass;
+        for (const std::uint32_t pass : {1U, 2U, 3U, 10U, 100U}) {
+            const double product =
+                std::tgamma(pass + 1 + alpha) / std::tgamma(1 + alpha) / std::tgamma(pass + 2.0);
+            EXPECT_NEAR(std::pow(radius_factor(pass, alpha), 2), product, 1e-10 * product) << pass;
         }
     }
 }

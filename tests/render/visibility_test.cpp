@@ -16,45 +16,62 @@ using namespace testing_support;  // NOLINT(google-build-using-namespace): a tes
 
 constexpr PassId kId{9, 0};
 
-/// What a pass deposits, counted again: every photon asks the index, and every taken one and each
-/// 37th other is compared with all visible points one by one.
+/// The visible points of a pass, in the order of the index and in their own.
+struct Points {
+    Points(const PassScene& pass, const RenderSettings& settings, Statistics& counts)
+        : window(window_of(pass.scene.film())),
+          image(window.pixels(), {}),
+          list(trace_eye_paths({pass, settings.transport, settings.eye, window, kId, 1}, image,
+                               counts)),
+          max_depth(settings.transport.max_depth),
+          index(list, max_depth) {}
+
+    std::uint64_t one_by_one(const Photon& photon) const {
+        return static_cast<std::uint64_t>(
+            std::count_if(list.begin(), list.end(),
+                          [&](const VisiblePoint& p) { return takes(p.disc, photon, max_depth); }));
+    }
+
+    /// Points that take the photon, as the index has it; compared with `thorough` one by one.
+    std::uint64_t takers(const Photon& photon, bool thorough) const {
+        std::uint64_t count = 0;
+        const bool taken = index.for_each(photon, [&](const VisiblePoint&) { ++count; });
+        EXPECT_EQ(taken, count > 0);
+        EXPECT_EQ(taken, index.any(photon));
+        EXPECT_TRUE(!taken || index.may_take(photon.position));
+        if (thorough) {
+            EXPECT_EQ(one_by_one(photon), count);
+        }
+        return count;
+    }
+
+    PixelWindow window;
+    PassImage image;
+    std::vector<VisiblePoint> list;
+    int max_depth;
+    VisiblePointIndex index;
+};
+
+/// What a pass deposits, counted again: every photon asks the index, each eleventh all points.
 Statistics counted_again(const Scene& scene, const RenderSettings& settings) {
     const PassScene pass(scene, kId);
-    const PixelWindow window = window_of(scene.film());
-    PassImage image(window.pixels(), {});
     Statistics counts;
-    const auto points =
-        trace_eye_paths({pass, settings.transport, settings.eye, window, kId, 1}, image, counts);
-    const int max_depth = settings.transport.max_depth;
-    const VisiblePointIndex index(points, max_depth);
-    const auto one_by_one = [&](const Photon& photon) {
-        return static_cast<std::uint64_t>(
-            std::count_if(points.begin(), points.end(),
-                          [&](const VisiblePoint& p) { return takes(p.disc, photon, max_depth); }));
-    };
+    const Points points(pass, settings, counts);
     const PhotonTracer tracer(pass, settings.transport);
     const EmissionPoints emission(kId);
     std::uint64_t asked = 0;
     for (std::uint32_t i = 0; i < *settings.photon.paths_per_pass; ++i) {
-        bool visible = false;
+        std::uint64_t deposits = 0;
         const auto visit = [&](const Photon& photon) {
-            std::uint64_t deposits = 0;
-            const bool taken = index.for_each(photon, [&](const VisiblePoint&) { ++deposits; });
-            const bool any = index.any(photon);
-            EXPECT_EQ(taken, any);
-            EXPECT_EQ(deposits > 0, any);
-            EXPECT_TRUE(!any || index.may_take(photon.position));
-            if (any || asked++ % 37 == 0) {
-                EXPECT_EQ(one_by_one(photon), deposits);
-            }
-            counts[Count::photons_stored] += any ? 1 : 0;
-            counts[Count::deposits] += deposits;
-            visible |= any;
+            const std::uint64_t takers = points.takers(photon, asked++ % 11 == 0);
+            counts[Count::photons_stored] += takers > 0 ? 1 : 0;
+            deposits += takers;
             return true;
         };
         std::uint64_t rays = 0;
         tracer.trace(emission.path(i), visit, rays);
-        counts[Count::uniform_visible] += visible ? 1 : 0;
+        counts[Count::deposits] += deposits;
+        counts[Count::uniform_visible] += deposits > 0 ? 1 : 0;
     }
     return counts;
 }

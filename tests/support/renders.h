@@ -15,36 +15,40 @@ namespace sunfleck::testing_support {
 /// Film of n x n pixels with a box filter of one pixel: no light crosses between pixels.
 inline std::string film(int n) {
     const std::string size = std::to_string(n);
-    return "Film \"rgb\" \"integer xresolution\" " + size + " \"integer yresolution\" " + size +
-           "\nPixelFilter \"box\" \"float xradius\" 0.5 \"float yradius\" 0.5\n";
+    return R"(Film "rgb" "integer xresolution" )" + size + R"( "integer yresolution" )" + size +
+           R"(
+PixelFilter "box" "float xradius" 0.5 "float yradius" 0.5
+)";
 }
 
 /// Camera and film: all that comes before the world. @param look  nine numbers of LookAt.
 inline std::string view(const std::string& look, double fov, int n) {
-    return "LookAt " + look + "\nCamera \"perspective\" \"float fov\" " + std::to_string(fov) +
-           "\n" + film(n) + "WorldBegin\n";
+    return "LookAt " + look + R"(
+Camera "perspective" "float fov" )" +
+           std::to_string(fov) + "\n" + film(n) + "WorldBegin\n";
 }
 
 inline std::string diffuse(const std::string& rgb) {
-    return "Material \"diffuse\" \"rgb reflectance\" [" + rgb + "]\n";
+    return R"(Material "diffuse" "rgb reflectance" [)" + rgb + "]\n";
 }
 
 /// @param points  four corners, counter-clockwise as seen from the normal's side.
 inline std::string quad(const std::string& points) {
-    return "Shape \"trianglemesh\" \"point3 P\" [" + points +
-           "] \"integer indices\" [0 1 2 0 2 3]\n";
+    return R"(Shape "trianglemesh" "point3 P" [)" + points + R"(] "integer indices" [0 1 2 0 2 3]
+)";
 }
 
 /// A box with its normals outside.
 inline std::string box(const Vec3d& low, const Vec3d& high) {
     std::ostringstream text;
-    text << "Shape \"trianglemesh\" \"point3 P\" [";
+    text << R"(Shape "trianglemesh" "point3 P" [)";
     for (const double z : {low.z, high.z})
         text << low.x << ' ' << low.y << ' ' << z << "  " << high.x << ' ' << low.y << ' ' << z
              << "  " << high.x << ' ' << high.y << ' ' << z << "  " << low.x << ' ' << high.y << ' '
              << z << "  ";
-    text << "] \"integer indices\" [0 2 1 0 3 2  4 5 6 4 6 7  0 1 5 0 5 4"
-            "  1 2 6 1 6 5  2 3 7 2 7 6  3 0 4 3 4 7]\n";
+    text << R"(] "integer indices" [0 2 1 0 3 2  4 5 6 4 6 7  0 1 5 0 5 4
+1 2 6 1 6 5  2 3 7 2 7 6  3 0 4 3 4 7]
+)";
     return text.str();
 }
 
@@ -110,8 +114,8 @@ struct Estimate {
     /// @param value  called with 0 .. renders - 1: a number that depends on this seed alone.
     template <class F>
     static Estimate over(int renders, const F& value) {
-        std::vector<double> values;
-        for (int i = 0; i < renders; ++i) values.push_back(value(i));
+        std::vector<double> values(static_cast<std::size_t>(renders));
+        for (int i = 0; i < renders; ++i) values[static_cast<std::size_t>(i)] = value(i);
         return of(values);
     }
 };
