@@ -91,18 +91,21 @@ void expect_agreement(const Scene& scene, std::uint32_t paths) {
     }
 }
 
+/// Among them small balls, about which a disc bends far out of its plane.
 TEST(Visibility, glossy_diffuse_and_round_surfaces) {
-    expect_agreement(
-        scene_of(view("0 -4 1.5  0 0 .5  0 0 1", 40, 24) +
-                 "LightSource \"point\" \"point3 from\" [1 -1 4]\n" + diffuse(".7 .7 .7") +
-                 "AttributeBegin\nTranslate 0 -2 .5\nShape \"sphere\" \"float radius\" .4\n" +
-                 "AttributeEnd\n" + quad("-3 -3 0  3 -3 0  3 3 0  -3 3 0") +
-                 "Material \"dielectric\" \"float roughness\" 0.1\n" +
-                 box({-1.2, -.5, .2}, {-.2, .5, 1}) + "Material \"dielectric\"\n" +
-                 box({.2, -.5, .2}, {1.2, .5, 1}) +
-                 "Material \"conductor\" \"float roughness\" .1\n" +
-                 quad("-1 1 0  1 1 0  1 1.4 2  -1 1.4 2")),
-        4'000);
+    std::string balls;
+    for (const char* x : {"-.6", "-.3", "0", ".3", ".6"})
+        balls += std::string("AttributeBegin\nTranslate ") + x +
+                 " -2 .6\nShape \"sphere\" \"float radius\" .12\nAttributeEnd\n";
+    expect_agreement(scene_of(view("0 -4 1.5  0 0 .5  0 0 1", 40, 24) +
+                              "LightSource \"point\" \"point3 from\" [0 -3 2]\n" +
+                              diffuse(".7 .7 .7") + balls + quad("-3 -3 0  3 -3 0  3 3 0  -3 3 0") +
+                              "Material \"dielectric\" \"float roughness\" 0.1\n" +
+                              box({-1.2, -.5, .2}, {-.2, .5, 1}) + "Material \"dielectric\"\n" +
+                              box({.2, -.5, .2}, {1.2, .5, 1}) +
+                              "Material \"conductor\" \"float roughness\" .1\n" +
+                              quad("-1 1 0  1 1 0  1 1.4 2  -1 1.4 2")),
+                     20'000);
 }
 
 /// A glass of the project's own scenes, read with its parts from memory.
