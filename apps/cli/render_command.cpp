@@ -5,6 +5,7 @@
 #include "apps/cli/progress.h"
 #include "apps/cli/stats.h"
 #include "core/parallel.h"
+#include "core/stopwatch.h"
 #include "image/atomic_file.h"
 #include "import/load.h"
 #include "render/progressive.h"
@@ -12,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -52,11 +52,6 @@ RenderSettings settings_of(const RenderOptions& options, const RenderHints& hint
     return settings;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    return passed.count();
-}
-
 void print_lines(const std::vector<std::string>& lines, LogLevel log) {
     if (log == LogLevel::quiet) return;
     for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
@@ -65,7 +60,7 @@ void print_lines(const std::vector<std::string>& lines, LogLevel log) {
 }  // namespace
 
 int run_render(const RenderOptions& options) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const ThreadLimit limit(options.threads);
     if (!options.outputs.empty()) check_outputs(options.outputs, options.stats);
     SceneDescription description = load_scene(options.scene);
@@ -85,7 +80,7 @@ int run_render(const RenderOptions& options) {
         facts.warnings.emplace_back(
             "this machine has no AVX2: bytes may differ from those of other machines");
     print_lines(facts.warnings, options.log);
-    facts.load_seconds = seconds_since(start);
+    facts.load_seconds = watch.seconds();
 
     const InterruptGuard guard;
     const RenderSettings settings = settings_of(options, scene.hints());
@@ -102,7 +97,7 @@ int run_render(const RenderOptions& options) {
     facts.warnings.insert(facts.warnings.end(), doubts.begin(), doubts.end());
     facts.seconds = result.seconds;
     facts.radius_factor = result.radius_factor;
-    facts.total_seconds = seconds_since(start);
+    facts.total_seconds = watch.seconds();
     if (!options.stats.empty()) {
         const std::string json = stats_json(result.film, facts);
         InterruptGuard::finish_first(

@@ -82,11 +82,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// A point of a shape chosen uniformly by area in world space, for emission.
-struct SurfacePoint {
-    Vec3d position;
-    Vec3 normal;      // geometric, the side that emits
-    double area = 0;  // of the sampled patch; the density is 1 / area
-};
-
 }  // namespace sunfleck

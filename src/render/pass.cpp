@@ -1,28 +1,13 @@
 // The stages of one pass, in the order of the data flow. Only this room calls them.
 #include "render/pass.h"
 
+#include "core/stopwatch.h"
 #include "estimate/deposit.h"
 #include "reference/path_integrator.h"
 #include "render/radius.h"
 
-#include <chrono>
-
 namespace sunfleck {
 namespace {
-
-/// Seconds since the last call (or since it was made).
-class Stopwatch {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<double> passed = now - last_;
-        last_ = now;
-        return passed.count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels) {
     constexpr std::uint32_t kLeast = 200'000;

@@ -1,25 +1,14 @@
 // The loop over passes, and when it ends.
 #include "render/progressive.h"
 
+#include "core/stopwatch.h"
 #include "film/error_bars.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace sunfleck {
 namespace {
-
-class Clock {
-public:
-    double seconds() const {
-        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-        return passed.count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 FilmKey key_of(const RenderJob& job) {
     const PixelWindow window = window_of(job.scene.film());
@@ -61,7 +50,7 @@ std::optional<double> seconds_left(const Progress& p, const StopSettings& stop) 
 
 RenderResult render(const RenderJob& job, const RenderHooks& hooks) {
     const StopSettings& stop = job.stop;
-    const Clock clock;
+    const Stopwatch clock;
     RenderResult result{Film(key_of(job)), {}, 0, 0, 1, false};
     Progress progress;
     progress.target = stop.target_error;
