@@ -85,7 +85,7 @@ void Bench::run(Rates& rates) const {
     const PhotonTracer tracer(pass.scene, pass.transport);
     const Depositor deposit(pass.scene, index, pass.image, paths);
     const UniformPaths uniform{UniformKind::uniform, pass.id, paths};
-    const auto may_take = [&](const Vec3& position) { return index.may_take(position); };
+    const auto may_take = [&](const Photon& photon) { return index.may_take(photon); };
     Statistics photon;
     const Elapsed photon_time =
         time_of([&] { photon = trace_uniform_paths(tracer, uniform, may_take, deposit); });
@@ -93,7 +93,7 @@ void Bench::run(Rates& rates) const {
     rates.photon.add(count, photon_time);
     rates.raw_photon.add(static_cast<double>(rays.photon.size()),
                          time_of([&] { raw.trace(rays.photon); }));
-    const auto nowhere = [](const Vec3&) { return false; };
+    const auto nowhere = [](const Photon&) { return false; };
     rates.trace.add(count, time_of([&] { trace_batches(tracer, uniform, {0, paths}, nowhere); }));
 }
 
@@ -131,7 +131,7 @@ void profile(const Settings& settings) {
     const VisiblePointIndex index(std::move(pass.points), pass.transport.max_depth);
     const PhotonTracer tracer(pass.scene, pass.transport);
     const Depositor deposit(pass.scene, index, pass.image, settings.paths);
-    const auto may_take = [&](const Vec3& position) { return index.may_take(position); };
+    const auto may_take = [&](const Photon& photon) { return index.may_take(photon); };
     const Elapsed elapsed = time_of([&] {
         for (std::uint32_t i = 0; i < settings.profile; ++i)
             trace_uniform_paths(tracer, {UniformKind::uniform, {0, i}, settings.paths}, may_take,

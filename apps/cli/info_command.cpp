@@ -54,9 +54,8 @@ int run_info(const InfoOptions& options) {
     const PixelWindow window = window_of(scene.film());
     fmt::print("film        {} x {}, rendered {} x {}\n", scene.film().resolution.x,
                scene.film().resolution.y, window.width(), window.height());
-    if (!scene.hints().integrator.empty())
-        fmt::print("integrator  \"{}\" in the scene; sunfleck renders by sppm\n",
-                   scene.hints().integrator);
+    if (scene.hints().integrator == "sppm")  // any other one is told by a warning
+        fmt::print("integrator  \"sppm\", as here\n");
     for (const auto& warning : scene.warnings().entries()) fmt::print("{}\n", warning.line());
     return 0;
 }

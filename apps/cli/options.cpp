@@ -1,6 +1,7 @@
 // The flags of every command, row by row.
 #include "apps/cli/options.h"
 
+#include "apps/cli/paper_options.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -21,7 +22,8 @@ struct RenderTexts {
     std::string crop;
     std::string pass_range;
     std::string layers;
-    std::string sampler = "uniform";
+    std::string sampler = "adaptive";
+    PaperTexts paper;
     std::string direct = "sampled";
     std::string integrator = "sppm";
     std::string seed;
@@ -50,9 +52,14 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
         ->allow_extra_args(false);
     app.add_option("--integrator", t.integrator, "sppm, or path (reference path tracer)")
         ->check(CLI::IsMember({"sppm", "path"}));
-    app.add_option("--photon-sampler", t.sampler,
-                   "uniform (emission by Sobol' points), or random (independent numbers)")
-        ->check(CLI::IsMember({"uniform", "random"}));
+    std::string samplers;
+    std::vector<std::string> names;
+    for (const PhotonSamplerRow& row : kPhotonSamplers) {
+        names.emplace_back(row.name);
+        samplers += fmt::format("{}{}: {}", samplers.empty() ? "" : "; ", row.name, row.what);
+    }
+    app.add_option("--photon-sampler", t.sampler, samplers)->check(CLI::IsMember(names));
+    add_paper_flags(app, t.paper);
     app.add_option("--direct", t.direct, "Who brings direct light: sampled, or photons")
         ->check(CLI::IsMember({"sampled", "photons"}));
     app.add_option("--passes,--spp", t.passes, "End after this many passes")
@@ -132,7 +139,8 @@ void read_pass_range(const std::string& text, StopSettings& stop) {
 /// What the reference path tracer has no use for is refused rather than passed over.
 void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     if (t.integrator != "path") return;
-    for (const char* flag : {"--photon-sampler", "--direct", "--photons-per-pass", "--radius",
+    for (const char* flag : {"--photon-sampler", "--mode", "--replica-exchange", "--mutation-size",
+                             "--target-acceptance", "--direct", "--photons-per-pass", "--radius",
                              "--radius-pixels", "--alpha", "--layers"})
         if (given.count(flag) > 0)
             throw Error({flag}, "has no meaning with --integrator path", "leave it out");
@@ -140,7 +148,8 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
 
 void finish_render(RenderOptions& o, const RenderTexts& t) {
     o.settings.integrator = t.integrator == "path" ? Integrator::path : Integrator::sppm;
-    o.settings.photon.sampler = t.sampler == "random" ? UniformKind::random : UniformKind::uniform;
+    for (const PhotonSamplerRow& row : kPhotonSamplers)
+        if (row.name == t.sampler) o.settings.photon.sampler = row.sampler;
     o.settings.transport.direct =
         t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
     if (!t.seed.empty()) o.settings.seed = read_seed(t.seed, "--seed");
@@ -210,6 +219,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
     if (render_app->parsed()) {
         check_fits_integrator(*render_app, texts);
         finish_render(render, texts);
+        finish_paper(*render_app, texts.paper, render);
         for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
         options.render = render;
     } else if (info_app->parsed()) {

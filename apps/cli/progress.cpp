@@ -23,6 +23,11 @@ std::string progress_text(const Progress& p) {
         p.of ? fmt::format("pass {} of {}", p.passes, *p.of) : fmt::format("pass {}", p.passes);
     text +=
         fmt::format(", {}, {:.3g} M paths/s", duration_text(p.seconds), p.paths_per_second * 1e-6);
+    if (p.visible_fraction > 0) text += fmt::format(", visible {:.2g}", p.visible_fraction);
+    if (p.levels > 0)
+        text += fmt::format(" in {} level{}, {:.0f}% accepted", p.levels, p.levels > 1 ? "s" : "",
+                            100 * p.acceptance);
+    if (p.starved > 0) text += fmt::format(", {} starved", p.starved);
     if (p.error) text += fmt::format(", error {:.2f}%", 100 * *p.error);
     if (p.target) text += fmt::format(" (target {:.2g}%)", 100 * *p.target);
     if (p.seconds_left) text += fmt::format(", {} left", duration_text(*p.seconds_left));

@@ -79,6 +79,10 @@ int run_render(const RenderOptions& options) {
     if (options.isa == "avx2" && !cpu_has_avx2())
         facts.warnings.emplace_back(
             "this machine has no AVX2: bytes may differ from those of other machines");
+    if (options.settings.photon.sampler == PhotonSampler::paper)
+        facts.warnings.emplace_back(
+            "sampler paper: its counts are pooled while the view and the radii change, so the "
+            "picture is biased until it has converged, and has no error bars; adaptive is not");
     print_lines(facts.warnings, options.log);
     facts.load_seconds = watch.seconds();
 

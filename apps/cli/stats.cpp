@@ -19,13 +19,51 @@ struct Fraction {
 };
 
 Fraction visible_fraction(const Film& film) {
-    const double paths = film.statistic("uniform_paths");
     const auto passes = static_cast<double>(film.pass_count());
-    if (paths == 0) return {};
-    const double value = film.statistic("uniform_visible") / paths;
+    const double value = film.statistic("visible_fraction") / passes;
     const double square = film.statistic("visible_fraction_square") / passes;
     const double variance = std::max(0.0, square - value * value);
     return {value, passes > 1 ? std::sqrt(variance / (passes - 1)) : 0};
+}
+
+/// Over all passes with a ladder: shares that went on from each level, accepted shares.
+Json ladder_json(const Film& film) {
+    Json fractions = Json::array();
+    Json acceptance = Json::array();
+    const auto statistic = [&](std::size_t level, const char* what) {
+        return film.statistic(fmt::format("ladder.{}.{}", level, what));
+    };
+    std::size_t levels = 0;
+    for (; statistic(levels, "states") > 0; ++levels) {
+        if (levels > 0)
+            acceptance.push_back(statistic(levels, "accepted") /
+                                 std::max(1.0, statistic(levels, "proposed")));
+        if (statistic(levels + 1, "states") > 0 || levels == 0)
+            fractions.push_back(statistic(levels, "survivors") / statistic(levels, "states"));
+    }
+    return {{"levels", levels == 0 ? 0 : levels - 1},
+            {"fractions", fractions},
+            {"acceptance", acceptance}};
+}
+
+/// Visible paths per traced path over the same for uniform paths.
+Json visible_ratio(const Film& film, const char* visible) {
+    const double traced = film.statistic("uniform_paths") + film.statistic("mutated_paths");
+    const double fraction = visible_fraction(film).value;
+    if (traced == 0 || fraction == 0) return nullptr;
+    return film.statistic(visible) / traced / fraction;
+}
+
+/// theta of the sampler `paper`, as it ended.
+Json mutation_size(const Film& film) {
+    const double theta = film.statistic("mutation_size");
+    return theta > 0 ? Json(theta) : Json();
+}
+
+/// Accepted mutations over all of them.
+Json acceptance(const Film& film) {
+    const double mutated = film.statistic("mutated_paths");
+    return mutated > 0 ? Json(film.statistic("accepted_paths") / mutated) : Json();
 }
 
 Json settings_json(const FilmKey& key) {
@@ -63,18 +101,27 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
         json["pass_ranges"].push_back({range.begin, range.end});
     json["rounds"] = film.rounds();
     // Deposits are made while tracing: "estimate" is part of "photon".
-    json["seconds"] = {{"load", facts.load_seconds},     {"build", facts.seconds.build},
-                       {"eye", facts.seconds.eye},       {"index", facts.seconds.index},
-                       {"photon", facts.seconds.photon}, {"estimate", 0.0},
+    json["seconds"] = {{"load", facts.load_seconds},
+                       {"build", facts.seconds.build},
+                       {"eye", facts.seconds.eye},
+                       {"index", facts.seconds.index},
+                       {"photon", facts.seconds.photon},
+                       {"learn", facts.seconds.learn},
+                       {"estimate", 0.0},
                        {"total", facts.total_seconds}};
     json["rays"] = {{"eye", count("eye_rays")}, {"photon", count("photon_rays")}};
     json["visible_points"] = count("visible_points");
     json["photon_paths"] = {{"uniform", count("uniform_paths")},
                             {"uniform_visible", count("uniform_visible")},
-                            {"mutated", 0},
-                            {"accepted", 0},
-                            {"distinct_visible", count("uniform_visible")},
-                            {"deposited", count("uniform_visible")}};
+                            {"mutated", count("mutated_paths")},
+                            {"accepted", count("accepted_paths")},
+                            {"distinct_visible", count("distinct_visible")},
+                            {"deposited", count("visible_states")}};
+    json["ladder"] = ladder_json(film);
+    json["visible_photon_ratio"] = visible_ratio(film, "distinct_visible");
+    json["visible_photon_ratio_with_repeats"] = visible_ratio(film, "visible_states");
+    json["mutation_size"] = mutation_size(film);
+    json["acceptance"] = acceptance(film);
     json["photons_stored"] = count("photons_stored");
     json["deposits"] = count("deposits");
     json["starved_passes"] = count("starved_passes");
@@ -94,11 +141,19 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
 std::vector<std::string> reliability_warnings(const Film& film) {
     std::vector<std::string> lines;
     const double starved = film.statistic("starved_passes");
-    if (starved > 0 && film.statistic("uniform_paths") > 0)
+    if (starved > 0)
         lines.push_back(
-            fmt::format("in {:.0f} of {} passes no photon reached what the camera sees; raise "
-                        "--photons-per-pass if light by way of glass or walls is missing",
+            fmt::format("in {:.0f} of {} passes no photon reached what the camera sees, and they "
+                        "are dark; the picture is right on average over many more passes, or with "
+                        "more --photons-per-pass",
                         starved, film.pass_count()));
+    const Fraction visible = visible_fraction(film);
+    if (visible.error > 0.1 * visible.value)
+        lines.push_back(fmt::format(
+            "the light brought by photons is uncertain by {:.0f}% as a "
+            "whole: the visible fraction of photon paths is {:.2g} +- "
+            "{:.2g} after {} passes",
+            100 * visible.error / visible.value, visible.value, visible.error, film.pass_count()));
     const auto error = image_error(film);
     if (error && error->mean > 0 && error->standard_error > 0.05 * error->mean)
         lines.push_back(fmt::format("the brightness of the whole picture is uncertain by {:.0f}%",

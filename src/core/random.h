@@ -36,9 +36,10 @@ enum class Purpose : std::uint32_t {
     eye,
     uniform_path,
     sobol_shift,
-    deposit,
+    chain,
     reference_path,
-    test
+    test,
+    ladder
 };
 
 /// A 64-bit fraction of one turn as a double of the open interval (0,1): an odd multiple of 2^-53.

@@ -1,52 +1,185 @@
-// Deposits of many photons at once: sorted along the Morton curve of the index, then in parallel.
+// Deposits of many photons at once: every block of eight visible points gathers its photons.
 #include "estimate/deposit.h"
 
 #include "core/parallel.h"
+#include "measurement/sorted_photons.h"
 
+#include <algorithm>
 #include <mutex>
 
 namespace sunfleck {
 namespace {
 
-/// All photons of the batches in Morton order.
-std::vector<MortonKey> in_order(const std::vector<PhotonBatch>& batches, const MortonGrid& grid) {
-    constexpr unsigned kSortedBits = 33;
-    std::vector<std::size_t> first(batches.size() + 1, 0);
-    for (std::size_t b = 0; b < batches.size(); ++b)
-        first[b + 1] = first[b] + batches[b].photons.size();
-    std::vector<MortonKey> keys(first.back());
-    parallel_for(batches.size(), [&](std::size_t b) {
-        const std::vector<Photon>& photons = batches[b].photons;
-        for (std::size_t i = 0; i < photons.size(); ++i)
-            keys[first[b] + i] = {grid.code(photons[i].position), static_cast<std::uint32_t>(i),
-                                  static_cast<std::uint32_t>(b)};
-    });
-    sort_by_code(keys, kSortedBits);
-    return keys;
+constexpr std::size_t kWidth = VisiblePointIndex::kWidth;
+constexpr std::array<PhotonKind, 3> kKinds = {PhotonKind::direct, PhotonKind::caustic,
+                                              PhotonKind::indirect};
+
+std::size_t number_of(PhotonKind kind) {
+    return static_cast<std::size_t>(__builtin_ctz(static_cast<unsigned>(kind)));
 }
+
+/// Marks that several threads may set at once.
+class Marks {
+public:
+    explicit Marks(std::size_t count) : marks_(count, 0) {}
+    void set(std::size_t i) {
+        std::atomic_ref<std::uint8_t> mark(marks_[i]);
+        if (mark.load(std::memory_order_relaxed) == 0) mark.store(1, std::memory_order_relaxed);
+    }
+    const std::vector<std::uint8_t>& all() const { return marks_; }
+
+private:
+    std::vector<std::uint8_t> marks_;
+};
+
+/// What all blocks share.
+struct Gathering {
+    const PassScene& pass;
+    const VisiblePointIndex& index;
+    PassImage& image;
+    std::uint32_t paths;
+    const SortedPhotons& photons;
+    Marks& taken;
+};
+
+/// Blocks of visible points one after the other: sums of light by kind and point.
+class Gatherer {
+public:
+    explicit Gatherer(const Gathering& all) : all_(all) {}
+
+    /// Blocks begin .. end - 1, neighbours in space. @return photons times points that took them.
+    std::uint64_t gather(std::size_t begin, std::size_t end) {
+        Box box;
+        for (std::size_t block = begin; block < end; ++block) box.extend(all_.index.box(block));
+        all_.photons.find_places(box, places_);
+        std::uint64_t deposits = 0;
+        for (block_ = begin; block_ < end; ++block_) deposits += gather_block();
+        return deposits;
+    }
+
+private:
+    struct Taken {
+        std::size_t photon;
+        unsigned takers;  // bit i: point i of the block
+    };
+
+    const VisiblePoint& point(std::size_t i) const {
+        return all_.index.points()[block_ * kWidth + i];
+    }
+
+    std::size_t points_here() const {
+        return std::min(kWidth, all_.index.points().size() - block_ * kWidth);
+    }
+
+    std::uint64_t gather_block() {
+        for (std::size_t i = 0; i < points_here(); ++i)
+            __builtin_prefetch(&point(i).shading_normal);
+        for (std::size_t i = 0; i < points_here(); ++i) __builtin_prefetch(&point(i).pixel);
+        find_taken();
+        if (count_ == 0) return 0;
+        begin();
+        std::uint64_t deposits = 0;
+        for (std::size_t t = 0; t < count_; ++t) {
+            const Photon& photon = all_.photons[taken_[t].photon];
+            const std::size_t kind = number_of(photon.kind);
+            all_.taken.set(taken_[t].photon);
+            met_.at(kind) |= taken_[t].takers;
+            deposits += static_cast<unsigned>(__builtin_popcount(taken_[t].takers));
+            for (unsigned rest = taken_[t].takers; rest != 0; rest &= rest - 1)
+                add(static_cast<unsigned>(__builtin_ctz(rest)), photon, light_[kind]);
+        }
+        for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
+            for (unsigned rest = met_.at(kind); rest != 0; rest &= rest - 1)
+                finish(static_cast<unsigned>(__builtin_ctz(rest)), kKinds.at(kind));
+        return deposits;
+    }
+
+    /// Lists the photons that the block takes.
+    void find_taken() {
+        count_ = 0;
+        all_.photons.in_box(all_.index.box(block_), places_, [&](std::size_t i) {
+            if (count_ == taken_.size()) taken_.resize(2 * count_ + 64);
+            const unsigned takers = all_.index.takers(block_, all_.photons[i]);
+            taken_[count_] = {i, takers};
+            count_ += takers != 0 ? 1 : 0;
+        });
+    }
+
+    /// Plain points are Lambertian, and their shading normal is the geometric one, on either side.
+    void begin() {
+        for (auto& kind : light_) kind.fill(Spectrum());
+        met_.fill(0);
+        plain_ = 0;
+        for (std::size_t i = 0; i < points_here(); ++i) {
+            const VisiblePoint& p = point(i);
+            __builtin_prefetch(all_.image.place_of(p.pixel), 1);
+            const bool same =
+                p.shading_normal == p.disc.normal || p.shading_normal == -p.disc.normal;
+            if (same && p.material == kLambertian) plain_ |= 1U << i;
+        }
+    }
+
+    using Lights = std::array<Spectrum, kWidth>;
+
+    void add(std::size_t i, const Photon& photon, Lights& light) const {
+        if ((plain_ >> i & 1U) != 0)
+            light[i] += photon.flux;
+        else
+            light[i] += light_of(all_.pass, point(i), photon);
+    }
+
+    void finish(std::size_t i, PhotonKind kind) const {
+        const VisiblePoint& to = point(i);
+        const Spectrum share = share_of(to, all_.paths);
+        const Vec3 rgb = all_.pass.wavelengths.to_rgb(light_[number_of(kind)][i] * share);
+        if (PassImage::is_addable(rgb))
+            all_.image.add_light(to.pixel, rgb, owner_of(to, kind));
+        else
+            add_one_by_one(i, kind, share);
+    }
+
+    /// Where the sum is not a number that can be added: each photon stands or falls by itself.
+    void add_one_by_one(std::size_t i, PhotonKind kind, const Spectrum& share) const {
+        for (std::size_t t = 0; t < count_; ++t) {
+            const Photon& photon = all_.photons[taken_[t].photon];
+            if (photon.kind != kind || (taken_[t].takers >> i & 1U) == 0) continue;
+            const Spectrum value = light_of(all_.pass, point(i), photon) * share;
+            all_.image.add_light(point(i).pixel, all_.pass.wavelengths.to_rgb(value),
+                                 owner_of(point(i), kind));
+        }
+    }
+
+    const Gathering& all_;
+    SortedPhotons::Places places_;
+    std::vector<Taken> taken_;  // the first count_
+    std::size_t count_ = 0;
+    std::size_t block_ = 0;
+    unsigned plain_ = 0;                         // points whose light is the photons' flux
+    std::array<unsigned, kKinds.size()> met_{};  // points that took a photon of the kind
+    std::array<Lights, kKinds.size()> light_;
+};
 
 }  // namespace
 
 Statistics Depositor::operator()(std::vector<PhotonBatch>& batches) const {
-    constexpr std::size_t kBlock = 4096;
-    constexpr std::size_t kAhead = 8;
-    const std::vector<MortonKey> order = in_order(batches, index_.grid());
-    Statistics total;
-    std::mutex guard;
-    parallel_blocks(order.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-        Statistics block;
-        for (std::size_t i = begin; i < end; ++i) {
-            if (i + kAhead < end) {
-                const MortonKey& next = order[i + kAhead];
-                __builtin_prefetch(&batches[next.list].photons[next.item]);
-            }
-            PhotonBatch& batch = batches[order[i].list];
-            const std::uint32_t item = order[i].item;
-            batch.taken[item] = deposit(batch.photons[item], block) ? 1 : 0;
-        }
-        const std::lock_guard lock(guard);
-        total += block;
+    constexpr std::size_t kBlocks = 256;
+    constexpr std::size_t kNeighbours = 8;
+    const SortedPhotons photons(batches, index_.grid());
+    Marks taken(photons.size());
+    const Gathering all{pass_, index_, image_, paths_, photons, taken};
+    std::atomic<std::uint64_t> deposits{0};
+    parallel_blocks(index_.block_count(), kBlocks, [&](std::size_t begin, std::size_t end) {
+        std::uint64_t sum = 0;
+        Gatherer gatherer(all);
+        for (std::size_t first = begin; first < end; first += kNeighbours)
+            sum += gatherer.gather(first, std::min(end, first + kNeighbours));
+        deposits.fetch_add(sum, std::memory_order_relaxed);
     });
+    photons.hand_back(taken.all(), batches);
+    Statistics total;
+    total[Count::deposits] = deposits;
+    total[Count::photons_stored] = static_cast<std::uint64_t>(
+        std::count(taken.all().begin(), taken.all().end(), std::uint8_t{1}));
     return total;
 }
 

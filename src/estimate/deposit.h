@@ -25,10 +25,24 @@ inline Spectrum gather_lobe(const PassScene& pass, const VisiblePoint& point, co
     return eval(bsdf, from, to, Transport::radiance);
 }
 
-/// The layer that owns what this photon brings to this point.
-inline Layer owner_of(const VisiblePoint& point, const Photon& photon) {
-    if (point.after_rough || photon.kind == PhotonKind::indirect) return Layer::indirect;
-    return photon.kind == PhotonKind::direct ? Layer::direct : Layer::caustic;
+/// The part of the estimate that differs from photon to photon: flux as the point's bsdf sees it.
+inline Spectrum light_of(const PassScene& pass, const VisiblePoint& point, const Photon& photon) {
+    const float corrected =
+        std::abs(point.shading_normal.dot(photon.w)) / std::abs(point.disc.normal.dot(photon.w));
+    const Spectrum light = photon.flux * corrected;
+    return point.material == kLambertian ? light : light * gather_lobe(pass, point, photon.w);
+}
+
+/// The part that is the same for all photons of a point. @param paths  N.
+inline Spectrum share_of(const VisiblePoint& point, std::uint32_t paths) {
+    const float radius = point.disc.radius;
+    return point.throughput * (1 / (static_cast<float>(paths) * (kPi * radius * radius)));
+}
+
+/// The layer that owns what a photon of this kind brings to this point.
+inline Layer owner_of(const VisiblePoint& point, PhotonKind kind) {
+    if (point.after_rough || kind == PhotonKind::indirect) return Layer::indirect;
+    return kind == PhotonKind::direct ? Layer::direct : Layer::caustic;
 }
 
 class Depositor {
@@ -36,38 +50,19 @@ public:
     /// @param paths  photon paths of the pass: N of the estimate.
     Depositor(const PassScene& pass, const VisiblePointIndex& index, PassImage& image,
               std::uint32_t paths)
-        : pass_(pass), index_(index), image_(image), per_path_(1 / static_cast<float>(paths)) {}
+        : pass_(pass), index_(index), image_(image), paths_(paths) {}
 
-    /// Adds the photons to every visible point that takes them, in an order in which neighbours
-    /// find their discs and pixels in the cache (sums are exact: any order gives the same bytes).
-    /// Marks which photons were taken. @return counts of deposits.
+    /// Adds to every visible point the photons that it takes, and marks in the batches which were
+    /// taken. Each point sums in floats, in an order that depends on the batches alone (not on the
+    /// threads), and adds one term a kind of photon to the exact sums of its pixel. The flux of a
+    /// photon is taken as it is: whoever weights paths scales it before. @return counts.
     Statistics operator()(std::vector<PhotonBatch>& batches) const;
 
-    /// The same for one photon. @return whether it was taken.
-    bool deposit(const Photon& photon, Statistics& statistics) const {
-        const bool taken = index_.for_each(photon, [&](const VisiblePoint& point) {
-            ++statistics[Count::deposits];
-            add(point, photon);
-        });
-        if (taken) ++statistics[Count::photons_stored];
-        return taken;
-    }
-
 private:
-    void add(const VisiblePoint& point, const Photon& photon) const {
-        const Disc& disc = point.disc;
-        const float corrected =
-            std::abs(point.shading_normal.dot(photon.w)) / std::abs(disc.normal.dot(photon.w));
-        const float kernel = corrected * per_path_ / (kPi * disc.radius * disc.radius);
-        Spectrum value = point.throughput * photon.flux * kernel;
-        if (point.material != kLambertian) value *= gather_lobe(pass_, point, photon.w);
-        image_.add_light(point.pixel, pass_.wavelengths.to_rgb(value), owner_of(point, photon));
-    }
-
     const PassScene& pass_;
     const VisiblePointIndex& index_;
     PassImage& image_;
-    float per_path_;
+    std::uint32_t paths_;
 };
 
 }  // namespace sunfleck

@@ -2,6 +2,18 @@
 #include "eye/direct_light.h"
 
 namespace sunfleck {
+namespace {
+
+/// Density with which light samples take a direction, for the weights: infinite lights lie upon
+/// each other, and a bsdf sample finds them all at once, so they count together.
+float density(const PassScene& pass, std::size_t light, const DirectSample& drawn,
+              float probability) {
+    if (std::holds_alternative<InfiniteLight>(pass.scene.lights()[light]))
+        return emitter_beyond(pass, drawn.direction).pdf;
+    return *drawn.pdf * probability;
+}
+
+}  // namespace
 
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
                        const Vec2d& u, Statistics& statistics) {
@@ -20,7 +32,7 @@ Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_
     const auto probability = static_cast<float>(choice.probability);
     float weight = light->factor * std::abs(w_to.z) / probability;
     if (light->pdf)
-        weight *= mis_weight(*light->pdf * probability,
+        weight *= mis_weight(density(pass, choice.index, *light, probability),
                              pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance));
     return f * pass.emission[choice.index] * weight;
 }

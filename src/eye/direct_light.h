@@ -42,11 +42,11 @@ EmitterMet emitter_beyond(const PassScene& pass, const Vec3& direction);
 Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
                             Statistics& statistics);
 
-/// Weight of the strategy with density `mine` against one with density `other`.
+/// Weight of the strategy with density `mine` against one with density `other`, not both zero.
+/// (By their ratio, for squares of densities need not fit into a float.)
 inline float mis_weight(float mine, float other) {
-    const float a = mine * mine;
-    const float b = other * other;
-    return a / (a + b);
+    const float ratio = other / mine;
+    return 1 / (1 + ratio * ratio);
 }
 
 }  // namespace sunfleck

@@ -115,7 +115,7 @@ Film::Film(FilmKey key) {
 }
 
 std::uint64_t Film::rounds() const {
-    return complete_rounds(sums_.passes);
+    return key().sequential ? 0 : complete_rounds(sums_.passes);
 }
 
 void Film::count(std::string_view name, std::uint64_t events) {
@@ -139,14 +139,15 @@ void Film::add_pass(std::uint32_t number, const PassImage& image) {
         throw Error({"pass " + std::to_string(number)}, "the film holds it already",
                     "add each pass once");
     check_image(sums_.key, number, image);
-    FixedPoints& round = sums_.open_rounds[number / kRoundPasses];
-    round.resize(3 * key().pixels());
     for (std::size_t i = 0; i < kLayerCount; ++i)
         if (key().has(i)) add_layer(sums_.layers.at(i), image, kLayers.at(i));
-    add_layer(round, image, kLayers[0]);
     count("dropped_nonfinite", image.dropped());
     count("saturated", image.saturated());
     sums_.passes.insert(range);
+    if (key().sequential) return;
+    FixedPoints& round = sums_.open_rounds[number / kRoundPasses];
+    round.resize(3 * key().pixels());
+    add_layer(round, image, kLayers[0]);
     close_rounds();
 }
 
@@ -164,6 +165,9 @@ void Film::merge(const Film& other, const std::string& other_name) {
     if (!differs.empty())
         throw Error({other_name}, "is of another render: " + differs,
                     "merge parts of one render alone");
+    if (key().sequential)
+        throw Error({other_name}, "its passes build on one another and are no parts of a render",
+                    "render with another --photon-sampler to merge");
     for (const PassRange& range : from.passes.ranges())
         if (sums_.passes.count_in(range) != 0)
             throw Error({other_name},

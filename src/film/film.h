@@ -8,6 +8,8 @@
 // complete its mean luminance y is computed from its exact sums, of each pixel, each block and the
 // whole picture, and y^2 is added to the sums of squares: floored to 2^-64, at most 2^47 (beyond:
 // cut and counted). Until then the round's own RGB sums are kept beside the totals.
+//
+// Passes that build on those before are no samples: a sequential film (film_key.h) has no rounds.
 #pragma once
 
 #include "film/film_key.h"
@@ -65,7 +67,8 @@ public:
 
     /// Adds another film of the same render. The result does not depend on the order of merging.
     /// @param other_name  where it came from, for the Error.
-    /// @throws Error, and changes nothing, if the keys differ or both hold one pass.
+    /// @throws Error, and changes nothing, if the keys differ, both hold one pass, or passes are
+    ///         sequential.
     void merge(const Film& other, const std::string& other_name);
 
     const FilmKey& key() const { return sums_.key; }
@@ -73,7 +76,7 @@ public:
     FilmSums sums() && { return std::move(sums_); }
     const PassSet& passes() const { return sums_.passes; }
     std::uint64_t pass_count() const { return sums_.passes.count(); }
-    /// Complete rounds.
+    /// Complete rounds; none of a sequential film.
     std::uint64_t rounds() const;
 
 private:

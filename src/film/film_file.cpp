@@ -20,6 +20,7 @@ static_assert(sizeof(FixedPoint) == 16, "sums are stored as two words");
 
 constexpr std::uint64_t kMagic = 0x0A'6D'6C'69'66'6E'75'73;  // "sunfilm\n"
 constexpr std::uint64_t kVersion = 1;
+constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
 constexpr std::size_t kWordsAtOnce = 1U << 15U;
@@ -151,7 +152,10 @@ FilmKey read_key(WordReader& in) {
     FilmKey key;
     key.width = static_cast<int>(in.word_up_to(kMostPixelsAcross));
     key.height = static_cast<int>(in.word_up_to(kMostPixelsAcross));
-    const std::uint64_t layers = in.word_up_to((1U << kLayerCount) - 1);
+    const std::uint64_t flags = in.word();
+    const std::uint64_t layers = flags & ~kSequential;
+    key.sequential = layers != flags;
+    if ((layers >> kLayerCount) != 0) in.damaged();
     if (key.pixels() == 0 || (layers & 1U) == 0) in.damaged();
     for (std::size_t i = 0; i < kLayerCount; ++i) key.layers.at(i) = (layers >> i & 1U) != 0;
     key.seed = in.word();
@@ -204,7 +208,7 @@ bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_round
 void write_film(const std::string& path, const Film& film) {
     const FilmSums& sums = film.sums();
     WordWriter out(path);
-    std::uint64_t layers = 0;
+    std::uint64_t layers = sums.key.sequential ? kSequential : 0;
     for (std::size_t i = 0; i < kLayerCount; ++i)
         if (sums.key.has(i)) layers |= std::uint64_t{1} << i;
     for (const std::uint64_t word :
@@ -235,7 +239,7 @@ Film read_film(std::istream& stream, std::uint64_t size, const std::string& name
     const FilmKey key = read_key(in);
     PassSet passes = read_passes(in);
     FilmStatistics statistics = read_statistics(in);
-    const std::vector<std::uint64_t> open = open_rounds(passes);
+    const auto open = key.sequential ? std::vector<std::uint64_t>() : open_rounds(passes);
     if (!sums_fill(in.left(), key, open.size())) in.damaged();
 
     FilmSums sums = std::move(Film(key)).sums();

@@ -47,6 +47,7 @@ std::string difference(const FilmKey& here, const FilmKey& there) {
     if (here.seed != there.seed)
         return both("seed", std::to_string(here.seed), std::to_string(there.seed));
     if (here.scene_hash != there.scene_hash) return "scene differs";
+    if (here.sequential != there.sequential) return "order of passes differs";
     if (here.settings != there.settings) return differing_lines(here.settings, there.settings);
     return "";
 }

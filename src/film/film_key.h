@@ -16,6 +16,7 @@ struct FilmKey {
     std::uint64_t seed = 0;
     std::uint64_t scene_hash = 0;  // of all that the scene file and its parts hold
     std::string settings;          // one "name=value" a line: all that a pass depends on
+    bool sequential = false;       // a pass builds on those before: no error bars, no merging
 
     friend bool operator==(const FilmKey&, const FilmKey&) = default;
 

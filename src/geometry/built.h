@@ -46,8 +46,13 @@ public:
     const Corners& corners(std::uint32_t primitive) const { return mesh()->triangles[primitive]; }
     /// In the frame of the group, as Embree has it.
     Triangle triangle(std::uint32_t primitive) const {
-        const float* v = &vertices_[std::size_t{9} * primitive];
+        const float* v = corner_floats(primitive);
         return {{Vec3d(v[0], v[1], v[2]), Vec3d(v[3], v[4], v[5]), Vec3d(v[6], v[7], v[8])}};
+    }
+
+    /// Nine floats of a mesh: what triangle() reads.
+    const float* corner_floats(std::uint32_t primitive) const {
+        return &vertices_[std::size_t{9} * primitive];
     }
 
 private:

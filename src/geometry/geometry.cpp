@@ -61,7 +61,8 @@ struct Geometry::Impl {
     void build_world();
     std::uint32_t first_instance() const { return static_cast<std::uint32_t>(world.shapes.size()); }
     std::size_t triangles_of(const std::vector<std::uint32_t>& list) const;
-    std::optional<Hit> trace(const Line& line, float length) const;
+    Meeting meet(const Line& line, float length) const;
+    Hit complete(const Meeting& meeting) const;
     bool is_far(double distance, const Vec3& position) const;
 };
 
@@ -129,24 +130,41 @@ std::size_t Geometry::Impl::triangles_of(const std::vector<std::uint32_t>& list)
     return sum;
 }
 
-std::optional<Hit> Geometry::Impl::trace(const Line& line, float length) const {
-    if (!is_traceable(line, length)) return {};
+Meeting Geometry::Impl::meet(const Line& line, float length) const {
+    Meeting meeting;
+    meeting.origin = line.origin;
+    meeting.direction = line.direction;
+    if (!is_traceable(line, length)) return meeting;
     Query query(line, instances, first_instance());
-    RTCRayHit met{embree_ray(line, length), {}};
+    RTCRayHit met;
+    met.ray = embree_ray(line, length);
     met.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     met.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(world.scene.get(), &query, &met);
-    if (met.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    if (met.hit.geomID == RTC_INVALID_GEOMETRY_ID) return meeting;
 
     const bool in_world = met.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
-    const std::uint32_t number = in_world ? kNone : met.hit.instID[0] - first_instance();
-    const BuiltInstance* instance = in_world ? nullptr : &instances[number];
-    const ShapeGroup& group = in_world ? world : *instance->group;
-    const std::uint32_t shape = group.shape_of(met.hit.geomID, met.hit.primID);
-    const Vec2d weights(met.hit.u, met.hit.v);
-    Hit hit = complete_hit({&shapes[shape], instance, met.hit.primID, weights, query.t}, line);
-    hit.shape = shape;
-    hit.instance = number;
+    meeting.instance = in_world ? kNone : met.hit.instID[0] - first_instance();
+    const ShapeGroup& group = in_world ? world : *instances[meeting.instance].group;
+    meeting.shape = group.shape_of(met.hit.geomID, met.hit.primID);
+    meeting.primitive = met.hit.primID;
+    meeting.weights = {met.hit.u, met.hit.v};
+    meeting.t = query.t;
+    const BuiltShape& met_shape = shapes[meeting.shape];
+    if (met_shape.mesh() != nullptr) {
+        __builtin_prefetch(met_shape.corner_floats(meeting.primitive));
+        __builtin_prefetch(met_shape.corner_floats(meeting.primitive) + 8);
+        __builtin_prefetch(&met_shape.corners(meeting.primitive));
+    }
+    return meeting;
+}
+
+Hit Geometry::Impl::complete(const Meeting& m) const {
+    const BuiltInstance* instance = m.instance == kNone ? nullptr : &instances[m.instance];
+    Hit hit = complete_hit({&shapes[m.shape], instance, m.primitive, Vec2d(m.weights), m.t},
+                           {m.origin, m.direction});
+    hit.shape = m.shape;
+    hit.instance = m.instance;
     return hit;
 }
 
@@ -163,8 +181,14 @@ Geometry::~Geometry() = default;
 Geometry::Geometry(Geometry&&) noexcept = default;
 Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 
-std::optional<Hit> Geometry::intersect(const Ray& ray) const {
-    return impl_->trace({Vec3d(ray.origin), Vec3d(ray.direction)}, ray.length);
+Meeting Geometry::meet(const Ray& ray) const {
+    return impl_->meet({Vec3d(ray.origin), Vec3d(ray.direction)}, ray.length);
+}
+
+Meeting Geometry::meet_precise(const Vec3d& origin, const Vec3d& direction) const {
+    Meeting meeting = impl_->meet({origin, direction}, kInfinity);
+    meeting.precise = true;
+    return meeting;
 }
 
 /// A float ray from 10 km off misses its mark by half a millimetre: its origin is on a grid of
@@ -174,18 +198,33 @@ std::optional<Hit> Geometry::intersect(const Ray& ray) const {
 /// computed from the line in double in any case; what the repetition mends is which primitive is
 /// met. If that is far again (the first one was brushed by mistake), once more, thrice in all.
 /// What a thin thing more than a thousandth of the way before the hit would have shown is lost.
-std::optional<Hit> Geometry::intersect_precise(const Vec3d& origin, const Vec3d& direction) const {
+std::optional<Hit> Geometry::hit_of(const Meeting& meeting) const {
     constexpr int kMostRepetitions = 3;
     constexpr double kWalk = 1 - 0x1p-10;
+    if (meeting.shape == kNone) return {};
+    std::optional<Hit> hit = impl_->complete(meeting);
+    if (!meeting.precise) return hit;
     double walked = 0;
-    for (int repetition = 0;; ++repetition) {
-        auto hit = impl_->trace({origin + direction * walked, direction}, kInfinity);
-        if (!hit) return hit;
+    for (int repetition = 0; repetition < kMostRepetitions; ++repetition) {
         const double left = hit->distance;
         hit->distance = static_cast<float>(walked + left);
-        if (repetition == kMostRepetitions || !impl_->is_far(left, hit->position)) return hit;
+        if (!impl_->is_far(left, hit->position)) return hit;
         walked += left * kWalk;
+        const Vec3d start = meeting.origin + meeting.direction * walked;
+        const Meeting again = impl_->meet({start, meeting.direction}, kInfinity);
+        if (again.shape == kNone) return {};
+        hit = impl_->complete(again);
     }
+    hit->distance = static_cast<float>(walked + double{hit->distance});
+    return hit;
+}
+
+std::optional<Hit> Geometry::intersect(const Ray& ray) const {
+    return hit_of(meet(ray));
+}
+
+std::optional<Hit> Geometry::intersect_precise(const Vec3d& origin, const Vec3d& direction) const {
+    return hit_of(meet_precise(origin, direction));
 }
 
 bool Geometry::occluded(const Ray& ray) const {

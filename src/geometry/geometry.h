@@ -43,6 +43,18 @@ struct GeometryInput {
     std::vector<PlacedInstance> instances;
 };
 
+/// What a ray meets, by name alone: where on it, is to be worked out.
+struct Meeting {
+    Vec3d origin{0};  // of the ray
+    Vec3d direction{0};
+    std::uint32_t shape = kNone;  // none: the ray meets nothing
+    std::uint32_t primitive = 0;
+    std::uint32_t instance = kNone;
+    bool precise = false;  // asked for by meet_precise()
+    Vec2 weights{0};       // Embree's, of corners 1 and 2
+    double t = 0;          // of a shape that is intersected exactly
+};
+
 /// Left out, for nothing can be hit there: triangles without area, with a corner that is not
 /// in the list; spheres, disks and instances under a matrix without an inverse; what is not finite
 /// or farther out than 1e18.
@@ -67,6 +79,13 @@ public:
     /// far compared with the precision that floats have at the hit, one otherwise.
     /// @param direction  unit.
     std::optional<Hit> intersect_precise(const Vec3d& origin, const Vec3d& direction) const;
+    /// intersect() and intersect_precise() in two halves, with time between them: the first asks
+    /// Embree and calls the primitive into the cache, the second works out the hit. Whoever traces
+    /// several paths in turn waits for neither.
+    Meeting meet(const Ray& ray) const;
+    Meeting meet_precise(const Vec3d& origin, const Vec3d& direction) const;
+    std::optional<Hit> hit_of(const Meeting& meeting) const;
+
     /// Is there any surface strictly between the ray's ends?
     bool occluded(const Ray& ray) const;
 

@@ -17,7 +17,7 @@ namespace sunfleck {
 
 /// The sphere around everything: where distant and infinite lights shoot from.
 struct SceneSphere {
-    Vec3d center;
+    Vec3d center{0};
     double radius = 1;
 };
 

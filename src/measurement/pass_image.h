@@ -40,10 +40,24 @@ public:
             add(layers_[static_cast<std::size_t>(owner)][pixel], rgb);
     }
 
+    /// What add_light() will write first: to be called into the cache.
+    const void* place_of(std::size_t pixel) const { return &layers_[0][pixel]; }
+
+    /// Would add_light() add all of it?
+    static bool is_addable(const Vec3& rgb) {
+        const auto fits = [](float x) { return std::abs(static_cast<double>(x)) <= kLargestTerm; };
+        return fits(rgb.x) && fits(rgb.y) && fits(rgb.z);
+    }
+
     /// Adds to a feature layer alone, if it is measured.
     void add_feature(std::size_t pixel, const Vec3& value, Layer layer) {
         if (has(layer) && is_finite(value))
             add(layers_[static_cast<std::size_t>(layer)][pixel], value);
+    }
+
+    /// Adds to one channel of one layer alone: for light that was summed up elsewhere.
+    void add_term(Layer layer, std::size_t pixel, std::size_t channel, const FixedPoint& term) {
+        layers_[static_cast<std::size_t>(layer)][pixel].at(channel).add(term);
     }
 
     FixedPoint value(Layer layer, std::size_t pixel, std::size_t channel) const {

@@ -22,11 +22,11 @@ enum class PhotonKind : std::uint8_t {
 /// A photon at a surface that can gather.
 struct Photon {
     Vec3 position{0};
-    Vec3 normal{0};  // geometric, on the side that the photon arrives at
-    Vec3 w{0};       // unit, back along the photon
-    Spectrum flux;
+    Vec3 normal{0};             // geometric, on the side that the photon arrives at
+    Vec3 w{0};                  // unit, back along the photon
     std::uint16_t bounces = 0;  // scattering events so far
     PhotonKind kind = PhotonKind::direct;
+    Spectrum flux;
 };
 
 /// The part of a visible point that decides which photons it takes. 40 bytes.

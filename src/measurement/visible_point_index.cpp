@@ -1,28 +1,15 @@
-// Builds the index: sort by Morton code, then boxes level by level.
+// Builds the index: sort by Morton code, then blocks, then boxes.
 #include "measurement/visible_point_index.h"
 
 #include "core/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sunfleck {
 namespace {
 
 constexpr std::size_t kBlock = 4096;
-
-struct Box {
-    Vec3 low{std::numeric_limits<float>::infinity()};
-    Vec3 high{-std::numeric_limits<float>::infinity()};
-
-    void extend(const Box& other) {
-        for (int c = 0; c < 3; ++c) {
-            low[c] = std::min(low[c], other.low[c]);
-            high[c] = std::max(high[c], other.high[c]);
-        }
-    }
-};
 
 /// Half width of a box around the disc along each axis: every photon that takes() accepts is in.
 Box box_of(const Disc& disc) {
@@ -56,46 +43,30 @@ VisiblePointIndex::VisiblePointIndex(std::vector<VisiblePoint> points, int max_d
     : max_depth_(max_depth) {
     if (points.empty()) return;
     Box all;
-    for (const VisiblePoint& p : points) all.extend({p.disc.position, p.disc.position});
+    for (const VisiblePoint& p : points) {
+        all.extend({p.disc.position, p.disc.position});
+        kinds_ |= p.disc.kinds;
+    }
     grid_ = MortonGrid(all.low, all.high);
     const std::vector<MortonKey> order = morton_order(points, grid_);
     points_.resize(points.size());
-    discs_.resize(points.size());
-    std::vector<Box> boxes(points.size());
+    blocks_.resize((points.size() + kWidth - 1) / kWidth);
+    boxes_.resize(blocks_.size());
+    static_assert(kBlock % kWidth == 0);
     parallel_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             points_[i] = points[order[i].item];
-            discs_[i] = points_[i].disc;
-            boxes[i] = box_of(discs_[i]);
+            blocks_[i / kWidth].set(i % kWidth, points_[i].disc);
+            boxes_[i / kWidth].extend(box_of(points_[i].disc));
         }
     });
-    do {
-        const std::size_t count = (boxes.size() + kWidth - 1) / kWidth;
-        std::vector<Node> level(count);
-        std::vector<Box> parents(count);
-        parallel_blocks(count, kBlock / kWidth, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t node = begin; node < end; ++node) {
-                for (std::size_t i = 0; i < kWidth; ++i) {
-                    const std::size_t child = node * kWidth + i;
-                    const Box box = child < boxes.size() ? boxes[child] : Box{};
-                    for (int c = 0; c < 3; ++c) {
-                        const auto axis = static_cast<std::size_t>(c);
-                        level[node].low.at(axis).at(i) = box.low[c];
-                        level[node].high.at(axis).at(i) = box.high[c];
-                    }
-                    parents[node].extend(box);
-                }
-            }
-        });
-        levels_.push_back(std::move(level));
-        boxes = std::move(parents);
-    } while (boxes.size() > 1);
+    tree_ = BoxTree(boxes_);
+    occupancy_ = Occupancy(boxes_);
 }
 
 std::size_t VisiblePointIndex::bytes() const {
-    std::size_t total = points_.size() * (sizeof(VisiblePoint) + sizeof(Disc));
-    for (const auto& level : levels_) total += level.size() * sizeof(Node);
-    return total;
+    return points_.size() * sizeof(VisiblePoint) +
+           blocks_.size() * (sizeof(DiscBlock) + sizeof(Box)) + tree_.bytes() + occupancy_.bytes();
 }
 
 }  // namespace sunfleck

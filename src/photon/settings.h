@@ -1,15 +1,41 @@
 // What a user may choose about photon paths.
 #pragma once
 
-#include "photon/uniform_paths.h"
-
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace sunfleck {
 
+/// Where the primary samples of photon paths come from.
+enum class PhotonSampler { random, uniform, adaptive, paper };
+
+struct PhotonSamplerRow {
+    PhotonSampler sampler;
+    std::string_view name;  // as the user writes it
+    std::string_view what;
+};
+
+inline constexpr std::array<PhotonSamplerRow, 4> kPhotonSamplers = {{
+    {PhotonSampler::adaptive, "adaptive", "Markov chains on the paths that can be seen"},
+    {PhotonSampler::uniform, "uniform", "evenly spread over the lights"},
+    {PhotonSampler::random, "random", "independent numbers, the paper's baseline"},
+    {PhotonSampler::paper, "paper",
+     "the paper's one chain over all passes, to the letter; biased at finite time"},
+}};
+
+/// Of the sampler `paper` alone: what its authors' experiments vary.
+struct PaperSettings {
+    bool replica_exchange = true;         // off: a plain chain
+    std::optional<double> mutation_size;  // theta of eq. 9, positive; absent: adaptive (eq. 11)
+    double target_acceptance = 0.234;     // A* of eq. 11, in (0,1)
+};
+
 struct PhotonSettings {
-    UniformKind sampler = UniformKind::uniform;
-    std::optional<std::uint32_t> paths_per_pass;  // absent: max(200,000, pixels)
+    PhotonSampler sampler = PhotonSampler::adaptive;
+    std::optional<std::uint32_t> paths_per_pass;  // absent: max(200,000, pixels); paper: 200,000
+    PaperSettings paper;
 };
 
 }  // namespace sunfleck

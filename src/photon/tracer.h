@@ -39,6 +39,9 @@ struct PhotonState {
     bool lane_read = false;
     std::uint16_t bounces = 0;
     PhotonKind kind = PhotonKind::direct;
+    bool at_light = true;  // about to leave it
+    Vec3d origin{0};       // of the next ray
+    Vec3d first_direction{0};
 };
 
 class PhotonTracer {
@@ -46,26 +49,57 @@ public:
     PhotonTracer(const PassScene& pass, const TransportSettings& transport)
         : pass_(pass), transport_(transport) {}
 
-    /// @param rays  counts the rays traced.
+    /// One whole path. @param rays  counts the rays traced.
     template <SlotReader Reader, PhotonVisitor Visitor>
     PathEnd trace(Reader&& read, Visitor&& visit, std::uint64_t& rays) const {
         PhotonState state;
-        std::optional<Emission> start = emit(read, state);
-        if (!start) return PathEnd::no_light;
-        ++rays;
-        auto hit = pass_.scene.geometry().intersect_precise(start->origin, start->direction);
-        while (hit) {
-            if (!pass_.scene.passes_straight(*hit)) {
-                const Bsdf& bsdf = pass_.bsdf_of(*hit);
-                if (scattering(bsdf) != Scattering::specular && !visit(arrive(*hit, state)))
-                    return PathEnd::stopped;
-                if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
-                if (!scatter(read, bsdf, *hit, state)) return PathEnd::absorbed;
-            }
+        if (!start(read, state)) return PathEnd::no_light;
+        for (;;) {
             ++rays;
-            hit = pass_.scene.geometry().intersect(ray_from(*hit, state.direction));
+            const std::optional<Hit> hit = hit_of(send(state));
+            if (!hit) return PathEnd::escaped;
+            if (const auto end = go_on(read, visit, *hit, state)) return *end;
         }
-        return PathEnd::escaped;
+    }
+
+    /// The steps of a path. The first: chooses the light, and flux, place and direction there.
+    /// @return false when nothing emits.
+    template <SlotReader Reader>
+    bool start(Reader& read, PhotonState& state) const {
+        const std::optional<Emission> from = emit(read, state);
+        if (!from) return false;
+        state.origin = from->origin;
+        state.first_direction = from->direction;
+        return true;
+    }
+
+    /// The ray of a photon on its way.
+    Meeting send(const PhotonState& state) const {
+        const Geometry& geometry = pass_.scene.geometry();
+        if (state.at_light) return geometry.meet_precise(state.origin, state.first_direction);
+        return geometry.meet({Vec3(state.origin), state.direction});
+    }
+
+    /// Where it arrives, if anywhere.
+    std::optional<Hit> hit_of(const Meeting& meeting) const {
+        return pass_.scene.geometry().hit_of(meeting);
+    }
+
+    /// What happens where the ray arrives, up to the next ray. @return how the path ends, if it
+    /// does.
+    template <SlotReader Reader, PhotonVisitor Visitor>
+    std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
+                                 PhotonState& state) const {
+        if (!pass_.scene.passes_straight(hit)) {
+            const Bsdf& bsdf = pass_.bsdf_of(hit);
+            if (scattering(bsdf) != Scattering::specular && !visit(arrive(hit, state)))
+                return PathEnd::stopped;
+            if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
+            if (!scatter(read, bsdf, hit, state)) return PathEnd::absorbed;
+        }
+        state.at_light = false;
+        state.origin = Vec3d(ray_from(hit, state.direction).origin);
+        return {};
     }
 
 private:
@@ -90,7 +124,7 @@ private:
 
     static Photon arrive(const Hit& hit, const PhotonState& state) {
         const Vec3 normal = hit.normal.dot(state.direction) > 0 ? -hit.normal : hit.normal;
-        return {hit.position, normal, -state.direction, state.flux, state.bounces, state.kind};
+        return {hit.position, normal, -state.direction, state.bounces, state.kind, state.flux};
     }
 
     /// One scattering event. @return false when the photon is absorbed.

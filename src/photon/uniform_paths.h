@@ -6,7 +6,7 @@
 
 #include "core/parallel.h"
 #include "measurement/photon_batch.h"
-#include "photon/tracer.h"
+#include "photon/interleaved.h"
 #include "sampler/emission_points.h"
 
 #include <algorithm>
@@ -22,51 +22,50 @@ struct UniformPaths {
     std::uint32_t count = 0;
 };
 
-/// Paths begin .. end - 1.
-struct PathRange {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    std::size_t size() const { return end - begin; }
-};
-
-/// Paths of which at least one photon was taken. The photons of a path stand together.
-inline std::uint64_t visible_paths(const PhotonBatch& batch) {
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < batch.paths.size();) {
-        bool visible = false;
-        const std::uint32_t path = batch.paths[i];
-        for (; i < batch.paths.size() && batch.paths[i] == path; ++i)
-            visible |= batch.taken[i] != 0;
-        count += visible ? 1 : 0;
-    }
-    return count;
+/// Paths of which at least one photon was taken. @param range  their numbers.
+inline std::uint64_t visible_paths(const PhotonBatch& batch, const PathRange& range) {
+    std::vector<std::uint8_t> visible(range.size(), 0);
+    for (std::size_t i = 0; i < batch.paths.size(); ++i)
+        visible[batch.paths[i] - range.begin] |= batch.taken[i];
+    return static_cast<std::uint64_t>(std::count(visible.begin(), visible.end(), 1));
 }
 
-/// Traces paths begin .. end - 1 in blocks, each into a batch of its own.
-/// @param may_take  called with a position: false where no photon can be wanted.
+/// Traces the paths of one batch.
+/// @param may_take  called with a photon: false where it cannot be wanted.
+template <class Points, class MayTake>
+void trace_batch(const PhotonTracer& tracer, const Points& points, const PathRange& range,
+                 const MayTake& may_take, PhotonBatch& batch) {
+    const auto visit = [&](const Photon& photon, std::uint32_t number) {
+        if (may_take(photon)) batch.add(photon, number);
+        return true;
+    };
+    const auto ended = [&](PathEnd end) {
+        batch.statistics[Count::escaped] += end == PathEnd::escaped ? 1 : 0;
+        batch.statistics[Count::too_long] += end == PathEnd::too_long ? 1 : 0;
+    };
+    InterleavedPaths paths(tracer, points, visit, ended);
+    batch.statistics[Count::photon_rays] += paths.trace(range);
+    batch.statistics[Count::uniform_paths] += range.size();
+}
+
+/// Paths of one batch.
+inline constexpr std::size_t kBatchPaths = 512;
+
+/// Traces the paths of the range in blocks of kBatchPaths, each into a batch of its own.
+/// @param may_take  see trace_batch().
 template <class MayTake>
 std::vector<PhotonBatch> trace_batches(const PhotonTracer& tracer, const UniformPaths& paths,
                                        const PathRange& range, const MayTake& may_take) {
-    constexpr std::size_t kBlock = 512;
-    const EmissionPoints points(paths.pass);
-    std::vector<PhotonBatch> batches((range.size() + kBlock - 1) / kBlock);
-    parallel_blocks(range.size(), kBlock, [&](std::size_t first, std::size_t last) {
-        PhotonBatch& batch = batches[first / kBlock];
-        for (std::size_t i = first; i < last; ++i) {
-            const auto number = static_cast<std::uint32_t>(range.begin + i);
-            const auto visit = [&](const Photon& photon) {
-                if (may_take(photon.position)) batch.add(photon, number);
-                return true;
-            };
-            std::uint64_t& rays = batch.statistics[Count::photon_rays];
-            const RandomStream numbers = paths.pass.stream(Purpose::uniform_path, number);
-            const PathEnd path_end = paths.kind == UniformKind::uniform
-                                         ? tracer.trace(points.path(number), visit, rays)
-                                         : tracer.trace(IndependentReader(numbers), visit, rays);
-            batch.statistics[Count::escaped] += path_end == PathEnd::escaped ? 1 : 0;
-            batch.statistics[Count::too_long] += path_end == PathEnd::too_long ? 1 : 0;
-        }
-        batch.statistics[Count::uniform_paths] += last - first;
+    const EmissionPoints even(paths.pass);
+    const IndependentPoints independent(paths.pass);
+    std::vector<PhotonBatch> batches((range.size() + kBatchPaths - 1) / kBatchPaths);
+    parallel_blocks(range.size(), kBatchPaths, [&](std::size_t first, std::size_t last) {
+        PhotonBatch& batch = batches[first / kBatchPaths];
+        const PathRange block{range.begin + first, range.begin + last};
+        if (paths.kind == UniformKind::uniform)
+            trace_batch(tracer, even, block, may_take, batch);
+        else
+            trace_batch(tracer, independent, block, may_take, batch);
     });
     return batches;
 }
@@ -84,9 +83,11 @@ Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& p
         const PathRange range{begin, std::min<std::size_t>(paths.count, begin + kAtOnce)};
         std::vector<PhotonBatch> batches = trace_batches(tracer, paths, range, may_take);
         total += deposit(batches);
-        for (const PhotonBatch& batch : batches) {
-            total += batch.statistics;
-            total[Count::uniform_visible] += visible_paths(batch);
+        for (std::size_t i = 0; i < batches.size(); ++i) {
+            const std::size_t first = begin + i * kBatchPaths;
+            total += batches[i].statistics;
+            total[Count::uniform_visible] +=
+                visible_paths(batches[i], {first, std::min(range.end, first + kBatchPaths)});
         }
     }
     return total;

@@ -3,31 +3,50 @@
 
 #include "core/stopwatch.h"
 #include "estimate/deposit.h"
+#include "photon/adaptive_paths.h"
+#include "photon/uniform_paths.h"
 #include "reference/path_integrator.h"
 #include "render/radius.h"
 
 namespace sunfleck {
 namespace {
 
-std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels) {
-    constexpr std::uint32_t kLeast = 200'000;
-    return settings.paths_per_pass.value_or(std::max(kLeast, static_cast<std::uint32_t>(pixels)));
+void count_uniform(Statistics& counts, PassResult& result) {
+    const std::uint64_t visible = counts[Count::uniform_visible];
+    counts[Count::distinct_visible] = counts[Count::visible_states] = visible;
+    result.visible_fraction =
+        static_cast<double>(visible) / static_cast<double>(counts[Count::uniform_paths]);
+    result.statistics += counts;
+}
+
+void trace_photons(const PhotonView& view, const EyePass& eye, const RenderSettings& settings,
+                   const LadderPlan& plan, PassResult& result) {
+    if (plan.levels.empty()) {
+        const PhotonTracer tracer(view.scene, view.transport);
+        const Depositor deposit(view.scene, view.index, result.image, plan.uniform_paths);
+        const UniformKind kind = settings.photon.sampler == PhotonSampler::random
+                                     ? UniformKind::random
+                                     : UniformKind::uniform;
+        Statistics counts = trace_uniform_paths(
+            tracer, {kind, eye.id, plan.uniform_paths},
+            [&](const Photon& photon) { return view.index.may_take(photon); }, deposit);
+        count_uniform(counts, result);
+        return;
+    }
+    const Depositor deposit(view.scene, view.index, result.image, 1);
+    result.ladder = trace_adaptive_paths(view, eye.id, plan, deposit, result.statistics);
+    result.visible_fraction = visible_fraction(plan, result.ladder);
+    result.statistics[Count::uniform_visible] += result.ladder.levels.front().at_least(kVisible);
 }
 
 void render_sppm(const PassScene& scene, const RenderSettings& settings, const EyePass& eye,
-                 PassResult& result) {
+                 const LadderPlan& plan, PassResult& result) {
     Stopwatch watch;
     auto points = trace_eye_paths(eye, result.image, result.statistics);
     result.seconds.eye = watch.lap();
     const VisiblePointIndex index(std::move(points), settings.transport.max_depth);
     result.seconds.index = watch.lap();
-
-    const std::uint32_t paths = paths_per_pass(settings.photon, eye.window.pixels());
-    const PhotonTracer tracer(scene, settings.transport);
-    const Depositor deposit(scene, index, result.image, paths);
-    result.statistics += trace_uniform_paths(
-        tracer, {settings.photon.sampler, eye.id, paths},
-        [&](const Vec3& position) { return index.may_take(position); }, deposit);
+    trace_photons({scene, settings.transport, index}, eye, settings, plan, result);
     result.seconds.photon = watch.lap();
 }
 
@@ -39,11 +58,12 @@ PixelWindow window_of(const FilmDescription& film) {
     return {c[0], c[2], c[1], c[3]};
 }
 
-PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::uint32_t number) {
+PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::uint32_t number,
+                       const Epoch& epoch) {
     const PixelWindow window = window_of(scene.film());
     const PassId id{settings.seed, number};
-    PassResult result{
-        PassImage(window.pixels(), settings.layers), {}, {}, radius_factor(number, settings.alpha)};
+    PassResult result{PassImage(window.pixels(), settings.layers), {}, {},
+                      radius_factor(number, settings.alpha),       0,  {}};
     Stopwatch watch;
     const PassScene at_wavelengths(scene, id);
     result.seconds.build = watch.lap();
@@ -55,7 +75,7 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
             result.image, result.statistics);
         result.seconds.eye = watch.lap();
     } else {
-        render_sppm(at_wavelengths, settings, eye, result);
+        render_sppm(at_wavelengths, settings, eye, epoch.plan, result);
     }
     result.statistics[Count::dropped_nonfinite] += result.image.dropped();
     result.statistics[Count::saturated] += result.image.saturated();

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "eye/eye_pass.h"
-#include "render/settings.h"
+#include "render/epoch.h"
 
 namespace sunfleck {
 
@@ -15,13 +15,15 @@ struct PassTimes {
     double build = 0;  // the scene at the pass's wavelengths
     double eye = 0;
     double index = 0;
-    double photon = 0;  // tracing and deposits, which are made while tracing
+    double photon = 0;  // tracing and deposits
+    double learn = 0;   // pilots
 
     PassTimes& operator+=(const PassTimes& other) {
         build += other.build;
         eye += other.eye;
         index += other.index;
         photon += other.photon;
+        learn += other.learn;
         return *this;
     }
 };
@@ -31,11 +33,21 @@ struct PassResult {
     Statistics statistics;
     PassTimes seconds;
     double radius_factor = 1;
+    double visible_fraction = 0;  // this pass's estimate
+    LadderCounts ladder;          // of a plan with levels
 };
 
 /// The pixels that the scene's film renders.
 PixelWindow window_of(const FilmDescription& film);
 
-PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::uint32_t number);
+/// @param epoch  of that pass.
+PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::uint32_t number,
+                       const Epoch& epoch);
+
+/// The same, learning the epoch by itself.
+inline PassResult render_pass(const Scene& scene, const RenderSettings& settings,
+                              std::uint32_t number) {
+    return render_pass(scene, settings, number, learn_epoch(scene, settings, number));
+}
 
 }  // namespace sunfleck

@@ -3,12 +3,18 @@
 
 #include "core/stopwatch.h"
 #include "film/error_bars.h"
+#include "render/paper.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace sunfleck {
 namespace {
+
+bool is_paper(const RenderSettings& settings) {
+    return settings.integrator == Integrator::sppm &&
+           settings.photon.sampler == PhotonSampler::paper;
+}
 
 FilmKey key_of(const RenderJob& job) {
     const PixelWindow window = window_of(job.scene.film());
@@ -18,7 +24,25 @@ FilmKey key_of(const RenderJob& job) {
     key.settings += "resolution=" + std::to_string(whole.x) + "x" + std::to_string(whole.y) +
                     "\nwindow=" + std::to_string(window.x0) + "," + std::to_string(window.y0) +
                     "\n";
+    key.sequential = is_paper(job.settings);
     return key;
+}
+
+/// Level by level, as sums over passes.
+void count_ladder(Film& film, const LadderCounts& ladder) {
+    for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
+        const std::string level = "ladder." + std::to_string(k) + ".";
+        Acceptance all;
+        for (const Acceptance& kind : ladder.levels[k].acceptances) all += kind;
+        film.count(level + "states", ladder.levels[k].states);
+        film.count(level + "survivors", k < ladder.survivors.size() ? ladder.survivors[k] : 0);
+        film.count(level + "proposed", all.proposed);
+        film.count(level + "accepted", all.accepted);
+    }
+}
+
+bool is_starved(const PassResult& pass) {
+    return pass.statistics[Count::visible_states] == 0;
 }
 
 void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
@@ -26,12 +50,24 @@ void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     for (const CountRow& row : kCountRows)
         if (row.count != Count::dropped_nonfinite && row.count != Count::saturated)
             film.count(row.name, pass.statistics[row.count]);
-    const std::uint64_t paths = pass.statistics[Count::uniform_paths];
-    const std::uint64_t visible = pass.statistics[Count::uniform_visible];
-    if (paths == 0) return;
-    film.count("starved_passes", visible == 0 ? 1 : 0);
-    const double fraction = static_cast<double>(visible) / static_cast<double>(paths);
-    film.sum("visible_fraction_square", fraction * fraction);
+    if (pass.statistics[Count::uniform_paths] == 0) return;
+    film.count("starved_passes", is_starved(pass) ? 1 : 0);
+    film.sum("visible_fraction", pass.visible_fraction);
+    film.sum("visible_fraction_square", pass.visible_fraction * pass.visible_fraction);
+    count_ladder(film, pass.ladder);
+}
+
+void follow(const PassResult& pass, Progress& progress) {
+    progress.visible_fraction +=
+        (pass.visible_fraction - progress.visible_fraction) / progress.passes;
+    if (is_starved(pass)) ++progress.starved;
+    progress.levels = pass.ladder.levels.empty() ? 0 : pass.ladder.levels.size() - 1;
+    Acceptance all;
+    for (const LevelCounts& level : pass.ladder.levels)
+        for (const Acceptance& kind : level.acceptances) all += kind;
+    progress.acceptance =
+        all.proposed == 0 ? 0
+                          : static_cast<double>(all.accepted) / static_cast<double>(all.proposed);
 }
 
 /// The error falls about with the root of the number of passes; the bias of the radius apart.
@@ -56,16 +92,27 @@ RenderResult render(const RenderJob& job, const RenderHooks& hooks) {
     progress.target = stop.target_error;
     if (stop.end_pass) progress.of = *stop.end_pass - stop.first_pass;
     double paths = 0;
+    std::optional<Epoch> epoch;
+    std::optional<PaperRender> paper;
+    if (is_paper(job.settings)) paper.emplace(job.scene, job.settings);
     for (std::uint32_t number = stop.first_pass; !stop.end_pass || number < *stop.end_pass;
          ++number) {
-        const PassResult pass = render_pass(job.scene, job.settings, number);
+        if (!paper && (!epoch || epoch->number != epoch_of(number))) {
+            epoch = learn_epoch(job.scene, job.settings, number);
+            result.seconds.learn += epoch->seconds;
+        }
+        const PassResult pass =
+            paper ? paper->next_pass() : render_pass(job.scene, job.settings, number, *epoch);
         add_pass(result.film, number, pass);
+        if (paper) paper->count(result.film);
         result.seconds += pass.seconds;
         result.radius_factor = pass.radius_factor;
         progress.passes = ++result.passes;
+        if (pass.statistics[Count::uniform_paths] > 0) follow(pass, progress);
         progress.seconds = clock.seconds();
         paths += static_cast<double>(job.settings.integrator == Integrator::sppm
-                                         ? pass.statistics[Count::uniform_paths]
+                                         ? pass.statistics[Count::uniform_paths] +
+                                               pass.statistics[Count::mutated_paths]
                                          : pass.image.pixels());
         progress.paths_per_second = paths / progress.seconds;
         if ((number + 1) % kRoundPasses == 0) progress.error = target_error(result.film);

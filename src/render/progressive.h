@@ -22,6 +22,10 @@ struct Progress {
     std::optional<double> error;  // as the target error is meant; from complete rounds
     std::optional<double> target;
     std::optional<double> seconds_left;  // an estimate
+    double visible_fraction = 0;         // mean over passes
+    std::size_t levels = 0;              // of the last pass's ladder
+    double acceptance = 0;               // of its mutations
+    std::uint32_t starved = 0;           // passes that found no visible photon path
 };
 
 struct RenderResult {

@@ -5,18 +5,34 @@
 
 namespace sunfleck {
 
+namespace {
+
+std::string_view name_of(PhotonSampler sampler) {
+    for (const PhotonSamplerRow& row : kPhotonSamplers)
+        if (row.sampler == sampler) return row.name;
+    return {};
+}
+
+}  // namespace
+
 std::string RenderSettings::text() const {
     const auto optional_number = [](const auto& value) {
         return value ? fmt::format("{}", *value) : std::string("default");
     };
-    return fmt::format(
+    std::string text = fmt::format(
         "integrator={}\nphoton_sampler={}\ndirect={}\nmax_depth={}\nphotons_per_pass={}\n"
         "radius_pixels={}\nradius={}\nalpha={}\n",
-        integrator == Integrator::sppm ? "sppm" : "path",
-        photon.sampler == UniformKind::uniform ? "uniform" : "random",
+        integrator == Integrator::sppm ? "sppm" : "path", name_of(photon.sampler),
         transport.direct == DirectLight::sampled ? "sampled" : "photons", transport.max_depth,
         optional_number(photon.paths_per_pass), eye.radius_pixels, optional_number(eye.radius),
         alpha);
+    if (photon.sampler != PhotonSampler::paper) return text;
+    const PaperSettings& paper = photon.paper;
+    return text + fmt::format("replica_exchange={}\nmutation_size={}\ntarget_acceptance={}\n",
+                              paper.replica_exchange ? "on" : "off",
+                              paper.mutation_size ? fmt::format("{}", *paper.mutation_size)
+                                                  : std::string("adaptive"),
+                              paper.target_acceptance);
 }
 
 }  // namespace sunfleck

@@ -32,6 +32,11 @@ constexpr std::uint32_t slot(std::uint32_t bounce, BounceSlot which) {
            static_cast<std::uint32_t>(which);
 }
 
+/// Does the slot belong to how the photon leaves its light?
+constexpr bool is_emission(std::uint32_t index) {
+    return index < slot(EmissionSlot::count);
+}
+
 /// What a tracer sees of a primary sample: it names a slot and gets its fraction, the same each
 /// time. The samplers differ in nothing but their readers.
 template <class R>
@@ -50,5 +55,17 @@ private:
 };
 
 static_assert(SlotReader<IndependentReader>);
+
+/// The primary samples of a pass's paths, all independent: the paper's uniform sampling.
+class IndependentPoints {
+public:
+    explicit IndependentPoints(PassId pass) : pass_(pass) {}
+    IndependentReader path(std::uint32_t number) const {
+        return IndependentReader(pass_.stream(Purpose::uniform_path, number));
+    }
+
+private:
+    PassId pass_;
+};
 
 }  // namespace sunfleck

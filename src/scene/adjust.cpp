@@ -4,11 +4,23 @@
 #include <algorithm>
 
 namespace sunfleck {
+namespace {
+
+/// The same share of another extent, of one pixel at least. @param low, high  of `before` pixels.
+void keep_share(int& low, int& high, int before, int now) {
+    const auto moved = [&](int pixel) {
+        return static_cast<int>(std::int64_t{pixel} * now / before);
+    };
+    low = moved(low);
+    high = std::max(moved(high), low + 1);
+}
+
+}  // namespace
 
 void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
     const Vec2i before = scene.film.resolution;
     PerspectiveCamera& camera = scene.camera;
-    if (resolution.x * before.y != resolution.y * before.x) {
+    if (std::int64_t{resolution.x} * before.y != std::int64_t{resolution.y} * before.x) {
         const Vec2d center = (camera.screen_min + camera.screen_max) * 0.5;
         const Vec2d size = camera.screen_max - camera.screen_min;
         const double half = std::min(size.x, size.y) * 0.5;
@@ -21,8 +33,8 @@ void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
     scene.film.resolution = resolution;
     if (scene.film.crop) {
         auto& crop = *scene.film.crop;
-        for (const std::size_t i : {0U, 1U}) crop.at(i) = crop.at(i) * resolution.x / before.x;
-        for (const std::size_t i : {2U, 3U}) crop.at(i) = crop.at(i) * resolution.y / before.y;
+        keep_share(crop[0], crop[1], before.x, resolution.x);
+        keep_share(crop[2], crop[3], before.y, resolution.y);
     }
 }
 

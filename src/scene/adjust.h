@@ -5,7 +5,9 @@
 
 namespace sunfleck {
 
-/// Another film size. The view keeps the extent of its shorter axis; a crop keeps its share.
+/// Another film size. The view keeps the extent of its shorter axis; a crop keeps its share, of a
+/// pixel at least each way.
+/// @param resolution  positive, at most 65536 a side.
 void set_resolution(SceneDescription& scene, const Vec2i& resolution);
 
 /// @param crop  x0 x1 y0 y1 in pixels; cut to the film. @throws Error when nothing is left.

@@ -63,7 +63,7 @@ TEST_F(Merge, other_renders) {
         {{"--seed", "7"}, {"seed", "0", "7"}},
         {{"--photons-per-pass", "300"}, {"photons_per_pass", "2000", "300"}},
         {{"--direct", "photons"}, {"direct", "sampled", "photons"}},
-        {{"--photon-sampler", "random"}, {"photon_sampler", "uniform", "random"}},
+        {{"--photon-sampler", "random"}, {"photon_sampler", "adaptive", "random"}},
         {{"--integrator", "path"}, {"integrator", "sppm", "path"}},
         {{"--max-depth", "3"}, {"max_depth", "10", "3"}},
         {{"--alpha", "0.5"}, {"alpha", "0.5"}},

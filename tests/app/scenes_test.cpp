@@ -86,8 +86,20 @@ ObjectInstance "pair"
           "triangles   4 (instances counted each)", "lights      2 point (100% of the photons)",
           "lights      1 spot (0% of the photons)", "film        40 x 20, rendered 20 x 20"})
         EXPECT_TRUE(has_line(text, line)) << line << "\nin\n" << text;
-    EXPECT_NE(text.find("\"volpath\" in the scene; sunfleck renders by sppm"), std::string::npos)
-        << text;
+}
+
+/// The scene's integrator: one line, whichever it is.
+TEST_F(Scenes, info_tells_the_integrator_once) {
+    for (const std::string& word : testing_support::Words{"sppm", "volpath"}) {
+        write_text(path("asks.pbrt"), "Camera \"perspective\"\nIntegrator \"" + word +
+                                          "\"\nWorldBegin\nLightSource \"infinite\"\n");
+        const std::string text = info("asks.pbrt");
+        const std::size_t first = text.find("integrator");
+        EXPECT_NE(text.find("\"" + word + "\"", first), std::string::npos) << text;
+        EXPECT_EQ(text.find("integrator", first + 1), std::string::npos) << text;
+    }
+    write_text(path("asks.pbrt"), "Camera \"perspective\"\nWorldBegin\nShape \"sphere\"\n");
+    EXPECT_EQ(info("asks.pbrt").find("integrator"), std::string::npos);
 }
 
 TEST_F(Scenes, info_repeats_warnings) {

@@ -13,6 +13,7 @@ const Vec3d kOne(1);
 RenderSettings settings_for(DirectLight direct) {
     RenderSettings settings;
     settings.transport.direct = direct;
+    settings.photon.sampler = PhotonSampler::uniform;  // stratified
     settings.photon.paths_per_pass = 50'000;
     settings.seed = 11;
     return settings;

@@ -45,7 +45,7 @@ TEST(ErrorBars, reported_errors_are_the_true_spread) {
         diffuse("0 0 0") + quad("-1 -1 2  1 -1 2  1 1 2  -1 1 2"));
     RenderSettings settings;
     settings.photon.paths_per_pass = 200;
-    settings.photon.sampler = UniformKind::random;
+    settings.photon.sampler = PhotonSampler::random;
     FilmKey key;
     key.width = kSize;
     key.height = kSize;

@@ -20,6 +20,7 @@ Scene foot(double gap, const std::string& albedo) {
 
 Estimate brightness(const Scene& scene, int renders, Layer layer = Layer::total) {
     RenderSettings settings;
+    settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = 20'000;
     settings.eye.radius = 0.4;
     settings.layers[static_cast<std::size_t>(Layer::caustic)] = true;

@@ -1,7 +1,9 @@
 // Query and deposit agree: the index says "visible" of a photon if and only if some visible point
 // takes it, on whole passes, and it misses none.
 #include "measurement/visible_point_index.h"
+#include "photon/tracer.h"
 #include "procedural/scenes.h"
+#include "sampler/emission_points.h"
 #include "scene/adjust.h"
 #include "support/renders.h"
 
@@ -81,6 +83,7 @@ void expect_agreement(const Scene& scene, std::uint32_t paths) {
         RenderSettings settings;
         settings.seed = kId.seed;
         settings.transport.direct = direct;
+        settings.photon.sampler = PhotonSampler::uniform;
         settings.photon.paths_per_pass = paths;
         const Statistics queried = counted_again(scene, settings);
         const Statistics deposited = render_pass(scene, settings, kId.number).statistics;

@@ -95,6 +95,7 @@ TEST(Scene, darkness_is_told_once) {
 TEST(Scene, an_empty_scene_can_be_built) {
     const Scene scene{SceneDescription{}};
     EXPECT_FALSE(scene.geometry().intersect({{0, 0, 0}, {0, 0, 1}, kInfinity}));
+    EXPECT_EQ(scene.sphere().center, Vec3d(0));
     EXPECT_GT(scene.sphere().radius, 0);
 }
 

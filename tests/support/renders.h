@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -88,8 +89,10 @@ inline MeanPicture render_mean(const Scene& scene, const RenderSettings& setting
     const PixelWindow window = window_of(scene.film());
     MeanPicture result{
         window.width(), window.height(), std::vector<Vec3d>(window.pixels(), Vec3d(0)), {}};
+    std::optional<Epoch> epoch;
     for (std::uint32_t p = 0; p < end; ++p) {
-        const PassResult pass = render_pass(scene, settings, p);
+        if (!epoch || epoch->number != epoch_of(p)) epoch = learn_epoch(scene, settings, p);
+        const PassResult pass = render_pass(scene, settings, p, *epoch);
         for (std::size_t i = 0; i < result.rgb.size(); ++i)
             result.rgb[i] += pixel_value(pass.image, i, layer) / end;
         result.statistics += pass.statistics;

@@ -1,0 +1,73 @@
+// Sorts, copies, and builds the tree.
+#include "measurement/sorted_photons.h"
+
+#include "core/parallel.h"
+
+#include <limits>
+
+namespace sunfleck {
+namespace {
+
+/// All photons of the batches in Morton order, equal ones in the order of the batches.
+std::vector<MortonKey> in_order(const std::vector<PhotonBatch>& batches, const MortonGrid& grid) {
+    constexpr unsigned kSortedBits = 33;
+    std::vector<std::size_t> first(batches.size() + 1, 0);
+    for (std::size_t b = 0; b < batches.size(); ++b)
+        first[b + 1] = first[b] + batches[b].photons.size();
+    std::vector<MortonKey> keys(first.back());
+    parallel_for(batches.size(), [&](std::size_t b) {
+        const std::vector<Photon>& photons = batches[b].photons;
+        for (std::size_t i = 0; i < photons.size(); ++i)
+            keys[first[b] + i] = {grid.code(photons[i].position), static_cast<std::uint32_t>(i),
+                                  static_cast<std::uint32_t>(b)};
+    });
+    sort_by_code(keys, kSortedBits);
+    return keys;
+}
+
+}  // namespace
+
+SortedPhotons::SortedPhotons(const std::vector<PhotonBatch>& batches, const MortonGrid& grid)
+    : order_(in_order(batches, grid)),
+      photons_(order_.size()),
+      leaves_((order_.size() + kWidth - 1) / kWidth) {
+    constexpr std::size_t kBlock = 512;
+    constexpr std::size_t kAhead = 8;
+    std::vector<Box> boxes(leaves_.size());
+    parallel_blocks(leaves_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+        const std::size_t last = std::min(end * kWidth, order_.size());
+        for (std::size_t i = begin * kWidth; i < last; ++i) {
+            if (i + kAhead < last) {
+                const MortonKey& next = order_[i + kAhead];
+                __builtin_prefetch(&batches[next.list].photons[next.item]);
+            }
+            photons_[i] = batches[order_[i].list].photons[order_[i].item];
+        }
+        for (std::size_t leaf = begin; leaf < end; ++leaf) boxes[leaf] = fill(leaf);
+    });
+    tree_ = BoxTree(std::move(boxes));
+}
+
+Box SortedPhotons::fill(std::size_t leaf) {
+    Box box;
+    for (std::size_t i = 0; i < kWidth; ++i) {
+        const bool exists = leaf * kWidth + i < photons_.size();
+        Vec3 position(std::numeric_limits<float>::quiet_NaN());
+        if (exists) position = photons_[leaf * kWidth + i].position;
+        if (exists) box.extend({position, position});
+        for (int c = 0; c < 3; ++c)
+            leaves_[leaf].position.at(static_cast<std::size_t>(c)).at(i) = position[c];
+    }
+    return box;
+}
+
+void SortedPhotons::hand_back(const std::vector<std::uint8_t>& taken,
+                              std::vector<PhotonBatch>& batches) const {
+    constexpr std::size_t kBlock = 16384;
+    parallel_blocks(order_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            batches[order_[i].list].taken[order_[i].item] = taken[i];
+    });
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,78 @@
+// Filling the octree, disc by disc.
+#include "measurement/view_octree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck {
+
+/// The root is larger than the scene and off its axes, so that walls do not lie on cell faces.
+ViewOctree::ViewOctree(const std::vector<VisiblePoint>& points, const Vec3d& centre, double radius)
+    : nodes_(1, Node{}) {
+    const double size = std::max(2.5 * radius, 1e-30);
+    low_ = centre - Vec3d(0.4871, 0.5143, 0.5029) * size;
+    cells_per_unit_ = double{1U << kDeepest} / size;
+    Cells last{{0, 0, 0}, {0, 0, 0}, -1};
+    for (const VisiblePoint& point : points) {
+        const Cells cells = cells_of(point.disc);
+        if (cells != last) fill(cells);  // neighbours mostly touch the same cells
+        last = cells;
+    }
+}
+
+/// At the depth where cells are at least as wide as the box, so that it touches two an axis or
+/// fewer; never the root, which has no parent to say that it is full.
+ViewOctree::Cells ViewOctree::cells_of(const Disc& disc) const {
+    constexpr double kLast = double{1U << kDeepest} - 1;
+    Cells cells{};
+    double widest = 0;
+    for (int c = 0; c < 3; ++c) {
+        // takes() accepts nothing beyond sqrt(1.5) radii.
+        const double half = 1.23 * double{disc.radius} + std::abs(double{disc.position[c]}) * 1e-6;
+        const double middle = (double{disc.position[c]} - low_[c]);
+        const auto cell = [&](double x) {
+            return static_cast<std::uint32_t>(std::clamp(x * cells_per_unit_, 0.0, kLast));
+        };
+        const auto axis = static_cast<std::size_t>(c);
+        cells.low.at(axis) = cell(middle - half);
+        cells.high.at(axis) = cell(middle + half);
+        widest = std::max(widest, 2 * half * cells_per_unit_);
+    }
+    int halvings = 0;
+    while (halvings + 1 < kDeepest && static_cast<double>(1U << halvings) < widest) ++halvings;
+    cells.depth = kDeepest - halvings;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        cells.low.at(axis) >>= halvings;
+        cells.high.at(axis) >>= halvings;
+    }
+    return cells;
+}
+
+void ViewOctree::fill(const Cells& cells) {
+    for (std::uint32_t z = cells.low[2]; z <= cells.high[2]; ++z)
+        for (std::uint32_t y = cells.low[1]; y <= cells.high[1]; ++y)
+            for (std::uint32_t x = cells.low[0]; x <= cells.high[0]; ++x)
+                fill({x, y, z}, cells.depth);
+}
+
+void ViewOctree::fill(const std::array<std::uint32_t, 3>& cell, int depth) {
+    std::uint32_t node = 0;
+    for (int bit = depth - 1; bit >= 0; --bit) {
+        const std::size_t child =
+            (cell[0] >> bit & 1U) | (cell[1] >> bit & 1U) << 1U | (cell[2] >> bit & 1U) << 2U;
+        const std::uint32_t next = nodes_[node].at(child);
+        if (next == kFullCell) return;
+        if (bit == 0) {
+            nodes_[node].at(child) = kFullCell;
+        } else if (next != kEmptyCell) {
+            node = next;
+        } else {
+            const auto added = static_cast<std::uint32_t>(nodes_.size());
+            nodes_[node].at(child) = added;
+            nodes_.emplace_back();
+            node = added;
+        }
+    }
+}
+
+}  // namespace sunfleck

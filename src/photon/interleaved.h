@@ -1,0 +1,101 @@
+// Several photon paths side by side: all go one step, then all the next.
+//
+// The steps of different paths do not wait for each other: while a triangle that one path met is
+// on its way from memory, other rays are traced. Which paths stand side by side depends on their
+// numbers alone.
+#pragma once
+
+#include "photon/tracer.h"
+
+#include <array>
+#include <optional>
+
+namespace sunfleck {
+
+/// Paths begin .. end - 1.
+struct PathRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::size_t size() const { return end - begin; }
+};
+
+/// @param Points  path(number) gives a slot reader.
+/// @param Visit   called with each photon and the number of its path.
+/// @param Ended   called with the PathEnd of each path.
+template <class Points, class Visit, class Ended>
+class InterleavedPaths {
+public:
+    InterleavedPaths(const PhotonTracer& tracer, const Points& points, const Visit& visit,
+                     const Ended& ended)
+        : tracer_(tracer), points_(points), visit_(visit), ended_(ended) {}
+
+    /// Traces all paths of the range. @return the number of rays.
+    std::uint64_t trace(const PathRange& range) {
+        next_ = range.begin;
+        end_ = range.end;
+        for (Walk& walk : walks_) start(walk);
+        std::uint64_t rays = 0;
+        for (std::uint64_t sent = send(); sent > 0; sent = send()) {
+            rays += sent;
+            for (Walk& walk : walks_)
+                if (walk.read) walk.hit = tracer_.hit_of(walk.ahead);
+            for (Walk& walk : walks_)
+                if (walk.read) go_on(walk);
+        }
+        return rays;
+    }
+
+private:
+    static constexpr std::size_t kSideBySide = 16;
+    using Reader = decltype(std::declval<const Points&>().path(0));
+
+    struct Walk {
+        std::uint32_t number = 0;
+        std::optional<Reader> read;  // none: no path here
+        PhotonState state;
+        Meeting ahead;
+        std::optional<Hit> hit;
+    };
+
+    /// The next path that starts, if one is left.
+    void start(Walk& walk) {
+        walk.read.reset();
+        while (next_ < end_) {
+            walk.number = static_cast<std::uint32_t>(next_++);
+            walk.read.emplace(points_.path(walk.number));
+            walk.state = PhotonState();
+            if (tracer_.start(*walk.read, walk.state)) return;
+            ended_(PathEnd::no_light);
+            walk.read.reset();
+        }
+    }
+
+    std::uint64_t send() {
+        std::uint64_t rays = 0;
+        for (Walk& walk : walks_) {
+            if (!walk.read) continue;
+            walk.ahead = tracer_.send(walk.state);
+            ++rays;
+        }
+        return rays;
+    }
+
+    void go_on(Walk& walk) {
+        std::optional<PathEnd> end = PathEnd::escaped;
+        const auto see = [&](const Photon& photon) { return visit_(photon, walk.number); };
+        if (walk.hit) end = tracer_.go_on(*walk.read, see, *walk.hit, walk.state);
+        if (!end) return;
+        ended_(*end);
+        start(walk);
+    }
+
+    const PhotonTracer& tracer_;
+    const Points& points_;
+    const Visit& visit_;
+    const Ended& ended_;
+    std::size_t next_ = 0;
+    std::size_t end_ = 0;
+    std::array<Walk, kSideBySide> walks_;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,169 @@
+// The chain of "Robust Adaptive Photon Tracing using Photon Path Visibility" (Hachisuka and Jensen
+// 2011): replica exchange with uniform paths (eq. 4), adaptive mutation (eqs 9 to 11), Fig. 3.
+//
+// In:  a space of paths, uniform paths with the knowledge whether they are visible. Out: the path
+// that Fig. 3 splats in each iteration, and the counts that normalise it (eq. 5). The view may
+// change between passes: counts, theta and the current path stay, as printed. That is biased.
+#pragma once
+
+#include "photon/settings.h"
+#include "sampler/path_space.h"
+#include "sampler/stored_sample.h"
+
+#include <cmath>
+#include <utility>
+
+namespace sunfleck {
+
+/// Eq. 9: a step of xi^exponent turns to either side, wrapped: symmetric to the last bit.
+/// @param exponent  1/theta + 1, at least 1.
+/// @param random    uniform: its lowest bit is the side, its highest bits are xi.
+inline std::uint64_t paper_step(std::uint64_t slot, float exponent, std::uint64_t random) {
+    const float turns = std::pow(to_unit_float(random), exponent);
+    const auto step = static_cast<std::uint64_t>(static_cast<double>(turns) * 0x1p64);
+    return (random & 1U) != 0 ? slot + step : slot - step;
+}
+
+/// Eq. 9 for one slot after the other.
+class PaperMove {
+public:
+    /// @param theta  positive.
+    PaperMove(double theta, RandomStream& stream)
+        : exponent_(static_cast<float>(1 / theta + 1)), stream_(stream) {}
+
+    std::uint64_t operator()(std::uint32_t /*slot*/, std::uint64_t value) {
+        return paper_step(value, exponent_, stream_.next_fraction());
+    }
+
+private:
+    float exponent_;
+    RandomStream& stream_;
+};
+
+/// theta, by eq. 11: theta_1 = 1, theta_{i+1} = theta_i + (A_i - A*) / i after mutation i, where
+/// A_i is the accepted share of all mutations so far (section 5.2). Fig. 3 counts the first path,
+/// which no mutation made, as accepted; theta then starts by rising, and in close-ups is still far
+/// from A* after 10^6 mutations (docs/method.md).
+class MutationSize {
+public:
+    /// As printed theta can fall below zero. Below this more than half of all steps are smaller
+    /// than the last bit of a slot.
+    static constexpr double kFloor = 1.0 / 64;
+
+    explicit MutationSize(const PaperSettings& settings)
+        : fixed_(settings.mutation_size.has_value()),
+          target_(settings.target_acceptance),
+          theta_(settings.mutation_size.value_or(1)) {}
+
+    double theta() const { return theta_; }
+    /// How often eq. 11 gave less than kFloor.
+    std::uint64_t floor_held() const { return floor_held_; }
+
+    void count_mutation(bool accepted) {
+        ++mutated_;
+        accepted_ += accepted ? 1 : 0;
+        if (fixed_) return;
+        const auto i = static_cast<double>(mutated_);
+        theta_ += (static_cast<double>(accepted_) / i - target_) / i;
+        if (theta_ >= kFloor) return;
+        theta_ = kFloor;
+        ++floor_held_;
+    }
+
+private:
+    bool fixed_;
+    double target_;
+    double theta_;
+    std::uint64_t mutated_ = 0;
+    std::uint64_t accepted_ = 0;
+    std::uint64_t floor_held_ = 0;
+};
+
+/// What Fig. 3 carries from pass to pass.
+struct PaperState {
+    explicit PaperState(const PaperSettings& settings) : size(settings) {}
+
+    /// Vc of eq. 5: UniformCount / i. Zero before the first path.
+    double visible_fraction() const {
+        return uniform == 0 ? 0
+                            : static_cast<double>(uniform_visible) / static_cast<double>(uniform);
+    }
+
+    bool found = false;    // a first visible path
+    StoredSample current;  // of CurrentPath, once found
+    MutationSize size;
+    std::uint64_t uniform = 0;          // paths, those of the search for the first included
+    std::uint64_t uniform_visible = 0;  // UniformCount; the first one found is its initial 1
+    std::uint64_t splatted = 0;         // iterations since then
+};
+
+enum class PaperStep { searching, exchanged, accepted, rejected };
+
+template <PathSpace Space>
+class PaperChain {
+public:
+    using Path = typename Space::Path;
+    using Tally = typename Space::Tally;
+
+    /// Goes on from the state; its current path is traced anew, as this space sees it.
+    /// @param stream  for mutations, of these iterations alone.
+    PaperChain(const Space& space, bool replica_exchange, PaperState& state, RandomStream stream,
+               Tally& tally)
+        : space_(space), replica_exchange_(replica_exchange), state_(state), stream_(stream) {
+        if (state_.found) space_.trace(RepeatingReader(state_.current, stream_), path_, tally);
+    }
+
+    /// One iteration of Fig. 3. Without replica exchange a uniform path is taken over only as the
+    /// first path of the chain; all of them are counted.
+    /// @param uniform  the slots of a uniform path. @param visible  V of that path.
+    /// @param splat    called with a path that is left and the number of iterations it stood.
+    template <SlotReader Uniform, class Splat>
+    PaperStep step(const Uniform& uniform, bool visible, const Splat& splat, Tally& tally) {
+        ++state_.uniform;
+        state_.uniform_visible += visible ? 1 : 0;
+        const bool exchange = visible && (replica_exchange_ || !state_.found);
+        if (!exchange && !state_.found) return PaperStep::searching;
+        candidate_.clear();
+        const bool moves = exchange || mutate(tally);
+        if (exchange) space_.trace(RecordingReader(uniform, candidate_), candidate_path_, tally);
+        if (moves) {
+            finish(splat);
+            state_.found = true;
+            std::swap(state_.current, candidate_);
+            std::swap(path_, candidate_path_);
+        }
+        ++state_.splatted;
+        ++steps_;
+        if (exchange) return PaperStep::exchanged;
+        return moves ? PaperStep::accepted : PaperStep::rejected;
+    }
+
+    /// Splats the current path for the iterations that it has stood.
+    template <class Splat>
+    void finish(const Splat& splat) {
+        if (steps_ > 0) splat(std::as_const(path_), steps_);
+        steps_ = 0;
+    }
+
+private:
+    /// Eq. 10: accepted if visible.
+    bool mutate(Tally& tally) {
+        space_.trace(MutatingReader(state_.current, candidate_, stream_,
+                                    PaperMove(state_.size.theta(), stream_)),
+                     candidate_path_, tally);
+        const bool accepted = space_.height(candidate_path_) == kVisible;
+        state_.size.count_mutation(accepted);
+        return accepted;
+    }
+
+    const Space& space_;
+    bool replica_exchange_;
+    PaperState& state_;
+    RandomStream stream_;
+    StoredSample candidate_;
+    Path path_;
+    Path candidate_path_;
+    std::uint32_t steps_ = 0;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,43 @@
+// A pilot over the visible points of the epoch's first pass.
+#include "render/epoch.h"
+
+#include "core/stopwatch.h"
+#include "photon/adaptive_paths.h"
+#include "render/pass.h"
+#include "render/radius.h"
+
+namespace sunfleck {
+namespace {
+
+std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels) {
+    constexpr std::uint32_t kLeast = 200'000;
+    return settings.paths_per_pass.value_or(std::max(kLeast, static_cast<std::uint32_t>(pixels)));
+}
+
+}  // namespace
+
+Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass) {
+    const Stopwatch watch;
+    const PixelWindow window = window_of(scene.film());
+    const std::uint32_t paths = paths_per_pass(settings.photon, window.pixels());
+    Epoch epoch{epoch_of(pass), {paths, {}}, {}, 0};
+    if (settings.integrator != Integrator::sppm ||
+        settings.photon.sampler != PhotonSampler::adaptive || paths < 2)
+        return epoch;
+    const PassId first{settings.seed, first_pass_of(epoch.number)};
+    const PassScene at_wavelengths(scene, first);
+    PassImage unused(window.pixels(), {});
+    Statistics counts;
+    const EyePass eye{at_wavelengths, settings.transport,
+                      settings.eye,   window,
+                      first,          radius_factor(first.number, settings.alpha)};
+    const VisiblePointIndex index(trace_eye_paths(eye, unused, counts),
+                                  settings.transport.max_depth);
+    epoch.pilot = learn_ladder({at_wavelengths, settings.transport, index}, settings.seed,
+                               epoch.number, paths);
+    epoch.plan = epoch.pilot->plan;
+    epoch.seconds = watch.seconds();
+    return epoch;
+}
+
+}  // namespace sunfleck

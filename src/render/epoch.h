@@ -1,0 +1,36 @@
+// Epochs: runs of passes with one plan of their photon paths.
+//
+// In:  scene, settings, number of the epoch. Out: the plan. It is learned by pilots over the view
+// of the epoch's first pass, and by nothing else: so any pass can be rendered anywhere, without
+// those before it. Radii shrink as passes go on, ever more slowly, and so do epochs grow.
+#pragma once
+
+#include "render/settings.h"
+#include "sampler/pilot.h"
+#include "scene/scene.h"
+
+namespace sunfleck {
+
+/// 0 for passes 0 .. 15, 1 for 16 .. 127, 2 for 128 .. 1023, and so on by factors of eight.
+constexpr std::uint32_t epoch_of(std::uint32_t pass) {
+    std::uint32_t epoch = 0;
+    for (std::uint64_t end = 16; pass >= end; end *= 8) ++epoch;
+    return epoch;
+}
+
+constexpr std::uint32_t first_pass_of(std::uint32_t epoch) {
+    return epoch == 0 ? 0 : 2U << (3 * epoch);
+}
+
+/// What an epoch's passes share.
+struct Epoch {
+    std::uint32_t number = 0;
+    LadderPlan plan;                   // without levels: uniform paths alone
+    std::optional<PilotResult> pilot;  // for the sampler `adaptive`
+    double seconds = 0;
+};
+
+/// The epoch that a pass belongs to.
+Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass);
+
+}  // namespace sunfleck

@@ -1,0 +1,97 @@
+// The stages of one pass around the paper's chain, and its estimate as a difference.
+#include "render/paper.h"
+
+#include "core/parallel.h"
+#include "core/stopwatch.h"
+#include "photon/paper_paths.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+/// Section 7.
+constexpr std::uint32_t kPathsPerPass = 200'000;
+
+}  // namespace
+
+PaperRender::PaperRender(const Scene& scene, const RenderSettings& settings)
+    : scene_(scene),
+      settings_(settings),
+      window_(window_of(scene.film())),
+      paths_(settings.photon.paths_per_pass.value_or(kPathsPerPass)),
+      chain_(settings.photon.paper),
+      radii_(window_.pixels(), settings.alpha) {}
+
+PassResult PaperRender::next_pass() {
+    const PassId id{settings_.seed, passes_++};
+    const std::size_t pixels = window_.pixels();
+    PassResult result{PassImage(pixels, settings_.layers), {}, {}, 1, 0, {}};
+    Stopwatch watch;
+    const PassScene scene(scene_, id);
+    result.seconds.build = watch.lap();
+    auto points = trace_eye_paths({scene, settings_.transport, settings_.eye, window_, id, 1},
+                                  result.image, result.statistics);
+    radii_.shrink(points);
+    result.radius_factor = radii_.mean_factor();
+    result.seconds.eye = watch.lap();
+    const VisiblePointIndex index(std::move(points), settings_.transport.max_depth);
+    result.seconds.index = watch.lap();
+    PassImage photons(pixels, settings_.layers);
+    PhotonCounts taken(pixels);
+    const CountingDeposit deposit{scene, index, paths_, photons, taken};
+    const Statistics counts =
+        trace_paper_paths({scene, settings_.transport, index},
+                          {id, paths_, settings_.photon.paper.replica_exchange}, chain_, deposit);
+    radii_.add(taken);
+    add_photon_light(photons, result.image);
+    result.seconds.photon = watch.lap();
+    result.statistics += counts;
+    result.visible_fraction = static_cast<double>(counts[Count::uniform_visible]) / paths_;
+    dropped_ = photons.dropped();
+    saturated_ += photons.saturated();
+    return result;
+}
+
+/// A term of the film; cut and counted where it is too large.
+FixedPoint PaperRender::scaled(const FixedPoint& flux, double factor) {
+    const double value = flux.to_double() * factor;
+    if (value <= kLargestTerm) return FixedPoint::from_double(value);
+    ++saturated_;
+    return FixedPoint::from_double(kLargestTerm);
+}
+
+/// L_P = UniformCount / i times the mean over splatted paths; terms are rounded alike when they are
+/// added and when they are taken back, so nothing is left of them.
+void PaperRender::add_photon_light(const PassImage& photons, PassImage& image) {
+    const double before = shown_;
+    if (chain_.splatted > 0)
+        shown_ =
+            chain_.visible_fraction() * paths_ / static_cast<double>(chain_.splatted) * passes_;
+    for (std::size_t l = 0; l < kLayerCount; ++l) {
+        const Layer layer = kLayers.at(l).layer;
+        if (!photons.has(layer)) continue;
+        FixedPoints& flux = flux_.at(l);
+        flux.resize(3 * photons.pixels());
+        parallel_blocks(flux.size(), 4096, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const FixedPoint shown = scaled(flux[i], before);
+                flux[i] += photons.value(layer, i / 3, i % 3);
+                FixedPoint term = scaled(flux[i], shown_);
+                term += -shown;
+                image.add_term(layer, i / 3, i % 3, term);
+            }
+        });
+    }
+}
+
+void PaperRender::count(Film& film) {
+    film.count("dropped_nonfinite", dropped_);
+    film.count("saturated", saturated_.exchange(0));
+    film.sum("mutation_size", chain_.size.theta() - theta_counted_);
+    film.count("theta_floor_held", chain_.size.floor_held() - floor_counted_);
+    theta_counted_ = chain_.size.theta();
+    floor_counted_ = chain_.size.floor_held();
+}
+
+}  // namespace sunfleck

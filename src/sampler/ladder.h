@@ -1,0 +1,161 @@
+// The visibility ladder: uniform paths, then chains through nested sets, the last of which is "the
+// path is visible". Every estimate of a pass is exactly unbiased, however few seeds there are.
+//
+// In:  a space of paths, a plan that was fixed before the pass. Out: visible paths with weights:
+// the sum of weight * f(path) has the expectation of f over uniform primary samples, for any f
+// that vanishes on paths that are not visible.
+// Source: the paper's replica exchange made one pass and nested (docs/method.md); waste-free
+// sequential Monte Carlo: Dau and Chopin 2022.
+#pragma once
+
+#include "sampler/level.h"
+
+namespace sunfleck {
+
+struct LadderPlan {
+    std::uint32_t uniform_paths = 0;  // level 0
+    std::vector<LevelPlan> levels;    // heights ascending, the last kVisible; none: uniform only
+
+    std::uint64_t paths() const {
+        std::uint64_t sum = uniform_paths;
+        for (const LevelPlan& level : levels) sum += level.states;
+        return sum;
+    }
+    friend bool operator==(const LadderPlan&, const LadderPlan&) = default;
+};
+
+/// Counts of one ladder. Level 0 is the uniform paths, whose `distinct` equals `states`.
+struct LadderCounts {
+    std::vector<LevelCounts> levels;
+    std::vector<std::uint64_t> survivors;  // states of level k that are in the set of level k + 1
+};
+
+/// The product of the shares that survived: unbiased for the share of visible uniform paths.
+inline double visible_fraction(const LadderPlan& plan, const LadderCounts& counts) {
+    if (counts.survivors.size() < plan.levels.size()) return 0;
+    double fraction = 1;
+    for (std::size_t k = 0; k < counts.survivors.size(); ++k)
+        fraction *=
+            static_cast<double>(counts.survivors[k]) / static_cast<double>(counts.levels[k].states);
+    return fraction;
+}
+
+/// Where a ladder's visible paths go. make(weight) gives a collector for one chain, called as
+/// collect(path, weight * steps); take(collectors) gets them in the order of the chains.
+template <class S, class Space>
+concept PathSink = requires(S& sink, typename S::Collector& collect,
+                            const typename Space::Path& path, double weight) {
+    { sink.make() } -> std::same_as<typename S::Collector>;
+    {collect(path, weight)};
+    {sink.take(std::vector<typename S::Collector>())};
+};
+
+namespace ladder_detail {
+
+/// Keeps the states of a chain that are seeds of the next level.
+struct SeedCollector {
+    int least_height;
+    std::vector<Seed> seeds;
+
+    template <PathSpace Space>
+    void operator()(const ChainState<Space>& state) {
+        if (state.height >= least_height)
+            seeds.push_back({state.sample, state.steps, state.height});
+    }
+};
+
+/// Hands the states of a chain on with their weight.
+template <PathSpace Space, class Collector>
+struct WeightedCollector {
+    Collector collect;
+    double weight;
+
+    void operator()(const ChainState<Space>& state) { collect(state.path, weight * state.steps); }
+};
+
+}  // namespace ladder_detail
+
+/// Level 0: uniform paths of the pass, and those high enough kept as seeds.
+/// @tparam Points  path(number) -> a slot reader, uniform in its marginal distribution.
+template <PathSpace Space, class Points>
+Population uniform_population(const Space& space, const Points& points, std::uint32_t count,
+                              int least_height, LevelCounts& counts, typename Space::Tally& tally) {
+    constexpr std::size_t kBlock = 512;
+    struct Block {
+        std::vector<Seed> seeds;
+        LevelCounts counts;
+        typename Space::Tally tally;
+    };
+    std::vector<Block> blocks((count + kBlock - 1) / kBlock);
+    parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+        Block& block = blocks[begin / kBlock];
+        typename Space::Path path;
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto number = static_cast<std::uint32_t>(i);
+            space.trace(points.path(number), path, block.tally);
+            const int height = space.height(path);
+            ++block.counts.heights[static_cast<std::size_t>(height)];
+            if (height < least_height) continue;
+            Seed& seed = block.seeds.emplace_back();  // traced again: survivors are few
+            seed.height = height;
+            space.trace(RecordingReader(points.path(number), seed.sample), path, block.tally);
+        }
+        block.counts.states = block.counts.distinct = end - begin;
+    });
+    Population population;
+    for (Block& block : blocks) {
+        population.add(std::move(block.seeds));
+        counts += block.counts;
+        tally += block.tally;
+    }
+    return population;
+}
+
+/// Runs all levels of a plan that has any.
+/// @return counts; levels after one without survivors are not run: the pass is zero ("starved").
+template <PathSpace Space, class Points, PathSink<Space> Sink>
+LadderCounts run_ladder(const Space& space, const Points& points, PassId pass,
+                        const LadderPlan& plan, Sink& sink, typename Space::Tally& tally) {
+    LadderCounts counts;
+    Population population =
+        uniform_population(space, points, plan.uniform_paths, plan.levels.front().height,
+                           counts.levels.emplace_back(), tally);
+    counts.survivors.push_back(population.units());
+    double fraction = static_cast<double>(population.units()) / plan.uniform_paths;
+    for (std::size_t k = 0; k < plan.levels.size() && population.units() > 0; ++k) {
+        const Level<Space> level(space, pass, static_cast<std::uint32_t>(k + 1), plan.levels[k],
+                                 population);
+        LevelCounts& counted = counts.levels.emplace_back();
+        if (k + 1 == plan.levels.size()) {
+            using Weighted = ladder_detail::WeightedCollector<Space, typename Sink::Collector>;
+            const double weight = fraction / static_cast<double>(level.states());
+            level.run(
+                [&] {
+                    return Weighted{sink.make(), weight};
+                },
+                [&](std::vector<Weighted>&& chains) {
+                    std::vector<typename Sink::Collector> inner;
+                    for (Weighted& c : chains) inner.push_back(std::move(c.collect));
+                    sink.take(std::move(inner));
+                },
+                counted, tally);
+            continue;
+        }
+        const int next = plan.levels[k + 1].height;
+        Population survivors;
+        level.run(
+            [&] {
+                return ladder_detail::SeedCollector{next, {}};
+            },
+            [&](std::vector<ladder_detail::SeedCollector>&& chains) {
+                for (auto& c : chains) survivors.add(std::move(c.seeds));
+            },
+            counted, tally);
+        counts.survivors.push_back(survivors.units());
+        fraction *= static_cast<double>(survivors.units()) / static_cast<double>(level.states());
+        population = std::move(survivors);
+    }
+    return counts;
+}
+
+}  // namespace sunfleck

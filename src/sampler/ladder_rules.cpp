@@ -1,0 +1,103 @@
+// The rules and their constants.
+#include "sampler/ladder_rules.h"
+
+#include <cmath>
+#include <limits>
+
+namespace sunfleck {
+namespace {
+
+constexpr double kUniformOnly = 0.05;
+constexpr double kSeedsForOneSet = 64;
+constexpr double kConditionalFraction = 0.05;
+constexpr std::uint32_t kChains = 256;
+constexpr std::uint32_t kLastChains = 1024;  // no chain stays long in one place of the picture
+constexpr std::uint32_t kStatesOfAChain = 64;
+
+/// Chains of at least kStatesOfAChain states, so that copies of one seed part.
+std::uint32_t chains_for(std::uint32_t states, std::uint32_t most) {
+    return std::clamp(states / kStatesOfAChain, 1U, most);
+}
+
+/// Heights of the sets before the last: tails nearest to fraction^(k/sets). Sets that would hold
+/// nearly the same paths as their neighbours are left out.
+std::vector<int> even_heights(const HeightTail& tail, int sets) {
+    constexpr double kNearlyTheSame = 0.5;
+    const double step = std::log(tail[kVisible]) / sets;
+    std::vector<int> heights;
+    double last = 1;
+    int lowest = 1;
+    for (int k = 1; k < sets; ++k) {
+        int best = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (int h = lowest; h < kVisible; ++h) {
+            const double p = tail.at(static_cast<std::size_t>(h));
+            if (p > kNearlyTheSame * last || p * kNearlyTheSame < tail[kVisible]) continue;
+            const double miss = std::abs(std::log(p) - k * step);
+            if (!(miss < least)) continue;
+            least = miss;
+            best = h;
+        }
+        if (best == 0) continue;
+        heights.push_back(best);
+        last = tail.at(static_cast<std::size_t>(best));
+        lowest = best + 1;
+    }
+    return heights;
+}
+
+/// Heights at which the tail falls, as far as it was reached.
+std::vector<int> reached_heights(const HeightTail& tail) {
+    std::vector<int> heights;
+    double last = 1;
+    for (int h = 1; h < kVisible; ++h) {
+        const double p = tail.at(static_cast<std::size_t>(h));
+        if (!(p > 0) || p > 0.2 * last) continue;
+        heights.push_back(h);
+        last = p;
+    }
+    return heights;
+}
+
+}  // namespace
+
+LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths) {
+    const double visible = tail[kVisible];
+    if (visible >= kUniformOnly) return {paths, {}};
+    const std::uint32_t last = paths / 2;
+    const double seeds = visible * (paths - last);
+    if (seeds >= kSeedsForOneSet) {  // hardly a seed is left out
+        const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * seeds));
+        return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
+    }
+
+    const int sets =
+        visible > 0
+            ? static_cast<int>(std::ceil(std::log(visible) / std::log(kConditionalFraction)))
+            : 0;
+    std::vector<int> heights = visible > 0 ? even_heights(tail, sets) : reached_heights(tail);
+    heights.resize(std::min<std::size_t>(heights.size(), paths - last - 1));  // tiny budgets
+    const auto shares = static_cast<std::uint32_t>(heights.size() + 1);
+    const std::uint32_t share = (paths - last) / shares;
+    LadderPlan plan{paths - last - share * (shares - 1), {}};
+    for (const int height : heights)
+        plan.levels.push_back({height, share, chains_for(share, kChains), {}});
+    plan.levels.push_back({kVisible, last, chains_for(last, kLastChains), {}});
+    return plan;
+}
+
+int next_height(const HeightCounts& heights, int from) {
+    std::uint64_t all = 0;
+    for (const std::uint64_t h : heights) all += h;
+    std::uint64_t so_far = 0;
+    int lowest = kHeights;
+    for (int h = kVisible; h > from; --h) {
+        so_far += heights.at(static_cast<std::size_t>(h));
+        if (so_far == 0) continue;
+        lowest = h;
+        if (50 * so_far >= all) return h;
+    }
+    return lowest;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,28 @@
+// Which ladder suits how rare the visible paths are: the rules, without the sampling.
+#pragma once
+
+#include "sampler/ladder.h"
+
+#include <array>
+
+namespace sunfleck {
+
+/// P(height >= h) of a uniform path, by h; zero where none was found.
+using HeightTail = std::array<double, kHeights>;
+
+/// The plan of a pass, its scales left as they start.
+/// - Visible fractions of 0.05 or more: uniform paths alone.
+/// - Else half of the paths are states of the last set. If the other half, uniform, would find 64
+///   visible paths or more: one set.
+/// - Else the least number of sets whose conditional fractions are 0.05 or less on average; the
+///   heights are those whose tail is nearest to even steps.
+/// - No visible path found: every height that was reached is a set.
+/// @param paths  of a pass, all levels together; at least 2.
+LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths);
+
+/// The height that exploration climbs to next: the greatest with at least 2% of the states; if no
+/// height above the set's has so many, the lowest above it that has any; kHeights if none has.
+/// @param from  the height of the set that the states are of.
+int next_height(const HeightCounts& heights, int from);
+
+}  // namespace sunfleck

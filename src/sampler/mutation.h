@@ -1,0 +1,90 @@
+// How far a mutation moves a slot, and how that is learned.
+//
+// Two kinds, chosen at random: all slots alike, and bounce slots 16 times farther than emission
+// slots. The size of a step is log-uniform over four decades around the scale of its kind, so some
+// steps fit every size of feature (docs/decisions.md has the evidence).
+// Source: adaptive scale towards a target acceptance: paper, section 4.4 (its own law: paper_step
+// of photon/paper_chain.h).
+#pragma once
+
+#include "sampler/primary_sample.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sunfleck {
+
+inline constexpr std::size_t kMutationKinds = 2;
+/// Of bounce slots over emission slots, by kind.
+inline constexpr std::array<float, kMutationKinds> kBounceStretch = {1, 16};
+inline constexpr float kTargetAcceptance = 0.5F;
+
+/// Proposals of one kind, and those that were accepted.
+struct Acceptance {
+    std::uint64_t proposed = 0;
+    std::uint64_t accepted = 0;
+
+    Acceptance& operator+=(const Acceptance& other) {
+        proposed += other.proposed;
+        accepted += other.accepted;
+        return *this;
+    }
+    friend bool operator==(const Acceptance&, const Acceptance&) = default;
+};
+using Acceptances = std::array<Acceptance, kMutationKinds>;
+
+/// The scale of each kind, in turns, for emission slots.
+struct MutationScales {
+    std::array<float, kMutationKinds> scale = {0.05F, 0.05F};
+
+    friend bool operator==(const MutationScales&, const MutationScales&) = default;
+};
+
+/// A step of scale * 10^(4 (xi - 1/2)) turns to either side, wrapped: symmetric to the last bit.
+/// @param random  uniform: its lowest bit is the side, its highest bits are xi.
+inline std::uint64_t moved(std::uint64_t slot, float scale, std::uint64_t random) {
+    constexpr float kDoublingsOfFourDecades = 13.287712F;  // 4 ln(10) / ln(2)
+    const float stretch = std::exp2(kDoublingsOfFourDecades * (to_unit_float(random) - 0.5F));
+    const double turns = static_cast<double>(scale) * static_cast<double>(stretch);
+    const double wrapped = turns - std::floor(turns);
+    const auto step = static_cast<std::uint64_t>(wrapped * 0x1p64);
+    return (random & 1U) != 0 ? slot + step : slot - step;
+}
+
+/// One mutation of a kind, slot by slot.
+class LogUniformMove {
+public:
+    LogUniformMove(const MutationScales& scales, std::size_t kind, RandomStream& stream)
+        : emission_(scales.scale.at(kind)),
+          bounce_(scales.scale.at(kind) * kBounceStretch.at(kind)),
+          stream_(stream) {}
+
+    std::uint64_t operator()(std::uint32_t slot, std::uint64_t value) {
+        return moved(value, is_emission(slot) ? emission_ : bounce_, stream_.next_fraction());
+    }
+
+private:
+    float emission_;
+    float bounce_;
+    RandomStream& stream_;
+};
+
+/// The scale that should accept about kTargetAcceptance, from what was counted with `scale`. Left
+/// as it is below 30 proposals; at most halved or doubled at once, and at most half a turn.
+inline float adapted(float scale, const Acceptance& counted) {
+    if (counted.proposed < 30) return scale;
+    const float ratio =
+        (static_cast<float>(counted.accepted) + 0.5F) / (static_cast<float>(counted.proposed) + 1);
+    const float change = std::log(kTargetAcceptance) / std::log(ratio);
+    return std::min(0.5F, scale * std::clamp(change, 0.5F, 2.0F));
+}
+
+inline MutationScales adapted(const MutationScales& scales, const Acceptances& counted) {
+    MutationScales result;
+    for (std::size_t kind = 0; kind < kMutationKinds; ++kind)
+        result.scale.at(kind) = adapted(scales.scale.at(kind), counted.at(kind));
+    return result;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,52 @@
+// Sharing N things evenly among M by one random offset: each share has the same distribution, and
+// the shares sum to N exactly.
+//
+// In:  whole numbers and one uniform random number. Out: whole numbers; exact integer arithmetic.
+// Why one offset: no share then depends on what it is a share for (docs/method.md).
+#pragma once
+
+#include <cstdint>
+
+namespace sunfleck {
+
+/// Uniform in [0, n), up to a part in 2^32. @param n  1 to 2^32 - 1.
+constexpr std::uint64_t below(std::uint64_t fraction, std::uint64_t n) {
+    return ((fraction >> 32U) * n) >> 32U;
+}
+
+/// Cuts `things` into `shares` lengths, each either floor or ceiling of the quotient.
+class SystematicLengths {
+public:
+    /// @param things, shares  below 2^31; shares at least 1. @param fraction  uniform.
+    constexpr SystematicLengths(std::uint64_t things, std::uint64_t shares, std::uint64_t fraction)
+        : things_(things), shares_(shares), offset_(below(fraction, shares)) {}
+
+    constexpr std::uint64_t operator()(std::uint64_t share) const {
+        return ((share + 1) * things_ + offset_) / shares_ - (share * things_ + offset_) / shares_;
+    }
+
+private:
+    std::uint64_t things_;
+    std::uint64_t shares_;
+    std::uint64_t offset_;
+};
+
+/// Draws `picks` of `items`: each item is drawn floor or ceiling of picks / items times.
+class SystematicPicks {
+public:
+    /// @param items, picks  1 to 2^31 - 1. @param fraction  uniform.
+    constexpr SystematicPicks(std::uint64_t items, std::uint64_t picks, std::uint64_t fraction)
+        : items_(items), picks_(picks), offset_(below(fraction, items)) {}
+
+    /// The item of a pick, ascending with it.
+    constexpr std::uint64_t operator()(std::uint64_t pick) const {
+        return (pick * items_ + offset_) / picks_;
+    }
+
+private:
+    std::uint64_t items_;
+    std::uint64_t picks_;
+    std::uint64_t offset_;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,250 @@
+// Direct light at a point against closed forms, for each kind of light; what hides it; the
+// weights of the two ways to find it.
+#include "support/direct_light_cases.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+constexpr double kTolerance = 0.005;
+
+/// The 99% interval of the mean lies within 0.5% of the truth; of nothing, nothing comes.
+void expect_irradiance(const LitPoint& point, double irradiance, double tolerance = kTolerance) {
+    const double expected = static_cast<double>(kAlbedo) / kPiDouble * irradiance;
+    const Interval found = reflected(point);
+    if (expected == 0) {
+        EXPECT_EQ(found.mean, 0);
+        return;
+    }
+    EXPECT_LT(std::abs(found.mean / expected - 1) + found.half / expected, tolerance)
+        << found.mean / expected << " +- " << found.half / expected;
+}
+
+class DirectLightOf : public ::testing::TestWithParam<Case> {};
+
+TEST_P(DirectLightOf, has_the_right_mean) {
+    SceneDescription scene = floor_of();
+    const Case& c = GetParam();
+    scene.shapes.insert(scene.shapes.end(), c.shapes.begin(), c.shapes.end());
+    scene.lights = c.lights;
+    expect_irradiance(LitPoint(std::move(scene)), c.irradiance);
+}
+
+const auto kName = [](const auto& info) { return std::string(info.param.name); };
+INSTANTIATE_TEST_SUITE_P(Area, DirectLightOf, ::testing::ValuesIn(area_cases()), kName);
+INSTANTIATE_TEST_SUITE_P(Mixed, DirectLightOf, ::testing::ValuesIn(mixed_cases()), kName);
+
+/// Light from a point is known exactly: no noise but rounding.
+TEST(DirectLight, point_spot_and_distant) {
+    const auto expect = [](const Light& light, double irradiance) {
+        SceneDescription scene = floor_of();
+        scene.lights = {light};
+        expect_irradiance(LitPoint(std::move(scene)), irradiance, 1e-5);
+    };
+    const SpectralCurve five = SpectralCurve::constant(5);
+    const Vec3d at(1, 1, 3);
+    const Vec3d to = at - kPoint;
+    const double lit = 5 * to.z / (to.length2() * to.length());
+    expect(PointLight{five, at}, lit);
+    expect(PointLight{five, {1, 1, -3}}, 0);
+    const double cosine = to.z / to.length();  // of the angle to a spot that looks down
+    expect(SpotLight{five, at, {0, 0, -1}, cosine - 0.2, cosine - 0.1}, lit);
+    const double t = 0.3;  // of the edge, from its dark side
+    expect(SpotLight{five, at, {0, 0, -1}, cosine - 0.03, cosine + 0.07},
+           lit * t * t * (3 - 2 * t));
+    expect(SpotLight{five, at, {0, 0, -1}, cosine + 0.01, cosine + 0.1}, 0);
+    expect(DistantLight{five, Vec3d(0.6, 0, -0.8)}, 5 * 0.8);
+    expect(DistantLight{five, Vec3d(0.6, 0, 0.8)}, 0);
+}
+
+/// Opaque things hide light, up to their rims; what stands beyond the light, or in no way, does
+/// not.
+TEST(DirectLight, what_hides_it) {
+    const SpectralCurve one = SpectralCurve::constant(1);
+    const std::vector<std::pair<Light, double>> lights = {
+        {PointLight{one, kPoint + Vec3d(0, 0, 2)}, 0.25},
+        {SpotLight{one, kPoint + Vec3d(0, 0, 2), {0, 0, -1}, 0.5, 0.9}, 0.25},
+        {DistantLight{one, {0, 0, -1}}, 1}};
+    for (const auto& [light, lit] : lights) {
+        const auto expect = [&](ShapeDescription shape, double irradiance) {
+            SceneDescription scene = floor_of();
+            scene.lights = {light};
+            scene.shapes.push_back(std::move(shape));
+            expect_irradiance(LitPoint(std::move(scene)), irradiance, 1e-5);
+        };
+        const auto plate = [](float x0, float z, std::uint32_t material) {
+            return quad({{{x0, -1, z}, {1, -1, z}, {1, 1, z}, {x0, 1, z}}}, material);
+        };
+        expect(plate(-1, 1, 0), 0);
+        expect(plate(-1, 0.001F, 0), 0);
+        expect(plate(-1, 1, 3), 0);  // glass: photons bring it
+        expect(plate(0.301F, 1, 0), lit);
+        expect(plate(-1, 1, 2), lit);
+        const bool parallel = std::holds_alternative<DistantLight>(light);
+        expect(plate(-1, 2.001F, 0), parallel ? 0 : lit);
+        expect(lamp(plate(-1, 1, 0), 0), 0);
+    }
+}
+
+/// A plate between lamp and point hides the half of the lamp with x > 0.3, as seen from there.
+TEST(DirectLight, half_hidden_lamp) {
+    SceneDescription scene = floor_of();
+    scene.shapes.push_back(lamp(quad(kCeiling), kRadiance));
+    scene.shapes.push_back(quad({{{.3F, -9, 1}, {9, -9, 1}, {9, 9, 1}, {.3F, 9, 1}}}));
+    const Corners seen = {{{-1, -.5F, 2}, {-1, 1.5F, 2}, {.3F, 1.5F, 2}, {.3F, -.5F, 2}}};
+    expect_irradiance(LitPoint(std::move(scene)), kRadiance * of_quad(seen));
+}
+
+/// A Lambertian surface scatters on either side, never through.
+TEST(DirectLight, the_side_that_is_looked_at) {
+    const Vec3 from_below(-0.6F, 0, 0.8F);
+    const Corners cellar = {{{-1, -.5F, -2}, {1, -.5F, -2}, {1, 1.5F, -2}, {-1, 1.5F, -2}}};
+    SceneDescription scene = floor_of();
+    scene.shapes.push_back(lamp(quad(kCeiling), kRadiance));
+    expect_irradiance(LitPoint(scene, from_below), 0);
+    scene.shapes.push_back(lamp(quad(cellar), kRadiance / 2));
+    expect_irradiance(LitPoint(scene), kRadiance * of_quad(kCeiling));
+    expect_irradiance(LitPoint(scene, from_below), kRadiance / 2 * of_quad(kCeiling));
+}
+
+TEST(MisWeight, power_heuristic_of_two) {
+    EXPECT_FLOAT_EQ(mis_weight(1, 1), 0.5F);
+    EXPECT_FLOAT_EQ(mis_weight(3, 1), 0.9F);
+    EXPECT_FLOAT_EQ(mis_weight(1, 3), 0.1F);
+    EXPECT_EQ(mis_weight(2, 0), 1);
+    EXPECT_EQ(mis_weight(0, 2), 0);
+}
+
+/// Densities run over all of float: a lamp far away is small. Squares of them do not fit.
+TEST(MisWeight, densities_of_any_size) {
+    EXPECT_EQ(mis_weight(1e30F, 1), 1);
+    EXPECT_EQ(mis_weight(1, 1e30F), 0);
+    EXPECT_FLOAT_EQ(mis_weight(3e30F, 1e30F), 0.9F);
+    EXPECT_FLOAT_EQ(mis_weight(3e-30F, 1e-30F), 0.9F);
+    EXPECT_EQ(mis_weight(1e38F, 1e-38F), 1);
+    EXPECT_EQ(mis_weight(1e-38F, 1e38F), 0);
+}
+
+/// What a light sample's weight was, and what a bsdf sample into the same direction would weigh.
+void expect_weights_sum_to_one(const LitPoint& point, double u_choice, const Vec2d& u) {
+    Statistics statistics;
+    const Spectrum by_light = point.by_light(u_choice, u, statistics);
+    if (by_light.is_zero()) return;
+    const PassScene& pass = point.pass();
+    const EyeVertex& vertex = point.vertex();
+    const auto choice = pass.scene.light_choice().choose(u_choice);
+    const auto light = sample_direct(pass.scene.lights()[choice.index], vertex.hit.position,
+                                     Vec2(u), pass.scene.sphere());
+    ASSERT_TRUE(light);
+    const Vec3 w_to = vertex.frame.to_local(light->direction);
+    const double unweighted =
+        static_cast<double>(eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance)[0] *
+                            std::abs(w_to.z) * light->factor * pass.emission[choice.index][0]) /
+        choice.probability;
+    const double light_weight = static_cast<double>(by_light[0]) / unweighted;
+
+    const BsdfSample drawn{Spectrum(1), w_to,
+                           pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance)};
+    const Spectrum by_bsdf = follow_bsdf_sample(pass, vertex, drawn, statistics);
+    float emitted = 0;  // by all that the direction meets
+    const Ray ray = ray_from(vertex.hit, light->direction);
+    if (const auto hit = pass.scene.geometry().intersect(ray))
+        emitted = emitter_at(pass, *hit, vertex.hit.position, light->direction).radiance[0];
+    else
+        emitted = emitter_beyond(pass, light->direction).radiance[0];
+    const double bsdf_weight = static_cast<double>(by_bsdf[0] / emitted);
+    EXPECT_NEAR(light_weight + bsdf_weight, 1, 2e-4) << light_weight << ' ' << bsdf_weight;
+    EXPECT_GT(light_weight, 0);
+    EXPECT_LT(light_weight, 1);
+}
+
+TEST(DirectLight, weights_of_light_and_bsdf_samples_sum_to_one) {
+    Matrix place;
+    place.translate(Vec3d(-1, 2, 2));
+    for (const std::uint32_t material : {0U, 1U}) {
+        SceneDescription scene = floor_of(material);
+        scene.shapes.push_back(lamp(quad(kCeiling), 2));
+        scene.shapes.push_back(lamp({{Sphere{0.5, -0.5, 0.5}, place, false}, 0, {}, {}}, 5));
+        place.translate(Vec3d(3, 0, 0));
+        scene.shapes.push_back(lamp({{Disk{0, 0.7}, place, true}, 0, {}, {}}, 3, true));
+        for (const float radiance : {0.1F, 0.3F})
+            scene.lights.emplace_back(InfiniteLight{SpectralCurve::constant(radiance)});
+        const LitPoint point(std::move(scene));
+        RandomStream random(3, Purpose::test, 0, material);
+        for (int i = 0; i < 500; ++i) {
+            const double choice = random.next();
+            const Vec2d u(random.next(), random.next());
+            expect_weights_sum_to_one(point, choice, u);
+            if (HasFailure()) return;
+        }
+    }
+}
+
+TEST(DirectLight, lamp_on_rough_metal) {
+    SceneDescription scene = floor_of(1);
+    scene.shapes.push_back(lamp(quad(kCeiling), 2));
+    const LitPoint point(std::move(scene));
+    const double expected = from_lamp(point.vertex(), 2);
+    const Interval found = reflected(point);
+    EXPECT_LT(std::abs(found.mean / expected - 1) + found.half / expected, 0.005)
+        << found.mean / expected << " +- " << found.half / expected;
+}
+
+TEST(DirectLight, darkness_costs_nothing) {
+    const LitPoint point(floor_of());
+    Statistics statistics;
+    EXPECT_TRUE(point.by_light(0.5, {0.5, 0.5}, statistics).is_zero());
+    EXPECT_EQ(statistics[Count::eye_rays], 0U);
+    EXPECT_TRUE(emitter_beyond(point.pass(), {0, 0, 1}).radiance.is_zero());
+    EXPECT_TRUE(point.by_bsdf({0.5F, 0.3F, 0.3F}, statistics).is_zero());
+    EXPECT_EQ(statistics[Count::eye_rays], 1U);
+}
+
+/// A light sample that cannot reach the eye's side is not traced.
+TEST(DirectLight, no_ray_to_what_the_surface_turns_away_from) {
+    SceneDescription scene = floor_of();
+    scene.lights = {PointLight{SpectralCurve::constant(1), {0, 0, -1}}};
+    const LitPoint point(std::move(scene));
+    Statistics statistics;
+    EXPECT_TRUE(point.by_light(0.5, {0.5, 0.5}, statistics).is_zero());
+    EXPECT_EQ(statistics[Count::eye_rays], 0U);
+}
+
+/// What emitter_at() says: the side that shines, the lamp's own radiance and density.
+TEST(DirectLight, emitter_at_a_hit) {
+    SceneDescription description = floor_of();
+    description.shapes.push_back(lamp(quad(kCeiling), 2));
+    const LitPoint point(std::move(description));
+    const Scene& scene = point.scene();
+    const Vec3 from(kPoint);
+    const auto met = [&](const Vec3& origin, const Vec3& direction) {
+        const auto hit = scene.geometry().intersect({origin, direction, kInfinity});
+        return emitter_at(point.pass(), hit.value(), origin, direction);
+    };
+    const EmitterMet front = met(from + Vec3(0, 0, 0.5F), {0, 0, 1});
+    EXPECT_EQ(front.radiance, Spectrum(2));
+    // Two triangles of area 2 and equal power: distance^2 / (cos * 2) / 2.
+    EXPECT_NEAR(front.pdf, 1.5 * 1.5 / 2 / 2, 1e-5);
+    EXPECT_TRUE(met(from + Vec3(0, 0, 3), {0, 0, -1}).radiance.is_zero());
+    EXPECT_TRUE(met(from + Vec3(5, 0, 1), {0, 0, -1}).radiance.is_zero());
+}
+
+/// All infinite lights at once, with the density of light samples of any of them.
+TEST(DirectLight, emitters_beyond) {
+    SceneDescription scene = floor_of();
+    scene.shapes.push_back(lamp(quad(kCeiling), 2));
+    for (const float radiance : {0.1F, 0.3F, 0.2F})
+        scene.lights.emplace_back(InfiniteLight{SpectralCurve::constant(radiance)});
+    const LitPoint point(std::move(scene));
+    const LightChoice& choice = point.scene().light_choice();
+    const double skies = choice.probability(2) + choice.probability(3) + choice.probability(4);
+    const EmitterMet met = emitter_beyond(point.pass(), {0, 0, 1});
+    EXPECT_FLOAT_EQ(met.radiance[0], 0.6F);
+    EXPECT_NEAR(met.pdf, skies / (4 * kPiDouble), 1e-7);
+}
+
+}  // namespace
+}  // namespace sunfleck

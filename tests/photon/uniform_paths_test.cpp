@@ -1,0 +1,131 @@
+// Photon paths side by side are the paths one by one; what a pass counts of them.
+#include "photon/uniform_paths.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace sunfleck {
+namespace {
+
+/// Two facing sheets with glass between, lit from within: paths of very different lengths.
+SceneDescription lantern() {
+    const auto square = [](float z, std::uint32_t material) {
+        TriangleMesh mesh;
+        mesh.positions = {{-2, -2, z}, {2, -2, z}, {2, 2, z}, {-2, 2, z}};
+        mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+        return ShapeDescription{{mesh, Matrix(), false}, material, {}, {}};
+    };
+    SceneDescription scene;
+    scene.materials = {DiffuseMaterial{SpectralCurve::constant(0.8F)}, ThinDielectricMaterial{}};
+    scene.shapes = {square(0, 0), square(1, 0), square(0.5F, 1)};
+    scene.lights = {PointLight{SpectralCurve::constant(1), {0, 0, 0.25}}};
+    return scene;
+}
+
+struct Seen {
+    std::map<std::uint32_t, std::vector<Photon>> photons;  // by path, in their order
+    Statistics statistics;
+};
+
+class UniformPathsTest : public ::testing::TestWithParam<UniformKind> {
+protected:
+    /// One by one, by the tracer's plain loop.
+    Seen expected(std::uint32_t count) const {
+        Seen seen;
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (GetParam() == UniformKind::uniform)
+                trace(EmissionPoints(id_).path(i), i, seen);
+            else
+                trace(IndependentPoints(id_).path(i), i, seen);
+        return seen;
+    }
+
+    template <class Reader>
+    void trace(Reader read, std::uint32_t number, Seen& seen) const {
+        const auto visit = [&](const Photon& photon) {
+            seen.photons[number].push_back(photon);
+            return true;
+        };
+        const PathEnd end = tracer_.trace(read, visit, seen.statistics[Count::photon_rays]);
+        seen.statistics[Count::escaped] += end == PathEnd::escaped ? 1 : 0;
+        seen.statistics[Count::too_long] += end == PathEnd::too_long ? 1 : 0;
+        ++seen.statistics[Count::uniform_paths];
+    }
+
+    PassId id_{7, 2};
+    Scene scene_{lantern()};
+    PassScene pass_{scene_, id_};
+    TransportSettings transport_{DirectLight::sampled, 8};
+    PhotonTracer tracer_{pass_, transport_};
+};
+
+TEST_P(UniformPathsTest, side_by_side_are_those_one_by_one) {
+    for (const std::uint32_t count : {1U, 15U, 1300U}) {
+        const Seen one_by_one = expected(count);
+        Seen seen;
+        const auto all = [](const Photon&) { return true; };
+        for (const PhotonBatch& batch :
+             trace_batches(tracer_, {GetParam(), id_, count}, {0, count}, all)) {
+            for (std::size_t i = 0; i < batch.photons.size(); ++i)
+                seen.photons[batch.paths[i]].push_back(batch.photons[i]);
+            seen.statistics += batch.statistics;
+        }
+        EXPECT_EQ(seen.statistics, one_by_one.statistics);
+        ASSERT_EQ(seen.photons.size(), one_by_one.photons.size());
+        for (const auto& [path, photons] : one_by_one.photons) {
+            ASSERT_EQ(seen.photons[path].size(), photons.size()) << path;
+            for (std::size_t i = 0; i < photons.size(); ++i) {
+                const Photon& photon = seen.photons[path][i];
+                ASSERT_EQ(photon.position, photons[i].position);
+                ASSERT_EQ(photon.w, photons[i].w);
+                ASSERT_EQ(photon.flux, photons[i].flux);
+                ASSERT_EQ(photon.kind, photons[i].kind);
+                ASSERT_EQ(photon.bounces, photons[i].bounces);
+            }
+        }
+    }
+}
+
+/// More paths than are traced at once; photons of the upper sheet are unwanted, those of the
+/// lower sheet's left half are taken.
+TEST_P(UniformPathsTest, counts_the_visible_paths_and_keeps_what_is_wanted) {
+    const std::uint32_t count = (1U << 17U) + 700;
+    std::uint64_t visible = 0;
+    const auto taken = [](const Photon& photon) { return photon.position.x < 0; };
+    const auto wanted = [](const Photon& photon) { return photon.position.z < 0.5F; };
+    const Seen one_by_one = expected(count);
+    for (const auto& [path, photons] : one_by_one.photons)
+        visible += std::any_of(photons.begin(), photons.end(),
+                               [&](const Photon& p) { return wanted(p) && taken(p); });
+    std::size_t calls = 0;
+    const auto deposit = [&](std::vector<PhotonBatch>& batches) {
+        ++calls;
+        Statistics counted;
+        for (PhotonBatch& batch : batches)
+            for (std::size_t i = 0; i < batch.photons.size(); ++i) {
+                EXPECT_TRUE(wanted(batch.photons[i]));
+                batch.taken[i] = taken(batch.photons[i]) ? 1 : 0;
+                counted[Count::photons_stored] += batch.taken[i];
+            }
+        return counted;
+    };
+    const Statistics counted =
+        trace_uniform_paths(tracer_, {GetParam(), id_, count}, wanted, deposit);
+    EXPECT_EQ(calls, 2U);
+    EXPECT_EQ(counted[Count::uniform_paths], count);
+    EXPECT_EQ(counted[Count::uniform_visible], visible);
+    EXPECT_GT(counted[Count::photons_stored], visible);
+    EXPECT_EQ(counted[Count::photon_rays], one_by_one.statistics[Count::photon_rays]);
+    EXPECT_EQ(counted[Count::escaped], one_by_one.statistics[Count::escaped]);
+    EXPECT_GT(counted[Count::too_long], 100U);
+}
+
+INSTANTIATE_TEST_SUITE_P(kinds, UniformPathsTest,
+                         ::testing::Values(UniformKind::random, UniformKind::uniform),
+                         [](const auto& info) {
+                             return info.param == UniformKind::random ? "random" : "uniform";
+                         });
+
+}  // namespace
+}  // namespace sunfleck

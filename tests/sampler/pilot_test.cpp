@@ -1,0 +1,131 @@
+// Pilots: what they learn of spaces whose sets are known.
+#include "sampler/pilot.h"
+
+#include "core/parallel.h"
+#include "laws/toy_paths.h"
+#include "sampler/emission_points.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using testing_support::first_slots;
+using testing_support::Islands;
+
+constexpr std::uint32_t kPaths = 200'000;
+
+struct Nowhere {
+    struct Collector {
+        void operator()(const Islands::Path&, double) {}
+    };
+    Collector make() { return {}; }
+    void take(std::vector<Collector>&&) {}
+};
+
+/// What is visible elsewhere is only nearly visible here.
+struct Dark : Islands {
+    int height(const Path& path) const { return std::min(path.height, kVisible - 1); }
+};
+
+/// Spaces with visible fractions from 4e-3 down to 1e-7.
+std::vector<Islands> spaces() {
+    return {
+        {"two slots", {0, 6}, {{0.25, 0.02, 0.5, 1}, {0.7, 0.03, 0.5, 8}}},
+        {"eight slots", first_slots(8), {{0.3, 0.01, 0.45, 1}, {0.7, 0.02, 0.4, 5}}},
+        {"64 slots", first_slots(64), {{0.25, 0.005, 0.495, 1}, {0.8, 0.005, 0.49, 3}}},
+        {"1e-7", {0, 6, 1}, {{0.3, 1.5e-4, 0.5, 1}, {0.7, 0.8e-4, 0.5, 5}}},
+    };
+}
+
+PilotResult learn(const Islands& space, std::uint64_t seed) {
+    return Pilot<Islands, EmissionPoints>(space, seed, 0, kPaths).run();
+}
+
+// The pilot picks its sets by what it sees, so it finds a little too much; the mean of six seeds
+// has a standard error of up to 20%.
+TEST(Pilot, finds_how_rare_visible_paths_are) {
+    for (const Islands& space : spaces()) {
+        double mean = 0;
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+            const double ratio = learn(space, seed).tail[kVisible] / space.visible_fraction();
+            EXPECT_GT(ratio, 1 / 3.0) << space.name;
+            EXPECT_LT(ratio, 3) << space.name;
+            mean += ratio / 6;
+        }
+        EXPECT_GT(mean, 1 / 1.5) << space.name;
+        EXPECT_LT(mean, 1.5) << space.name;
+    }
+}
+
+// Acceptance of a full pass with what was learned, by level and kind, at seed 1.
+TEST(Pilot, learns_scales_that_accept_about_half) {
+    for (const Islands& space : spaces()) {
+        const PilotResult result = learn(space, 1);
+        const PassId pass{1, 0};
+        Nowhere nowhere;
+        Islands::Tally tally;
+        const LadderCounts counts =
+            run_ladder(space, EmissionPoints(pass), pass, result.plan, nowhere, tally);
+        ASSERT_EQ(counts.levels.size(), result.plan.levels.size() + 1) << space.name;
+        for (std::size_t k = 1; k < counts.levels.size(); ++k)
+            for (const Acceptance& kind : counts.levels[k].acceptances)
+                EXPECT_NEAR(static_cast<double>(kind.accepted) / static_cast<double>(kind.proposed),
+                            0.5, 0.1)
+                    << space.name << " level " << k;
+    }
+}
+
+TEST(Pilot, plans_the_ladder_that_the_rules_ask_for) {
+    EXPECT_EQ(learn(spaces()[0], 1).plan.levels.size(), 1U);
+    const PilotResult rare = learn(spaces()[3], 1);
+    EXPECT_EQ(rare.plan.levels.size(), ladder_plan(rare.tail, kPaths).levels.size());
+    EXPECT_GE(rare.plan.levels.size(), 4U);
+    EXPECT_EQ(rare.last.levels.size(), rare.plan.levels.size() + 1);
+    const Islands wide{"wide", {0}, {{0.5, 0.2, 0.5, 1}}, 1};
+    EXPECT_EQ(learn(wide, 1).plan, (LadderPlan{kPaths, {}}));
+}
+
+TEST(Pilot, plans_the_same_for_any_number_of_threads) {
+    for (const Islands& space : {spaces()[1], spaces()[3]}) {
+        const PilotResult first = learn(space, 1);
+        for (const std::size_t threads : {1, 2, 3, 8}) {
+            const ThreadLimit limit(threads);
+            const PilotResult again = learn(space, 1);
+            EXPECT_EQ(again.plan, first.plan) << space.name << threads;
+            EXPECT_EQ(again.tail, first.tail) << space.name << threads;
+            EXPECT_EQ(again.paths, first.paths);
+        }
+    }
+}
+
+TEST(Pilot, other_seeds_and_epochs_draw_other_numbers) {
+    const Islands space = spaces()[3];
+    const HeightTail tail = learn(space, 1).tail;
+    EXPECT_NE(learn(space, 2).tail, tail);
+    const PilotResult later = Pilot<Islands, EmissionPoints>(space, 1, 1, kPaths).run();
+    EXPECT_NE(later.tail, tail);
+}
+
+TEST(Pilot, ends_where_nothing_is_visible) {
+    Dark dark;
+    dark.slots = {0, 6};
+    dark.islands = {{0.3, 0.001, 0.5, 1}};
+    const PilotResult result = Pilot<Dark, EmissionPoints>(dark, 1, 0, kPaths).run();
+    EXPECT_EQ(result.tail[kVisible], 0);
+    ASSERT_FALSE(result.plan.levels.empty());
+    EXPECT_LT(result.paths, 2'000'000U);
+    const PassId pass{1, 0};
+    Nowhere nowhere;
+    Islands::Tally tally;
+    const LadderCounts counts =
+        run_ladder(dark, EmissionPoints(pass), pass, result.plan, nowhere, tally);
+    EXPECT_EQ(visible_fraction(result.plan, counts), 0);
+    const Islands nowhere_near{"empty", {0}, {}, 1};
+    const PilotResult none = learn(nowhere_near, 1);
+    EXPECT_EQ(none.plan.levels.size(), 1U);
+    EXPECT_EQ(none.tail[kVisible], 0);
+}
+
+}  // namespace
+}  // namespace sunfleck
