@@ -86,7 +86,7 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
                    "Scattering events on a path, eye and light together")
         ->check(CLI::Range(1, 10000));
     app.add_option("--layers", t.layers,
-                   "EXR layers: direct,caustic,indirect,emission,albedo,normal,depth");
+                   "EXR layers: direct,caustic,indirect,emission,albedo,normal,depth,samples");
     app.add_option("--exposure", o.exposure, "Stops for PNG (default 0)")
         ->check(between(-100, 100));
     app.add_option("--camera", o.camera, "Which of the scene's cameras, by name");

@@ -130,12 +130,21 @@ private:
 
     void finish(std::size_t i, PhotonKind kind) const {
         const VisiblePoint& to = point(i);
+        if (all_.image.has(Layer::samples)) count_samples(i, kind);
         const Spectrum share = share_of(to, all_.paths);
         const Vec3 rgb = all_.pass.wavelengths.to_rgb(light_[number_of(kind)][i] * share);
         if (PassImage::is_addable(rgb))
             all_.image.add_light(to.pixel, rgb, owner_of(to, kind));
         else
             add_one_by_one(i, kind, share);
+    }
+
+    void count_samples(std::size_t i, PhotonKind kind) const {
+        float photons = 0;
+        for (std::size_t t = 0; t < count_; ++t)
+            if ((taken_[t].takers >> i & 1U) != 0 && all_.photons[taken_[t].photon].kind == kind)
+                ++photons;
+        all_.image.add_feature(point(i).pixel, Vec3(photons, 0, 0), Layer::samples);
     }
 
     /// Where the sum is not a number that can be added: each photon stands or falls by itself.

@@ -8,7 +8,8 @@ namespace sunfleck {
 namespace {
 
 bool is_light(Layer layer) {
-    return layer != Layer::albedo && layer != Layer::normal && layer != Layer::depth;
+    return layer != Layer::albedo && layer != Layer::normal && layer != Layer::depth &&
+           layer != Layer::samples;
 }
 
 void add_layer(Picture& picture, const FixedPoints& sums, const LayerRow& row, double scale) {

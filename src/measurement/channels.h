@@ -16,6 +16,7 @@ enum class Layer : std::size_t {
     albedo,
     normal,
     depth,
+    samples,
     count
 };
 
@@ -39,6 +40,7 @@ inline constexpr std::array<LayerRow, kLayerCount> kLayers = {{
     {Layer::albedo, "albedo", "RGB", "share of white light reflected by the first surface"},
     {Layer::normal, "normal", "XYZ", "shading normal of the first surface, world frame"},
     {Layer::depth, "depth", "Z", "distance to the first surface along the ray; 0 for none"},
+    {Layer::samples, "samples", "N", "photons gathered, a pass"},
 }};
 
 }  // namespace sunfleck

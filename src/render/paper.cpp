@@ -44,6 +44,9 @@ PassResult PaperRender::next_pass() {
         trace_paper_paths({scene, settings_.transport, index},
                           {id, paths_, settings_.photon.paper.replica_exchange}, chain_, deposit);
     radii_.add(taken);
+    for (std::size_t i = 0; i < pixels; ++i)
+        result.image.add_feature(i, Vec3(static_cast<float>(taken[i].load()), 0, 0),
+                                 Layer::samples);
     add_photon_light(photons, result.image);
     result.seconds.photon = watch.lap();
     result.statistics += counts;

@@ -93,9 +93,8 @@ int next_height(const HeightCounts& heights, int from) {
     int lowest = kHeights;
     for (int h = kVisible; h > from; --h) {
         so_far += heights.at(static_cast<std::size_t>(h));
-        if (so_far == 0) continue;
-        lowest = h;
-        if (50 * so_far >= all) return h;
+        if (so_far > 0 && 50 * so_far >= all) return h;
+        if (heights.at(static_cast<std::size_t>(h)) > 0) lowest = h;
     }
     return lowest;
 }

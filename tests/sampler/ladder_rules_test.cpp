@@ -137,13 +137,14 @@ TEST(NextHeight, the_greatest_that_a_fiftieth_reaches) {
     EXPECT_EQ(next_height(heights, 3), 7);
 }
 
-TEST(NextHeight, else_the_least_step_up) {
+TEST(NextHeight, else_the_lowest_that_any_state_has) {
     HeightCounts heights{};
     heights[3] = 100'000;
     EXPECT_EQ(next_height(heights, 3), kHeights);
     heights[20] = 1;
-    EXPECT_EQ(next_height(heights, 3), 4);
-    EXPECT_EQ(next_height(heights, 20), kHeights);
+    heights[22] = 1;
+    EXPECT_EQ(next_height(heights, 3), 20);
+    EXPECT_EQ(next_height(heights, 22), kHeights);
 }
 
 }  // namespace
