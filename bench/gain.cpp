@@ -47,7 +47,9 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
     for (const PhotonSamplerRow& row : kPhotonSamplers)
         if (row.name == sampler) job.settings.photon.sampler = row.sampler;
-    if (settings.photons_only) job.settings.transport.direct = DirectLight::photons;
+    const bool paper = job.settings.photon.sampler == PhotonSampler::paper;
+    if (paper) job.settings.alpha = 0.7;
+    if (settings.photons_only || paper) job.settings.transport.direct = DirectLight::photons;
     job.stop.end_pass = settings.passes;
     Rendered result;
     std::optional<RenderResult> render_result;
@@ -93,7 +95,21 @@ struct Sample {
     Error error;
     double seconds;
     double brightness;
+    std::vector<double> image;  // of the sampler `paper` alone
 };
+
+/// Errors around the mean of the samples, corrected for what the mean shares with each.
+void measure_by_own_mean(std::vector<Sample>& samples) {
+    const auto count = static_cast<double>(samples.size());
+    std::vector<double> mean(samples.front().image.size());
+    for (const Sample& s : samples)
+        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += s.image[i] / count;
+    for (Sample& s : samples) {
+        s.error = error_of(s.image, mean);
+        s.error.relative *= count / (count - 1);
+        s.error.plain *= count / (count - 1);
+    }
+}
 
 using Samples = std::map<std::string, std::vector<Sample>>;
 
@@ -142,6 +158,7 @@ void correct(Samples& samples, const std::string& last, std::uint32_t references
     const double share = static_cast<double>(samples[last].size()) * (references + 1.0);
     for (auto& [name, list] : samples)
         for (Sample& s : list) {
+            if (name == "paper") continue;
             s.error.relative -= own.relative / share;
             s.error.plain -= own.plain / share;
         }
@@ -166,10 +183,12 @@ void run(const Settings& settings) {
         for (const std::string& sampler : settings.samplers) {
             Rendered r = rendered(scene, settings, sampler, seed);
             samples[sampler].push_back(
-                {error_of(r.luminance, reference), r.seconds, mean_of(r.luminance)});
+                {error_of(r.luminance, reference), r.seconds, mean_of(r.luminance), {}});
+            if (sampler == "paper") samples[sampler].back().image = std::move(r.luminance);
             facts[sampler].visible_fraction += r.visible_fraction / settings.seeds;
             facts[sampler].starved += r.starved;
         }
+    if (samples.contains("paper")) measure_by_own_mean(samples["paper"]);
     correct(samples, last, settings.references);
     fmt::print("{}: {} seeds of {} passes, reference brightness {:.5g}\n", settings.scene,
                settings.seeds, settings.passes, mean_of(reference));

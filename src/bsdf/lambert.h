@@ -5,7 +5,7 @@
 #pragma once
 
 #include "bsdf/model.h"
-#include "math/warp.h"
+#include "math/float_disc.h"
 
 namespace sunfleck {
 
@@ -21,11 +21,10 @@ struct Lambert {
     }
 
     std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
-        const DiscPoint disc = concentric_disc_point(Vec2d(draw.u.y, draw.u.z));
+        const FloatDiscPoint disc = float_disc_point({draw.u.y, draw.u.z});
         // The floor keeps u at the very edge of the square from leaving along the surface.
-        const auto height = static_cast<float>(std::sqrt(std::max(1e-8, 1 - disc.radius2)));
-        const Vec2 flat(disc.position);
-        const Vec3 w_to(flat.x, flat.y, std::copysign(height, w_from.z));
+        const float height = std::sqrt(std::max(1e-8F, disc.height2));
+        const Vec3 w_to(disc.position.x, disc.position.y, std::copysign(height, w_from.z));
         return BsdfSample{albedo, w_to, height / kPi};
     }
 

@@ -36,8 +36,13 @@ struct FixedPoint {
     static FixedPoint from_double(double x) {
         const double size = std::abs(x);
         const auto whole = static_cast<std::int64_t>(size);
-        const double rest = size - static_cast<double>(whole);
-        const FixedPoint result{whole, static_cast<std::uint64_t>(rest * 0x1p64)};
+        // In two halves: converting to 64 unsigned bits at once would branch on the first of them.
+        const double upper = (size - static_cast<double>(whole)) * 0x1p32;
+        const auto upper_bits = static_cast<std::int64_t>(upper);
+        const double lower = (upper - static_cast<double>(upper_bits)) * 0x1p32;
+        const FixedPoint result{whole,
+                                static_cast<std::uint64_t>(upper_bits) << 32U |
+                                    static_cast<std::uint64_t>(static_cast<std::int64_t>(lower))};
         return x < 0 ? -result : result;
     }
 
@@ -59,6 +64,14 @@ public:
         const std::uint64_t carry = before + term.low < before ? 1 : 0;
         const std::uint64_t high = static_cast<std::uint64_t>(term.high) + carry;
         if (high != 0) high_.fetch_add(high, std::memory_order_relaxed);
+    }
+
+    /// The same, by a thread that is alone here until others are told: without a locked bus.
+    void add_alone(const FixedPoint& term) {
+        FixedPoint sum = value();
+        sum += term;
+        low_.store(sum.low, std::memory_order_relaxed);
+        high_.store(static_cast<std::uint64_t>(sum.high), std::memory_order_relaxed);
     }
 
     FixedPoint value() const {

@@ -72,26 +72,37 @@ private:
     }
 
     std::uint64_t gather_block() {
-        for (std::size_t i = 0; i < points_here(); ++i)
-            __builtin_prefetch(&point(i).shading_normal);
-        for (std::size_t i = 0; i < points_here(); ++i) __builtin_prefetch(&point(i).pixel);
+        plain_ = all_.index.plain(block_);
+        call_ahead();
         find_taken();
         if (count_ == 0) return 0;
-        begin();
+        std::array<unsigned, kKinds.size()> met{};  // points that took a photon of the kind
         std::uint64_t deposits = 0;
         for (std::size_t t = 0; t < count_; ++t) {
             const Photon& photon = all_.photons[taken_[t].photon];
             const std::size_t kind = number_of(photon.kind);
             all_.taken.set(taken_[t].photon);
-            met_.at(kind) |= taken_[t].takers;
+            met[kind] |= taken_[t].takers;
             deposits += static_cast<unsigned>(__builtin_popcount(taken_[t].takers));
             for (unsigned rest = taken_[t].takers; rest != 0; rest &= rest - 1)
                 add(static_cast<unsigned>(__builtin_ctz(rest)), photon, light_[kind]);
         }
         for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
-            for (unsigned rest = met_.at(kind); rest != 0; rest &= rest - 1)
-                finish(static_cast<unsigned>(__builtin_ctz(rest)), kKinds.at(kind));
+            for (unsigned rest = met[kind]; rest != 0; rest &= rest - 1)
+                finish(static_cast<unsigned>(__builtin_ctz(rest)), kKinds[kind]);
         return deposits;
+    }
+
+    /// Calls into the cache what the next blocks will need: the points of the one after next (the
+    /// line that finish() reads), and the pixels of the next, whose points are there by now.
+    void call_ahead() const {
+        const std::vector<VisiblePoint>& points = all_.index.points();
+        const std::size_t next = (block_ + 1) * kWidth;
+        if (next + 2 * kWidth > points.size()) return;
+        for (std::size_t i = 0; i < kWidth; ++i) {
+            __builtin_prefetch(&points[next + kWidth + i].pixel);
+            __builtin_prefetch(all_.image.place_of(points[next + i].pixel), 1);
+        }
     }
 
     /// Lists the photons that the block takes.
@@ -105,20 +116,6 @@ private:
         });
     }
 
-    /// Plain points are Lambertian, and their shading normal is the geometric one, on either side.
-    void begin() {
-        for (auto& kind : light_) kind.fill(Spectrum());
-        met_.fill(0);
-        plain_ = 0;
-        for (std::size_t i = 0; i < points_here(); ++i) {
-            const VisiblePoint& p = point(i);
-            __builtin_prefetch(all_.image.place_of(p.pixel), 1);
-            const bool same =
-                p.shading_normal == p.disc.normal || p.shading_normal == -p.disc.normal;
-            if (same && p.material == kLambertian) plain_ |= 1U << i;
-        }
-    }
-
     using Lights = std::array<Spectrum, kWidth>;
 
     void add(std::size_t i, const Photon& photon, Lights& light) const {
@@ -128,23 +125,17 @@ private:
             light[i] += light_of(all_.pass, point(i), photon);
     }
 
-    void finish(std::size_t i, PhotonKind kind) const {
+    /// Adds the point's sum to its pixel, and makes it zero for the next block.
+    void finish(std::size_t i, PhotonKind kind) {
         const VisiblePoint& to = point(i);
-        if (all_.image.has(Layer::samples)) count_samples(i, kind);
-        const Spectrum share = share_of(to, all_.paths);
-        const Vec3 rgb = all_.pass.wavelengths.to_rgb(light_[number_of(kind)][i] * share);
+        const Spectrum share = share_of(to, all_.index.radius(block_, i), all_.paths);
+        Spectrum& light = light_[number_of(kind)][i];
+        const Vec3 rgb = all_.pass.wavelengths.to_rgb(light * share);
+        light = Spectrum();
         if (PassImage::is_addable(rgb))
-            all_.image.add_light(to.pixel, rgb, owner_of(to, kind));
+            all_.image.add_addable(to.pixel, rgb, owner_of(to, kind), !to.shares_pixel);
         else
             add_one_by_one(i, kind, share);
-    }
-
-    void count_samples(std::size_t i, PhotonKind kind) const {
-        float photons = 0;
-        for (std::size_t t = 0; t < count_; ++t)
-            if ((taken_[t].takers >> i & 1U) != 0 && all_.photons[taken_[t].photon].kind == kind)
-                ++photons;
-        all_.image.add_feature(point(i).pixel, Vec3(photons, 0, 0), Layer::samples);
     }
 
     /// Where the sum is not a number that can be added: each photon stands or falls by itself.
@@ -163,9 +154,8 @@ private:
     std::vector<Taken> taken_;  // the first count_
     std::size_t count_ = 0;
     std::size_t block_ = 0;
-    unsigned plain_ = 0;                         // points whose light is the photons' flux
-    std::array<unsigned, kKinds.size()> met_{};  // points that took a photon of the kind
-    std::array<Lights, kKinds.size()> light_;
+    unsigned plain_ = 0;                       // points whose light is the photons' flux
+    std::array<Lights, kKinds.size()> light_;  // all zero between blocks
 };
 
 }  // namespace

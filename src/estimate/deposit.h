@@ -33,10 +33,14 @@ inline Spectrum light_of(const PassScene& pass, const VisiblePoint& point, const
     return point.material == kLambertian ? light : light * gather_lobe(pass, point, photon.w);
 }
 
-/// The part that is the same for all photons of a point. @param paths  N.
-inline Spectrum share_of(const VisiblePoint& point, std::uint32_t paths) {
-    const float radius = point.disc.radius;
+/// The part that is the same for all photons of a point.
+/// @param radius  of its disc (which a caller may have at hand). @param paths  N.
+inline Spectrum share_of(const VisiblePoint& point, float radius, std::uint32_t paths) {
     return point.throughput * (1 / (static_cast<float>(paths) * (kPi * radius * radius)));
+}
+
+inline Spectrum share_of(const VisiblePoint& point, std::uint32_t paths) {
+    return share_of(point, point.disc.radius, paths);
 }
 
 /// The layer that owns what a photon of this kind brings to this point.

@@ -64,8 +64,9 @@ Affine inverse_error(const Affine& map, const Affine& inverse) {
 
 BuiltShape::BuiltShape(const PlacedShape& source, RTCDevice device,
                        const std::vector<Corners>& counting)
-    : source_(&source), placement_(source.to_world) {
+    : source_(&source), placement_(source.to_world), is_turned_(flip() != placement_.mirrors) {
     if (mesh() != nullptr) {
+        is_plain_ = mesh()->normals.empty() && mesh()->uvs.empty() && mesh()->tangents.empty();
         build_mesh(device, counting);
         return;
     }

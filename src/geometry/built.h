@@ -5,6 +5,7 @@
 // holds all shapes that are intersected exactly.
 #pragma once
 
+#include "core/huge_pages.h"
 #include "geometry/affine.h"
 #include "geometry/embree.h"
 #include "geometry/geometry.h"
@@ -38,6 +39,10 @@ public:
     const TriangleMesh* mesh() const { return std::get_if<TriangleMesh>(&source_->shape); }
     const Placement& placement() const { return placement_; }
     bool flip() const { return source_->flip; }
+    /// Is it a mesh with neither normals nor uvs nor tangents?
+    bool is_plain() const { return is_plain_; }
+    /// Do the normals of a mesh's triangles point away from the side of area_vector()?
+    bool is_turned() const { return is_turned_; }
     const Bounds& bounds() const { return bounds_; }
     /// Is there nothing to hit?
     bool is_empty() const { return bounds_.is_empty(); }
@@ -62,9 +67,11 @@ private:
     const PlacedShape* source_ = nullptr;
     Placement placement_;
     Bounds bounds_;
+    bool is_plain_ = false;
+    bool is_turned_ = false;
     // Nine floats a triangle: a hit needs its corners, and one look at memory costs less than an
     // index and three looks. At the end one float that Embree reads but does not use.
-    std::vector<float> vertices_;
+    HugeVector<float> vertices_;
     embree::Geometry geometry_;
 };
 
@@ -128,7 +135,8 @@ struct Found {
     double t = 0;   // of an exact shape
 };
 
-/// All of the hit but its numbers. @param line  in the world, direction unit.
-Hit complete_hit(const Found& found, const Line& line);
+/// Sets all of the hit but the numbers of shape and instance.
+/// @param line  in the world, direction unit.
+void complete_hit(const Found& found, const Line& line, Hit& hit);
 
 }  // namespace sunfleck

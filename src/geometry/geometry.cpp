@@ -62,7 +62,7 @@ struct Geometry::Impl {
     std::uint32_t first_instance() const { return static_cast<std::uint32_t>(world.shapes.size()); }
     std::size_t triangles_of(const std::vector<std::uint32_t>& list) const;
     Meeting meet(const Line& line, float length) const;
-    Hit complete(const Meeting& meeting) const;
+    void complete(const Meeting& meeting, Hit& hit) const;
     bool is_far(double distance, const Vec3& position) const;
 };
 
@@ -151,21 +151,20 @@ Meeting Geometry::Impl::meet(const Line& line, float length) const {
     meeting.weights = {met.hit.u, met.hit.v};
     meeting.t = query.t;
     const BuiltShape& met_shape = shapes[meeting.shape];
-    if (met_shape.mesh() != nullptr) {
+    if (met_shape.is_plain() || met_shape.mesh() != nullptr) {
         __builtin_prefetch(met_shape.corner_floats(meeting.primitive));
         __builtin_prefetch(met_shape.corner_floats(meeting.primitive) + 8);
-        __builtin_prefetch(&met_shape.corners(meeting.primitive));
+        if (!met_shape.is_plain()) __builtin_prefetch(&met_shape.corners(meeting.primitive));
     }
     return meeting;
 }
 
-Hit Geometry::Impl::complete(const Meeting& m) const {
+void Geometry::Impl::complete(const Meeting& m, Hit& hit) const {
     const BuiltInstance* instance = m.instance == kNone ? nullptr : &instances[m.instance];
-    Hit hit = complete_hit({&shapes[m.shape], instance, m.primitive, Vec2d(m.weights), m.t},
-                           {m.origin, m.direction});
+    complete_hit({&shapes[m.shape], instance, m.primitive, Vec2d(m.weights), m.t},
+                 {m.origin, m.direction}, hit);
     hit.shape = m.shape;
     hit.instance = m.instance;
-    return hit;
 }
 
 /// Far: floats at the hit would resolve more than is left of them after the way to it; but ways
@@ -198,33 +197,37 @@ Meeting Geometry::meet_precise(const Vec3d& origin, const Vec3d& direction) cons
 /// computed from the line in double in any case; what the repetition mends is which primitive is
 /// met. If that is far again (the first one was brushed by mistake), once more, thrice in all.
 /// What a thin thing more than a thousandth of the way before the hit would have shown is lost.
-std::optional<Hit> Geometry::hit_of(const Meeting& meeting) const {
+bool Geometry::hit_of(const Meeting& meeting, Hit& hit) const {
     constexpr int kMostRepetitions = 3;
     constexpr double kWalk = 1 - 0x1p-10;
-    if (meeting.shape == kNone) return {};
-    std::optional<Hit> hit = impl_->complete(meeting);
-    if (!meeting.precise) return hit;
+    if (meeting.shape == kNone) return false;
+    impl_->complete(meeting, hit);
+    if (!meeting.precise) return true;
     double walked = 0;
     for (int repetition = 0; repetition < kMostRepetitions; ++repetition) {
-        const double left = hit->distance;
-        hit->distance = static_cast<float>(walked + left);
-        if (!impl_->is_far(left, hit->position)) return hit;
+        const double left = hit.distance;
+        hit.distance = static_cast<float>(walked + left);
+        if (!impl_->is_far(left, hit.position)) return true;
         walked += left * kWalk;
         const Vec3d start = meeting.origin + meeting.direction * walked;
         const Meeting again = impl_->meet({start, meeting.direction}, kInfinity);
-        if (again.shape == kNone) return {};
-        hit = impl_->complete(again);
+        if (again.shape == kNone) return false;
+        impl_->complete(again, hit);
     }
-    hit->distance = static_cast<float>(walked + double{hit->distance});
-    return hit;
+    hit.distance = static_cast<float>(walked + double{hit.distance});
+    return true;
 }
 
 std::optional<Hit> Geometry::intersect(const Ray& ray) const {
-    return hit_of(meet(ray));
+    std::optional<Hit> hit(std::in_place);
+    if (!hit_of(meet(ray), *hit)) hit.reset();
+    return hit;
 }
 
 std::optional<Hit> Geometry::intersect_precise(const Vec3d& origin, const Vec3d& direction) const {
-    return hit_of(meet_precise(origin, direction));
+    std::optional<Hit> hit(std::in_place);
+    if (!hit_of(meet_precise(origin, direction), *hit)) hit.reset();
+    return hit;
 }
 
 bool Geometry::occluded(const Ray& ray) const {

@@ -84,7 +84,8 @@ public:
     /// several paths in turn waits for neither.
     Meeting meet(const Ray& ray) const;
     Meeting meet_precise(const Vec3d& origin, const Vec3d& direction) const;
-    std::optional<Hit> hit_of(const Meeting& meeting) const;
+    /// @return whether the ray meets anything; if not, `hit` is left in any state.
+    bool hit_of(const Meeting& meeting, Hit& hit) const;
 
     /// Is there any surface strictly between the ray's ends?
     bool occluded(const Ray& ray) const;

@@ -70,7 +70,7 @@ double surface_area(const EmittingTriangle& triangle) {
 float surface_error(const EmittingTriangle& triangle, const SurfaceSample& on) {
     const Triangle corners{
         {triangle.p0, triangle.p0 + triangle.edge1, triangle.p0 + triangle.edge2}};
-    return as_bound(plane_uncertainty(corners, on.normal, on.position) +
+    return as_bound(plane_uncertainty(corners, corners.area_vector(), on.position) +
                     rounding_uncertainty(on.normal, on.position));
 }
 

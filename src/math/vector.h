@@ -36,11 +36,14 @@ struct Frame {
 
     /// Local +z is the normal; local +x is the part of `tangent` that is perpendicular to it.
     /// A tangent that is zero or along the normal gives Frame(normal).
-    Frame(const Vec3& normal, const Vec3& tangent) : Frame(normal) {
+    Frame(const Vec3& normal, const Vec3& tangent) : z(normal) {
         const Vec3 flat = tangent - normal * normal.dot(tangent);
         const float length2 = flat.length2();
-        if (!(length2 > 1e-12F * tangent.length2())) return;
-        x = flat / std::sqrt(length2);
+        if (!(length2 > 1e-12F * tangent.length2())) {
+            *this = Frame(normal);
+            return;
+        }
+        x = flat * (1 / std::sqrt(length2));
         y = z.cross(x);
     }
 

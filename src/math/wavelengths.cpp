@@ -82,18 +82,10 @@ Wavelengths Wavelengths::of_pass(PassId pass) {
         drawn.nm[lane] = static_cast<float>(nm);
         drawn.density[lane] = static_cast<float>(density);
         const Triple response = rgb_response(nm);
-        for (int i = 0; i < 3; ++i) {
-            drawn.rgb_weight[lane][i] =
-                static_cast<float>(response[static_cast<std::size_t>(i)] / (kLanes * density));
-        }
+        for (std::size_t i = 0; i < 3; ++i)
+            drawn.rgb_weight[i][lane] = static_cast<float>(response[i] / (kLanes * density));
     }
     return drawn;
-}
-
-Vec3 Wavelengths::to_rgb(const Spectrum& radiance) const {
-    Vec3 rgb(0);
-    for (std::size_t lane = 0; lane < kLanes; ++lane) rgb += rgb_weight[lane] * radiance[lane];
-    return rgb;
 }
 
 }  // namespace sunfleck

@@ -25,10 +25,13 @@ struct Wavelengths {
 
     /// Linear sRGB of a radiance spectrum, in pbrt-v4's scale: the D65 illuminant scaled to
     /// luminance one gives (1,1,1) in expectation.
-    Vec3 to_rgb(const Spectrum& radiance) const;
+    Vec3 to_rgb(const Spectrum& radiance) const {
+        return {(rgb_weight[0] * radiance).sum(), (rgb_weight[1] * radiance).sum(),
+                (rgb_weight[2] * radiance).sum()};
+    }
 
-    /// rgb = sum over lanes of weight[lane] * radiance[lane]; what to_rgb() uses.
-    std::array<Vec3, kLanes> rgb_weight{};
+    /// For r, g, b: the sum over lanes of weight[lane] * radiance[lane]; what to_rgb() uses.
+    std::array<Spectrum, 3> rgb_weight{};
 };
 
 }  // namespace sunfleck

@@ -24,6 +24,8 @@ public:
         both_sides_.at(i) = disc.both_sides ? 1 : 0;
     }
 
+    float radius(std::size_t i) const { return radius_[i]; }
+
     /// Bit i is set if disc i takes the photon: takes(disc, photon, max_depth).
     unsigned takers(const Photon& photon, int max_depth) const {
         return eight_bits([&](unsigned i) { return four_takers(photon, max_depth, i); });

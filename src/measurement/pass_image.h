@@ -40,6 +40,16 @@ public:
             add(layers_[static_cast<std::size_t>(owner)][pixel], rgb);
     }
 
+    /// add_light() of what is_addable(), with no other thread at this pixel if `alone`.
+    void add_addable(std::size_t pixel, const Vec3& rgb, Layer owner, bool alone) {
+        const std::array<FixedPoint, 3> terms{FixedPoint::from_double(rgb.x),
+                                              FixedPoint::from_double(rgb.y),
+                                              FixedPoint::from_double(rgb.z)};
+        add(layers_[0][pixel], terms, alone);
+        if (owner != Layer::total && has(owner))
+            add(layers_[static_cast<std::size_t>(owner)][pixel], terms, alone);
+    }
+
     /// What add_light() will write first: to be called into the cache.
     const void* place_of(std::size_t pixel) const { return &layers_[0][pixel]; }
 
@@ -80,6 +90,15 @@ private:
         if (std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) return true;
         counts_[kDropped].fetch_add(1, std::memory_order_relaxed);
         return false;
+    }
+
+    static void add(Pixel& pixel, const std::array<FixedPoint, 3>& terms, bool alone) {
+        for (unsigned c = 0; c < 3; ++c) {
+            if (alone)
+                pixel[c].add_alone(terms[c]);
+            else
+                pixel[c].add(terms[c]);
+        }
     }
 
     void add(Pixel& pixel, const Vec3& rgb) {

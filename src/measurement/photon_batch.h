@@ -15,6 +15,12 @@ struct PhotonBatch {
     std::vector<std::uint8_t> taken;
     Statistics statistics;  // of tracing these paths
 
+    void reserve(std::size_t count) {
+        photons.reserve(count);
+        paths.reserve(count);
+        taken.reserve(count);
+    }
+
     void add(const Photon& photon, std::uint32_t path) {
         photons.push_back(photon);
         paths.push_back(path);

@@ -39,7 +39,9 @@ SortedPhotons::SortedPhotons(const std::vector<PhotonBatch>& batches, const Mort
         for (std::size_t i = begin * kWidth; i < last; ++i) {
             if (i + kAhead < last) {
                 const MortonKey& next = order_[i + kAhead];
-                __builtin_prefetch(&batches[next.list].photons[next.item]);
+                const Photon& photon = batches[next.list].photons[next.item];
+                __builtin_prefetch(&photon);
+                __builtin_prefetch(&photon.flux.lane.back());
             }
             photons_[i] = batches[order_[i].list].photons[order_[i].item];
         }

@@ -80,6 +80,7 @@ struct VisiblePoint {
     std::uint8_t lane = 0;       // a path that has dispersed: its lane
     bool single_lane = false;
     bool after_rough = false;  // the eye path has been scattered by a rough surface before
+    bool shares_pixel = true;  // there may be other points of the same pixel (set by the index)
 };
 
 inline constexpr std::uint32_t kLambertian = 0xFFFFFFFF;

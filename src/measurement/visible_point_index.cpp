@@ -26,6 +26,24 @@ Box box_of(const Disc& disc) {
     return {disc.position - half, disc.position + half};
 }
 
+bool is_plain(const VisiblePoint& p) {
+    const bool same = p.shading_normal == p.disc.normal || p.shading_normal == -p.disc.normal;
+    return same && p.material == kLambertian;
+}
+
+/// By pixel: has it more than one point?
+std::vector<bool> shared_pixels(const std::vector<VisiblePoint>& points) {
+    std::uint32_t last = 0;
+    for (const VisiblePoint& p : points) last = std::max(last, p.pixel);
+    std::vector<bool> seen(std::size_t{last} + 1);
+    std::vector<bool> shared(std::size_t{last} + 1);
+    for (const VisiblePoint& p : points) {
+        if (seen[p.pixel]) shared[p.pixel] = true;
+        seen[p.pixel] = true;
+    }
+    return shared;
+}
+
 std::vector<MortonKey> morton_order(const std::vector<VisiblePoint>& points,
                                     const MortonGrid& grid) {
     std::vector<MortonKey> keys(points.size());
@@ -49,13 +67,17 @@ VisiblePointIndex::VisiblePointIndex(std::vector<VisiblePoint> points, int max_d
     }
     grid_ = MortonGrid(all.low, all.high);
     const std::vector<MortonKey> order = morton_order(points, grid_);
+    const std::vector<bool> shared = shared_pixels(points);
     points_.resize(points.size());
     blocks_.resize((points.size() + kWidth - 1) / kWidth);
     boxes_.resize(blocks_.size());
+    plain_.resize(blocks_.size());
     static_assert(kBlock % kWidth == 0);
     parallel_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             points_[i] = points[order[i].item];
+            points_[i].shares_pixel = shared[points_[i].pixel];
+            if (is_plain(points_[i])) plain_[i / kWidth] |= std::uint8_t(1U << i % kWidth);
             blocks_[i / kWidth].set(i % kWidth, points_[i].disc);
             boxes_[i / kWidth].extend(box_of(points_[i].disc));
         }

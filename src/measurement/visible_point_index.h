@@ -57,6 +57,10 @@ public:
     unsigned takers(std::size_t b, const Photon& photon) const {
         return blocks_[b].takers(photon, max_depth_);
     }
+    /// Bit i is set if point 8 b + i is plain: Lambertian, and its shading normal is the geometric
+    /// one, on either side. Its light is the photons' flux.
+    unsigned plain(std::size_t b) const { return plain_[b]; }
+    float radius(std::size_t b, std::size_t i) const { return blocks_[b].radius(i); }
     /// Holds every photon that a point of the block takes.
     const Box& box(std::size_t b) const { return boxes_[b]; }
 
@@ -70,6 +74,7 @@ private:
     std::vector<VisiblePoint> points_;  // in Morton order
     std::vector<DiscBlock> blocks_;     // the same order: what a query reads
     std::vector<Box> boxes_;            // around blocks
+    std::vector<std::uint8_t> plain_;   // one bit a point of a block
     BoxTree tree_;                      // over blocks
     Occupancy occupancy_;
 };

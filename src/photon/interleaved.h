@@ -35,10 +35,8 @@ public:
         end_ = range.end;
         for (Walk& walk : walks_) start(walk);
         std::uint64_t rays = 0;
-        for (std::uint64_t sent = send(); sent > 0; sent = send()) {
+        for (std::uint64_t sent = arrive(); sent > 0; sent = arrive()) {
             rays += sent;
-            for (Walk& walk : walks_)
-                if (walk.read) walk.hit = tracer_.hit_of(walk.ahead);
             for (Walk& walk : walks_)
                 if (walk.read) go_on(walk);
         }
@@ -47,6 +45,7 @@ public:
 
 private:
     static constexpr std::size_t kSideBySide = 16;
+    static constexpr std::size_t kLate = 3;
     using Reader = decltype(std::declval<const Points&>().path(0));
 
     struct Walk {
@@ -54,7 +53,8 @@ private:
         std::optional<Reader> read;  // none: no path here
         PhotonState state;
         Meeting ahead;
-        std::optional<Hit> hit;
+        bool arrived = false;  // at `hit`
+        Hit hit;
     };
 
     /// The next path that starts, if one is left.
@@ -70,12 +70,19 @@ private:
         }
     }
 
-    std::uint64_t send() {
+    /// Asks for the next surface of every path, and works out where it is a few paths later: late
+    /// enough for its corners to be there, not so late that they are gone again.
+    /// @return the number of rays.
+    std::uint64_t arrive() {
         std::uint64_t rays = 0;
-        for (Walk& walk : walks_) {
-            if (!walk.read) continue;
-            walk.ahead = tracer_.send(walk.state);
-            ++rays;
+        for (std::size_t i = 0; i < kSideBySide + kLate; ++i) {
+            if (i < kSideBySide && walks_[i].read) {
+                walks_[i].ahead = tracer_.send(walks_[i].state);
+                ++rays;
+            }
+            if (i < kLate) continue;
+            Walk& late = walks_[i - kLate];
+            if (late.read) late.arrived = tracer_.hit_of(late.ahead, late.hit);
         }
         return rays;
     }
@@ -83,7 +90,7 @@ private:
     void go_on(Walk& walk) {
         std::optional<PathEnd> end = PathEnd::escaped;
         const auto see = [&](const Photon& photon) { return visit_(photon, walk.number); };
-        if (walk.hit) end = tracer_.go_on(*walk.read, see, *walk.hit, walk.state);
+        if (walk.arrived) end = tracer_.go_on(*walk.read, see, walk.hit, walk.state);
         if (!end) return;
         ended_(*end);
         start(walk);

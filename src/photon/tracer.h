@@ -56,9 +56,9 @@ public:
         if (!start(read, state)) return PathEnd::no_light;
         for (;;) {
             ++rays;
-            const std::optional<Hit> hit = hit_of(send(state));
-            if (!hit) return PathEnd::escaped;
-            if (const auto end = go_on(read, visit, *hit, state)) return *end;
+            Hit hit;
+            if (!hit_of(send(state), hit)) return PathEnd::escaped;
+            if (const auto end = go_on(read, visit, hit, state)) return *end;
         }
     }
 
@@ -80,9 +80,9 @@ public:
         return geometry.meet({Vec3(state.origin), state.direction});
     }
 
-    /// Where it arrives, if anywhere.
-    std::optional<Hit> hit_of(const Meeting& meeting) const {
-        return pass_.scene.geometry().hit_of(meeting);
+    /// Where it arrives. @return whether it does.
+    bool hit_of(const Meeting& meeting, Hit& hit) const {
+        return pass_.scene.geometry().hit_of(meeting, hit);
     }
 
     /// What happens where the ray arrives, up to the next ray. @return how the path ends, if it
@@ -90,12 +90,15 @@ public:
     template <SlotReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
-        if (!pass_.scene.passes_straight(hit)) {
-            const Bsdf& bsdf = pass_.bsdf_of(hit);
-            if (scattering(bsdf) != Scattering::specular && !visit(arrive(hit, state)))
-                return PathEnd::stopped;
+        // No Bsdf: passes_straight().
+        if (const auto& bsdf = pass_.bsdfs[pass_.scene.material_of(hit)]) {
+            const auto* lambert = std::get_if<Lambert>(&*bsdf);
+            const bool gathers = lambert != nullptr || scattering(*bsdf) != Scattering::specular;
+            if (gathers && !visit(arrive(hit, state))) return PathEnd::stopped;
             if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
-            if (!scatter(read, bsdf, hit, state)) return PathEnd::absorbed;
+            const bool goes_on = lambert != nullptr ? scatter(read, *lambert, hit, state)
+                                                    : scatter(read, *bsdf, hit, state);
+            if (!goes_on) return PathEnd::absorbed;
         }
         state.at_light = false;
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
@@ -129,10 +132,14 @@ private:
 
     /// One scattering event. @return false when the photon is absorbed.
     template <SlotReader Reader>
-    bool scatter(Reader& read, const Bsdf& at_surface, const Hit& hit, PhotonState& state) const {
-        const auto unit = [&](BounceSlot which) {
-            return to_unit_float(read(slot(state.bounces, which)));
-        };
+    static bool scatter(Reader& read, const Lambert& surface, const Hit& hit, PhotonState& state) {
+        if (!turn(read, surface, hit, state)) return false;
+        state.kind = PhotonKind::indirect;
+        return true;
+    }
+
+    template <SlotReader Reader>
+    static bool scatter(Reader& read, const Bsdf& at_surface, const Hit& hit, PhotonState& state) {
         const bool specular = scattering(at_surface) == Scattering::specular;
         std::optional<Bsdf> narrowed;
         if (is_dispersive(at_surface)) {
@@ -140,29 +147,48 @@ private:
             if (!specular) keep_lane(state.flux, state.lanes);
             if (state.lanes.single) narrowed = for_lane(at_surface, state.lanes.chosen);
         }
+        if (!turn(read, narrowed ? *narrowed : at_surface, hit, state)) return false;
+        if (!specular)
+            state.kind = PhotonKind::indirect;
+        else if (state.kind == PhotonKind::direct)
+            state.kind = PhotonKind::caustic;
+        return true;
+    }
+
+    static std::optional<BsdfSample> sample_of(const Lambert& bsdf, const Vec3& w_from,
+                                               const BsdfDraw& draw) {
+        return bsdf.sample(w_from, draw);
+    }
+    static std::optional<BsdfSample> sample_of(const Bsdf& bsdf, const Vec3& w_from,
+                                               const BsdfDraw& draw) {
+        return sample(bsdf, w_from, draw);
+    }
+
+    /// scatter(), but for what wavelengths and kinds have to do with it.
+    template <SlotReader Reader, class Surface>
+    static bool turn(Reader& read, const Surface& bsdf, const Hit& hit, PhotonState& state) {
+        const auto unit = [&](BounceSlot which) {
+            return to_unit_float(read(slot(state.bounces, which)));
+        };
         const Frame frame(hit.shading_normal, hit.tangent);
         const Vec3 w_from = frame.to_local(-state.direction);
         const BsdfDraw draw{
             {unit(BounceSlot::lobe), unit(BounceSlot::direction_u), unit(BounceSlot::direction_v)},
             Transport::flux,
             state.lanes};
-        const auto drawn = sample(narrowed ? *narrowed : at_surface, w_from, draw);
+        const auto drawn = sample_of(bsdf, w_from, draw);
         if (!drawn) return false;
         const Vec3 w_to = frame.to_world(drawn->w_to);
-        const float corrected = std::abs(w_from.z * w_to.dot(hit.normal)) /
-                                std::abs(state.direction.dot(hit.normal) * drawn->w_to.z);
-        const Spectrum flux = state.flux * drawn->weight * corrected;
-        const float before = state.flux.sum();
-        const float survival = std::min(1.0F, flux.sum() / before);
+        Spectrum flux = state.flux * drawn->weight;
+        if (hit.shading_normal != hit.normal)
+            flux *= std::abs(w_from.z * w_to.dot(hit.normal)) /
+                    std::abs(state.direction.dot(hit.normal) * drawn->w_to.z);
+        const float survival = std::min(1.0F, flux.sum() / state.flux.sum());
         if (!(unit(BounceSlot::roulette) < survival)) return false;
         if (drawn->dispersed) state.lanes.single = true;
         state.flux = flux / survival;
         state.direction = w_to;
         ++state.bounces;
-        if (!specular)
-            state.kind = PhotonKind::indirect;
-        else if (state.kind == PhotonKind::direct)
-            state.kind = PhotonKind::caustic;
         return true;
     }
 

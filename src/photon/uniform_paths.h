@@ -43,6 +43,7 @@ void trace_batch(const PhotonTracer& tracer, const Points& points, const PathRan
         batch.statistics[Count::escaped] += end == PathEnd::escaped ? 1 : 0;
         batch.statistics[Count::too_long] += end == PathEnd::too_long ? 1 : 0;
     };
+    batch.reserve(range.size() + range.size() / 4);
     InterleavedPaths paths(tracer, points, visit, ended);
     batch.statistics[Count::photon_rays] += paths.trace(range);
     batch.statistics[Count::uniform_paths] += range.size();

@@ -24,8 +24,7 @@ public:
         std::uint64_t operator()(std::uint32_t index) {
             if (index >= kSobolDimensions) return stream_.at(index);
             const std::uint64_t point = std::uint64_t{sobol(path_, index)} << 32U;
-            const std::uint64_t below = stream_.at(index) >> 32U;  // jitter below 2^-32
-            return (point | below) ^ shift_[index];
+            return (point | below(index)) ^ shift_[index];
         }
 
     private:
@@ -33,6 +32,15 @@ public:
         Reader(const std::array<std::uint64_t, kSobolDimensions>& shift, std::uint32_t path,
                RandomStream stream)
             : shift_(shift), path_(path), stream_(stream) {}
+
+        /// Jitter below 2^-32: the four words of one random block, and the first once more with
+        /// its halves swapped. The shift alone makes all slots of a path uniform and independent;
+        /// the jitter keeps different paths from having the same lower bits.
+        std::uint32_t below(std::uint32_t index) {
+            const std::uint64_t pair = stream_.at(index >> 1U & 1U);
+            const auto word = static_cast<std::uint32_t>((index & 1U) != 0 ? pair : pair >> 32U);
+            return index < 4 ? word : word << 16U | word >> 16U;
+        }
 
         const std::array<std::uint64_t, kSobolDimensions>& shift_;
         std::uint32_t path_;

@@ -1,10 +1,11 @@
 // How far a mutation moves a slot, and how that is learned.
 //
-// Two kinds, chosen at random: all slots alike, and bounce slots 16 times farther than emission
-// slots. The size of a step is log-uniform over four decades around the scale of its kind, so some
-// steps fit every size of feature (docs/decisions.md has the evidence).
-// Source: adaptive scale towards a target acceptance: paper, section 4.4 (its own law: paper_step
-// of photon/paper_chain.h).
+// A mutation draws its magnitude first, log-uniform over four decades around the scale of its kind,
+// then every slot moves by about that, log-uniform over one decade. So there are small mutations
+// for chains in narrow places, and large ones (docs/decisions.md has the evidence). Two kinds,
+// chosen at random: all slots alike, and bounce slots 16 times farther than emission slots. Source:
+// adaptive scale towards a target acceptance: paper, section 4.4 (its own law: paper_step of
+// photon/paper_chain.h).
 #pragma once
 
 #include "sampler/primary_sample.h"
@@ -41,12 +42,16 @@ struct MutationScales {
     friend bool operator==(const MutationScales&, const MutationScales&) = default;
 };
 
-/// A step of scale * 10^(4 (xi - 1/2)) turns to either side, wrapped: symmetric to the last bit.
+/// 10^(decades (xi - 1/2)). @param random  uniform: its highest bits are xi.
+inline float log_uniform(float decades, std::uint64_t random) {
+    constexpr float kDoublingsOfADecade = 3.3219281F;  // ln(10) / ln(2)
+    return std::exp2(decades * kDoublingsOfADecade * (to_unit_float(random) - 0.5F));
+}
+
+/// A step of scale * 10^(xi - 1/2) turns to either side, wrapped: symmetric to the last bit.
 /// @param random  uniform: its lowest bit is the side, its highest bits are xi.
 inline std::uint64_t moved(std::uint64_t slot, float scale, std::uint64_t random) {
-    constexpr float kDoublingsOfFourDecades = 13.287712F;  // 4 ln(10) / ln(2)
-    const float stretch = std::exp2(kDoublingsOfFourDecades * (to_unit_float(random) - 0.5F));
-    const double turns = static_cast<double>(scale) * static_cast<double>(stretch);
+    const double turns = static_cast<double>(scale) * static_cast<double>(log_uniform(1, random));
     const double wrapped = turns - std::floor(turns);
     const auto step = static_cast<std::uint64_t>(wrapped * 0x1p64);
     return (random & 1U) != 0 ? slot + step : slot - step;
@@ -55,9 +60,10 @@ inline std::uint64_t moved(std::uint64_t slot, float scale, std::uint64_t random
 /// One mutation of a kind, slot by slot.
 class LogUniformMove {
 public:
+    /// Draws the magnitude, the same for all slots.
     LogUniformMove(const MutationScales& scales, std::size_t kind, RandomStream& stream)
-        : emission_(scales.scale.at(kind)),
-          bounce_(scales.scale.at(kind) * kBounceStretch.at(kind)),
+        : emission_(scales.scale.at(kind) * log_uniform(4, stream.next_fraction())),
+          bounce_(emission_ * kBounceStretch.at(kind)),
           stream_(stream) {}
 
     std::uint64_t operator()(std::uint32_t slot, std::uint64_t value) {

@@ -79,9 +79,8 @@ TEST(Wavelengths, weights_are_response_over_density) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const Triple response = rgb_response(double{drawn.nm.at(lane)});
         const double scale = 1 / (8 * double{drawn.density.at(lane)});
-        for (int i = 0; i < 3; ++i)
-            EXPECT_NEAR(drawn.rgb_weight.at(lane)[i],
-                        response.at(static_cast<std::size_t>(i)) * scale, 1e-4);
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(drawn.rgb_weight.at(i)[lane], response.at(i) * scale, 1e-4);
     }
     const Wavelengths other = Wavelengths::of_pass({2, 8});
     EXPECT_NE(drawn.nm, other.nm);

@@ -71,6 +71,27 @@ TEST(VisiblePointIndex, finds_what_takes_accepts) {
     EXPECT_GT(found, 10000U);  // the test would be empty otherwise
 }
 
+// Who is alone in its pixel is added without locks; whose light is the flux, without its bsdf.
+TEST(VisiblePointIndex, knows_who_shares_a_pixel_and_who_is_plain) {
+    auto points = random_points(100, 5);
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        points[i].pixel = i < 90 ? i : i - 90;  // the last ten share those of the first ten
+        points[i].material = i % 3 == 0 ? 0 : kLambertian;
+        const Vec3 normal = points[i].disc.normal;
+        points[i].shading_normal = i % 2 == 0 ? -normal : normal;
+        if (i % 5 == 0) points[i].shading_normal = Vec3(normal.y, normal.z, normal.x);
+    }
+    const VisiblePointIndex index(points, 10);
+    for (std::size_t at = 0; at < 100; ++at) {
+        const VisiblePoint& p = index.points()[at];
+        EXPECT_EQ(p.shares_pixel, p.pixel < 10);
+        const bool straight =
+            p.shading_normal == p.disc.normal || p.shading_normal == -p.disc.normal;
+        EXPECT_EQ((index.plain(at / 8) >> at % 8 & 1U) != 0, straight && p.material == kLambertian);
+        EXPECT_EQ(index.radius(at / 8, at % 8), p.disc.radius);
+    }
+}
+
 TEST(VisiblePointIndex, empty_takes_nothing) {
     const VisiblePointIndex index({}, 10);
     EXPECT_FALSE(index.any(Photon{}));

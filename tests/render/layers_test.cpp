@@ -89,7 +89,8 @@ TEST(LayersAlone, a_bare_floor_has_direct_light_and_a_covered_one_caustics) {
     const std::string floor = view("0 -3 2  0 0 0  0 0 1", 20, 8) +
                               "LightSource \"point\" \"point3 from\" [0 0 3] \"float scale\" 10\n" +
                               diffuse("0.5 0.5 0.5") + quad("-3 -3 0  3 -3 0  3 3 0  -3 3 0");
-    const RenderSettings settings = settings_for(DirectLight::sampled);
+    RenderSettings settings = settings_for(DirectLight::sampled);
+    settings.photon.sampler = PhotonSampler::uniform;
     const auto sum = [&](const Scene& scene, Layer layer) {
         return luminance(render_mean(scene, settings, 4, layer).mean());
     };
