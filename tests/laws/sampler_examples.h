@@ -204,7 +204,7 @@ inline std::vector<SamplerExample> sampler_examples() {
          many,
          true,
          plan_over(top(2), 512, 512, 128, 0.3F),
-         {150, 3000},
+         {150, 6000},
          0.035,
          0.006},
         {"three_sets_few_chains",
@@ -251,7 +251,7 @@ inline std::vector<SamplerExample> sampler_examples() {
          sticky,
          true,
          plan_over(top(2), 16, 32, 2, 0.003F),
-         {40000, 400000},
+         {40000, 600000},
          0.02,
          0.004},
     };

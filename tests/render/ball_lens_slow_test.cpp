@@ -111,7 +111,8 @@ struct Rings {
         RenderSettings settings;
         settings.eye.radius = radius;
         settings.transport.max_depth = chords + 2;
-        settings.alpha = 0.999999;  // one radius for all passes
+        settings.alpha = 0.999999;                         // one radius for all passes
+        settings.photon.sampler = PhotonSampler::uniform;  // quieter than chains in so wide a view
         settings.photon.paths_per_pass = 100'000;
         settings.layers[static_cast<std::size_t>(Layer::caustic)] = true;
         for (int i = 0; i < renders; ++i) {

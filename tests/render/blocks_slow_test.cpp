@@ -62,6 +62,7 @@ TEST(Blocks, agree_with_path_tracing) {
     settings.integrator = Integrator::sppm;
     settings.eye.radius_pixels = 1;
     settings.transport.direct = DirectLight::sampled;
+    settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = 4'000;
     expect_equal(blocks(scene, settings, 250), path, "sampled");
     settings.transport.direct = DirectLight::photons;

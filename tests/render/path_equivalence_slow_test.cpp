@@ -46,6 +46,7 @@ void expect_equivalent(const Scene& scene, const Effort& effort) {
     };
     settings.integrator = Integrator::sppm;
     settings.eye.radius_pixels = 1;
+    settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = 40'000;
     settings.transport.direct = DirectLight::sampled;
     expect("sampled", effort.sampled_renders, effort.sampled_tolerance);
