@@ -45,11 +45,9 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     RenderJob job{scene, {}, {}, 0};
     job.settings.seed = seed;
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
-    for (const PhotonSamplerRow& row : kPhotonSamplers)
-        if (row.name == sampler) job.settings.photon.sampler = row.sampler;
-    const bool paper = job.settings.photon.sampler == PhotonSampler::paper;
-    if (paper) job.settings.alpha = 0.7;
-    if (settings.photons_only || paper) job.settings.transport.direct = DirectLight::photons;
+    job.settings.photon.sampler = sampler_named(sampler).value();
+    if (sampler == "paper") use_paper_mode(job.settings);
+    if (settings.photons_only) job.settings.transport.direct = DirectLight::photons;
     job.stop.end_pass = settings.passes;
     Rendered result;
     std::optional<RenderResult> render_result;
@@ -228,7 +226,12 @@ int main(int count, char** words) {
     sunfleck::bench::Settings settings;
     CLI::App app("Error times processor time of photon samplers, over that of the last one");
     app.add_option("SCENE", settings.scene, "Scene file")->required();
-    app.add_option("--samplers", settings.samplers, "Default random,adaptive")->delimiter(',');
+    const auto is_sampler = [](const std::string& name) {
+        return sunfleck::sampler_named(name) ? std::string() : "there is no sampler " + name;
+    };
+    app.add_option("--samplers", settings.samplers, "Default random,adaptive")
+        ->delimiter(',')
+        ->check(is_sampler);
     app.add_option("--passes", settings.passes, "Of each render (default 16)");
     app.add_option("--seeds", settings.seeds, "Renders of each sampler (default 8)");
     app.add_option("--references", settings.references, "Renders of the reference (default 16)");

@@ -148,8 +148,7 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
 
 void finish_render(RenderOptions& o, const RenderTexts& t) {
     o.settings.integrator = t.integrator == "path" ? Integrator::path : Integrator::sppm;
-    for (const PhotonSamplerRow& row : kPhotonSamplers)
-        if (row.name == t.sampler) o.settings.photon.sampler = row.sampler;
+    o.settings.photon.sampler = *sampler_named(t.sampler);  // one of those names: checked
     o.settings.transport.direct =
         t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
     if (!t.seed.empty()) o.settings.seed = read_seed(t.seed, "--seed");

@@ -66,6 +66,8 @@ std::optional<Options> read_options(int count, const char* const* words);
 double read_duration(const std::string& text, const std::string& flag);
 /// "2%" or "0.02". @throws Error naming the flag.
 double read_share(const std::string& text, const std::string& flag);
+/// A number in (0, most). @throws Error naming the flag.
+double read_positive(const std::string& text, const std::string& flag, int most);
 /// "42": 0 to 2^64 - 1. @throws Error naming the flag.
 std::uint64_t read_seed(const std::string& text, const std::string& flag);
 /// "640x480". @throws Error naming the flag.

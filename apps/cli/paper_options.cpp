@@ -5,23 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
-
 namespace sunfleck {
 namespace {
-
-/// Of progressive photon mapping: paper, section 7.
-constexpr double kAlpha = 0.7;
-
-/// A number in (0, most).
-double read_number(const std::string& text, const std::string& flag, int most) {
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, fault] = std::from_chars(text.data(), end, value);
-    if (fault == std::errc() && stop == end && value > 0 && value < most) return value;
-    throw Error({flag}, "\"" + text + "\" is no number between 0 and " + std::to_string(most),
-                "write such a number");
-}
 
 void refuse(const CLI::App& given, const char* flag, const std::string& why,
             const std::string& mend) {
@@ -62,17 +47,18 @@ void finish_paper(const CLI::App& given, const PaperTexts& texts, RenderOptions&
     options.stop.target_error.reset();
     if (options.settings.transport.direct == DirectLight::sampled)
         refuse(given, "--direct", "is photons with the sampler paper", "leave it out");
-    options.settings.transport.direct = DirectLight::photons;
-    if (given.count("--alpha") == 0) options.settings.alpha = kAlpha;
+    const double alpha = options.settings.alpha;
+    use_paper_mode(options.settings);
+    if (given.count("--alpha") > 0) options.settings.alpha = alpha;
     photon.paper.replica_exchange = texts.replica_exchange == "on";
     if (texts.mutation_size != "adaptive") {
-        photon.paper.mutation_size = read_number(texts.mutation_size, "--mutation-size", 1000);
+        photon.paper.mutation_size = read_positive(texts.mutation_size, "--mutation-size", 1000);
         refuse(given, "--target-acceptance", "has no meaning with a fixed --mutation-size",
                "leave one of them out");
     }
     if (!texts.target_acceptance.empty())
         photon.paper.target_acceptance =
-            read_number(texts.target_acceptance, "--target-acceptance", 1);
+            read_positive(texts.target_acceptance, "--target-acceptance", 1);
 }
 
 }  // namespace sunfleck

@@ -56,6 +56,14 @@ double read_share(const std::string& text, const std::string& flag) {
     return share;
 }
 
+double read_positive(const std::string& text, const std::string& flag, int most) {
+    std::string rest;
+    const double value = leading_number(text, rest);
+    if (rest.empty() && value > 0 && value < most) return value;
+    throw Error({flag}, "\"" + text + "\" is no number between 0 and " + std::to_string(most),
+                "write such a number");
+}
+
 std::uint64_t read_seed(const std::string& text, const std::string& flag) {
     std::uint64_t seed = 0;
     const char* const end = text.data() + text.size();

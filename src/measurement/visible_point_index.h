@@ -10,6 +10,7 @@
 #include "measurement/occupancy.h"
 #include "measurement/visible_point.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace sunfleck {
@@ -24,6 +25,12 @@ public:
         return may_take(photon) && tree_.visit(photon.position, [&](std::uint32_t block) {
             return blocks_[block].takers(photon, max_depth_) == 0;
         });
+    }
+
+    /// V of a path: is any of its photons taken?
+    bool any(const std::vector<Photon>& path) const {
+        return std::any_of(path.begin(), path.end(),
+                           [&](const Photon& photon) { return any(photon); });
     }
 
     /// Calls deposit(point) for every visible point that takes the photon.
@@ -44,7 +51,11 @@ public:
     bool may_take(const Vec3& position) const { return occupancy_.may_be_in_a_box(position); }
     /// The same, knowing the kind.
     bool may_take(const Photon& photon) const {
-        return (kinds_ & static_cast<std::uint8_t>(photon.kind)) != 0 && may_take(photon.position);
+        return takes_kind(photon.kind) && may_take(photon.position);
+    }
+    /// Does any point take such photons?
+    bool takes_kind(PhotonKind kind) const {
+        return (kinds_ & static_cast<std::uint8_t>(kind)) != 0;
     }
 
     /// Numbers near each other for places that the tree holds near each other.

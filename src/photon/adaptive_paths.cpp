@@ -29,9 +29,9 @@ struct PhotonSink {
         std::uint32_t paths = 0;
 
         void operator()(const PhotonPath& path, double weight) {
-            for (Photon photon : path.photons) {
-                photon.flux *= static_cast<float>(weight);
+            for (const Photon& photon : path.photons) {
                 batch.add(photon, paths);
+                batch.photons.back().flux *= static_cast<float>(weight);
             }
             ++paths;
         }
@@ -64,11 +64,10 @@ LadderCounts trace_adaptive_paths(const PhotonView& view, PassId pass, const Lad
     LadderCounts counts = run_ladder(ground.space, EmissionPoints(pass), pass, plan, sink, traced);
     statistics += traced;
     statistics[Count::uniform_paths] += plan.uniform_paths;
-    for (std::size_t k = 1; k < counts.levels.size(); ++k)
-        for (const Acceptance& kind : counts.levels[k].acceptances) {
-            statistics[Count::mutated_paths] += kind.proposed;
-            statistics[Count::accepted_paths] += kind.accepted;
-        }
+    statistics[Count::uniform_visible] += counts.levels.front().at_least(kVisible);
+    const Acceptance mutations = counts.mutations();
+    statistics[Count::mutated_paths] += mutations.proposed;
+    statistics[Count::accepted_paths] += mutations.accepted;
     if (counts.levels.size() <= plan.levels.size()) return counts;  // starved
     const LevelCounts& last = counts.levels.back();
     statistics[Count::distinct_visible] += last.distinct;

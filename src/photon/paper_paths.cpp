@@ -12,11 +12,6 @@ namespace {
 /// Iterations whose photons are splatted together.
 constexpr std::uint32_t kAtOnce = 1U << 16U;
 
-void count_end(Statistics& counts, PathEnd end) {
-    counts[Count::escaped] += end == PathEnd::escaped ? 1 : 0;
-    counts[Count::too_long] += end == PathEnd::too_long ? 1 : 0;
-}
-
 /// Paths are the photons that a visible point may take; they are visible, or not.
 class SeenPhotons {
 public:
@@ -33,20 +28,17 @@ public:
             if (index_.may_take(photon)) path.push_back(photon);
             return true;
         };
-        count_end(counts, tracer_.trace(read, visit, counts[Count::photon_rays]));
+        count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
     }
 
-    int height(const Path& path) const {
-        const auto taken = [&](const Photon& photon) { return index_.any(photon); };
-        return std::any_of(path.begin(), path.end(), taken) ? kVisible : 0;
-    }
+    int height(const Path& path) const { return index_.any(path) ? kVisible : 0; }
 
     /// Of a path that ends at the first photon that is seen.
     template <SlotReader Reader>
     bool is_visible(Reader&& read, Statistics& counts) const {
         const auto visit = [&](const Photon& photon) { return !index_.any(photon); };
         const PathEnd end = tracer_.trace(read, visit, counts[Count::photon_rays]);
-        count_end(counts, end);
+        count_end(end, counts);
         return end == PathEnd::stopped;
     }
 

@@ -28,42 +28,30 @@ public:
 
     PhotonSpace(const PhotonTracer& tracer, const VisiblePointIndex& index,
                 const ViewOctree& octree)
-        : tracer_(tracer), index_(index), octree_(octree), kinds_(kinds_taken(index)) {}
+        : tracer_(tracer), index_(index), octree_(octree) {}
 
     template <SlotReader Reader>
     void trace(Reader&& read, PhotonPath& path, Statistics& counts) const {
         path.photons.clear();
         path.near = 0;
         const auto visit = [&](const Photon& photon) {
-            if ((kinds_ & static_cast<std::uint8_t>(photon.kind)) == 0) return true;
+            if (!index_.takes_kind(photon.kind)) return true;
             const int height = octree_.height(photon.position);
             path.near = std::max(path.near, height);
             if (height == ViewOctree::kFull) path.photons.push_back(photon);
             return true;
         };
-        const PathEnd end = tracer_.trace(read, visit, counts[Count::photon_rays]);
-        counts[Count::escaped] += end == PathEnd::escaped ? 1 : 0;
-        counts[Count::too_long] += end == PathEnd::too_long ? 1 : 0;
+        count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
     }
 
     int height(const PhotonPath& path) const {
-        const auto taken = [&](const Photon& photon) { return index_.any(photon); };
-        const bool visible = std::any_of(path.photons.begin(), path.photons.end(), taken);
-        return visible ? kVisible : path.near;
+        return index_.any(path.photons) ? kVisible : path.near;
     }
 
 private:
-    /// The kinds of photons that some disc takes.
-    static std::uint8_t kinds_taken(const VisiblePointIndex& index) {
-        std::uint8_t kinds = 0;
-        for (const VisiblePoint& point : index.points()) kinds |= point.disc.kinds;
-        return kinds;
-    }
-
     const PhotonTracer& tracer_;
     const VisiblePointIndex& index_;
     const ViewOctree& octree_;
-    std::uint8_t kinds_;
 };
 
 static_assert(PathSpace<PhotonSpace>);

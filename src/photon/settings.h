@@ -25,6 +25,19 @@ inline constexpr std::array<PhotonSamplerRow, 4> kPhotonSamplers = {{
      "the paper's one chain over all passes, to the letter; biased at finite time"},
 }};
 
+constexpr std::string_view name_of(PhotonSampler sampler) {
+    for (const PhotonSamplerRow& row : kPhotonSamplers)
+        if (row.sampler == sampler) return row.name;
+    return {};
+}
+
+/// Nothing for a name that no sampler has.
+constexpr std::optional<PhotonSampler> sampler_named(std::string_view name) {
+    for (const PhotonSamplerRow& row : kPhotonSamplers)
+        if (row.name == name) return row.sampler;
+    return {};
+}
+
 /// Of the sampler `paper` alone: what its authors' experiments vary.
 struct PaperSettings {
     bool replica_exchange = true;         // off: a plain chain

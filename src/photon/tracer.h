@@ -31,6 +31,12 @@ enum class PathEnd {
     stopped    // by the visitor
 };
 
+/// Counts how a path ended.
+inline void count_end(PathEnd end, Statistics& counts) {
+    counts[Count::escaped] += end == PathEnd::escaped ? 1 : 0;
+    counts[Count::too_long] += end == PathEnd::too_long ? 1 : 0;
+}
+
 /// A photon on its way: what the next event needs to know.
 struct PhotonState {
     Spectrum flux;

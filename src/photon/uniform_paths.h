@@ -39,10 +39,7 @@ void trace_batch(const PhotonTracer& tracer, const Points& points, const PathRan
         if (may_take(photon)) batch.add(photon, number);
         return true;
     };
-    const auto ended = [&](PathEnd end) {
-        batch.statistics[Count::escaped] += end == PathEnd::escaped ? 1 : 0;
-        batch.statistics[Count::too_long] += end == PathEnd::too_long ? 1 : 0;
-    };
+    const auto ended = [&](PathEnd end) { count_end(end, batch.statistics); };
     batch.reserve(range.size() + range.size() / 4);
     InterleavedPaths paths(tracer, points, visit, ended);
     batch.statistics[Count::photon_rays] += paths.trace(range);

@@ -20,7 +20,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const Stopwatch watch;
     const PixelWindow window = window_of(scene.film());
     const std::uint32_t paths = paths_per_pass(settings.photon, window.pixels());
-    Epoch epoch{epoch_of(pass), {paths, {}}, {}, 0};
+    Epoch epoch{epoch_of(pass), {paths, {}}, 0};
     if (settings.integrator != Integrator::sppm ||
         settings.photon.sampler != PhotonSampler::adaptive || paths < 2)
         return epoch;
@@ -33,9 +33,9 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
                       first,          radius_factor(first.number, settings.alpha)};
     const VisiblePointIndex index(trace_eye_paths(eye, unused, counts),
                                   settings.transport.max_depth);
-    epoch.pilot = learn_ladder({at_wavelengths, settings.transport, index}, settings.seed,
-                               epoch.number, paths);
-    epoch.plan = epoch.pilot->plan;
+    epoch.plan = learn_ladder({at_wavelengths, settings.transport, index}, settings.seed,
+                              epoch.number, paths)
+                     .plan;
     epoch.seconds = watch.seconds();
     return epoch;
 }

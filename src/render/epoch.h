@@ -25,8 +25,7 @@ constexpr std::uint32_t first_pass_of(std::uint32_t epoch) {
 /// What an epoch's passes share.
 struct Epoch {
     std::uint32_t number = 0;
-    LadderPlan plan;                   // without levels: uniform paths alone
-    std::optional<PilotResult> pilot;  // for the sampler `adaptive`
+    LadderPlan plan;  // without levels: uniform paths alone
     double seconds = 0;
 };
 

@@ -36,7 +36,6 @@ void trace_photons(const PhotonView& view, const EyePass& eye, const RenderSetti
     const Depositor deposit(view.scene, view.index, result.image, 1);
     result.ladder = trace_adaptive_paths(view, eye.id, plan, deposit, result.statistics);
     result.visible_fraction = visible_fraction(plan, result.ladder);
-    result.statistics[Count::uniform_visible] += result.ladder.levels.front().at_least(kVisible);
 }
 
 void render_sppm(const PassScene& scene, const RenderSettings& settings, const EyePass& eye,

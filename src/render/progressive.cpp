@@ -32,12 +32,11 @@ FilmKey key_of(const RenderJob& job) {
 void count_ladder(Film& film, const LadderCounts& ladder) {
     for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
         const std::string level = "ladder." + std::to_string(k) + ".";
-        Acceptance all;
-        for (const Acceptance& kind : ladder.levels[k].acceptances) all += kind;
+        const Acceptance mutations = ladder.levels[k].mutations();
         film.count(level + "states", ladder.levels[k].states);
         film.count(level + "survivors", k < ladder.survivors.size() ? ladder.survivors[k] : 0);
-        film.count(level + "proposed", all.proposed);
-        film.count(level + "accepted", all.accepted);
+        film.count(level + "proposed", mutations.proposed);
+        film.count(level + "accepted", mutations.accepted);
     }
 }
 
@@ -62,12 +61,10 @@ void follow(const PassResult& pass, Progress& progress) {
         (pass.visible_fraction - progress.visible_fraction) / progress.passes;
     if (is_starved(pass)) ++progress.starved;
     progress.levels = pass.ladder.levels.empty() ? 0 : pass.ladder.levels.size() - 1;
-    Acceptance all;
-    for (const LevelCounts& level : pass.ladder.levels)
-        for (const Acceptance& kind : level.acceptances) all += kind;
-    progress.acceptance =
-        all.proposed == 0 ? 0
-                          : static_cast<double>(all.accepted) / static_cast<double>(all.proposed);
+    const Acceptance mutations = pass.ladder.mutations();
+    progress.acceptance = mutations.proposed == 0 ? 0
+                                                  : static_cast<double>(mutations.accepted) /
+                                                        static_cast<double>(mutations.proposed);
 }
 
 /// The error falls about with the root of the number of passes; the bias of the radius apart.

@@ -5,15 +5,11 @@
 
 namespace sunfleck {
 
-namespace {
-
-std::string_view name_of(PhotonSampler sampler) {
-    for (const PhotonSamplerRow& row : kPhotonSamplers)
-        if (row.sampler == sampler) return row.name;
-    return {};
+void use_paper_mode(RenderSettings& settings) {
+    settings.photon.sampler = PhotonSampler::paper;
+    settings.transport.direct = DirectLight::photons;
+    settings.alpha = 0.7;
 }
-
-}  // namespace
 
 std::string RenderSettings::text() const {
     const auto optional_number = [](const auto& value) {

@@ -30,6 +30,9 @@ struct RenderSettings {
     std::string text() const;
 };
 
+/// What belongs to the sampler `paper`: all light by photons, alpha 0.7 (paper, section 7).
+void use_paper_mode(RenderSettings& settings);
+
 /// When a render ends: whichever comes first. Passes are always finished.
 struct StopSettings {
     std::uint32_t first_pass = 0;

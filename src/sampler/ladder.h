@@ -28,6 +28,13 @@ struct LadderPlan {
 struct LadderCounts {
     std::vector<LevelCounts> levels;
     std::vector<std::uint64_t> survivors;  // states of level k that are in the set of level k + 1
+
+    /// Of all levels.
+    Acceptance mutations() const {
+        Acceptance sum;
+        for (const LevelCounts& level : levels) sum += level.mutations();
+        return sum;
+    }
 };
 
 /// The product of the shares that survived: unbiased for the share of visible uniform paths.
@@ -111,6 +118,23 @@ Population uniform_population(const Space& space, const Points& points, std::uin
     return population;
 }
 
+/// Runs a level that is not the last. @return its states of at least that height.
+template <PathSpace Space>
+Population surviving_states(const Level<Space>& level, int least_height, LevelCounts& counts,
+                            typename Space::Tally& tally) {
+    using ladder_detail::SeedCollector;
+    Population population;
+    level.run(
+        [&] {
+            return SeedCollector{least_height, {}};
+        },
+        [&](std::vector<SeedCollector>&& chains) {
+            for (SeedCollector& chain : chains) population.add(std::move(chain.seeds));
+        },
+        counts, tally);
+    return population;
+}
+
 /// Runs all levels of a plan that has any.
 /// @return counts; levels after one without survivors are not run: the pass is zero ("starved").
 template <PathSpace Space, class Points, PathSink<Space> Sink>
@@ -141,16 +165,7 @@ LadderCounts run_ladder(const Space& space, const Points& points, PassId pass,
                 counted, tally);
             continue;
         }
-        const int next = plan.levels[k + 1].height;
-        Population survivors;
-        level.run(
-            [&] {
-                return ladder_detail::SeedCollector{next, {}};
-            },
-            [&](std::vector<ladder_detail::SeedCollector>&& chains) {
-                for (auto& c : chains) survivors.add(std::move(c.seeds));
-            },
-            counted, tally);
+        Population survivors = surviving_states(level, plan.levels[k + 1].height, counted, tally);
         counts.survivors.push_back(survivors.units());
         fraction *= static_cast<double>(survivors.units()) / static_cast<double>(level.states());
         population = std::move(survivors);

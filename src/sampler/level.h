@@ -43,6 +43,12 @@ struct LevelCounts {
         for (std::size_t h = 0; h < heights.size(); ++h) heights[h] += other.heights[h];
         return *this;
     }
+    /// Of both kinds.
+    Acceptance mutations() const {
+        Acceptance sum;
+        for (const Acceptance& kind : acceptances) sum += kind;
+        return sum;
+    }
     std::uint64_t at_least(int height) const {
         std::uint64_t sum = 0;
         for (auto h = static_cast<std::size_t>(height); h < heights.size(); ++h) sum += heights[h];
@@ -78,8 +84,7 @@ public:
           number_(number),
           plan_(plan),
           population_(population),
-          chains_(plan.chains),
-          states_(std::max<std::uint64_t>(plan.states, chains_)) {}
+          states_(std::max(plan.states, plan.chains)) {}
 
     std::uint64_t states() const { return states_; }
 
@@ -89,12 +94,13 @@ public:
     void run(const Make& make, const Take& take, LevelCounts& counts, Tally& tally) const {
         using Collector = std::invoke_result_t<Make>;
         static_assert(StateCollector<Collector, Space>);
+        const std::uint64_t chains = plan_.chains;
         RandomStream offsets = pass_.stream(Purpose::ladder, number_);
-        const SystematicPicks pick(population_.units(), chains_, offsets.next_fraction());
-        const SystematicLengths length(states_, chains_, offsets.next_fraction());
-        const std::uint64_t at_once = std::max<std::uint64_t>(1, kStatesAtOnce * chains_ / states_);
-        for (std::uint64_t first = 0; first < chains_; first += at_once) {
-            const std::size_t some = std::min(at_once, chains_ - first);
+        const SystematicPicks pick(population_.units(), chains, offsets.next_fraction());
+        const SystematicLengths length(states_, chains, offsets.next_fraction());
+        const std::uint64_t at_once = std::max<std::uint64_t>(1, kStatesAtOnce * chains / states_);
+        for (std::uint64_t first = 0; first < chains; first += at_once) {
+            const std::size_t some = std::min(at_once, chains - first);
             std::vector<Collector> collectors;
             for (std::size_t i = 0; i < some; ++i) collectors.push_back(make());
             std::vector<LevelCounts> counted(some);
@@ -147,7 +153,6 @@ private:
     std::uint32_t number_;
     const LevelPlan& plan_;
     const Population& population_;
-    std::uint64_t chains_;
     std::uint64_t states_;
 };
 

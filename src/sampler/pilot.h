@@ -95,18 +95,9 @@ private:
     LevelCounts walk(int height, MutationScales& scales, Population& population) {
         const LevelPlan plan{height, kStates, kChains, scales};
         const Level<Space> level(space_, next_pass(), 1, plan, population);
-        Population states;
         LevelCounts counts;
-        level.run(
-            [&] {
-                return ladder_detail::SeedCollector{height, {}};
-            },
-            [&](std::vector<ladder_detail::SeedCollector>&& chains) {
-                for (auto& c : chains) states.add(std::move(c.seeds));
-            },
-            counts, tally_);
+        population = surviving_states(level, height, counts, tally_);
         scales = adapted(scales, counts.acceptances);
-        population = std::move(states);
         result_.paths += kStates;
         return counts;
     }

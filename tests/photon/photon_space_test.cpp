@@ -1,25 +1,12 @@
 // A photon path is visible, to a chain, exactly if the index takes one of its photons.
 #include "photon/photon_space.h"
 
+#include "support/lantern.h"
+
 #include <gtest/gtest.h>
 
 namespace sunfleck {
 namespace {
-
-/// Two facing sheets with a pane of glass between, lit from within.
-SceneDescription lantern() {
-    const auto square = [](float z, std::uint32_t material) {
-        TriangleMesh mesh;
-        mesh.positions = {{-2, -2, z}, {2, -2, z}, {2, 2, z}, {-2, 2, z}};
-        mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-        return ShapeDescription{{mesh, Matrix(), false}, material, {}, {}};
-    };
-    SceneDescription scene;
-    scene.materials = {DiffuseMaterial{SpectralCurve::constant(0.8F)}, ThinDielectricMaterial{}};
-    scene.shapes = {square(0, 0), square(1, 0), square(0.5F, 1)};
-    scene.lights = {PointLight{SpectralCurve::constant(1), {0, 0, 0.25}}};
-    return scene;
-}
 
 /// A patch of the lower sheet that takes some kinds of photons.
 std::vector<VisiblePoint> patch(std::uint8_t kinds) {
@@ -39,7 +26,7 @@ std::vector<VisiblePoint> patch(std::uint8_t kinds) {
 // 40,000 paths for each set of kinds; some dozens of them or more are visible.
 TEST(PhotonSpace, visible_is_what_the_index_takes) {
     const PassId id{3, 1};
-    const Scene scene(lantern());
+    const Scene scene(testing_support::lantern());
     const PassScene pass(scene, id);
     const TransportSettings transport{DirectLight::sampled, 8};
     const PhotonTracer tracer(pass, transport);

@@ -1,6 +1,8 @@
 // Photon paths side by side are the paths one by one; what a pass counts of them.
 #include "photon/uniform_paths.h"
 
+#include "support/lantern.h"
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -8,20 +10,7 @@
 namespace sunfleck {
 namespace {
 
-/// Two facing sheets with glass between, lit from within: paths of very different lengths.
-SceneDescription lantern() {
-    const auto square = [](float z, std::uint32_t material) {
-        TriangleMesh mesh;
-        mesh.positions = {{-2, -2, z}, {2, -2, z}, {2, 2, z}, {-2, 2, z}};
-        mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-        return ShapeDescription{{mesh, Matrix(), false}, material, {}, {}};
-    };
-    SceneDescription scene;
-    scene.materials = {DiffuseMaterial{SpectralCurve::constant(0.8F)}, ThinDielectricMaterial{}};
-    scene.shapes = {square(0, 0), square(1, 0), square(0.5F, 1)};
-    scene.lights = {PointLight{SpectralCurve::constant(1), {0, 0, 0.25}}};
-    return scene;
-}
+using testing_support::lantern;
 
 struct Seen {
     std::map<std::uint32_t, std::vector<Photon>> photons;  // by path, in their order

@@ -39,10 +39,8 @@ protected:
 
 RenderSettings paper(std::uint32_t paths) {
     RenderSettings settings;
-    settings.transport.direct = DirectLight::photons;
-    settings.photon.sampler = PhotonSampler::paper;
+    use_paper_mode(settings);
     settings.photon.paths_per_pass = paths;
-    settings.alpha = 0.7;
     return settings;
 }
 
