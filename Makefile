@@ -17,11 +17,11 @@ demo: build
 
 # Everything: what the README promises and .ci/run runs.
 test: build-tests
-	$(CTEST)
+	$(CTEST) -LE nightly
 
 # The quick ones.
 check: build-tests
-	$(CTEST) -LE slow
+	$(CTEST) -LE "slow|nightly"
 
 # Installs what is missing of Debian for all of this.
 deps:
@@ -45,9 +45,10 @@ sanitize:
 
 # What takes hours: everything above, lint, another compiler, long fuzzing.
 nightly: test sanitize tidy
+	$(CTEST) -L nightly
 	cmake --preset clang
 	cmake --build build/clang -j $(JOBS)
-	ctest --test-dir build/clang -j $(JOBS) --output-on-failure --no-tests=error -LE check
+	ctest --test-dir build/clang -j $(JOBS) --output-on-failure --no-tests=error -LE "check|nightly"
 	tools/fuzz.sh $(FUZZ_SECONDS)
 
 # Ratios of speed, never compared with a fixed time.

@@ -12,7 +12,7 @@ run_asan() {
     ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1 \
     LSAN_OPTIONS=suppressions=$PWD/tools/lsan.supp:print_suppressions=0 \
     UBSAN_OPTIONS=print_stacktrace=1 \
-        ctest --test-dir build/asan -j "$jobs" --output-on-failure -LE 'slow|check'
+        ctest --test-dir build/asan -j "$jobs" --output-on-failure -LE 'slow|nightly|check'
 }
 
 # What threads share: the loops, the sums, and every room that runs loops. The run time of g++ 12
@@ -22,7 +22,7 @@ run_tsan() {
     cmake --build build/tsan -j "$jobs"
     TSAN_OPTIONS=suppressions=$PWD/tools/tsan.supp:print_suppressions=0:halt_on_error=1 \
         setarch "$(uname -m)" -R \
-        ctest --test-dir build/tsan -j "$jobs" --output-on-failure -LE 'slow|check' \
+        ctest --test-dir build/tsan -j "$jobs" --output-on-failure -LE 'slow|nightly|check' \
             -R '^(core|measurement|eye|photon|film|render)\.'
 }
 
