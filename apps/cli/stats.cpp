@@ -121,6 +121,7 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
     json["visible_photon_ratio"] = visible_ratio(film, "distinct_visible");
     json["visible_photon_ratio_with_repeats"] = visible_ratio(film, "visible_states");
     json["mutation_size"] = mutation_size(film);
+    json["theta_floor_held"] = count("theta_floor_held");
     json["acceptance"] = acceptance(film);
     json["photons_stored"] = count("photons_stored");
     json["deposits"] = count("deposits");

@@ -1,6 +1,6 @@
 // Standard errors, as films report them, against the true spread of many independent renders.
-#include "film/error_bars.h"
 #include "support/renders.h"
+#include "support/spread.h"
 
 #include <gtest/gtest.h>
 
@@ -12,26 +12,6 @@ using namespace testing_support;  // NOLINT(google-build-using-namespace): a tes
 constexpr int kSeeds = 800;
 constexpr std::uint32_t kRounds = 4;
 constexpr int kSize = 4;
-
-/// Mean over seeds of the reported variance, over the true variance between seeds.
-class Spread {
-public:
-    void add(const MeanError& seen) {
-        ++count_;
-        reported_ += seen.standard_error * seen.standard_error;
-        const double before = seen.mean - mean_;
-        mean_ += before / count_;
-        squares_ += before * (seen.mean - mean_);
-    }
-    double reported() const { return reported_ / count_; }
-    double spread() const { return squares_ / (count_ - 1); }
-
-private:
-    int count_ = 0;
-    double reported_ = 0;
-    double mean_ = 0;
-    double squares_ = 0;
-};
 
 /// Rounds tile wavelengths and camera numbers: passes are not independent, rounds are. Within 10%
 /// for the picture's brightness (800 seeds: one standard error of the ratio is 4%) and for pixels.

@@ -5,37 +5,17 @@
 #include "film/error_bars.h"
 #include "film/film_file.h"
 #include "image/temporary_folder.h"
-#include "import/load.h"
-#include "procedural/scenes.h"
 #include "render/paper.h"
 #include "render/progressive.h"
-#include "scene/adjust.h"
+#include "support/procedural.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
 
 namespace sunfleck {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
-
-class Paper : public TemporaryFolder {
-protected:
-    /// One of our own scenes, at a size of n x n pixels.
-    Scene procedural(const std::string& name, int n) const {
-        for (const SceneFile& file : make_scene(name)) {
-            const std::filesystem::path where = path(file.name);
-            std::filesystem::create_directories(where.parent_path());
-            std::ofstream(where, std::ios::binary) << file.bytes;
-        }
-        SceneDescription description = load_scene(path(name + ".pbrt"));
-        set_resolution(description, {n, n});
-        return Scene(std::move(description));
-    }
-};
 
 RenderSettings paper(std::uint32_t paths) {
     RenderSettings settings;
@@ -50,7 +30,7 @@ Film film_of(const Scene& scene, const RenderSettings& settings, std::uint32_t p
     return render({scene, settings, stop}, {}).film;
 }
 
-TEST_F(Paper, same_bytes_with_any_number_of_threads) {
+TEST(Paper, same_bytes_with_any_number_of_threads) {
     const Scene scene = procedural("cognac-1", 40);
     RenderSettings settings = paper(150'000);  // several blocks of iterations
     settings.layers.fill(true);
@@ -68,7 +48,7 @@ TEST_F(Paper, same_bytes_with_any_number_of_threads) {
 
 // 16 passes each. Uniform: brightness within 0.5%. The paper's: a million splats in correlated
 // runs, about 0.5%, and pooled counts while the view moves; together less than 2%.
-TEST_F(Paper, brightness_of_a_closed_box) {
+TEST(Paper, brightness_of_a_closed_box) {
     const Scene scene = procedural("cornell", 48);
     RenderSettings settings = paper(60'000);
     const Film chain = film_of(scene, settings, 16);
@@ -81,13 +61,15 @@ TEST_F(Paper, brightness_of_a_closed_box) {
 }
 
 // Six passes of 200,000 paths, more than 10^6 mutations.
-TEST_F(Paper, acceptance_in_a_close_up) {
+TEST(Paper, acceptance_in_a_close_up) {
     const Scene scene = procedural("cognac-2", 64);
     const Film film = film_of(scene, paper(200'000), 6);
     EXPECT_NEAR(film.statistic("accepted_paths") / film.statistic("mutated_paths"), 0.234, 0.01);
     EXPECT_LT(film.statistic("mutation_size"), 1);
     EXPECT_GT(film.statistic("mutation_size"), MutationSize::kFloor);
 }
+
+class PaperFiles : public TemporaryFolder {};
 
 /// A lamp high above a floor of which a part is seen: visible paths are one connected set.
 Scene one_island() {
@@ -99,7 +81,7 @@ Scene one_island() {
 }
 
 // 12 passes of 50,000 paths, both with about 1% of noise.
-TEST_F(Paper, a_plain_chain_agrees_on_one_island) {
+TEST(Paper, a_plain_chain_agrees_on_one_island) {
     const Scene scene = one_island();
     RenderSettings settings = paper(50'000);
     const Film with = film_of(scene, settings, 12);
@@ -117,7 +99,7 @@ TEST_F(Paper, a_plain_chain_agrees_on_one_island) {
 
 /// A pass's image is what the estimate gained by it. When the visible fraction falls that is less
 /// than nothing in some pixel; the sums never are.
-TEST_F(Paper, images_of_passes_are_differences_of_estimates) {
+TEST(Paper, images_of_passes_are_differences_of_estimates) {
     const Scene scene = one_island();
     const RenderSettings settings = paper(200);
     PaperRender paper(scene, settings);
@@ -141,7 +123,7 @@ TEST_F(Paper, images_of_passes_are_differences_of_estimates) {
 }
 
 /// Rounds are no samples here: no error bars, no layer of errors, no merging.
-TEST_F(Paper, films_have_no_error_bars_and_stay_alone) {
+TEST_F(PaperFiles, films_have_no_error_bars_and_stay_alone) {
     const Scene scene = one_island();
     const Film film = film_of(scene, paper(500), 64);
     EXPECT_EQ(film.pass_count(), 64U);

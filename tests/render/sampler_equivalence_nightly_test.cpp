@@ -2,16 +2,10 @@
 // with `adaptive` over that with `random` and with `uniform`, the 99% interval lies inside the band
 // that each scene states. Renders are rounds of 16 passes, each with a seed that all samplers
 // share: so they share camera rays and direct light, whose noise falls out of the ratio.
-#include "image/temporary_folder.h"
-#include "import/load.h"
-#include "procedural/scenes.h"
-#include "scene/adjust.h"
+#include "support/procedural.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
 
 namespace sunfleck {
 namespace {
@@ -32,21 +26,14 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
     return out << c.scene;
 }
 
-class SamplerEquivalence : public TemporaryFolder, public testing::WithParamInterface<Case> {
+class SamplerEquivalence : public testing::TestWithParam<Case> {
 protected:
     static constexpr int kBlock = 8;
 
-    Scene scene() const {
+    static Scene scene() {
         const int size = kBlock * GetParam().blocks;
         if (GetParam().scene == "two-islands") return two_islands(size);
-        for (const SceneFile& file : make_scene(GetParam().scene)) {
-            const std::filesystem::path where = path(file.name);
-            std::filesystem::create_directories(where.parent_path());
-            std::ofstream(where, std::ios::binary) << file.bytes;
-        }
-        SceneDescription description = load_scene(path(GetParam().scene + ".pbrt"));
-        set_resolution(description, {size, size});
-        return Scene(std::move(description));
+        return procedural(GetParam().scene, size);
     }
 
     /// A floor under a roof with two small holes far apart, each with a lamp of its own above it:

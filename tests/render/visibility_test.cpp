@@ -2,14 +2,11 @@
 // takes it, on whole passes, and it misses none.
 #include "measurement/visible_point_index.h"
 #include "photon/tracer.h"
-#include "procedural/scenes.h"
 #include "sampler/emission_points.h"
-#include "scene/adjust.h"
+#include "support/procedural.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
-
-#include <stdexcept>
 
 namespace sunfleck {
 namespace {
@@ -111,17 +108,9 @@ TEST(Visibility, glossy_diffuse_and_round_surfaces) {
                      20'000);
 }
 
-/// A glass of the project's own scenes, read with its parts from memory.
+/// A glass of the project's own scenes.
 TEST(Visibility, cognac) {
-    const std::vector<SceneFile> files = make_scene("cognac-1");
-    const FileAccess access = [&](const std::string& path, const SourceLocation&) {
-        for (const SceneFile& file : files)
-            if (path.ends_with(file.name)) return file.bytes;
-        throw std::runtime_error("no file " + path);
-    };
-    SceneDescription description = read_pbrt_text(files.at(0).bytes, files.at(0).name, access);
-    set_resolution(description, {24, 24});
-    expect_agreement(Scene(std::move(description)), 40'000);
+    expect_agreement(procedural("cognac-1", 24), 40'000);
 }
 
 }  // namespace
