@@ -116,7 +116,7 @@ std::vector<RecordedRay> eye_rays(const Scene& scene, PassId pass) {
         const auto width = static_cast<std::size_t>(window.width());
         const Vec2d film(static_cast<double>(i % width) + 0.5,
                          static_cast<double>(i / width) + 0.5);
-        const CameraRay start = scene.camera().ray(film, {0.5, 0.5});
+        const CameraRay start = camera_ray(scene.camera(), film, {0.5, 0.5});
         const Ray ray{Vec3(start.origin), Vec3(start.direction)};
         rays.push_back({ray, false});
         const auto hit = scene.geometry().intersect(ray);

@@ -50,11 +50,12 @@ Ray EyePath::start(RoundPoints& numbers) {
     const FilterSample filtered = filter_.sample(numbers.next_2d());
     const Vec2d film(window.x0 + static_cast<int>(pixel_ % width) + 0.5 + filtered.offset.x,
                      window.y0 + static_cast<int>(pixel_ / width) + 0.5 + filtered.offset.y);
-    const CameraRay ray = pass_.scene.scene.camera().ray(film, numbers.next_2d());
+    const CameraRay ray = camera_ray(pass_.scene.scene.camera(), film, numbers.next_2d());
     weight_ = filtered.weight * pass_.scene.scene.film().imaging_ratio;
     throughput_ = Spectrum(1);
     lanes_.chosen = lane_of(numbers.next());
     direction_ = Vec3(ray.direction);
+    footprint_ = ray.footprint;
     footprint_angle_ = ray.footprint_angle;
     return {Vec3(ray.origin), direction_};
 }
@@ -177,6 +178,7 @@ bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {
 /// indices. Curvature and grazing angles are left out: the radius shrinks anyway.
 void EyePath::grow_footprint(const Hit& hit) {
     footprint_ += footprint_angle_ * hit.distance;
+    length_ += hit.distance;
 }
 
 float EyePath::radius_at(const Hit& hit) const {
@@ -192,7 +194,7 @@ float EyePath::radius_at(const Hit& hit) const {
 /// @param reflectance  share of the light of each lane that the surface scatters.
 void EyePath::add_features(const Hit& hit, const Spectrum& reflectance) {
     image_.add_feature(pixel_, hit.shading_normal, Layer::normal);
-    image_.add_feature(pixel_, Vec3(footprint_ / footprint_angle_), Layer::depth);
+    image_.add_feature(pixel_, Vec3(length_), Layer::depth);
     if (image_.has(Layer::albedo))
         image_.add_feature(pixel_, pass_.scene.wavelengths.to_rgb(reflectance * pass_.scene.white),
                            Layer::albedo);

@@ -144,7 +144,7 @@ void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statisti
                 const Vec2d film(x + static_cast<double>(pixel % width) + 0.5 + filtered.offset.x,
                                  y + static_cast<double>(pixel / width) + 0.5 + filtered.offset.y);
                 const Vec2d lens{numbers.next(), numbers.next()};
-                const CameraRay camera = pass.scene.scene.camera().ray(film, lens);
+                const CameraRay camera = camera_ray(pass.scene.scene.camera(), film, lens);
                 ReferencePath path(pass, numbers, rays);
                 const Spectrum radiance =
                     path.radiance({Vec3(camera.origin), Vec3(camera.direction), kInfinity}) *

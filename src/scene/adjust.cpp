@@ -19,17 +19,7 @@ void keep_share(int& low, int& high, int before, int now) {
 
 void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
     const Vec2i before = scene.film.resolution;
-    PerspectiveCamera& camera = scene.camera;
-    if (std::int64_t{resolution.x} * before.y != std::int64_t{resolution.y} * before.x) {
-        const Vec2d center = (camera.screen_min + camera.screen_max) * 0.5;
-        const Vec2d size = camera.screen_max - camera.screen_min;
-        const double half = std::min(size.x, size.y) * 0.5;
-        const double aspect = static_cast<double>(resolution.x) / resolution.y;
-        const Vec2d extent(aspect >= 1 ? half * aspect : half, aspect >= 1 ? half : half / aspect);
-        camera.screen_min = center - extent;
-        camera.screen_max = center + extent;
-    }
-    camera.resolution = resolution;
+    set_resolution(scene.camera, resolution);
     scene.film.resolution = resolution;
     if (scene.film.crop) {
         auto& crop = *scene.film.crop;

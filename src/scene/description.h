@@ -52,7 +52,7 @@ struct RenderHints {
 };
 
 struct SceneDescription {
-    PerspectiveCamera camera;
+    Camera camera;
     FilterSettings filter;
     FilmDescription film;
     RenderHints hints;

@@ -23,7 +23,7 @@ public:
     explicit Scene(SceneDescription description, const std::string& isa = "avx2");
 
     const Geometry& geometry() const { return geometry_; }
-    const PerspectiveCamera& camera() const { return camera_; }
+    const Camera& camera() const { return camera_; }
     const FilterSettings& filter() const { return filter_; }
     const FilmDescription& film() const { return film_; }
     const RenderHints& hints() const { return hints_; }
@@ -64,7 +64,7 @@ private:
     Geometry geometry_;
     SceneSphere sphere_;
     LightChoice light_choice_;
-    PerspectiveCamera camera_;
+    Camera camera_;
     FilterSettings filter_;
     FilmDescription film_;
     RenderHints hints_;

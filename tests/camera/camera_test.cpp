@@ -1,4 +1,4 @@
-// The perspective camera: field of view, corners, mirror images, sharpness, footprint.
+// Cameras: field of view, corners, mirror images, sharpness, footprint.
 #include "camera/camera.h"
 
 #include <gtest/gtest.h>
@@ -108,6 +108,89 @@ TEST(Camera, footprint_follows_a_squeezing_matrix) {
         EXPECT_NEAR((squeezed_ray.direction - plain_ray.direction).length(), 0, 1e-15);
         EXPECT_FLOAT_EQ(squeezed_ray.footprint_angle, plain_ray.footprint_angle);
     }
+}
+
+OrthographicCamera orthographic() {
+    OrthographicCamera camera;
+    camera.resolution = {40, 20};
+    set_screen(camera, 2, {});
+    return camera;
+}
+
+TEST(Orthographic, rays_are_parallel_and_as_wide_as_their_pixel) {
+    OrthographicCamera camera = orthographic();
+    for (const Vec2d& film : {Vec2d(0, 0), Vec2d(20, 10), Vec2d(40, 20)}) {
+        const CameraRay ray = camera.ray(film, {.3, .7});
+        EXPECT_EQ(ray.direction, Vec3d(0, 0, 1));
+        EXPECT_NEAR((ray.origin - Vec3d(film.x / 10 - 2, 1 - film.y / 10, 0)).length(), 0, 1e-14);
+        EXPECT_FLOAT_EQ(ray.footprint, 0.1F);
+        EXPECT_EQ(ray.footprint_angle, 0);
+    }
+    camera.camera_to_world.setScale(3.0);
+    EXPECT_FLOAT_EQ(camera.ray({20, 10}, {.5, .5}).footprint, 0.3F);
+}
+
+TEST(Orthographic, rays_of_one_film_point_meet_in_the_focal_plane) {
+    OrthographicCamera camera = orthographic();
+    camera.lens_radius = 0.25;
+    camera.focal_distance = 4;
+    const Vec3d sharp(10.0 / 10 - 2, 1 - 5.0 / 10, 4);
+    double widest = 0;
+    for (int i = 0; i < 10; ++i)
+        for (int j = 0; j < 10; ++j) {
+            const CameraRay ray = camera.ray({10, 5}, {(i + 0.5) / 10, (j + 0.5) / 10});
+            EXPECT_NEAR((at_depth(ray, 4) - sharp).length(), 0, 1e-13);
+            widest = std::max(widest, (ray.origin - Vec3d(sharp.x, sharp.y, 0)).length());
+        }
+    EXPECT_GT(widest, 0.2);
+    EXPECT_LE(widest, 0.25 + 1e-15);
+}
+
+/// All pixels' solid angles together are the sphere's, and no direction is left out.
+TEST(Spherical, pixels_tile_the_sphere) {
+    for (const SphereMap map : {SphereMap::equal_area, SphereMap::equirectangular}) {
+        const SphericalCamera camera{kIdentity, {64, 64}, map};
+        double sum = 0;
+        Vec3d moment(0);
+        Vec3d squares(0);
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const CameraRay ray = camera.ray({x + 0.5, y + 0.5}, {.5, .5});
+                const double part = static_cast<double>(ray.footprint_angle) * ray.footprint_angle;
+                sum += part;
+                moment += ray.direction * part;
+                squares += ray.direction * ray.direction * part;
+            }
+        EXPECT_NEAR(sum, 4 * kPiDouble, 0.005);
+        EXPECT_NEAR(moment.length(), 0, 1e-3);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(squares[c], 4 * kPiDouble / 3, 0.01) << c;
+    }
+}
+
+TEST(Spherical, y_is_up) {
+    const SphericalCamera map{kIdentity, {64, 32}, SphereMap::equirectangular};
+    const auto towards = [](const SphericalCamera& camera, double x, double y) {
+        return camera.ray({x, y}, {.5, .5}).direction;
+    };
+    EXPECT_NEAR((towards(map, 10, 0) - Vec3d(0, 1, 0)).length(), 0, 1e-14);
+    EXPECT_NEAR((towards(map, 0, 16) - Vec3d(1, 0, 0)).length(), 0, 1e-14);
+    EXPECT_NEAR((towards(map, 16, 16) - Vec3d(0, 0, 1)).length(), 0, 1e-14);
+    const SphericalCamera square{kIdentity, {64, 64}, SphereMap::equal_area};
+    EXPECT_NEAR((towards(square, 32, 32) - Vec3d(0, 1, 0)).length(), 0, 1e-14);
+    EXPECT_NEAR((towards(square, 64, 32) - Vec3d(1, 0, 0)).length(), 0, 1e-7);
+    // Beyond an edge the square goes on where it was folded.
+    EXPECT_NEAR((towards(square, 65, 20) - towards(square, 63, 44)).length(), 0, 1e-12);
+}
+
+TEST(Resolution, keeps_the_middle_and_the_shorter_axis) {
+    Camera camera = orthographic();
+    set_resolution(camera, {10, 30});
+    const auto& tall = std::get<OrthographicCamera>(camera);
+    EXPECT_NEAR(tall.screen_max.x, 1, 1e-15);
+    EXPECT_NEAR(tall.screen_max.y, 3, 1e-15);
+    Camera sphere = SphericalCamera{kIdentity, {64, 64}, SphereMap::equal_area};
+    set_resolution(sphere, {16, 8});
+    EXPECT_EQ(std::get<SphericalCamera>(sphere).resolution, Vec2i(16, 8));
 }
 
 }  // namespace

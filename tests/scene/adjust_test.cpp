@@ -11,33 +11,40 @@ using Crop = std::array<int, 4>;
 /// 200 x 100 pixels, the screen off centre: x in [-1, 3], y in [-0.5, 1.5].
 SceneDescription wide_scene() {
     SceneDescription scene;
-    scene.film.resolution = scene.camera.resolution = Vec2i(200, 100);
-    scene.camera.screen_min = {-1, -0.5};
-    scene.camera.screen_max = {3, 1.5};
+    scene.film.resolution = Vec2i(200, 100);
+    PerspectiveCamera camera;
+    camera.resolution = scene.film.resolution;
+    camera.screen_min = {-1, -0.5};
+    camera.screen_max = {3, 1.5};
+    scene.camera = camera;
     return scene;
 }
 
+const PerspectiveCamera& camera_of(const SceneDescription& scene) {
+    return std::get<PerspectiveCamera>(scene.camera);
+}
+
 void expect_screen(const SceneDescription& scene, const Vec2d& low, const Vec2d& high) {
-    EXPECT_NEAR(scene.camera.screen_min.x, low.x, 1e-12);
-    EXPECT_NEAR(scene.camera.screen_min.y, low.y, 1e-12);
-    EXPECT_NEAR(scene.camera.screen_max.x, high.x, 1e-12);
-    EXPECT_NEAR(scene.camera.screen_max.y, high.y, 1e-12);
+    EXPECT_NEAR(camera_of(scene).screen_min.x, low.x, 1e-12);
+    EXPECT_NEAR(camera_of(scene).screen_min.y, low.y, 1e-12);
+    EXPECT_NEAR(camera_of(scene).screen_max.x, high.x, 1e-12);
+    EXPECT_NEAR(camera_of(scene).screen_max.y, high.y, 1e-12);
 }
 
 TEST(Adjust, the_same_shape_of_picture_keeps_the_view) {
     SceneDescription scene = wide_scene();
     set_resolution(scene, {50, 25});
     EXPECT_EQ(scene.film.resolution, Vec2i(50, 25));
-    EXPECT_EQ(scene.camera.resolution, Vec2i(50, 25));
-    EXPECT_EQ(scene.camera.screen_min, Vec2d(-1, -0.5));
-    EXPECT_EQ(scene.camera.screen_max, Vec2d(3, 1.5));
+    EXPECT_EQ(camera_of(scene).resolution, Vec2i(50, 25));
+    EXPECT_EQ(camera_of(scene).screen_min, Vec2d(-1, -0.5));
+    EXPECT_EQ(camera_of(scene).screen_max, Vec2d(3, 1.5));
     EXPECT_FALSE(scene.film.crop);
 }
 
 /// A window that the scene stretches stays stretched when the picture keeps its shape.
 TEST(Adjust, the_same_shape_keeps_pixels_that_are_not_square) {
     SceneDescription scene = wide_scene();
-    scene.camera.screen_max = {7, 1.5};
+    std::get<PerspectiveCamera>(scene.camera).screen_max = {7, 1.5};
     set_resolution(scene, {400, 200});
     expect_screen(scene, {-1, -0.5}, {7, 1.5});
 }
@@ -54,7 +61,7 @@ TEST(Adjust, another_shape_keeps_the_shorter_side_and_the_centre) {
         SceneDescription scene = wide_scene();
         set_resolution(scene, c.resolution);
         EXPECT_EQ(scene.film.resolution, c.resolution);
-        EXPECT_EQ(scene.camera.resolution, c.resolution);
+        EXPECT_EQ(camera_of(scene).resolution, c.resolution);
         expect_screen(scene, Vec2d(1, 0.5) - c.half, Vec2d(1, 0.5) + c.half);
     }
 }
@@ -64,8 +71,8 @@ TEST(Adjust, large_pictures) {
     SceneDescription scene = wide_scene();
     scene.film.resolution = {40000, 1000};
     scene.film.crop = Crop{20000, 40000, 0, 1000};
-    scene.camera.screen_min = {-40, -1};
-    scene.camera.screen_max = {40, 1};
+    std::get<PerspectiveCamera>(scene.camera).screen_min = {-40, -1};
+    std::get<PerspectiveCamera>(scene.camera).screen_max = {40, 1};
     set_resolution(scene, {60000, 1500});
     expect_screen(scene, {-40, -1}, {40, 1});
     EXPECT_EQ(scene.film.crop, (Crop{30000, 60000, 0, 1500}));

@@ -7,7 +7,7 @@ namespace sunfleck {
 namespace {
 
 PerspectiveCamera with(const std::string& options) {
-    return read_text(options + "\nWorldBegin").camera;
+    return std::get<PerspectiveCamera>(read_text(options + "\nWorldBegin").camera);
 }
 
 TEST(Camera, stands_at_the_origin_by_default) {
@@ -51,6 +51,27 @@ TEST(Camera, screen_window_and_aspect_win) {
     EXPECT_NEAR(with("Camera \"perspective\" \"float frameaspectratio\" 3").screen_max.x, 3, 1e-12);
 }
 
+TEST(Camera, orthographic_has_a_screen_and_a_lens) {
+    const auto camera = std::get<OrthographicCamera>(
+        read_text("Camera \"orthographic\" \"float screenwindow\" [ -3 3 -2 2 ] \"float "
+                  "lensradius\" .5 \"float focaldistance\" 7\nWorldBegin")
+            .camera);
+    EXPECT_EQ(camera.screen_min, Vec2d(-3, -2));
+    EXPECT_EQ(camera.screen_max, Vec2d(3, 2));
+    EXPECT_EQ(camera.lens_radius, 0.5);
+    EXPECT_EQ(camera.focal_distance, 7);
+}
+
+TEST(Camera, spherical_maps_by_equal_area_unless_told) {
+    const auto map_of = [](const std::string& options) {
+        return std::get<SphericalCamera>(
+                   read_text("Camera \"spherical\"" + options + "\nWorldBegin").camera)
+            .map;
+    };
+    EXPECT_EQ(map_of(""), SphereMap::equal_area);
+    EXPECT_EQ(map_of("\"string mapping\" \"equirectangular\""), SphereMap::equirectangular);
+}
+
 TEST(Camera, of_two_the_last_counts) {
     const PerspectiveCamera camera = with(
         "Translate 0 0 1 Camera \"perspective\" \"float fov\" 20 "
@@ -61,7 +82,8 @@ TEST(Camera, of_two_the_last_counts) {
 
 TEST(Camera, that_cannot_be_is_an_error) {
     for (const char* text :
-         {"Camera \"orthographic\"", "Camera \"pinhole\"", "Camera \"perspective\" \"float fov\" 0",
+         {"Camera \"spherical\" \"string mapping\" \"cube\"", "Camera \"realistic\"",
+          "Camera \"pinhole\"", "Camera \"perspective\" \"float fov\" 0",
           "Camera \"perspective\" \"float fov\" 180",
           "Camera \"perspective\" \"float screenwindow\" [ 1 -1 1 -1 ]",
           "Camera \"perspective\" \"float frameaspectratio\" 0",
