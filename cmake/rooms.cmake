@@ -17,7 +17,7 @@ endfunction()
 
 sunfleck_room(core NEEDS TBB::tbb fmt::fmt)
 sunfleck_room(math NEEDS room_core Imath::Imath)
-sunfleck_room(image NEEDS room_math OpenEXR::OpenEXR PNG::PNG ZLIB::ZLIB)
+sunfleck_room(image NEEDS room_math OpenEXR::OpenEXR PNG::PNG JPEG::JPEG ZLIB::ZLIB)
 sunfleck_room(bsdf NEEDS room_math)
 sunfleck_room(geometry NEEDS room_math embree)
 sunfleck_room(camera NEEDS room_math)
