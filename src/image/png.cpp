@@ -5,11 +5,13 @@
 
 #include "core/error.h"
 #include "image/atomic_file.h"
+#include "image/formats.h"
 #include "image/read_file.h"
 #include "image/srgb.h"
 
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csetjmp>
@@ -145,12 +147,15 @@ void write_png(const std::string& path, const Picture& picture, float exposure) 
 }
 
 PngImage read_png(const std::string& path) {
-    const std::string bytes = read_file(path);
+    return parse_png(read_file(path), path);
+}
+
+PngImage parse_png(std::string_view bytes, const std::string& name) {
     Job job;
     job.input = bytes;
     decode(job);
     if (!job.fault.empty())
-        throw Error({path}, "cannot be read as PNG: " + job.fault,
+        throw Error({name}, "cannot be read as PNG: " + job.fault,
                     "write the picture again as PNG");
     const std::size_t step = job.image.bits == 16 ? 2 : 1;
     job.image.values.resize(job.row.size() / step);
@@ -158,6 +163,21 @@ PngImage read_png(const std::string& path) {
         job.image.values[i] = static_cast<std::uint16_t>(
             step == 1 ? job.row[i] : (job.row[2 * i] << 8U) | job.row[2 * i + 1]);
     return std::move(job.image);
+}
+
+Image parse_png_image(std::string_view bytes, const std::string& name, const Encoding& encoding) {
+    const PngImage png = parse_png(bytes, name);
+    const Vec2i resolution(png.width, png.height);
+    if (png.bits == 8) {
+        std::vector<std::uint8_t> texels(png.values.size());
+        std::transform(png.values.begin(), png.values.end(), texels.begin(),
+                       [](std::uint16_t v) { return static_cast<std::uint8_t>(v); });
+        return {resolution, png.channels, std::move(texels), encoding};
+    }
+    std::vector<float> texels(png.values.size());
+    std::transform(png.values.begin(), png.values.end(), texels.begin(),
+                   [&](std::uint16_t v) { return encoding.decode(static_cast<float>(v) / 65535); });
+    return {resolution, png.channels, std::move(texels)};
 }
 
 }  // namespace sunfleck

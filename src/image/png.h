@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sunfleck {
@@ -35,5 +36,7 @@ struct PngImage {
 /// Reads any PNG: palettes and 1, 2, 4 bits become 8 bits; colour-space chunks are ignored.
 /// @throws Error for what is no PNG, is cut or damaged, or claims more than its size can hold.
 PngImage read_png(const std::string& path);
+/// The same of a file in memory. @param name  for messages.
+PngImage parse_png(std::string_view bytes, const std::string& name);
 
 }  // namespace sunfleck

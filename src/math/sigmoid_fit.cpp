@@ -1,7 +1,9 @@
 // Levenberg-Marquardt on three coefficients, led from grey to the colour in steps of saturation.
 #include "math/sigmoid_fit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace sunfleck {
 
@@ -19,21 +21,47 @@ namespace {
 
 using Rows = std::array<Triple, 3>;
 
-/// The fit's variable: t in [-1,1] over the visible range, so that the three powers of t are of
-/// one size.
-constexpr double kMiddleNm = 0.5 * (kFirstNm + kLastNm);
-constexpr double kHalfRangeNm = 0.5 * (kLastNm - kFirstNm);
+/// What a reflectance of one at t adds to X, Y, Z under D65, as a share of the white.
+struct Node {
+    double t = 0;
+    Triple share{};
+};
+using Nodes = std::vector<Node>;
 
-/// Per wavelength: what a reflectance of one adds to X, Y, Z under D65, as a share of the white.
-const std::array<Triple, kVisibleCount>& shares() {
-    static const auto built = [] {
-        std::array<Triple, kVisibleCount> share{};
+double t_of(double nm) {
+    return (nm - kMiddleNm) / kHalfRangeNm;
+}
+
+/// At every nanometre.
+const Nodes& fine_nodes() {
+    static const Nodes built = [] {
+        Nodes nodes(kVisibleCount);
         const Triple white_xyz = xyz_of_rgb({1, 1, 1});
         for (std::size_t i = 0; i < kVisibleCount; ++i) {
-            share[i] = xyz_of_rgb(rgb_response()[i]);
-            for (std::size_t k = 0; k < 3; ++k) share[i][k] *= white()[i] / white_xyz[k];
+            nodes[i] = {t_of(static_cast<double>(i) + kFirstNm), xyz_of_rgb(rgb_response()[i])};
+            for (std::size_t k = 0; k < 3; ++k) nodes[i].share[k] *= white()[i] / white_xyz[k];
         }
-        return share;
+        return nodes;
+    }();
+    return built;
+}
+
+/// Every 5 nm: the shares of a reflectance that is linear in between, to be fitted faster.
+const Nodes& coarse_nodes() {
+    constexpr std::size_t kStep = 5;
+    static const Nodes built = [] {
+        const Nodes& fine = fine_nodes();
+        Nodes nodes((kVisibleCount - 1) / kStep + 1);
+        for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n].t = fine[n * kStep].t;
+        for (std::size_t i = 0; i < kVisibleCount; ++i) {
+            const std::size_t below = std::min(i / kStep, nodes.size() - 2);
+            const double part = static_cast<double>(i - below * kStep) / kStep;
+            for (std::size_t k = 0; k < 3; ++k) {
+                nodes[below].share[k] += fine[i].share[k] * (1 - part);
+                nodes[below + 1].share[k] += fine[i].share[k] * part;
+            }
+        }
+        return nodes;
     }();
     return built;
 }
@@ -91,17 +119,17 @@ struct Trial {
     double cost = 0;
 };
 
-Trial evaluate(const Triple& c, const Triple& target) {
+Trial evaluate(const Nodes& nodes, const Triple& c, const Triple& target) {
     Triple share{};
     Rows by_coefficient{};  // [share][coefficient]
-    for (std::size_t i = 0; i < kVisibleCount; ++i) {
-        const double t = (static_cast<double>(i) + kFirstNm - kMiddleNm) / kHalfRangeNm;
+    for (const Node& node : nodes) {
+        const double t = node.t;
         const double x = c[0] + t * (c[1] + t * c[2]);
         const double root = std::sqrt(1 + x * x);
         const double value = sigmoid(x);
         const double slope = 0.5 / (root * root * root);
         for (std::size_t k = 0; k < 3; ++k) {
-            const double weight = shares()[i][k];
+            const double weight = node.share[k];
             share[k] += weight * value;
             by_coefficient[k][0] += weight * slope;
             by_coefficient[k][1] += weight * slope * t;
@@ -152,14 +180,15 @@ Triple step_from(const Trial& at, double damping) {
 }
 
 /// Descends from `start` until the colour is `enough` (a squared CIELab distance) near.
-Triple descend(const Triple& start, const Triple& target, double enough, int max_steps) {
-    Trial best = evaluate(start, target);
+Triple descend(const Nodes& nodes, const Triple& start, const Triple& target, double enough,
+               int max_steps) {
+    Trial best = evaluate(nodes, start, target);
     double damping = 1e-3;
     for (int step = 0; step < max_steps && best.cost > enough && damping < 1e12; ++step) {
         const Triple move = step_from(best, damping);
         Triple next = best.coefficients;
         for (std::size_t i = 0; i < 3; ++i) next[i] += move[i];
-        const Trial trial = evaluate(next, target);
+        const Trial trial = evaluate(nodes, next, target);
         if (trial.cost < best.cost) {
             best = trial;
             damping *= 0.2;
@@ -170,21 +199,32 @@ Triple descend(const Triple& start, const Triple& target, double enough, int max
     return best.coefficients;
 }
 
-}  // namespace
-
-Triple fit_sigmoid(const Triple& rgb) {
+/// From grey to the colour. @return coefficients of 1, t, t^2.
+Triple fit_from_grey(const Nodes& nodes, const Triple& rgb) {
     constexpr std::array kSaturations{0.25, 0.5, 0.75, 0.9};
     const double grey = xyz_of_rgb(rgb)[1];
     Triple c{(grey - 0.5) / std::sqrt(grey * (1 - grey)), 0, 0};
     for (const double saturation : kSaturations) {
         Triple nearer{};
         for (std::size_t k = 0; k < 3; ++k) nearer[k] = grey + saturation * (rgb[k] - grey);
-        c = descend(c, target_lab(nearer), 1e-4, 30);
+        c = descend(nodes, c, target_lab(nearer), 1e-4, 30);
     }
-    c = descend(c, target_lab(rgb), 1e-12, 200);
+    return descend(nodes, c, target_lab(rgb), 1e-12, 200);
+}
+
+}  // namespace
+
+Triple fit_sigmoid(const Triple& rgb) {
+    const Triple c = fit_from_grey(fine_nodes(), rgb);
     const double b = c[1] / kHalfRangeNm;
     const double a = c[2] / (kHalfRangeNm * kHalfRangeNm);
     return {a, b - 2 * a * kMiddleNm, c[0] + kMiddleNm * (a * kMiddleNm - b)};
+}
+
+Triple fit_sigmoid_coarsely(const Triple& rgb, const Triple* near) {
+    const Nodes& nodes = coarse_nodes();
+    return near == nullptr ? fit_from_grey(nodes, rgb)
+                           : descend(nodes, *near, target_lab(rgb), 1e-10, 30);
 }
 
 }  // namespace sunfleck

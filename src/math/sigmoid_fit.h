@@ -20,4 +20,13 @@ Real sigmoid(Real x);
 /// @param rgb  each in [0,1]; not all equal (a grey is a constant and needs no fit).
 Triple fit_sigmoid(const Triple& rgb);
 
+/// The fit's own variable: t = (nm - middle) / half range, in [-1,1] over the visible range, so
+/// that its powers are of one size.
+inline constexpr double kMiddleNm = 0.5 * (kFirstNm + kLastNm);
+inline constexpr double kHalfRangeNm = 0.5 * (kLastNm - kFirstNm);
+
+/// For tables of many colours: coefficients of 1, t, t^2, with the observer at 5 nm.
+/// @param near  those of a colour close by, to start from (then some microseconds); or null.
+Triple fit_sigmoid_coarsely(const Triple& rgb, const Triple* near);
+
 }  // namespace sunfleck

@@ -1,0 +1,196 @@
+// Reads OpenEXR files from memory by way of the OpenEXR library.
+#include "core/error.h"
+#include "image/exr.h"
+#include "image/formats.h"
+#include "image/read_file.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+
+namespace sunfleck {
+namespace {
+
+/// A claim beyond this many values for each byte of the file is refused before it is believed:
+/// deflate, the usual packing, gives at most 1032 bytes for one.
+constexpr std::uint64_t kValuesPerByte = 1024;
+constexpr std::uint64_t kFreeValues = std::uint64_t{1} << 20U;
+constexpr std::uint64_t kMostValues = std::uint64_t{1} << 31U;
+constexpr int kMostPixelsAcross = 1 << 17;
+constexpr int kLibraryMost = 1 << 23;  // beyond it the library's tables of rows are too large
+
+/// The library's way to bytes in memory.
+class MemoryStream : public Imf::IStream {
+public:
+    MemoryStream(std::string_view bytes, const std::string& name)
+        : Imf::IStream(name.c_str()), bytes_(bytes) {}
+
+    bool read(char* to, int count) override {
+        const auto size = static_cast<std::uint64_t>(count);
+        if (position_ > bytes_.size() || size > bytes_.size() - position_)
+            throw std::runtime_error("the file is cut");
+        std::memcpy(to, bytes_.data() + position_, size);
+        position_ += size;
+        return position_ < bytes_.size();
+    }
+    std::uint64_t tellg() override { return position_; }
+    void seekg(std::uint64_t position) override { position_ = position; }
+
+private:
+    std::string_view bytes_;
+    std::uint64_t position_ = 0;
+};
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+    throw Error({name}, what, "convert the picture to a plain EXR, or write it again");
+}
+
+/// An open file whose first part has a size that can be believed.
+class OpenExr {
+public:
+    OpenExr(std::string_view bytes, const std::string& name)
+        : stream_(bytes, name), input_(stream_, 0) {
+        const Imf::Header& header = input_.header();
+        if (header.hasType() && Imf::isDeepData(header.type())) refuse(name, "holds deep pixels");
+        const Imath::Box2i& window = header.dataWindow();
+        const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+        const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+        if (width < 1 || height < 1 || width > kMostPixelsAcross || height > kMostPixelsAcross)
+            refuse(name, "cannot read a picture of " + std::to_string(width) + " x " +
+                             std::to_string(height) + " pixels");
+        std::uint64_t channels = 0;
+        for (auto c = this->channels().begin(); c != this->channels().end(); ++c) {
+            ++channels;
+            if (c.channel().xSampling != 1 || c.channel().ySampling != 1)
+                refuse(name, std::string("channel \"") + c.name() + "\" is subsampled");
+        }
+        const std::uint64_t values = static_cast<std::uint64_t>(width * height) * channels;
+        if (values > kMostValues || values > bytes.size() * kValuesPerByte + kFreeValues)
+            refuse(name, "claims " + std::to_string(values) + " values in " +
+                             std::to_string(bytes.size()) + " bytes");
+        resolution_ = {static_cast<int>(width), static_cast<int>(height)};
+    }
+
+    const Imf::Header& header() const { return input_.header(); }
+    const Imf::ChannelList& channels() const { return input_.header().channels(); }
+    const Vec2i& resolution() const { return resolution_; }
+
+    /// Values of a channel shall go to `first` and every `step`-th value after it.
+    template <class Value>
+    void place(const char* channel, Value* first, std::size_t step) {
+        const std::size_t across = sizeof(Value) * step;
+        const std::size_t down = across * static_cast<std::size_t>(resolution_.x);
+        // The library addresses pixels from the origin of its coordinates, not of the window.
+        const Imath::V2i corner = header().dataWindow().min;
+        const std::ptrdiff_t before =
+            static_cast<std::ptrdiff_t>(corner.x) * static_cast<std::ptrdiff_t>(across) +
+            static_cast<std::ptrdiff_t>(corner.y) * static_cast<std::ptrdiff_t>(down);
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-*): the library's only interface
+        auto* bytes = reinterpret_cast<char*>(first) - before;
+        const auto type = std::is_same_v<Value, half> ? Imf::HALF : Imf::FLOAT;
+        buffer_.insert(channel, Imf::Slice(type, bytes, across, down));
+    }
+
+    void read() {
+        input_.setFrameBuffer(buffer_);
+        input_.readPixels(header().dataWindow().min.y, header().dataWindow().max.y);
+    }
+
+private:
+    MemoryStream stream_;
+    Imf::InputFile input_;
+    Imf::FrameBuffer buffer_;
+    Vec2i resolution_;
+};
+
+Picture read_all_channels(std::string_view bytes, const std::string& name) {
+    OpenExr file(bytes, name);
+    Picture picture{file.resolution().x, file.resolution().y, {}, {}};
+    for (auto c = file.channels().begin(); c != file.channels().end(); ++c) picture.add(c.name());
+    const Imf::Header& header = file.header();
+    for (auto a = header.begin(); a != header.end(); ++a)
+        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute()))
+            picture.metadata[a.name()] = text->value();
+    for (Channel& channel : picture.channels)
+        file.place(channel.name.c_str(), channel.values.data(), 1);
+    file.read();
+    return picture;
+}
+
+/// R, G, B and perhaps A; or the only one there is.
+std::vector<std::string> colours_of(const Imf::ChannelList& channels, const std::string& name) {
+    if (channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B")) {
+        if (channels.findChannel("A")) return {"R", "G", "B", "A"};
+        return {"R", "G", "B"};
+    }
+    std::string all;
+    for (auto c = channels.begin(); c != channels.end(); ++c)
+        all += (all.empty() ? "" : ", ") + std::string(c.name());
+    if (channels.begin() == channels.end()) refuse(name, "has no channels");
+    if (++channels.begin() != channels.end() && !channels.findChannel("Y"))
+        refuse(name, "has no channels R, G and B, but " + all.substr(0, 100));
+    return {channels.findChannel("Y") ? "Y" : channels.begin().name()};
+}
+
+template <class Value>
+Image read_colours(OpenExr& file, const std::vector<std::string>& names) {
+    const std::size_t count = names.size();
+    std::vector<Value> texels(static_cast<std::size_t>(file.resolution().x) *
+                              static_cast<std::size_t>(file.resolution().y) * count);
+    for (std::size_t c = 0; c < count; ++c) file.place(names[c].c_str(), texels.data() + c, count);
+    file.read();
+    return {file.resolution(), static_cast<int>(count), std::move(texels)};
+}
+
+Image read_image(std::string_view bytes, const std::string& name) {
+    OpenExr file(bytes, name);
+    const std::vector<std::string> names = colours_of(file.channels(), name);
+    const bool all_half = std::all_of(names.begin(), names.end(), [&](const std::string& n) {
+        return file.channels().findChannel(n)->type == Imf::HALF;
+    });
+    return all_half ? read_colours<half>(file, names) : read_colours<float>(file, names);
+}
+
+/// What the library throws becomes an Error.
+template <class Task>
+auto guarded(const std::string& name, const Task& task) {
+    static const bool limited = [] {
+        Imf::Header::setMaxImageSize(kLibraryMost, kLibraryMost);
+        Imf::Header::setMaxTileSize(kLibraryMost, kLibraryMost);
+        return true;
+    }();
+    static_cast<void>(limited);
+    try {
+        return task();
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& fault) {
+        std::string text = fault.what();
+        std::replace(text.begin(), text.end(), '\n', ' ');
+        refuse(name, "cannot be read as EXR: " + text);
+    }
+}
+
+}  // namespace
+
+Picture read_exr(const std::string& path) {
+    const std::string bytes = read_file(path);
+    return guarded(path, [&] { return read_all_channels(bytes, path); });
+}
+
+Image parse_exr_image(std::string_view bytes, const std::string& name) {
+    return guarded(name, [&] { return read_image(bytes, name); });
+}
+
+}  // namespace sunfleck

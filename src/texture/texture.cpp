@@ -1,0 +1,193 @@
+// The value of each kind of texture at a point.
+#include "texture/texture.h"
+
+#include "math/sigmoid_table.h"
+#include "texture/kinds.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+/// Whether a whole number is odd; of any size.
+bool is_odd(float whole) {
+    return whole - 2 * std::floor(whole * 0.5F) != 0;
+}
+
+struct ParityOfCell {
+    const TexturePoint& point;
+
+    bool operator()(const Mapping& mapping) const {
+        const Vec2 st = place(mapping, point);
+        return is_odd(std::floor(st.x)) != is_odd(std::floor(st.y));
+    }
+    bool operator()(const PointMapping& mapping) const {
+        const Vec3 p = mapping.at(point);
+        const bool flat = is_odd(std::floor(p.x)) != is_odd(std::floor(p.y));
+        return flat != is_odd(std::floor(p.z));
+    }
+};
+
+/// The dot of a cell is moved by noise at fixed places of it (pbrt-v4).
+bool is_in_dot(const Vec2& st) {
+    constexpr float kRadius = 0.35F;
+    constexpr float kMostShift = 0.5F - kRadius;
+    const Vec2 cell(std::floor(st.x + 0.5F), std::floor(st.y + 0.5F));
+    const auto noise_at = [&](float x, float y) { return noise({cell.x + x, cell.y + y, 0.5F}); };
+    if (!(noise_at(0.5F, 0.5F) > 0)) return false;
+    const Vec2 center = cell + Vec2(noise_at(1.5F, 2.8F), noise_at(4.5F, 9.8F)) * kMostShift;
+    return (st - center).length2() < kRadius * kRadius;
+}
+
+std::array<float, 4> texel(const ImageKind& m, const TexturePoint& point) {
+    const Vec2 st = place(m.mapping, point);
+    const Vec2 from_top(st.x, 1 - st.y);
+    return m.nearest ? nearest(*m.image, from_top, m.wrap) : bilinear(*m.image, from_top, m.wrap);
+}
+
+float scaled(const ImageKind& m, float value) {
+    const float v = m.scale * value;
+    return m.invert ? std::max(0.0F, 1 - v) : v;
+}
+
+/// What all kinds of both sorts have in common. @tparam At  gives a texture's value at the point.
+template <class At>
+class ValueOf {
+public:
+    ValueOf(const TexturePoint& point, const At& at) : point_(point), at_(at) {}
+
+    template <class T>
+    auto operator()(const ScaledKind<T>& m) const {
+        return at_(m.texture) * m.factor.at(point_);
+    }
+    template <class T>
+    auto operator()(const MixKind<T>& m) const {
+        return mixed(m.first, m.second, m.amount.at(point_));
+    }
+    template <class T>
+    auto operator()(const DirectionMixKind<T>& m) const {
+        return mixed(m.second, m.first, std::abs(point_.normal.dot(m.direction)));
+    }
+    template <class T>
+    auto operator()(const CheckerboardKind<T>& m) const {
+        return at_(std::visit(ParityOfCell{point_}, m.mapping) ? m.second : m.first);
+    }
+    template <class T>
+    auto operator()(const DotsKind<T>& m) const {
+        return at_(is_in_dot(place(m.mapping, point_)) ? m.inside : m.outside);
+    }
+    template <class T>
+    auto operator()(const BilerpKind<T>& m) const {
+        const Vec2 st = place(m.mapping, point_);
+        const auto low = at_(m.v00) * (1 - st.x) + at_(m.v10) * st.x;
+        const auto high = at_(m.v01) * (1 - st.x) + at_(m.v11) * st.x;
+        return low * (1 - st.y) + high * st.y;
+    }
+
+protected:
+    /// Asks only the textures that count.
+    template <class T>
+    auto mixed(const T& first, const T& second, float amount) const {
+        if (amount == 0) return at_(first);
+        if (amount == 1) return at_(second);
+        return at_(first) * (1 - amount) + at_(second) * amount;
+    }
+
+    const TexturePoint& point_;
+    const At& at_;
+};
+
+template <class At>
+struct FloatValue : ValueOf<At> {
+    using ValueOf<At>::ValueOf;
+    using ValueOf<At>::operator();
+
+    float operator()(const FloatImageKind& m) const {
+        const std::array<float, 4> v = texel(m, this->point_);
+        if (m.image->channels() == 1) return scaled(m, v[0]);
+        if (m.image->channels() == 4) return scaled(m, v[3]);
+        return scaled(m, (v[0] + v[1] + v[2]) / 3);
+    }
+    float operator()(const FbmKind& m) const { return fbm(m.mapping.at(this->point_), m.octaves); }
+    float operator()(const WrinkledKind& m) const {
+        return turbulence(m.mapping.at(this->point_), m.octaves);
+    }
+    float operator()(const WindyKind& m) const {
+        const Vec3 p = m.mapping.at(this->point_);
+        return std::abs(fbm(p * 0.1F, {3, 0.5F})) * fbm(p, {6, 0.5F});
+    }
+};
+
+/// A point of the Bezier curves that pbrt-v4 strings into its marble.
+Vec3 marble_colour(float t) {
+    static const std::array<Vec3, 9> kColours = {
+        Vec3(0.58F, 0.58F, 0.6F), Vec3(0.58F, 0.58F, 0.6F), Vec3(0.58F, 0.58F, 0.6F),
+        Vec3(0.5F, 0.5F, 0.5F),   Vec3(0.6F, 0.59F, 0.58F), Vec3(0.58F, 0.58F, 0.6F),
+        Vec3(0.58F, 0.58F, 0.6F), Vec3(0.2F, 0.2F, 0.33F),  Vec3(0.58F, 0.58F, 0.6F)};
+    constexpr std::size_t kPieces = kColours.size() - 3;
+    const float place = t * static_cast<float>(kPieces);
+    const std::size_t first = std::min(static_cast<std::size_t>(place), kPieces - 1);
+    const float s = place - static_cast<float>(first);
+    const float r = 1 - s;
+    return (kColours.at(first) * (r * r * r) + kColours.at(first + 1) * (3 * s * r * r) +
+            kColours.at(first + 2) * (3 * s * s * r) + kColours.at(first + 3) * (s * s * s)) *
+           1.5F;
+}
+
+template <class At>
+struct SpectrumValue : ValueOf<At> {
+    SpectrumValue(const TexturePoint& point, const At& at, const Wavelengths& lanes)
+        : ValueOf<At>(point, at), wavelengths(lanes) {}
+    using ValueOf<At>::operator();
+
+    Spectrum operator()(const SpectrumImageKind& m) const {
+        const SigmoidTable& table = SigmoidTable::srgb();
+        const Vec3 rgb = image_rgb(m, this->point_);
+        if (m.use == ColourUse::albedo) return table.albedo(rgb, wavelengths);
+        const Spectrum value = table.unbounded(rgb, wavelengths);
+        if (m.use == ColourUse::unbounded) return value;
+        return value * SpectralCurve::d65().at(wavelengths);
+    }
+    Spectrum operator()(const MarbleKind& m) const {
+        const Vec3 p = m.mapping.at(this->point_) * m.scale;
+        const float phase = p.y + m.variation * fbm(p, m.octaves);
+        const float t = std::isfinite(phase) ? 0.5F + 0.5F * std::sin(phase) : 0;
+        return SigmoidTable::srgb().albedo(marble_colour(t), wavelengths);
+    }
+
+    const Wavelengths& wavelengths;
+};
+
+}  // namespace
+
+FloatTexture::FloatTexture(FloatKind kind)
+    : constant_(0), kind_(std::make_shared<const FloatKind>(std::move(kind))) {}
+
+float FloatTexture::varied(const TexturePoint& point) const {
+    const auto at = [&](const FloatTexture& texture) { return texture.at(point); };
+    return std::visit(FloatValue<decltype(at)>(point, at), kind_->kind);
+}
+
+SpectrumTexture::SpectrumTexture(SpectrumKind kind)
+    : kind_(std::make_shared<const SpectrumKind>(std::move(kind))) {
+    const bool has_colours = std::holds_alternative<SpectrumImageKind>(kind_->kind) ||
+                             std::holds_alternative<MarbleKind>(kind_->kind);
+    if (has_colours) SigmoidTable::srgb();  // built now: it may not be within parallel work
+}
+
+Spectrum SpectrumTexture::varied(const TexturePoint& point, const Wavelengths& wavelengths) const {
+    const auto at = [&](const SpectrumTexture& texture) { return texture.at(point, wavelengths); };
+    return std::visit(SpectrumValue<decltype(at)>(point, at, wavelengths), kind_->kind);
+}
+
+Vec3 image_rgb(const ImageKind& m, const TexturePoint& point) {
+    const std::array<float, 4> v = texel(m, point);
+    const bool grey = m.image->channels() == 1;
+    const auto channel = [&](std::size_t c) {
+        const float value = scaled(m, v.at(grey ? 0 : c));
+        return value > 0 ? value : 0;  // NaN, too
+    };
+    return {channel(0), channel(1), channel(2)};
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,22 @@
+// Fuzz target: any bytes as an image file end in an image or in an Error of one line.
+#include "core/error.h"
+#include "image/read_image.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it by this name
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    try {
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters
+        const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+        const sunfleck::Image image = sunfleck::parse_image(bytes, "fuzz.tga");
+        const sunfleck::Vec2i& n = image.resolution();
+        if (n.x < 1 || n.y < 1 || image.channels() < 1 || image.channels() > 4) std::abort();
+        image.at(n.x - 1, n.y - 1);
+    } catch (const sunfleck::Error& error) {
+        if (std::string(error.what()).find('\n') != std::string::npos) std::abort();
+    }
+    return 0;
+}
