@@ -2,6 +2,7 @@
 // example in tests/laws/bsdf_examples.h.
 #pragma once
 
+#include "bsdf/coated_diffuse.h"
 #include "bsdf/lambert.h"
 #include "bsdf/model.h"
 #include "bsdf/rough_conductor.h"
@@ -18,8 +19,9 @@ template <BsdfModel... Models>
 using BsdfVariant = std::variant<Models...>;
 
 /// A BSDF at one point of a surface: a value, copied into the visible point that needs it.
-using Bsdf = BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielectric,
-                         SmoothConductor, RoughConductor>;
+using Bsdf =
+    BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielectric, SmoothConductor,
+                RoughConductor, CoatReflection, CoatedBase, CoatedDiffuse>;
 
 /// f per steradian, without the cosine; zero for delta lobes (bsdf/model.h).
 inline Spectrum eval(const Bsdf& bsdf, const Vec3& w_from, const Vec3& w_to, Transport transport) {

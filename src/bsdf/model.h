@@ -35,7 +35,8 @@ struct BsdfDraw {
 enum class Scattering {
     specular,  // only delta lobes: always continue
     glossy,    // no delta lobe, narrow: gather or continue (docs/method.md, owners of light)
-    diffuse    // wide: gather
+    diffuse,   // wide: gather
+    coated     // diffuse under a specular or glossy coat: both (bsdf/coated_diffuse.h)
 };
 
 /// eval:   f, per steradian, without the cosine; zero for delta lobes.

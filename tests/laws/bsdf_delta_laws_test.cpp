@@ -53,6 +53,8 @@ Truth truth(const Bsdf& bsdf, const Vec3& w_from, std::size_t lane) {
         const double t = 1 - r;
         return {r + t * t * r / (1 - r * r), t * t / (1 - r * r)};
     }
+    if (const auto* varnish = std::get_if<CoatReflection>(&bsdf))
+        return {fresnel(cosine, varnish->coat->eta()), 0};
     const auto& metal = std::get<SmoothConductor>(bsdf);
     return {fresnel(cosine, {metal.eta[lane], metal.k[lane]}), 0};
 }

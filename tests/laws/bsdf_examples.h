@@ -35,6 +35,16 @@ inline Spectrum ramp(float first, float last) {
     return s;
 }
 
+struct Coats {
+    Coat smooth{1.5F, {}, 0};
+    Coat rough{1.5F, Ggx{0.3F, 0.3F}, 0.01F};
+};
+
+inline const Coats& coats() {
+    static const Coats made;
+    return made;
+}
+
 /// One line an example. All numbers are made up but those of gold's order of magnitude.
 inline std::vector<BsdfExample> bsdf_examples() {
     const Spectrum glass(1.5F);
@@ -59,6 +69,11 @@ inline std::vector<BsdfExample> bsdf_examples() {
         {"rough_mirror", RoughConductor{Spectrum(1), Spectrum(2000), {0.5F, 0.1F}}},
         {"rough_gold", RoughConductor{gold_eta, gold_k, {0.2F, 0.2F}}},
         {"chalky_gold", RoughConductor{gold_eta, gold_k, {1, 0.6F}}},
+        {"varnish", CoatReflection{&coats().smooth}},
+        {"satin_varnish", CoatReflection{&coats().rough}},
+        {"varnished", CoatedBase{ramp(0.2F, 0.9F), &coats().smooth}},
+        {"plastic", CoatedDiffuse{ramp(0.2F, 0.9F), &coats().smooth}},
+        {"satin_plastic", CoatedDiffuse{ramp(0.2F, 0.9F), &coats().rough}},
     };
 }
 
