@@ -17,7 +17,7 @@ namespace sunfleck {
 /// the part that its throughput holds already.
 inline Spectrum gather_lobe(const PassScene& pass, const VisiblePoint& point, const Vec3& w) {
     const Frame frame(point.shading_normal, point.tangent);
-    const Bsdf& bsdf = *pass.bsdfs[point.material];
+    const Bsdf& bsdf = pass.kept(point.bsdf);
     const Vec3 from = frame.to_local(point.w_from);
     const Vec3 to = frame.to_local(w);
     if (point.single_lane && is_dispersive(bsdf))
@@ -30,7 +30,7 @@ inline Spectrum light_of(const PassScene& pass, const VisiblePoint& point, const
     const float corrected =
         std::abs(point.shading_normal.dot(photon.w)) / std::abs(point.disc.normal.dot(photon.w));
     const Spectrum light = photon.flux * corrected;
-    return point.material == kLambertian ? light : light * gather_lobe(pass, point, photon.w);
+    return point.bsdf == kLambertian ? light : light * gather_lobe(pass, point, photon.w);
 }
 
 /// The part that is the same for all photons of a point.

@@ -28,7 +28,7 @@ void EyePath::trace(std::uint32_t pixel) {
     bool first = true;
     while (true) {
         ++statistics_[Count::eye_rays];
-        const auto hit = scene.geometry().intersect(ray);
+        auto hit = scene.geometry().intersect(ray);
         if (!hit) {
             add_emission(emitter_beyond(pass_.scene, direction_));
             return;
@@ -61,9 +61,10 @@ Ray EyePath::start(RoundPoints& numbers) {
 }
 
 /// @return whether the path goes on, in the new direction.
-bool EyePath::meet(const Hit& hit, RoundPoints& numbers) {
+bool EyePath::meet(Hit& hit, RoundPoints& numbers) {
     const TransportSettings& transport = pass_.transport;
-    const Bsdf& at_surface = pass_.scene.bsdf_of(hit);
+    std::optional<Bsdf> room;
+    const Bsdf& at_surface = pass_.scene.bsdf_at(hit, room);
     const Scattering kind = scattering(at_surface);
     std::optional<Bsdf> narrowed;
     if (is_dispersive(at_surface)) {
@@ -109,10 +110,11 @@ void EyePath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
     point.w_from = -direction_;
     point.throughput = throughput_ * weight_;
     point.pixel = pixel_;
-    point.material = pass_.scene.scene.material_of(hit);
     if (const auto* lambert = std::get_if<Lambert>(&bsdf)) {
         point.throughput *= lambert->albedo / kPi;
-        point.material = kLambertian;
+        point.bsdf = kLambertian;
+    } else {
+        point.bsdf = pass_.scene.keep(hit, bsdf);
     }
     point.lane = static_cast<std::uint8_t>(lanes_.chosen);
     point.single_lane = lanes_.single;

@@ -30,7 +30,7 @@ private:
     };
 
     Ray start(RoundPoints& numbers);
-    bool meet(const Hit& hit, RoundPoints& numbers);
+    bool meet(Hit& hit, RoundPoints& numbers);
     void add_emission(const EmitterMet& met);
     void add_light(const Spectrum& radiance, Layer owner);
     void add_features(const Hit& hit, const Spectrum& reflectance);

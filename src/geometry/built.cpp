@@ -1,6 +1,7 @@
 // Building: vertices into the group's frame, what cannot be hit left out, groups and instances.
 #include "geometry/built.h"
 
+#include "geometry/cover.h"
 #include "geometry/measure.h"
 
 #include <algorithm>
@@ -122,10 +123,12 @@ void ShapeGroup::attach(RTCDevice device, std::uint32_t exact_number) {
         const BuiltShape& shape = (*built)[shapes[k]];
         if (shape.is_empty()) continue;
         bounds.extend(shape.bounds());
-        if (shape.mesh() == nullptr)
+        if (shape.mesh() == nullptr) {
             exact.push_back(shapes[k]);
-        else
-            rtcAttachGeometryByID(scene.get(), shape.geometry(), k);
+            continue;
+        }
+        if (shape.cover()) attach_cover(shape);
+        rtcAttachGeometryByID(scene.get(), shape.geometry(), k);
     }
     if (!exact.empty()) attach_exact_shapes(*this, device, exact_number);
 }

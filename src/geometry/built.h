@@ -7,6 +7,7 @@
 
 #include "core/huge_pages.h"
 #include "geometry/affine.h"
+#include "geometry/derivatives.h"
 #include "geometry/embree.h"
 #include "geometry/geometry.h"
 #include "geometry/triangle.h"
@@ -39,6 +40,8 @@ public:
     const TriangleMesh* mesh() const { return std::get_if<TriangleMesh>(&source_->shape); }
     const Placement& placement() const { return placement_; }
     bool flip() const { return source_->flip; }
+    /// Null where all of the surface is there.
+    const Cover& cover() const { return source_->cover; }
     /// Is it a mesh with neither normals nor uvs nor tangents?
     bool is_plain() const { return is_plain_; }
     /// Do the normals of a mesh's triangles point away from the side of area_vector()?
@@ -115,6 +118,13 @@ struct Query : RTCIntersectContext {
     const std::vector<BuiltInstance>* instances;
     std::uint32_t first_instance;  // Embree's number of instance 0
     double t = 0;                  // of the nearest point on such a shape so far
+    std::uint64_t ray_hash = 0;    // for surfaces that are there in part
+
+    /// @param number  Embree's, or RTC_INVALID_GEOMETRY_ID: then null.
+    const BuiltInstance* instance_of(unsigned number) const {
+        if (number == RTC_INVALID_GEOMETRY_ID) return nullptr;
+        return &(*instances)[number - first_instance];
+    }
 
     Query(const Line& world_line, const std::vector<BuiltInstance>& all, std::uint32_t first)
         : RTCIntersectContext(), instances(&all), first_instance(first) {
@@ -138,5 +148,9 @@ struct Found {
 /// Sets all of the hit but the numbers of shape and instance.
 /// @param line  in the world, direction unit.
 void complete_hit(const Found& found, const Line& line, Hit& hit);
+
+/// @param instance  that the hit is on, or null.
+SurfaceDerivatives derivatives_at(const BuiltShape& shape, const BuiltInstance* instance,
+                                  const Hit& hit);
 
 }  // namespace sunfleck

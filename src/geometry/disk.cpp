@@ -25,10 +25,13 @@ LocalSurface Disk::at(const Vec3d& near) const {
     const double v = (radius - distance) / (radius - inner_radius);
     Vec3d tangent = Vec3d(-near.y, near.x, 0) * turn;
     if (tangent == Vec3d(0)) tangent = {0, radius, 0};
+    const Vec3d outwards = distance > 0 ? Vec3d(near.x, near.y, 0) / distance : Vec3d(1, 0, 0);
+    const Vec3d cotangent = outwards * (inner_radius - radius);
     return {{near.x, near.y, height},
             {0, 0, 1},
             tangent,
-            {static_cast<float>(std::min(u, 1.0)), static_cast<float>(v)}};
+            {static_cast<float>(std::min(u, 1.0)), static_cast<float>(v)},
+            cotangent};
 }
 
 Bounds Disk::bounds(const Affine& map) const {

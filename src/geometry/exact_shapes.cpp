@@ -3,6 +3,7 @@
 // The callbacks use the world's line in double, not the float ray that Embree carries into an
 // instance: t is the same in all frames, and the place on the surface is exact everywhere.
 #include "geometry/built.h"
+#include "geometry/cover.h"
 
 #include <embree3/rtcore_ray.h>
 
@@ -31,13 +32,11 @@ void write_bounds(const RTCBoundsFunctionArguments* args) {
 }
 
 /// The least t strictly between the ends at which the query's line meets the shape.
-std::optional<double> nearest(const BuiltShape& shape, const Query& query, const RTCRay& ray) {
+std::optional<double> nearest(const BuiltShape& shape, const Query& query, const RTCRay& ray,
+                              std::uint32_t geometry, std::uint32_t primitive) {
+    const BuiltInstance* instance = query.instance_of(query.instID[0]);
     Line line = query.line;
-    if (query.instID[0] != RTC_INVALID_GEOMETRY_ID) {
-        const std::size_t first = query.first_instance;
-        const BuiltInstance& instance = (*query.instances)[query.instID[0] - first];
-        line = line.through(instance.placement.to_object);
-    }
+    if (instance != nullptr) line = line.through(instance->placement.to_object);
     line = line.through(shape.placement().to_object);
     const Crossings met = std::visit(
         [&](const auto& s) -> Crossings {
@@ -47,8 +46,11 @@ std::optional<double> nearest(const BuiltShape& shape, const Query& query, const
                 return {};
         },
         shape.shape());
-    for (std::size_t i = 0; i < 2; ++i)
-        if (met.on[i] && met.t[i] > ray.tnear && met.t[i] < ray.tfar) return met.t[i];
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        if (!(met.on.at(i) && met.t.at(i) > ray.tnear && met.t.at(i) < ray.tfar)) continue;
+        const Found found{&shape, instance, primitive, {}, met.t.at(i)};
+        if (!shape.cover() || is_there(found, query, geometry, i)) return met.t.at(i);
+    }
     return {};
 }
 
@@ -61,7 +63,8 @@ void intersect(const RTCIntersectFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     auto& query = *static_cast<Query*>(args->context);
     auto& found = *static_cast<RTCRayHit*>(static_cast<void*>(args->rayhit));
-    const auto t = nearest(shape_of(args->geometryUserPtr, args->primID), query, found.ray);
+    const auto t = nearest(shape_of(args->geometryUserPtr, args->primID), query, found.ray,
+                           args->geomID, args->primID);
     if (!t) return;
     query.t = *t;
     found.ray.tfar = static_cast<float>(*t);
@@ -74,7 +77,8 @@ void occlude(const RTCOccludedFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     const auto& query = *static_cast<const Query*>(args->context);
     auto& ray = *static_cast<RTCRay*>(static_cast<void*>(args->ray));
-    if (nearest(shape_of(args->geometryUserPtr, args->primID), query, ray))
+    if (nearest(shape_of(args->geometryUserPtr, args->primID), query, ray, args->geomID,
+                args->primID))
         ray.tfar = -std::numeric_limits<float>::infinity();
 }
 

@@ -3,9 +3,11 @@
 
 #include "core/parallel.h"
 #include "geometry/built.h"
+#include "geometry/cover.h"
 
 #include <embree3/rtcore_ray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -53,6 +55,7 @@ struct Geometry::Impl {
     ShapeGroup world;
     Bounds bounds;
     std::size_t triangles = 0;
+    bool has_covers = false;
 
     Impl(GeometryInput in, const std::string& isa);
 
@@ -61,7 +64,9 @@ struct Geometry::Impl {
     void build_world();
     std::uint32_t first_instance() const { return static_cast<std::uint32_t>(world.shapes.size()); }
     std::size_t triangles_of(const std::vector<std::uint32_t>& list) const;
-    Meeting meet(const Line& line, float length) const;
+    Meeting meet(const Line& line, float length) const { return meet(line, length, hash(line)); }
+    Meeting meet(const Line& line, float length, std::uint64_t ray_hash) const;
+    std::uint64_t hash(const Line& line) const { return has_covers ? hash_of(line) : 0; }
     void complete(const Meeting& meeting, Hit& hit) const;
     bool is_far(double distance, const Vec3& position) const;
 };
@@ -90,6 +95,8 @@ void Geometry::Impl::build_shapes() {
     for (std::uint32_t i = 0; i < most; ++i) counting[i] = {3 * i, 3 * i + 1, 3 * i + 2};
     for (std::size_t i = 0; i < shapes.size(); ++i)
         if (is_used[i] != 0) shapes[i] = BuiltShape(input.shapes[i], device.get(), counting);
+    has_covers = std::any_of(input.shapes.begin(), input.shapes.end(),
+                             [](const PlacedShape& s) { return s.cover != nullptr; });
 }
 
 void Geometry::Impl::build_objects() {
@@ -130,12 +137,14 @@ std::size_t Geometry::Impl::triangles_of(const std::vector<std::uint32_t>& list)
     return sum;
 }
 
-Meeting Geometry::Impl::meet(const Line& line, float length) const {
+/// @param ray_hash  of the whole ray, of which `line` may be the end.
+Meeting Geometry::Impl::meet(const Line& line, float length, std::uint64_t ray_hash) const {
     Meeting meeting;
     meeting.origin = line.origin;
     meeting.direction = line.direction;
     if (!is_traceable(line, length)) return meeting;
     Query query(line, instances, first_instance());
+    query.ray_hash = ray_hash;
     RTCRayHit met;
     met.ray = embree_ray(line, length);
     met.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -210,7 +219,8 @@ bool Geometry::hit_of(const Meeting& meeting, Hit& hit) const {
         if (!impl_->is_far(left, hit.position)) return true;
         walked += left * kWalk;
         const Vec3d start = meeting.origin + meeting.direction * walked;
-        const Meeting again = impl_->meet({start, meeting.direction}, kInfinity);
+        const Meeting again = impl_->meet({start, meeting.direction}, kInfinity,
+                                          impl_->hash({meeting.origin, meeting.direction}));
         if (again.shape == kNone) return false;
         impl_->complete(again, hit);
     }
@@ -230,10 +240,17 @@ std::optional<Hit> Geometry::intersect_precise(const Vec3d& origin, const Vec3d&
     return hit;
 }
 
+SurfaceDerivatives Geometry::derivatives(const Hit& hit) const {
+    const BuiltInstance* instance =
+        hit.instance == kNone ? nullptr : &impl_->instances[hit.instance];
+    return derivatives_at(impl_->shapes[hit.shape], instance, hit);
+}
+
 bool Geometry::occluded(const Ray& ray) const {
     const Line line{Vec3d(ray.origin), Vec3d(ray.direction)};
     if (!is_traceable(line, ray.length)) return false;
     Query query(line, impl_->instances, impl_->first_instance());
+    query.ray_hash = impl_->hash(line);
     RTCRay embree = embree_ray(line, ray.length);
     rtcOccluded1(impl_->world.scene.get(), &query, &embree);
     return embree.tfar < 0;

@@ -8,9 +8,11 @@
 #pragma once
 
 #include "geometry/bounds.h"
+#include "geometry/derivatives.h"
 #include "geometry/ray.h"
 #include "geometry/shape.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,12 +24,17 @@ namespace sunfleck {
 /// machines' (Geometry then takes the kernels that Embree picks).
 bool cpu_has_avx2();
 
+/// The part of a surface that is there at a hit: 1 all, 0 nothing; in between, a ray meets it with
+/// that probability. Called by any number of threads; shape and instance of the hit are not set.
+using Cover = std::function<float(const Hit&)>;
+
 /// One shape in the world or in an object.
 struct PlacedShape {
     Shape shape;
-    Matrix to_world;    // object frame to world (or to the frame of the object that holds it)
-    bool flip = false;  // ReverseOrientation: the normal side is the other one (mirroring
-                        // matrices need nothing here: normals stay on the object-space side)
+    Matrix to_world;        // object frame to world (or to the frame of the object that holds it)
+    bool flip = false;      // ReverseOrientation: the normal side is the other one (mirroring
+                            // matrices need nothing here: normals stay on the object-space side)
+    Cover cover = nullptr;  // null: all of it is there
 };
 
 /// Shapes, once, under many matrices.
@@ -86,6 +93,9 @@ public:
     Meeting meet_precise(const Vec3d& origin, const Vec3d& direction) const;
     /// @return whether the ray meets anything; if not, `hit` is left in any state.
     bool hit_of(const Meeting& meeting, Hit& hit) const;
+
+    /// Around a hit of this geometry.
+    SurfaceDerivatives derivatives(const Hit& hit) const;
 
     /// Is there any surface strictly between the ray's ends?
     bool occluded(const Ray& ray) const;

@@ -23,6 +23,8 @@ struct LocalSurface {
     Vec3d normal;   // unit, outside
     Vec3d tangent;  // dp/du, never zero
     Vec2 uv;        // as pbrt-v4
+    /// dp/dv; zero where it is not known, and bumps then take the normal times dp/du.
+    Vec3d cotangent{0, 0, 0};
 };
 
 /// crossings: with the line origin + t * direction, any length of direction but zero.

@@ -60,7 +60,12 @@ LocalSurface Sphere::at(const Vec3d& near) const {
     const Vec3d position = normal * std::abs(radius);
     Vec3d tangent = Vec3d(-position.y, position.x, 0) * turn;
     if (tangent == Vec3d(0)) tangent = {0, std::abs(radius), 0};
-    return {position, normal, tangent, {static_cast<float>(std::min(u, 1.0)), v}};
+    // v falls towards the pole: dp/dv is along the meridian, by the sweep of angles.
+    const double across = std::sqrt(position.x * position.x + position.y * position.y);
+    const Vec3d outwards = across > 0 ? Vec3d(position.x, position.y, 0) / across : Vec3d(1, 0, 0);
+    const double sweep = double{at_high} - double{at_low};
+    const Vec3d cotangent = (outwards * position.z - Vec3d(0, 0, across)) * sweep;
+    return {position, normal, tangent, {static_cast<float>(std::min(u, 1.0)), v}, cotangent};
 }
 
 Bounds Sphere::bounds(const Affine& map) const {

@@ -63,7 +63,9 @@ std::optional<DirectSample> AreaLight::sample_direct(const Vec3& point, const Ve
         }
         return sample_by_area(sample_surface(s, Vec2d(u)), from, two_sided);
     };
-    return std::visit(sample, surface);
+    std::optional<DirectSample> drawn = std::visit(sample, surface);
+    if (drawn && unseen) drawn->pdf.reset();
+    return drawn;
 }
 
 double AreaLight::power(const SceneSphere&) const {

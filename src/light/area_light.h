@@ -41,6 +41,8 @@ struct AreaLight {
     bool two_sided = false;
     std::uint32_t shape = kNone;      // Hit::shape of the surface
     std::uint32_t primitive = kNone;  // Hit::primitive
+    /// It shines, but nothing is there: rays do not meet it, so light samples must bring it all.
+    bool unseen = false;
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,

@@ -1,4 +1,4 @@
-// Materials at a pass's wavelengths.
+// Materials at a pass's wavelengths and at a point.
 #include "material/material.h"
 
 #include <algorithm>
@@ -14,17 +14,16 @@ Spectrum clamped(const Spectrum& s, float low, float high) {
     return inside;
 }
 
-bool is_smooth(const Roughness& roughness) {
-    return std::max(roughness.alpha_u, roughness.alpha_v) < kSmoothAlpha;
+bool is_smooth(const Vec2& alphas) {
+    return std::max(alphas.x, alphas.y) < kSmoothAlpha;
 }
 
-Ggx facets_of(const Roughness& roughness) {
-    return {std::max(roughness.alpha_u, 1e-4F), std::max(roughness.alpha_v, 1e-4F)};
+Ggx facets_of(const Vec2& alphas) {
+    return {std::max(alphas.x, 1e-4F), std::max(alphas.y, 1e-4F)};
 }
 
-/// Indices of refraction: 1 where the curve has none.
-Spectrum index_of(const SpectralCurve& curve, const Wavelengths& wavelengths) {
-    Spectrum eta = curve.at(wavelengths);
+/// Indices of refraction: 1 where there is none.
+Spectrum index_of(Spectrum eta) {
     for (float& v : eta.lane)
         if (!(v > 0)) v = 1;
     return eta;
@@ -41,45 +40,70 @@ struct MetalIndex {
     Spectrum k;
 };
 
-MetalIndex metal_index(const ConductorMaterial& material, const Wavelengths& wavelengths) {
-    if (!material.reflectance)
-        return {index_of(material.eta, wavelengths),
-                clamped(material.k.at(wavelengths), 0, std::numeric_limits<float>::max())};
-    const Spectrum r = clamped(material.reflectance->at(wavelengths), 0, 0.9999F);
-    return {Spectrum(1), 2 * sqrt(r) / sqrt(Spectrum(1) - r)};
-}
-
 /// One overload a material.
 struct BsdfOf {
     const Wavelengths& wavelengths;
+    const TexturePoint& point;
 
     std::optional<Bsdf> operator()(const DiffuseMaterial& m) const {
-        return Lambert{clamped(m.reflectance.at(wavelengths), 0, 1)};
+        return Lambert{clamped(m.reflectance.at(point, wavelengths), 0, 1)};
     }
 
     std::optional<Bsdf> operator()(const DielectricMaterial& m) const {
-        const Spectrum eta = index_of(m.eta, wavelengths);
-        if (is_smooth(m.roughness) || !bends(eta)) return SmoothDielectric(eta);
-        return RoughDielectric(eta, facets_of(m.roughness));
+        const Spectrum eta = index_of(m.eta.at(wavelengths));
+        const Vec2 alphas = m.roughness.alphas(point);
+        if (is_smooth(alphas) || !bends(eta)) return SmoothDielectric(eta);
+        return RoughDielectric(eta, facets_of(alphas));
     }
 
     std::optional<Bsdf> operator()(const ThinDielectricMaterial& m) const {
-        return ThinDielectric{index_of(m.eta, wavelengths)};
+        return ThinDielectric{index_of(m.eta.at(wavelengths))};
     }
 
     std::optional<Bsdf> operator()(const ConductorMaterial& m) const {
-        const auto [eta, k] = metal_index(m, wavelengths);
-        if (is_smooth(m.roughness)) return SmoothConductor{eta, k};
-        return RoughConductor{eta, k, facets_of(m.roughness)};
+        const auto [eta, k] = metal_index(m);
+        const Vec2 alphas = m.roughness.alphas(point);
+        if (is_smooth(alphas)) return SmoothConductor{eta, k};
+        return RoughConductor{eta, k, facets_of(alphas)};
     }
 
     std::optional<Bsdf> operator()(const InterfaceMaterial&) const { return {}; }
+
+    MetalIndex metal_index(const ConductorMaterial& m) const {
+        if (!m.reflectance)
+            return {index_of(m.eta.at(point, wavelengths)),
+                    clamped(m.k.at(point, wavelengths), 0, std::numeric_limits<float>::max())};
+        const Spectrum r = clamped(m.reflectance->at(point, wavelengths), 0, 0.9999F);
+        return {Spectrum(1), 2 * sqrt(r) / sqrt(Spectrum(1) - r)};
+    }
+};
+
+struct IsTextured {
+    bool operator()(const DiffuseMaterial& m) const { return !m.reflectance.is_constant(); }
+    bool operator()(const DielectricMaterial& m) const { return !m.roughness.is_constant(); }
+    bool operator()(const ConductorMaterial& m) const {
+        const bool reflects_evenly = !m.reflectance || m.reflectance->is_constant();
+        return !(reflects_evenly && m.eta.is_constant() && m.k.is_constant() &&
+                 m.roughness.is_constant());
+    }
+    bool operator()(const ThinDielectricMaterial&) const { return false; }
+    bool operator()(const InterfaceMaterial&) const { return false; }
 };
 
 }  // namespace
 
-std::optional<Bsdf> bsdf_of(const Material& material, const Wavelengths& wavelengths) {
-    return std::visit(BsdfOf{wavelengths}, material);
+Vec2 Roughness::alphas(const TexturePoint& point) const {
+    const Vec2 given(std::max(0.0F, u.at(point)), std::max(0.0F, v.at(point)));
+    return remap ? Vec2(alpha_from_roughness(given.x), alpha_from_roughness(given.y)) : given;
+}
+
+bool is_textured(const Material& material) {
+    return std::visit(IsTextured{}, material);
+}
+
+std::optional<Bsdf> bsdf_of(const Material& material, const Wavelengths& wavelengths,
+                            const TexturePoint& point) {
+    return std::visit(BsdfOf{wavelengths, point}, material);
 }
 
 }  // namespace sunfleck

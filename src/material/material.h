@@ -1,10 +1,11 @@
-// What a surface is made of, as a scene says it; bsdf_of() makes the Bsdf of one pass from it.
+// What a surface is made of, as a scene says it; bsdf_of() makes the Bsdf of one pass, and of one
+// point where textures vary, from it.
 //
 // To add one: its header in bsdf/, its alternative here, a row in import/pbrt/materials.cpp.
 #pragma once
 
 #include "bsdf/bsdf.h"
-#include "math/spectral_curve.h"
+#include "texture/texture.h"
 
 #include <cmath>
 #include <optional>
@@ -22,13 +23,18 @@ inline float alpha_from_roughness(float roughness) {
 }
 
 struct DiffuseMaterial {
-    SpectralCurve reflectance = SpectralCurve::constant(0.5F);
+    SpectrumTexture reflectance = SpectralCurve::constant(0.5F);
 };
 
-/// GGX alphas along the tangent and across; below kSmoothAlpha the surface is perfectly smooth.
+/// Along the tangent and across: GGX alphas, or what alpha_from_roughness() makes them from.
 struct Roughness {
-    float alpha_u = 0;
-    float alpha_v = 0;
+    FloatTexture u;
+    FloatTexture v;
+    bool remap = false;
+
+    /// The alphas; below kSmoothAlpha in both the surface is perfectly smooth.
+    Vec2 alphas(const TexturePoint& point) const;
+    bool is_constant() const { return u.is_constant() && v.is_constant(); }
 };
 
 struct DielectricMaterial {
@@ -41,9 +47,9 @@ struct ThinDielectricMaterial {
 };
 
 struct ConductorMaterial {
-    SpectralCurve eta;
-    SpectralCurve k;
-    std::optional<SpectralCurve> reflectance;  // instead: eta 1, k = 2 sqrt(r) / sqrt(1 - r)
+    SpectrumTexture eta;
+    SpectrumTexture k;
+    std::optional<SpectrumTexture> reflectance;  // instead: eta 1, k = 2 sqrt(r) / sqrt(1 - r)
     Roughness roughness;
 };
 
@@ -53,12 +59,17 @@ struct InterfaceMaterial {};
 using Material = std::variant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
                               ConductorMaterial, InterfaceMaterial>;
 
-/// The material at one pass's wavelengths; nothing for an interface.
+/// Does the Bsdf depend on the point?
+bool is_textured(const Material& material);
+
+/// The material at one pass's wavelengths and at a point, which counts where it is textured;
+/// nothing for an interface.
 ///
 /// Limits, as in pbrt-v4: reflectances are held in [0,1] (of a conductor in [0, 0.9999], where k is
 /// finite); an alpha below 1e-4 beside a larger one counts as 1e-4; a curve that gives no index
 /// (eta <= 0) at a wavelength gives 1 there. A rough dielectric with an index within
 /// RoughDielectric::kLeastContrast of 1 is smooth.
-std::optional<Bsdf> bsdf_of(const Material& material, const Wavelengths& wavelengths);
+std::optional<Bsdf> bsdf_of(const Material& material, const Wavelengths& wavelengths,
+                            const TexturePoint& point = {});
 
 }  // namespace sunfleck

@@ -76,8 +76,8 @@ struct VisiblePoint {
     Spectrum throughput;  // of the eye path, with the filter's weight; for a Lambertian surface
                           // times albedo / pi
     std::uint32_t pixel = 0;
-    std::uint32_t material = 0;  // whose Bsdf of this pass gathers; kLambertian: none needed
-    std::uint8_t lane = 0;       // a path that has dispersed: its lane
+    std::uint32_t bsdf = 0;  // PassScene::kept() has what gathers; kLambertian: none needed
+    std::uint8_t lane = 0;   // a path that has dispersed: its lane
     bool single_lane = false;
     bool after_rough = false;  // the eye path has been scattered by a rough surface before
     bool shares_pixel = true;  // there may be other points of the same pixel (set by the index)

@@ -28,7 +28,7 @@ Box box_of(const Disc& disc) {
 
 bool is_plain(const VisiblePoint& p) {
     const bool same = p.shading_normal == p.disc.normal || p.shading_normal == -p.disc.normal;
-    return same && p.material == kLambertian;
+    return same && p.bsdf == kLambertian;
 }
 
 /// By pixel: has it more than one point?

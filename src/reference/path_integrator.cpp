@@ -19,7 +19,7 @@ public:
     Spectrum radiance(Ray ray) {
         lanes_.chosen = lane_of(numbers_.next());
         for (int depth = 0;; ++depth) {
-            const auto hit = next_surface(ray);
+            auto hit = next_surface(ray);
             if (!hit || depth >= pass_.transport.max_depth) return sum_;
             const auto drawn = scatter(*hit, ray);
             if (!drawn) return sum_;
@@ -64,8 +64,9 @@ private:
     }
 
     /// Direct light, then a direction to go on in: `ray` becomes the next one.
-    std::optional<BsdfSample> scatter(const Hit& hit, Ray& ray) {
-        Bsdf bsdf = pass_.scene.bsdf_of(hit);
+    std::optional<BsdfSample> scatter(Hit& hit, Ray& ray) {
+        std::optional<Bsdf> room;
+        Bsdf bsdf = pass_.scene.bsdf_at(hit, room);
         if (is_dispersive(bsdf)) {
             if (scattering(bsdf) != Scattering::specular) keep_lane(throughput_, lanes_);
             if (lanes_.single) bsdf = for_lane(bsdf, lanes_.chosen);

@@ -49,7 +49,7 @@ std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32
     std::vector<AreaLight> lights;
     const auto add = [&](auto surface, double area) {
         lights.push_back({radiance_of(emission, area), std::move(surface), emission.two_sided,
-                          index, static_cast<std::uint32_t>(lights.size())});
+                          index, static_cast<std::uint32_t>(lights.size()), shape.unseen});
     };
     if (const auto* mesh = std::get_if<TriangleMesh>(&placed.shape)) {
         for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {

@@ -7,6 +7,7 @@
 #include "geometry/geometry.h"
 #include "light/light.h"
 #include "material/material.h"
+#include "material/relief.h"
 
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@ struct ShapeDescription {
     std::uint32_t material = 0;  // index into SceneDescription::materials
     std::optional<AreaEmission> emission;
     SourceLocation where;
+    bool unseen = false;  // it emits, and else it is not there (pbrt-v4's lights of alpha 0)
 };
 
 struct InstanceDescription {
@@ -57,6 +59,7 @@ struct SceneDescription {
     FilmDescription film;
     RenderHints hints;
     std::vector<Material> materials;
+    std::vector<Relief> reliefs;                         // by material; flat where there are fewer
     std::vector<ShapeDescription> shapes;                // in the world
     std::vector<std::vector<ShapeDescription>> objects;  // each list once, placed by instances
     std::vector<InstanceDescription> instances;

@@ -1,4 +1,4 @@
-// The scene at the wavelengths of one pass: every curve evaluated once.
+// Evaluates the scene for a pass, and materials that vary for a point.
 #include "scene/pass_scene.h"
 
 #include "core/parallel.h"
@@ -10,13 +10,27 @@ PassScene::PassScene(const Scene& of, PassId pass)
       wavelengths(Wavelengths::of_pass(pass)),
       emission(of.lights().size()),
       white(SpectralCurve::d65().at(wavelengths)) {
-    bsdfs.reserve(of.materials().size());
-    for (const Material& material : of.materials())
-        bsdfs.push_back(sunfleck::bsdf_of(material, wavelengths));
+    const std::size_t materials = of.materials().size();
+    bsdfs.resize(materials);
+    bent_.resize(materials);
+    for (std::uint32_t i = 0; i < materials; ++i) {
+        const Material& material = of.materials()[i];
+        if (is_textured(material)) continue;
+        (is_flat(of.relief_of(i)) ? bsdfs : bent_)[i] = bsdf_of(material, wavelengths);
+    }
     parallel_blocks(emission.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             emission[i] = curve(of.lights()[i]).at(wavelengths);
     });
+}
+
+const Bsdf& PassScene::make_bsdf(Hit& hit, std::optional<Bsdf>& room) const {
+    const std::uint32_t number = scene.material_of(hit);
+    const Relief& relief = scene.relief_of(number);
+    if (!is_flat(relief)) bend(relief, scene.geometry().derivatives(hit), hit);
+    if (bent_[number]) return *bent_[number];
+    room = bsdf_of(scene.materials()[number], wavelengths, TexturePoint(hit));
+    return *room;
 }
 
 }  // namespace sunfleck

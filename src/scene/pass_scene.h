@@ -1,6 +1,8 @@
-// The scene at the wavelengths of one pass: every curve evaluated once.
+// The scene at the wavelengths of one pass: every curve evaluated once, textures where they are
+// met.
 #pragma once
 
+#include "scene/bsdf_store.h"
 #include "scene/scene.h"
 
 #include <optional>
@@ -11,13 +13,39 @@ namespace sunfleck {
 struct PassScene {
     const Scene& scene;
     Wavelengths wavelengths;
-    std::vector<std::optional<Bsdf>> bsdfs;  // by material; nothing for an interface
-    std::vector<Spectrum> emission;          // by light: its curve
-    Spectrum white;                          // D65 of luminance one
+    /// By material; nothing for an interface, and for one that varies over its surfaces or bends
+    /// their shading.
+    std::vector<std::optional<Bsdf>> bsdfs;
+    std::vector<Spectrum> emission;  // by light: its curve
+    Spectrum white;                  // D65 of luminance one
 
     PassScene(const Scene& of, PassId pass);
 
-    const Bsdf& bsdf_of(const Hit& hit) const { return *bsdfs[scene.material_of(hit)]; }
+    /// What scatters at a hit on what is no interface. Where the material varies, it is made in
+    /// `room`, which must last as long as it is used; where it has a relief, the hit's shading
+    /// normal and tangent are bent.
+    const Bsdf& bsdf_at(Hit& hit, std::optional<Bsdf>& room) const {
+        const auto& constant = bsdfs[scene.material_of(hit)];
+        return constant ? *constant : make_bsdf(hit, room);
+    }
+
+    /// A number by which kept() finds the Bsdf of a hit for as long as the pass lasts: that of the
+    /// material, or, where this varies, of a copy. Any number of threads.
+    std::uint32_t keep(const Hit& hit, const Bsdf& bsdf) const {
+        const std::uint32_t material = scene.material_of(hit);
+        if (bsdfs[material]) return material;
+        return static_cast<std::uint32_t>(bsdfs.size()) + kept_.add(bsdf);
+    }
+    /// The Bsdf of a number that keep() gave.
+    const Bsdf& kept(std::uint32_t number) const {
+        return number < bsdfs.size() ? *bsdfs[number] : kept_[number - bsdfs.size()];
+    }
+
+private:
+    const Bsdf& make_bsdf(Hit& hit, std::optional<Bsdf>& room) const;
+
+    std::vector<std::optional<Bsdf>> bent_;  // by material: constant, but with a relief
+    mutable BsdfStore kept_;  // which number a Bsdf has depends on the threads, no picture does
 };
 
 }  // namespace sunfleck

@@ -18,6 +18,7 @@ double weight_of(const Light& light, const SceneSphere& sphere) {
 
 Scene::Scene(SceneDescription description, const std::string& isa)
     : materials_(std::move(description.materials)),
+      reliefs_(std::move(description.reliefs)),
       geometry_(take_shapes(description), isa),
       camera_(description.camera),
       filter_(description.filter),
@@ -27,6 +28,7 @@ Scene::Scene(SceneDescription description, const std::string& isa)
       path_(std::move(description.path)) {
     const Bounds& bounds = geometry_.bounds();
     if (!bounds.is_empty()) sphere_ = {bounds.center(), std::max(bounds.radius(), 1e-6)};
+    reliefs_.resize(materials_.size());
     finish_lights(description.lights);
 }
 
@@ -34,6 +36,10 @@ Scene::Scene(SceneDescription description, const std::string& isa)
 GeometryInput Scene::take_shapes(SceneDescription& description) {
     GeometryInput input;
     const auto take = [&](ShapeDescription& shape) -> std::optional<std::uint32_t> {
+        if (shape.unseen) {
+            if (shape.emission) add_area_lights(shape, kNone);
+            return {};
+        }
         const bool straight = std::holds_alternative<InterfaceMaterial>(materials_[shape.material]);
         if (straight && !shape.emission) return {};
         if (straight) has_straight_hits_ = true;
@@ -57,7 +63,7 @@ GeometryInput Scene::take_shapes(SceneDescription& description) {
 }
 
 void Scene::add_area_lights(const ShapeDescription& shape, std::uint32_t index) {
-    shapes_[index].first_light = static_cast<std::uint32_t>(lights_.size());
+    if (index != kNone) shapes_[index].first_light = static_cast<std::uint32_t>(lights_.size());
     std::vector<AreaLight> made = area_lights_of(shape, index);
     lights_.insert(lights_.end(), made.begin(), made.end());
 }
@@ -68,7 +74,8 @@ void Scene::finish_lights(const std::vector<Light>& others) {
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const bool infinite = std::holds_alternative<InfiniteLight>(lights_[i]);
         if (infinite) infinite_lights_.push_back(static_cast<std::uint32_t>(i));
-        if (infinite || std::holds_alternative<AreaLight>(lights_[i])) has_lights_to_meet_ = true;
+        const auto* area = std::get_if<AreaLight>(&lights_[i]);
+        if (infinite || (area != nullptr && !area->unseen)) has_lights_to_meet_ = true;
         weights.push_back(weight_of(lights_[i], sphere_));
     }
     light_choice_ = LightChoice(weights);

@@ -38,6 +38,8 @@ public:
     /// Are there lights that a ray can meet (area, infinite)?
     bool has_lights_to_meet() const { return has_lights_to_meet_; }
 
+    /// Of the material's surfaces.
+    const Relief& relief_of(std::uint32_t material) const { return reliefs_[material]; }
     std::uint32_t material_of(const Hit& hit) const { return shapes_[hit.shape].material; }
     /// The area light at a hit, or kNone.
     std::uint32_t light_of(const Hit& hit) const;
@@ -56,6 +58,7 @@ private:
     void finish_lights(const std::vector<Light>& others);
 
     std::vector<Material> materials_;
+    std::vector<Relief> reliefs_;
     std::vector<ShapeRecord> shapes_;
     std::vector<Light> lights_;
     std::vector<std::uint32_t> infinite_lights_;

@@ -27,7 +27,7 @@ protected:
             p.w_from = Vec3(0, 0, 1);
             p.throughput = Spectrum(random_.next_float());
             p.pixel = i % kPixels;
-            p.material = kLambertian;
+            p.bsdf = kLambertian;
             points_.push_back(p);
         }
         for (std::uint32_t i = 0; i < 3000; ++i) {

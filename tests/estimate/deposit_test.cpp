@@ -64,7 +64,7 @@ protected:
             p.throughput = spectrum();
             p.pixel = below(kPixels);
             const std::uint32_t material = below(4);
-            p.material = material == 1 || material == 2 ? material : kLambertian;
+            p.bsdf = material == 1 || material == 2 ? material : kLambertian;
             p.lane = static_cast<std::uint8_t>(below(kLanes));
             p.single_lane = below(2) == 0;
             p.after_rough = below(4) == 0;
@@ -135,7 +135,7 @@ struct Expected {
         const double radius = point.disc.radius;
         const double kernel = corrected / (kPaths * kPiDouble * radius * radius);
         Spectrum value = point.throughput * photon.flux;
-        if (point.material != kLambertian) value *= gather_lobe(pass, point, photon.w);
+        if (point.bsdf != kLambertian) value *= gather_lobe(pass, point, photon.w);
         const Vec3d rgb = Vec3d(pass.wavelengths.to_rgb(value)) * kernel;
         Layer owner = Layer::caustic;
         if (photon.kind == PhotonKind::direct) owner = Layer::direct;
@@ -216,7 +216,7 @@ TEST_F(Deposits, what_cannot_be_added_falls_alone) {
     point.disc = {Vec3(0), 1, Vec3(0, 0, 1), 0, 7, false};
     point.shading_normal = point.disc.normal;
     point.throughput = Spectrum(1);
-    point.material = kLambertian;
+    point.bsdf = kLambertian;
     Photon photon;
     photon.normal = photon.w = Vec3(0, 0, 1);
     photon.flux = Spectrum(1);

@@ -62,7 +62,7 @@ TEST(EyePath, a_diffuse_surface_ends_every_path) {
     for (std::size_t i = 0; i < seen.points.size(); ++i) {
         const VisiblePoint& p = seen.points[i];
         EXPECT_EQ(p.pixel, i);
-        EXPECT_EQ(p.material, kLambertian);
+        EXPECT_EQ(p.bsdf, kLambertian);
         EXPECT_NEAR(p.throughput[0], 0.5 / kPiDouble, 1e-6);
         EXPECT_EQ(p.disc.normal, Vec3(0, 0, 1));
         EXPECT_EQ(p.disc.bounces, 0);
@@ -111,7 +111,7 @@ TEST(EyePath, glossy_surfaces_gather_and_go_on) {
         EXPECT_EQ(p.disc.kinds, metal ? 2 : 2 + 4);
         EXPECT_EQ(p.after_rough, !metal);
         EXPECT_EQ(p.disc.bounces, metal ? 0 : 1);
-        EXPECT_EQ(p.material, metal ? 2U : kLambertian);
+        EXPECT_EQ(p.bsdf, metal ? 2U : kLambertian);
         EXPECT_EQ(p.disc.normal, Vec3(0, 0, metal ? 1.0F : -1.0F));
     }
     EXPECT_EQ(at_metal, kPixels * kPixels);

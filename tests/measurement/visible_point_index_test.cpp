@@ -76,7 +76,7 @@ TEST(VisiblePointIndex, knows_who_shares_a_pixel_and_who_is_plain) {
     auto points = random_points(100, 5);
     for (std::uint32_t i = 0; i < 100; ++i) {
         points[i].pixel = i < 90 ? i : i - 90;  // the last ten share those of the first ten
-        points[i].material = i % 3 == 0 ? 0 : kLambertian;
+        points[i].bsdf = i % 3 == 0 ? 0 : kLambertian;
         const Vec3 normal = points[i].disc.normal;
         points[i].shading_normal = i % 2 == 0 ? -normal : normal;
         if (i % 5 == 0) points[i].shading_normal = Vec3(normal.y, normal.z, normal.x);
@@ -87,7 +87,7 @@ TEST(VisiblePointIndex, knows_who_shares_a_pixel_and_who_is_plain) {
         EXPECT_EQ(p.shares_pixel, p.pixel < 10);
         const bool straight =
             p.shading_normal == p.disc.normal || p.shading_normal == -p.disc.normal;
-        EXPECT_EQ((index.plain(at / 8) >> at % 8 & 1U) != 0, straight && p.material == kLambertian);
+        EXPECT_EQ((index.plain(at / 8) >> at % 8 & 1U) != 0, straight && p.bsdf == kLambertian);
         EXPECT_EQ(index.radius(at / 8, at % 8), p.disc.radius);
     }
 }

@@ -52,7 +52,8 @@ public:
           hit_(scene_.geometry()
                    .intersect({Vec3(kPoint) - direction * 1e-4F, direction, 2e-4F})
                    .value()),
-          vertex_{hit_, Frame(hit_.shading_normal, hit_.tangent), Vec3(0), pass_.bsdf_of(hit_)} {
+          vertex_{hit_, Frame(hit_.shading_normal, hit_.tangent), Vec3(0),
+                  pass_.bsdf_at(hit_, room_)} {
         vertex_.w_from = vertex_.frame.to_local(-direction);
     }
     LitPoint(const LitPoint&) = delete;
@@ -74,6 +75,7 @@ private:
     Scene scene_;
     PassScene pass_;
     Hit hit_;
+    std::optional<Bsdf> room_;
     EyeVertex vertex_;
 };
 

@@ -60,20 +60,22 @@ const Statement& MaterialTable::named(const std::string& name, const SourceLocat
                 "make it by MakeNamedMaterial; " + did_you_mean(known, name));
 }
 
-std::vector<Material> MaterialTable::finish(Reading& reading) {
-    std::vector<Material> materials;
+void MaterialTable::finish(Reading& reading) {
+    std::vector<Material>& materials = reading.scene.materials;
+    std::vector<Relief>& reliefs = reading.scene.reliefs;
     for (const Slot& slot : slots_) {
         if (!slot.statement && !slot.used && !named_.contains(slot.name)) {
             reading.warn(slot.from,
                          "there is no material " + in_quotes(slot.name) + ", but no shape uses it");
             materials.emplace_back(DiffuseMaterial{});
+            reliefs.emplace_back();
             continue;
         }
         const Statement& statement = slot.statement ? *slot.statement : named(slot.name, slot.from);
         materials.push_back(material_of(statement, reading));
+        reliefs.push_back(relief_of(statement, reading));
         reading.warn_unused(statement);
     }
-    return materials;
 }
 
 }  // namespace sunfleck

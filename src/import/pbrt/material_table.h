@@ -2,7 +2,6 @@
 #pragma once
 
 #include "import/pbrt/parameters.h"
-#include "material/material.h"
 
 #include <map>
 #include <string>
@@ -24,9 +23,9 @@ public:
     /// MakeNamedMaterial. @throws Error for a name made before, or an unknown type.
     void make(const std::string& name, Statement statement);
 
-    /// All slots as materials. @throws Error for names that were never made, though a shape uses
-    /// them, and for parameters that cannot be used.
-    std::vector<Material> finish(Reading& reading);
+    /// All slots as materials of the scene. @throws Error for names that were never made, though a
+    /// shape uses them, and for parameters that cannot be used.
+    void finish(Reading& reading);
 
     /// Marks a slot as that of a shape: its name must be made before the end.
     void use(std::uint32_t slot) { slots_[slot].used = true; }

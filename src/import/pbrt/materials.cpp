@@ -12,27 +12,22 @@
 namespace sunfleck {
 namespace {
 
-constexpr float kGrey = 0.5F;               // for textures that are not read
-constexpr double kTexturedRoughness = 0.1;  // likewise
+constexpr float kGrey = 0.5F;  // pbrt-v4's default
 constexpr int kDeepestMix = 32;
 
-double checked_roughness(const Statement& statement, const std::string& name, double fallback,
-                         Reading& reading) {
-    const double value =
-        find_textured_real(statement, name, kTexturedRoughness, reading).value_or(fallback);
-    if (value >= 0) return value;
+FloatTexture checked_roughness(const Statement& statement, const std::string& name,
+                               const FloatTexture& fallback, Reading& reading) {
+    const FloatTexture value = find_float_texture(statement, name, reading).value_or(fallback);
+    if (!value.is_constant() || value.constant() >= 0) return value;
     throw Error(statement.find(name)->where, in_quotes(name) + " is negative", "use 0 or more");
 }
 
 /// @param prefix  of the names of the parameters: "" or "conductor.".
 Roughness roughness_of(const Statement& statement, const std::string& prefix, Reading& reading) {
-    const double both = checked_roughness(statement, prefix + "roughness", 0, reading);
-    const double u = checked_roughness(statement, prefix + "uroughness", both, reading);
-    const double v = checked_roughness(statement, prefix + "vroughness", both, reading);
-    const auto alpha_u = static_cast<float>(u);
-    const auto alpha_v = static_cast<float>(v);
-    if (!statement.flag("remaproughness", true)) return {alpha_u, alpha_v};
-    return {alpha_from_roughness(alpha_u), alpha_from_roughness(alpha_v)};
+    const FloatTexture both = checked_roughness(statement, prefix + "roughness", 0, reading);
+    return {checked_roughness(statement, prefix + "uroughness", both, reading),
+            checked_roughness(statement, prefix + "vroughness", both, reading),
+            statement.flag("remaproughness", true)};
 }
 
 /// An index of refraction: "float eta" or a spectrum.
@@ -48,8 +43,7 @@ SpectralCurve eta_of(const Statement& statement, Reading& reading) {
 }
 
 DiffuseMaterial diffuse_by(const Statement& statement, std::string_view name, Reading& reading) {
-    const auto colour =
-        find_textured_curve(statement, name, SpectrumUse::reflectance, kGrey, reading);
+    const auto colour = find_spectrum_texture(statement, name, SpectrumUse::reflectance, reading);
     return {colour.value_or(SpectralCurve::constant(kGrey))};
 }
 
@@ -68,13 +62,13 @@ Material thin_dielectric(const Statement& statement, Reading& reading) {
 ConductorMaterial conductor_by(const Statement& statement, const std::string& prefix,
                                Reading& reading) {
     const auto eta =
-        find_textured_curve(statement, prefix + "eta", SpectrumUse::unbounded, 1, reading);
-    const auto k = find_textured_curve(statement, prefix + "k", SpectrumUse::unbounded, 1, reading);
+        find_spectrum_texture(statement, prefix + "eta", SpectrumUse::unbounded, reading);
+    const auto k = find_spectrum_texture(statement, prefix + "k", SpectrumUse::unbounded, reading);
     ConductorMaterial metal;
-    metal.eta = eta ? *eta : *named_spectrum("metal-Cu-eta");
-    metal.k = k ? *k : *named_spectrum("metal-Cu-k");
+    metal.eta = eta ? *eta : SpectrumTexture(*named_spectrum("metal-Cu-eta"));
+    metal.k = k ? *k : SpectrumTexture(*named_spectrum("metal-Cu-k"));
     metal.reflectance =
-        find_textured_curve(statement, "reflectance", SpectrumUse::reflectance, kGrey, reading);
+        find_spectrum_texture(statement, "reflectance", SpectrumUse::reflectance, reading);
     if (metal.reflectance && (eta || k))
         throw Error(statement.find("reflectance")->where,
                     "a conductor with \"reflectance\" beside \"eta\" or \"k\"",
@@ -119,7 +113,7 @@ Material diffuse_transmission(const Statement& statement, Reading& reading) {
     warn_approximation(statement, "it is diffuse, with its reflectance, and transmits nothing",
                        reading);
     if (statement.find("reflectance")) return diffuse(statement, reading);
-    return DiffuseMaterial{SpectralCurve::constant(0.25F)};  // pbrt-v4's default
+    return DiffuseMaterial{SpectralCurve::constant(0.25F)};  // likewise
 }
 
 Material measured(const Statement& statement, Reading& reading) {
@@ -181,9 +175,19 @@ std::span<const std::string_view> material_types() {
 Material material_of(const Statement& statement, Reading& reading) {
     const Row& row = *std::find_if(kRows.begin(), kRows.end(),
                                    [&](const Row& r) { return r.word == statement.type; });
-    if (statement.find("displacement") || statement.find("normalmap"))
-        reading.warn(statement.where, "bumps and normal maps are not simulated: surfaces are flat");
     return row.maker(statement, reading);
+}
+
+Relief relief_of(const Statement& statement, Reading& reading) {
+    const auto displacement = find_float_texture(statement, "displacement", reading);
+    const auto map = statement.text("normalmap");
+    if (map && !map->empty()) {
+        const Encoding linear{Encoding::Kind::linear, 1};
+        return NormalMap{
+            reading.images.enter(*map, linear, statement.find("normalmap")->where, reading)};
+    }
+    if (displacement && !displacement->is_constant()) return Bumps{*displacement};
+    return {};
 }
 
 }  // namespace sunfleck

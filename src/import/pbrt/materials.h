@@ -3,6 +3,7 @@
 
 #include "import/pbrt/parameters.h"
 #include "material/material.h"
+#include "material/relief.h"
 
 #include <span>
 
@@ -16,5 +17,8 @@ std::span<const std::string_view> material_types();
 /// The material of a statement whose type is one of material_types(). What is approximated is
 /// said in a warning.
 Material material_of(const Statement& statement, Reading& reading);
+
+/// "displacement" or "normalmap"; the map wins where there are both, as in pbrt-v4.
+Relief relief_of(const Statement& statement, Reading& reading);
 
 }  // namespace sunfleck

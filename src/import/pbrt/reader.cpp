@@ -22,12 +22,12 @@ void finish_instances(Reading& reading) {
     }
 }
 
-/// Interfaces do not shine (pbrt-v4), but for those that stand for lights of alpha 0.
+/// Interfaces do not shine (pbrt-v4), but for lights that nothing can meet.
 void finish_emission(Reading& reading) {
     for (ShapeDescription& shape : reading.scene.shapes) {
         const Material& material = reading.scene.materials[shape.material];
         const bool straight = std::holds_alternative<InterfaceMaterial>(material);
-        if (!shape.emission || !straight || shape.material == reading.unseen_light) continue;
+        if (!shape.emission || !straight || shape.unseen) continue;
         shape.emission.reset();
         reading.warn(shape.where, "area lights on interfaces are ignored, as in pbrt-v4");
     }
@@ -52,9 +52,10 @@ SceneDescription read_all(std::string text, const std::string& path, const FileA
     finish_camera(reading);
     finish_filter(reading);
     finish_hints(reading);
-    reading.scene.materials = reading.materials.finish(reading);
+    reading.materials.finish(reading);
     finish_emission(reading);
     finish_instances(reading);
+    reading.images.load(reading);
     return std::move(reading.scene);
 }
 

@@ -17,12 +17,16 @@ void Reading::warn_unused(const Statement& statement) {
              "unused parameter " + parameter->title() + " of " + statement.title() + " is ignored");
 }
 
-std::string Reading::read_file(const std::string& name, const SourceLocation& from) {
-    if (++files_opened > kMostFiles)
+void Reading::count_file(const std::string& path, const SourceLocation& from) {
+    if (scene.files.size() >= kMostFiles)
         throw Error(from, "the scene opens more than 100000 files", "join some of them");
+    scene.files.push_back(path);
+}
+
+std::string Reading::read_file(const std::string& name, const SourceLocation& from) {
     const std::string path = resolved(name, folder);
     std::string bytes = files(path, from);
-    scene.files.push_back(path);
+    count_file(path, from);
     return bytes;
 }
 

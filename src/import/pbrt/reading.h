@@ -5,6 +5,7 @@
 
 #include "import/pbrt/file_access.h"
 #include "import/pbrt/graphics_state.h"
+#include "import/pbrt/images.h"
 #include "import/pbrt/material_table.h"
 #include "import/pbrt/textures.h"
 
@@ -34,7 +35,6 @@ struct Reading {
     SceneDescription scene;
     FileAccess files;
     std::string folder;  // of the main file
-    std::size_t files_opened = 0;
 
     GraphicsState state;
     std::vector<Block> blocks;
@@ -45,7 +45,7 @@ struct Reading {
 
     MaterialTable materials;
     TextureTable textures;
-    std::optional<std::uint32_t> unseen_light;  // slot of the interface of lights of alpha 0
+    ImageTable images;
     std::set<std::string> media;
     std::map<std::string, std::uint32_t> objects;
     std::optional<std::uint32_t> open_object;
@@ -57,6 +57,8 @@ struct Reading {
     void warn_unused(const Statement& statement);
     /// The bytes of a file named in the scene, which is entered in the list of files.
     std::string read_file(const std::string& name, const SourceLocation& from);
+    /// Enters a file in the list. @throws Error when there are too many.
+    void count_file(const std::string& path, const SourceLocation& from);
     /// @throws Error if more than the outer `base` blocks are open.
     void check_blocks_closed(std::size_t base) const;
     /// The matrix at the start of the exposure; warns where it moves.

@@ -85,19 +85,6 @@ const Row& row_of(const Statement& statement) {
                 use_one_of(words, statement.type));
 }
 
-enum class Cover { opaque, invisible };
-
-/// "alpha" of the shape, a number or a texture.
-Cover cover_of(const Statement& statement, Reading& reading) {
-    const double alpha = find_textured_real(statement, "alpha", 1, reading).value_or(1);
-    if (alpha <= 0) return Cover::invisible;
-    if (alpha < 1)
-        reading.warn(statement.where,
-                     "an \"alpha\" between 0 and 1 is ignored: the shape is "
-                     "opaque");
-    return Cover::opaque;
-}
-
 std::optional<AreaEmission> emission_here(const Statement& statement, Reading& reading) {
     if (!reading.state.emission) return std::nullopt;
     if (!reading.open_object) return *reading.state.emission;
@@ -105,15 +92,21 @@ std::optional<AreaEmission> emission_here(const Statement& statement, Reading& r
     return std::nullopt;
 }
 
-/// The slot of the interface for lights that nothing hits.
-std::uint32_t unseen_light_slot(Reading& reading) {
-    if (!reading.unseen_light) {
-        Statement nothing;
-        nothing.keyword = "Material";
-        nothing.type = "interface";
-        reading.unseen_light = reading.materials.add(nothing);
+/// "alpha" of the shape, a number or a texture. @return whether there is anything to add.
+bool take_alpha(const Statement& statement, Reading& reading, ShapeDescription& shape) {
+    const FloatTexture alpha = find_float_texture(statement, "alpha", reading).value_or(1);
+    if (alpha.is_constant() && alpha.constant() >= 1) return true;
+    const bool invisible = alpha.is_constant() && !(alpha.constant() > 0);
+    if (invisible) {
+        shape.unseen = true;
+        return shape.emission.has_value();
     }
-    return *reading.unseen_light;
+    if (shape.emission)
+        reading.warn(statement.where,
+                     "an \"alpha\" other than 0 or 1 is ignored on what emits: it is opaque");
+    else
+        shape.placed.cover = [alpha](const Hit& hit) { return alpha.at(TexturePoint(hit)); };
+    return true;
 }
 
 }  // namespace
@@ -135,13 +128,9 @@ void add_shape(const Statement& statement, Reading& reading) {
     shape.emission = emission_here(statement, reading);
     shape.material = state.material;
     shape.where = statement.where;
-    const Cover cover = cover_of(statement, reading);
+    const bool is_there = take_alpha(statement, reading, shape);
     reading.warn_unused(statement);
-    if (cover == Cover::invisible && !shape.emission) return;
-    if (cover == Cover::invisible) {
-        reading.warn(statement.where, "a light of \"alpha\" 0 lets light pass, but it can be seen");
-        shape.material = unseen_light_slot(reading);
-    }
+    if (!is_there) return;
     reading.materials.use(shape.material);
     auto& scene = reading.scene;
     auto& list = reading.open_object ? scene.objects[*reading.open_object] : scene.shapes;

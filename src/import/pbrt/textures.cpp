@@ -1,31 +1,16 @@
-// Named textures; constants are evaluated, the rest is named in warnings.
+// The table of named textures, each made when something asks for it.
 #include "import/pbrt/textures.h"
 
 #include "import/pbrt/reading.h"
+#include "import/pbrt/texture_kinds.h"
 #include "import/pbrt/words.h"
 
 #include <algorithm>
-#include <array>
 
 namespace sunfleck {
 namespace {
 
-constexpr std::array<std::string_view, 13> kClasses = {
-    "constant", "imagemap", "scale", "mix",  "checkerboard", "bilerp",      "dots",
-    "fbm",      "marble",   "windy", "ptex", "wrinkled",     "directionmix"};
-
-std::string shown(double value) {
-    std::string text = std::to_string(value);
-    while (text.back() == '0') text.pop_back();
-    return text.back() == '.' ? text + "0" : text;
-}
-
-void warn_stand_in(const Parameter& parameter, const Statement& texture, double stand_in,
-                   Reading& reading) {
-    reading.warn(parameter.where, "texture " + in_quotes(parameter.texts[0]) + " (" + texture.type +
-                                      ") is not read: " + in_quotes(parameter.name) + " is " +
-                                      shown(stand_in) + " everywhere");
-}
+constexpr int kDeepest = 100;
 
 /// One name, as a texture parameter must have.
 const Parameter& checked(const Parameter& parameter) {
@@ -38,51 +23,83 @@ const Parameter& checked(const Parameter& parameter) {
 
 }  // namespace
 
-void TextureTable::add(const std::string& kind, const std::string& name, Statement statement) {
+void TextureTable::add(const std::string& kind, const std::string& name, Statement statement,
+                       const Matrix& to_world) {
     if (kind != "float" && kind != "spectrum")
         throw Error(statement.where, "unknown kind of texture " + in_quotes(kind),
                     "use \"float\" or \"spectrum\"");
-    if (std::find(kClasses.begin(), kClasses.end(), statement.type) == kClasses.end())
+    const auto classes = texture_classes();
+    if (std::find(classes.begin(), classes.end(), statement.type) == classes.end())
         throw Error(statement.where, "unknown texture " + in_quotes(statement.type),
-                    use_one_of(kClasses, statement.type));
+                    use_one_of(classes, statement.type));
     const SourceLocation where = statement.where;
-    if (!textures_.try_emplace({kind, name}, std::move(statement)).second)
+    Entry entry{std::move(statement), to_world, textures_.size(), 0, {}, {}};
+    if (!textures_.try_emplace({kind, name}, std::move(entry)).second)
         throw Error(where, "a second " + kind + " texture " + in_quotes(name),
                     "give it another name");
 }
 
-const Statement& TextureTable::at(const std::string& kind, const Parameter& parameter) const {
+TextureTable::Entry& TextureTable::entry_of(const std::string& kind, const Parameter& parameter) {
     const auto found = textures_.find({kind, checked(parameter).texts[0]});
-    if (found != textures_.end()) return found->second;
+    if (found != textures_.end() && found->second.order < limit_) return found->second;
     throw Error(parameter.where,
                 "there is no " + kind + " texture " + in_quotes(parameter.texts[0]),
                 "make it by Texture before, or check the name");
 }
 
-std::optional<SpectralCurve> find_textured_curve(const Statement& statement, std::string_view name,
-                                                 SpectrumUse use, float stand_in,
-                                                 Reading& reading) {
-    const Parameter* found = statement.find(name);
-    if (!found) return std::nullopt;
-    if (found->type != ParameterType::texture) return curve_of(*found, use, reading);
-    const Statement& texture = reading.textures.at("spectrum", *found);
-    if (texture.type != "constant") {
-        warn_stand_in(*found, texture, stand_in, reading);
-        return SpectralCurve::constant(stand_in);
-    }
-    const auto value = find_curve(texture, "value", use, reading);
-    return value ? *value : SpectralCurve::constant(1);
+/// Notes how deep the tree below the texture is, and how deep that makes the one above.
+template <class T>
+T TextureTable::make(Entry& entry, SpectrumUse use, Reading& reading) {
+    const auto check = [&](int depth) {
+        if (depth > kDeepest)
+            throw Error(entry.statement.where, "textures are nested more than 100 deep",
+                        "use fewer of them");
+    };
+    check(++open_);
+    const std::size_t limit_above = std::exchange(limit_, entry.order);
+    const int depth_above = std::exchange(depth_, 0);
+    T texture = texture_of<T>(entry.statement, entry.to_world, use, reading);
+    limit_ = limit_above;
+    entry.depth = std::exchange(depth_, depth_above) + 1;
+    check(entry.depth);
+    --open_;
+    return texture;
 }
 
-std::optional<double> find_textured_real(const Statement& statement, std::string_view name,
-                                         double stand_in, Reading& reading) {
+FloatTexture TextureTable::number(const Parameter& parameter, Reading& reading) {
+    Entry& entry = entry_of("float", parameter);
+    if (!entry.number) entry.number = make<FloatTexture>(entry, SpectrumUse::reflectance, reading);
+    depth_ = std::max(depth_, entry.depth);
+    return *entry.number;
+}
+
+SpectrumTexture TextureTable::spectrum(const Parameter& parameter, SpectrumUse use,
+                                       Reading& reading) {
+    Entry& entry = entry_of("spectrum", parameter);
+    const auto known = entry.spectra.find(use);
+    const SpectrumTexture texture =
+        known != entry.spectra.end() ? known->second : make<SpectrumTexture>(entry, use, reading);
+    entry.spectra.try_emplace(use, texture);
+    depth_ = std::max(depth_, entry.depth);
+    return texture;
+}
+
+std::optional<SpectrumTexture> find_spectrum_texture(const Statement& statement,
+                                                     std::string_view name, SpectrumUse use,
+                                                     Reading& reading) {
     const Parameter* found = statement.find(name);
     if (!found) return std::nullopt;
-    if (found->type != ParameterType::texture) return statement.real(name);
-    const Statement& texture = reading.textures.at("float", *found);
-    if (texture.type == "constant") return texture.real("value", 1);
-    warn_stand_in(*found, texture, stand_in, reading);
-    return stand_in;
+    if (found->type == ParameterType::texture)
+        return reading.textures.spectrum(*found, use, reading);
+    return SpectrumTexture(curve_of(*found, use, reading));
+}
+
+std::optional<FloatTexture> find_float_texture(const Statement& statement, std::string_view name,
+                                               Reading& reading) {
+    const Parameter* found = statement.find(name);
+    if (!found) return std::nullopt;
+    if (found->type == ParameterType::texture) return reading.textures.number(*found, reading);
+    return static_cast<float>(*statement.real(name));
 }
 
 }  // namespace sunfleck

@@ -1,10 +1,12 @@
-// Textures by name, as far as they are read: constants; of others it is said what stands in.
+// Textures by name, and parameters that may be textures.
 #pragma once
 
 #include "import/pbrt/parameters.h"
 #include "import/pbrt/spectra.h"
+#include "texture/texture.h"
 
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace sunfleck {
@@ -12,22 +14,43 @@ namespace sunfleck {
 class TextureTable {
 public:
     /// @param kind  "float" or "spectrum". @param statement  its type is the class.
+    /// @param to_world  the matrix at the statement: the texture's frame.
     /// @throws Error for an unknown kind or class, or a name given before.
-    void add(const std::string& kind, const std::string& name, Statement statement);
+    void add(const std::string& kind, const std::string& name, Statement statement,
+             const Matrix& to_world);
 
-    /// The texture that a parameter names. @throws Error when there is none.
-    const Statement& at(const std::string& kind, const Parameter& parameter) const;
+    /// The texture that a parameter names, made when first asked for.
+    /// @throws Error when there is none, and for parameters of it that cannot be used.
+    FloatTexture number(const Parameter& parameter, Reading& reading);
+    SpectrumTexture spectrum(const Parameter& parameter, SpectrumUse use, Reading& reading);
 
 private:
-    std::map<std::pair<std::string, std::string>, Statement> textures_;  // by kind and name
+    struct Entry {
+        Statement statement;
+        Matrix to_world;
+        std::size_t order = 0;
+        int depth = 0;  // of the tree below, once it is made
+        std::optional<FloatTexture> number;
+        std::map<SpectrumUse, SpectrumTexture> spectra;
+    };
+
+    Entry& entry_of(const std::string& kind, const Parameter& parameter);
+    template <class T>
+    T make(Entry& entry, SpectrumUse use, Reading& reading);
+
+    std::map<std::pair<std::string, std::string>, Entry> textures_;  // by kind and name
+    std::size_t limit_ = ~std::size_t{0};  // textures see only those that were made before
+    int depth_ = 0;                        // of what is below the texture that is being made
+    int open_ = 0;                         // textures that are being made
 };
 
-/// A spectrum or a spectrum texture: constants as they are, for others `stand_in` and a warning.
-std::optional<SpectralCurve> find_textured_curve(const Statement& statement, std::string_view name,
-                                                 SpectrumUse use, float stand_in, Reading& reading);
+/// A spectrum or a spectrum texture, if there is one of that name.
+std::optional<SpectrumTexture> find_spectrum_texture(const Statement& statement,
+                                                     std::string_view name, SpectrumUse use,
+                                                     Reading& reading);
 
-/// A number or a float texture: constants as they are, for others `stand_in` and a warning.
-std::optional<double> find_textured_real(const Statement& statement, std::string_view name,
-                                         double stand_in, Reading& reading);
+/// A number or a float texture, if there is one of that name.
+std::optional<FloatTexture> find_float_texture(const Statement& statement, std::string_view name,
+                                               Reading& reading);
 
 }  // namespace sunfleck

@@ -34,7 +34,7 @@ void texture(Reading& reading, TokenStream& tokens, const Token& keyword) {
     const std::string kind = tokens.require_string("\"float\" or \"spectrum\"");
     Statement statement = read_statement(tokens, keyword);
     statement.defaults = reading.state.texture_defaults;
-    reading.textures.add(kind, name, std::move(statement));
+    reading.textures.add(kind, name, std::move(statement), reading.still_matrix(keyword.where()));
 }
 
 void make_named_medium(Reading& reading, TokenStream& tokens, const Token& keyword) {

@@ -13,8 +13,8 @@ M made(const std::string& statement) {
 }
 
 TEST(Materials, without_one_are_grey) {
-    EXPECT_FLOAT_EQ(made<DiffuseMaterial>("").reflectance(500), 0.5F);
-    EXPECT_FLOAT_EQ(made<DiffuseMaterial>("Material \"diffuse\"").reflectance(500), 0.5F);
+    EXPECT_FLOAT_EQ(made<DiffuseMaterial>("").reflectance.curve()(500), 0.5F);
+    EXPECT_FLOAT_EQ(made<DiffuseMaterial>("Material \"diffuse\"").reflectance.curve()(500), 0.5F);
 }
 
 TEST(Materials, dielectrics_have_an_index_and_roughness) {
@@ -23,14 +23,14 @@ TEST(Materials, dielectrics_have_an_index_and_roughness) {
         "Material \"dielectric\" \"float eta\" 1.33 \"float roughness\" .25 \"float vroughness\" "
         ".04");
     EXPECT_FLOAT_EQ(glass.eta(500), 1.33F);
-    EXPECT_FLOAT_EQ(glass.roughness.alpha_u, 0.5F);
-    EXPECT_FLOAT_EQ(glass.roughness.alpha_v, 0.2F);
+    EXPECT_FLOAT_EQ(glass.roughness.alphas({}).x, 0.5F);
+    EXPECT_FLOAT_EQ(glass.roughness.alphas({}).y, 0.2F);
     const auto bk7 = made<DielectricMaterial>(
         "Material \"dielectric\" \"spectrum eta\" "
         "\"glass-BK7\" \"bool remaproughness\" false "
         "\"float roughness\" .25");
     EXPECT_NEAR(bk7.eta(587.6F), 1.5168F, 1e-3F);
-    EXPECT_FLOAT_EQ(bk7.roughness.alpha_u, 0.25F);
+    EXPECT_FLOAT_EQ(bk7.roughness.alphas({}).x, 0.25F);
     EXPECT_FLOAT_EQ(
         made<ThinDielectricMaterial>("Material \"thindielectric\" \"float eta\" 1.4").eta(500),
         1.4F);
@@ -38,16 +38,16 @@ TEST(Materials, dielectrics_have_an_index_and_roughness) {
 
 TEST(Materials, conductors_are_copper_unless_told) {
     const auto copper = made<ConductorMaterial>("Material \"conductor\"");
-    EXPECT_EQ(copper.eta(500), (*named_spectrum("metal-Cu-eta"))(500));
-    EXPECT_EQ(copper.k(500), (*named_spectrum("metal-Cu-k"))(500));
+    EXPECT_EQ(copper.eta.curve()(500), (*named_spectrum("metal-Cu-eta"))(500));
+    EXPECT_EQ(copper.k.curve()(500), (*named_spectrum("metal-Cu-k"))(500));
     const auto rgb =
         made<ConductorMaterial>("Material \"conductor\" \"rgb eta\" [ 2 2 2 ] \"rgb k\" [ 3 3 3 ]");
-    EXPECT_FLOAT_EQ(rgb.eta(500), 2);
-    EXPECT_FLOAT_EQ(rgb.k(500), 3);
+    EXPECT_FLOAT_EQ(rgb.eta.curve()(500), 2);
+    EXPECT_FLOAT_EQ(rgb.k.curve()(500), 3);
     EXPECT_FALSE(rgb.reflectance);
     const auto mirror =
         made<ConductorMaterial>("Material \"conductor\" \"rgb reflectance\" [ .9 .9 .9 ]");
-    EXPECT_FLOAT_EQ((*mirror.reflectance)(500), 0.9F);
+    EXPECT_FLOAT_EQ(mirror.reflectance->curve()(500), 0.9F);
 }
 
 TEST(Materials, interfaces_have_three_names) {
@@ -62,26 +62,27 @@ TEST(Materials, by_name_may_be_made_later) {
         "\"diffuse\"");
     EXPECT_EQ(later.shapes[0].material, later.shapes[1].material);
     const auto& material = std::get<DiffuseMaterial>(later.materials[later.shapes[0].material]);
-    EXPECT_FLOAT_EQ(material.reflectance(500), 0.2F);
+    EXPECT_FLOAT_EQ(material.reflectance.curve()(500), 0.2F);
 }
 
 TEST(Materials, that_are_not_ours_have_stand_ins) {
     const SceneDescription coated = read_world(
         "Material \"coateddiffuse\" \"rgb reflectance\" [ .3 .3 .3 ] \"float roughness\" 0 "
         "Shape \"sphere\"");
-    EXPECT_FLOAT_EQ(std::get<DiffuseMaterial>(coated.materials.at(1)).reflectance(500), 0.3F);
+    EXPECT_FLOAT_EQ(std::get<DiffuseMaterial>(coated.materials.at(1)).reflectance.curve()(500),
+                    0.3F);
     EXPECT_EQ(warnings_with(coated, "coateddiffuse"), 1);
     EXPECT_EQ(warnings_with(coated, "unused"), 0);
     const auto metal = made<ConductorMaterial>(
         "Material \"coatedconductor\" \"spectrum conductor.eta\" \"metal-Au-eta\" \"spectrum "
         "conductor.k\" \"metal-Au-k\" \"float conductor.roughness\" .04");
-    EXPECT_EQ(metal.k(500), (*named_spectrum("metal-Au-k"))(500));
-    EXPECT_FLOAT_EQ(metal.roughness.alpha_u, 0.2F);
+    EXPECT_EQ(metal.k.curve()(500), (*named_spectrum("metal-Au-k"))(500));
+    EXPECT_FLOAT_EQ(metal.roughness.alphas({}).x, 0.2F);
     made<DiffuseMaterial>("Material \"measured\" \"string filename\" \"x.bsdf\"");
     made<DiffuseMaterial>("Material \"hair\"");
     made<DiffuseMaterial>("Material \"subsurface\" \"rgb mfp\" [ 1 1 1 ]");
-    EXPECT_FLOAT_EQ(made<DiffuseMaterial>("Material \"diffusetransmission\"").reflectance(500),
-                    0.25F);
+    EXPECT_FLOAT_EQ(
+        made<DiffuseMaterial>("Material \"diffusetransmission\"").reflectance.curve()(500), 0.25F);
 }
 
 TEST(Materials, mixes_are_their_first) {
@@ -97,38 +98,14 @@ TEST(Materials, mixes_are_their_first) {
                  "circle"));
 }
 
-TEST(Materials, with_textures_take_constants_or_stand_ins) {
-    const std::string textures =
-        "Texture \"c\" \"spectrum\" \"constant\" \"rgb value\" [ .1 .1 .1 ] "
-        "Texture \"i\" \"spectrum\" \"imagemap\" \"string filename\" \"x.png\" "
-        "Texture \"r\" \"float\" \"constant\" \"float value\" .25 "
-        "Texture \"w\" \"float\" \"wrinkled\" ";
-    EXPECT_FLOAT_EQ(
-        made<DiffuseMaterial>(textures + "Material \"diffuse\" \"texture reflectance\" \"c\"")
-            .reflectance(500),
-        0.1F);
-    const SceneDescription image = read_world(
-        textures + "Material \"diffuse\" \"texture reflectance\" \"i\" Shape \"sphere\"");
-    EXPECT_FLOAT_EQ(std::get<DiffuseMaterial>(image.materials.at(1)).reflectance(500), 0.5F);
-    EXPECT_EQ(warnings_with(image, "texture \"i\" (imagemap) is not read"), 1);
-    EXPECT_FLOAT_EQ(
-        made<DielectricMaterial>(textures + "Material \"dielectric\" \"texture roughness\" \"r\"")
-            .roughness.alpha_u,
-        0.5F);
-    EXPECT_FLOAT_EQ(made<DielectricMaterial>(textures + "Material \"dielectric\" \"bool "
-                                                        "remaproughness\" false \"texture "
-                                                        "roughness\" \"w\"")
-                        .roughness.alpha_u,
-                    0.1F);
-    EXPECT_NE(world_error(textures + "Material \"diffuse\" \"texture reflectance\" \"r\""), "");
-}
-
 TEST(Materials, take_defaults_of_their_block) {
     const SceneDescription scene = read_world(
         "AttributeBegin Attribute \"material\" \"rgb reflectance\" [ .2 .2 .2 ] \"float eta\" 2 "
         "Material \"diffuse\" Shape \"sphere\" AttributeEnd Material \"diffuse\" Shape \"sphere\"");
-    EXPECT_FLOAT_EQ(std::get<DiffuseMaterial>(scene.materials.at(1)).reflectance(500), 0.2F);
-    EXPECT_FLOAT_EQ(std::get<DiffuseMaterial>(scene.materials.at(2)).reflectance(500), 0.5F);
+    EXPECT_FLOAT_EQ(std::get<DiffuseMaterial>(scene.materials.at(1)).reflectance.curve()(500),
+                    0.2F);
+    EXPECT_FLOAT_EQ(std::get<DiffuseMaterial>(scene.materials.at(2)).reflectance.curve()(500),
+                    0.5F);
     EXPECT_EQ(warnings_with(scene, "unused"), 0);
 }
 

@@ -80,20 +80,32 @@ TEST(Shapes, that_we_have_not_are_left_out_and_named) {
     EXPECT_EQ(scene.warnings.entries().size(), 4U);
 }
 
-TEST(Shapes, that_let_light_pass_are_left_out) {
+TEST(Shapes, with_alpha_are_there_in_part) {
     EXPECT_TRUE(read_world("Shape \"sphere\" \"float alpha\" 0").shapes.empty());
-    const SceneDescription half = read_world("Shape \"sphere\" \"float alpha\" .5");
-    EXPECT_EQ(half.shapes.size(), 1U);
-    EXPECT_EQ(warnings_with(half, "alpha"), 1);
+    EXPECT_FALSE(read_world("Shape \"sphere\" \"float alpha\" 1").shapes.at(0).placed.cover);
+    const SceneDescription half = read_world("Shape \"sphere\" \"float alpha\" .25");
+    ASSERT_TRUE(half.shapes.at(0).placed.cover);
+    EXPECT_EQ(half.shapes.at(0).placed.cover(Hit{}), 0.25F);
+    EXPECT_EQ(warnings_with(half, "alpha"), 0);
     const SceneDescription mask = read_world(
-        "Texture \"m\" \"float\" \"imagemap\" Shape "
+        "Texture \"m\" \"float\" \"bilerp\" \"float v01\" 0 \"float v10\" 1 Shape "
         "\"sphere\" \"texture alpha\" \"m\"");
-    EXPECT_EQ(mask.shapes.size(), 1U);
-    EXPECT_EQ(warnings_with(mask, "texture \"m\""), 1);
+    Hit hit;
+    hit.uv = {0.75F, 0.5F};
+    EXPECT_EQ(mask.shapes.at(0).placed.cover(hit), 0.75F);
+}
+
+TEST(Shapes, that_emit_are_seen_whole_or_not_at_all) {
     const SceneDescription light =
         read_world("AreaLightSource \"diffuse\" Shape \"sphere\" \"float alpha\" 0");
-    EXPECT_TRUE(
-        std::holds_alternative<InterfaceMaterial>(light.materials.at(light.shapes.at(0).material)));
+    EXPECT_TRUE(light.shapes.at(0).unseen);
+    EXPECT_TRUE(light.shapes.at(0).emission);
+    EXPECT_TRUE(light.warnings.entries().empty());
+    const SceneDescription half =
+        read_world("AreaLightSource \"diffuse\" Shape \"sphere\" \"float alpha\" .5");
+    EXPECT_FALSE(half.shapes.at(0).placed.cover);
+    EXPECT_FALSE(half.shapes.at(0).unseen);
+    EXPECT_EQ(warnings_with(half, "alpha"), 1);
 }
 
 TEST(Shapes, take_defaults_of_their_block) {

@@ -9,7 +9,8 @@ namespace {
 SpectralCurve reflectance_of(const std::string& parameter, const MemoryFiles& files = {}) {
     const SceneDescription scene =
         read_world("Material \"diffuse\" " + parameter + " Shape \"sphere\"", files);
-    return std::get<DiffuseMaterial>(scene.materials.at(scene.shapes.at(0).material)).reflectance;
+    return std::get<DiffuseMaterial>(scene.materials.at(scene.shapes.at(0).material))
+        .reflectance.curve();
 }
 
 SpectralCurve emission_by(const std::string& parameter) {

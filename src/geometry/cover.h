@@ -1,0 +1,25 @@
+// Surfaces that are there in part: whether a ray meets them is decided by a hash of the ray and of
+// the primitive, the same for all who ask.
+//
+// Source: pbrt-v4's stochastic alpha test; the primitive is hashed with the ray, so that one ray
+// passes through several sheets independently.
+#pragma once
+
+#include "geometry/built.h"
+
+#include <cstdint>
+
+namespace sunfleck {
+
+/// A hash of a ray, for Query::ray_hash.
+std::uint64_t hash_of(const Line& line);
+
+/// Is the surface there where a query's ray meets it?
+/// @param crossing  tells apart the points where a ray meets one primitive several times.
+bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
+              std::uint32_t crossing);
+
+/// Makes Embree ask is_there() for each hit on the mesh, whose place in memory must last.
+void attach_cover(const BuiltShape& mesh);
+
+}  // namespace sunfleck
