@@ -75,20 +75,36 @@ bool EyePath::meet(Hit& hit, RoundPoints& numbers) {
     const EyeVertex vertex{hit, frame, frame.to_local(-direction_),
                            narrowed ? *narrowed : at_surface};
     if (bounces_ >= transport.max_depth) return false;
-    const bool sampled = transport.direct == DirectLight::sampled;
-    switch (kind) {
-        case Scattering::diffuse:
-            gather(hit, at_surface, sampled ? kScattered : kEverything);
-            if (sampled) add_direct_light(vertex, numbers, true);
-            if (bounces_ == 0) add_features(hit, std::get<Lambert>(at_surface).albedo);
-            return false;
-        case Scattering::glossy:
-            gather(hit, at_surface, sampled ? kCausticOnly : kEverything);
-            if (!sampled) return false;
-            add_direct_light(vertex, numbers, false);
-            break;
-        case Scattering::specular:
-            break;
+    if (const auto* coated = std::get_if<CoatedDiffuse>(&at_surface)) {
+        const Bsdf base = coated->base();
+        const Bsdf top = coated->top();
+        meet_base({hit, frame, vertex.w_from, base}, numbers);
+        return go_on({hit, frame, vertex.w_from, top}, numbers);
+    }
+    if (kind == Scattering::diffuse) {
+        meet_base(vertex, numbers);
+        return false;
+    }
+    return go_on(vertex, numbers);
+}
+
+/// The path ends at what is wide.
+void EyePath::meet_base(const EyeVertex& vertex, RoundPoints& numbers) {
+    const bool sampled = pass_.transport.direct == DirectLight::sampled;
+    gather(vertex.hit, vertex.bsdf, sampled ? kScattered : kEverything);
+    if (sampled) add_direct_light(vertex, numbers, true);
+    const auto* coated = std::get_if<CoatedBase>(&vertex.bsdf);
+    add_features(vertex.hit, coated != nullptr ? coated->reflectance(vertex.w_from)
+                                               : std::get<Lambert>(vertex.bsdf).albedo);
+}
+
+/// The path goes on from what is narrow. @return whether it does.
+bool EyePath::go_on(const EyeVertex& vertex, RoundPoints& numbers) {
+    const bool sampled = pass_.transport.direct == DirectLight::sampled;
+    if (scattering(vertex.bsdf) == Scattering::glossy) {
+        gather(vertex.hit, vertex.bsdf, sampled ? kCausticOnly : kEverything);
+        if (!sampled) return false;
+        add_direct_light(vertex, numbers, false);
     }
     return scatter(vertex, numbers);
 }
@@ -153,7 +169,7 @@ bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {
         lanes_};
     const auto drawn = sample(vertex.bsdf, vertex.w_from, draw);
     if (!drawn) return false;
-    if (bounces_ == 0) add_features(vertex.hit, drawn->weight * (drawn->eta * drawn->eta));
+    add_features(vertex.hit, drawn->weight * (drawn->eta * drawn->eta));
     throughput_ *= drawn->weight;
     if (drawn->dispersed) lanes_.single = true;
     eta_scale_ *= drawn->eta * drawn->eta;
@@ -193,8 +209,11 @@ float EyePath::radius_at(const Hit& hit) const {
     return std::max(floor, static_cast<float>(settings.radius_pixels) * width * factor);
 }
 
+/// Of the first surface; of a coated one what lies below the coat.
 /// @param reflectance  share of the light of each lane that the surface scatters.
 void EyePath::add_features(const Hit& hit, const Spectrum& reflectance) {
+    if (has_features_) return;
+    has_features_ = true;
     image_.add_feature(pixel_, hit.shading_normal, Layer::normal);
     image_.add_feature(pixel_, Vec3(length_), Layer::depth);
     if (image_.has(Layer::albedo))

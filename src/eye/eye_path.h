@@ -31,6 +31,8 @@ private:
 
     Ray start(RoundPoints& numbers);
     bool meet(Hit& hit, RoundPoints& numbers);
+    void meet_base(const EyeVertex& vertex, RoundPoints& numbers);
+    bool go_on(const EyeVertex& vertex, RoundPoints& numbers);
     void add_emission(const EmitterMet& met);
     void add_light(const Spectrum& radiance, Layer owner);
     void add_features(const Hit& hit, const Spectrum& reflectance);
@@ -47,6 +49,7 @@ private:
     Statistics& statistics_;
 
     std::uint32_t pixel_ = 0;
+    bool has_features_ = false;
     float weight_ = 1;  // of the pixel filter, and of the film's exposure
     Spectrum throughput_;
     LaneChoice lanes_;

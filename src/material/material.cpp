@@ -67,6 +67,10 @@ struct BsdfOf {
         return RoughConductor{eta, k, facets_of(alphas)};
     }
 
+    std::optional<Bsdf> operator()(const CoatedDiffuseMaterial& m) const {
+        return CoatedDiffuse{clamped(m.reflectance.at(point, wavelengths), 0, 1), m.coat.get()};
+    }
+
     std::optional<Bsdf> operator()(const InterfaceMaterial&) const { return {}; }
 
     MetalIndex metal_index(const ConductorMaterial& m) const {
@@ -86,6 +90,7 @@ struct IsTextured {
         return !(reflects_evenly && m.eta.is_constant() && m.k.is_constant() &&
                  m.roughness.is_constant());
     }
+    bool operator()(const CoatedDiffuseMaterial& m) const { return !m.reflectance.is_constant(); }
     bool operator()(const ThinDielectricMaterial&) const { return false; }
     bool operator()(const InterfaceMaterial&) const { return false; }
 };

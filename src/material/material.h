@@ -8,6 +8,7 @@
 #include "texture/texture.h"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -53,11 +54,17 @@ struct ConductorMaterial {
     Roughness roughness;
 };
 
+/// Diffuse under a clear coat.
+struct CoatedDiffuseMaterial {
+    SpectrumTexture reflectance = SpectralCurve::constant(0.5F);  // of the base, without the coat
+    std::shared_ptr<const Coat> coat;                             // not null
+};
+
 /// A surface that is not there: light passes straight, and it is no bounce.
 struct InterfaceMaterial {};
 
 using Material = std::variant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
-                              ConductorMaterial, InterfaceMaterial>;
+                              ConductorMaterial, CoatedDiffuseMaterial, InterfaceMaterial>;
 
 /// Does the Bsdf depend on the point?
 bool is_textured(const Material& material);

@@ -163,26 +163,16 @@ private:
     /// One scattering event. @return false when the photon is absorbed.
     template <SlotReader Reader>
     static bool scatter(Reader& read, const Lambert& surface, const Hit& hit, PhotonState& state) {
-        if (!turn(read, surface, hit, state)) return false;
-        state.kind = PhotonKind::indirect;
-        return true;
+        return turn(read, surface, hit, state);
     }
 
     template <SlotReader Reader>
     static bool scatter(Reader& read, const Bsdf& at_surface, const Hit& hit, PhotonState& state) {
-        const bool specular = scattering(at_surface) == Scattering::specular;
-        std::optional<Bsdf> narrowed;
-        if (is_dispersive(at_surface)) {
-            choose_lane(read, state);
-            if (!specular) keep_lane(state.flux, state.lanes);
-            if (state.lanes.single) narrowed = for_lane(at_surface, state.lanes.chosen);
-        }
-        if (!turn(read, narrowed ? *narrowed : at_surface, hit, state)) return false;
-        if (!specular)
-            state.kind = PhotonKind::indirect;
-        else if (state.kind == PhotonKind::direct)
-            state.kind = PhotonKind::caustic;
-        return true;
+        if (!is_dispersive(at_surface)) return turn(read, at_surface, hit, state);
+        choose_lane(read, state);
+        if (scattering(at_surface) != Scattering::specular) keep_lane(state.flux, state.lanes);
+        if (!state.lanes.single) return turn(read, at_surface, hit, state);
+        return turn(read, for_lane(at_surface, state.lanes.chosen), hit, state);
     }
 
     static std::optional<BsdfSample> sample_of(const Lambert& bsdf, const Vec3& w_from,
@@ -194,7 +184,7 @@ private:
         return sample(bsdf, w_from, draw);
     }
 
-    /// scatter(), but for what wavelengths and kinds have to do with it.
+    /// scatter(), but for what wavelengths have to do with it.
     template <SlotReader Reader, class Surface>
     static bool turn(Reader& read, const Surface& bsdf, const Hit& hit, PhotonState& state) {
         const auto unit = [&](BounceSlot which) {
@@ -216,6 +206,10 @@ private:
         const float survival = std::min(1.0F, flux.sum() / state.flux.sum());
         if (!(unit(BounceSlot::roulette) < survival)) return false;
         if (drawn->dispersed) state.lanes.single = true;
+        if (drawn->pdf)
+            state.kind = PhotonKind::indirect;
+        else if (state.kind == PhotonKind::direct)
+            state.kind = PhotonKind::caustic;
         state.flux = flux / survival;
         state.direction = w_to;
         ++state.bounces;

@@ -13,10 +13,16 @@ PassScene::PassScene(const Scene& of, PassId pass)
     const std::size_t materials = of.materials().size();
     bsdfs.resize(materials);
     bent_.resize(materials);
+    layers_.resize(materials);
     for (std::uint32_t i = 0; i < materials; ++i) {
         const Material& material = of.materials()[i];
         if (is_textured(material)) continue;
         (is_flat(of.relief_of(i)) ? bsdfs : bent_)[i] = bsdf_of(material, wavelengths);
+        if (!bsdfs[i]) continue;
+        if (const auto* coated = std::get_if<CoatedDiffuse>(&*bsdfs[i])) {
+            layers_[i] = static_cast<std::uint32_t>(materials) + kept_.add(coated->base());
+            kept_.add(coated->top());
+        }
     }
     parallel_blocks(emission.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

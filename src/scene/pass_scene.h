@@ -29,12 +29,13 @@ struct PassScene {
         return constant ? *constant : make_bsdf(hit, room);
     }
 
-    /// A number by which kept() finds the Bsdf of a hit for as long as the pass lasts: that of the
-    /// material, or, where this varies, of a copy. Any number of threads.
+    /// A number by which kept() finds the Bsdf of a hit, or one of its layers, for as long as the
+    /// pass lasts: that of the material, or, where this varies, of a copy. Any number of threads.
     std::uint32_t keep(const Hit& hit, const Bsdf& bsdf) const {
         const std::uint32_t material = scene.material_of(hit);
-        if (bsdfs[material]) return material;
-        return static_cast<std::uint32_t>(bsdfs.size()) + kept_.add(bsdf);
+        if (!bsdfs[material]) return static_cast<std::uint32_t>(bsdfs.size()) + kept_.add(bsdf);
+        if (scattering(*bsdfs[material]) != Scattering::coated) return material;
+        return layers_[material] + (std::holds_alternative<CoatedBase>(bsdf) ? 0 : 1);
     }
     /// The Bsdf of a number that keep() gave.
     const Bsdf& kept(std::uint32_t number) const {
@@ -45,6 +46,7 @@ private:
     const Bsdf& make_bsdf(Hit& hit, std::optional<Bsdf>& room) const;
 
     std::vector<std::optional<Bsdf>> bent_;  // by material: constant, but with a relief
+    std::vector<std::uint32_t> layers_;      // by material: number of a coated one's base; the top
     mutable BsdfStore kept_;  // which number a Bsdf has depends on the threads, no picture does
 };
 
