@@ -1,4 +1,4 @@
-// Spheres, disks and their like inside Embree: its boxes, our intersection in double.
+// Quadrics, bilinear patches and curves inside Embree: its boxes, our intersection in double.
 //
 // The callbacks use the world's line in double, not the float ray that Embree carries into an
 // instance: t is the same in all frames, and the place on the surface is exact everywhere.
@@ -20,7 +20,8 @@ float outwards(double x, double size, double sign) {
 
 void write_bounds(const RTCBoundsFunctionArguments* args) {
     const auto& group = *static_cast<const ShapeGroup*>(args->geometryUserPtr);
-    const Bounds& box = (*group.built)[group.exact[args->primID]].bounds();
+    const ExactPrimitive& one = group.exact[args->primID];
+    const Bounds box = (*group.built)[one.shape].bounds_of(one.element);
     const double size = box.radius();
     args->bounds_o->lower_x = outwards(box.min.x, size, -1);
     args->bounds_o->lower_y = outwards(box.min.y, size, -1);
@@ -30,8 +31,9 @@ void write_bounds(const RTCBoundsFunctionArguments* args) {
     args->bounds_o->upper_z = outwards(box.max.z, size, 1);
 }
 
-/// The least t strictly between the ends at which the query's line meets the shape.
-std::optional<double> nearest(const BuiltShape& shape, const Query& query, const RTCRay& ray) {
+/// The least t strictly between the ends at which the query's line meets the surface.
+std::optional<double> nearest(const BuiltShape& shape, std::uint32_t element, const Query& query,
+                              const RTCRay& ray) {
     Line line = query.line;
     if (query.instID[0] != RTC_INVALID_GEOMETRY_ID) {
         const std::size_t first = query.first_instance;
@@ -39,29 +41,35 @@ std::optional<double> nearest(const BuiltShape& shape, const Query& query, const
         line = line.through(instance.placement.to_object);
     }
     line = line.through(shape.placement().to_object);
-    const Crossings met = std::visit(
-        [&](const auto& s) -> Crossings {
-            if constexpr (ExactShape<std::decay_t<decltype(s)>>)
-                return s.crossings(line.origin, line.direction);
-            else
-                return {};
-        },
-        shape.shape());
-    for (std::size_t i = 0; i < 2; ++i)
-        if (met.on[i] && met.t[i] > ray.tnear && met.t[i] < ray.tfar) return met.t[i];
-    return {};
+    const auto least = [&](const auto& surface) -> std::optional<double> {
+        const auto met = surface.crossings(line.origin, line.direction);
+        double t = ray.tfar;
+        bool found = false;
+        for (std::size_t i = 0; i < met.t.size(); ++i) {
+            if (!met.on[i] || !(met.t[i] > ray.tnear && met.t[i] < t)) continue;
+            t = met.t[i];
+            found = true;
+        }
+        return found ? std::optional(t) : std::nullopt;
+    };
+    const std::optional<double> none;
+    return std::visit([&](const auto& s) { return with_exact(s, element, least, none); },
+                      shape.shape());
 }
 
-const BuiltShape& shape_of(void* group_pointer, unsigned primitive) {
+/// nearest() for the primitive of a group.
+std::optional<double> nearest_of(void* group_pointer, unsigned primitive, const Query& query,
+                                 const RTCRay& ray) {
     const auto& group = *static_cast<const ShapeGroup*>(group_pointer);
-    return (*group.built)[group.exact[primitive]];
+    const ExactPrimitive& one = group.exact[primitive];
+    return nearest((*group.built)[one.shape], one.element, query, ray);
 }
 
 void intersect(const RTCIntersectFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     auto& query = *static_cast<Query*>(args->context);
     auto& found = *static_cast<RTCRayHit*>(static_cast<void*>(args->rayhit));
-    const auto t = nearest(shape_of(args->geometryUserPtr, args->primID), query, found.ray);
+    const auto t = nearest_of(args->geometryUserPtr, args->primID, query, found.ray);
     if (!t) return;
     query.t = *t;
     found.ray.tfar = static_cast<float>(*t);
@@ -74,7 +82,7 @@ void occlude(const RTCOccludedFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     const auto& query = *static_cast<const Query*>(args->context);
     auto& ray = *static_cast<RTCRay*>(static_cast<void*>(args->ray));
-    if (nearest(shape_of(args->geometryUserPtr, args->primID), query, ray))
+    if (nearest_of(args->geometryUserPtr, args->primID, query, ray))
         ray.tfar = -std::numeric_limits<float>::infinity();
 }
 
