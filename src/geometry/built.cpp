@@ -72,14 +72,20 @@ BuiltShape::BuiltShape(const PlacedShape& source, RTCDevice device,
         return;
     }
     if (!placement_.is_invertible) return;
-    std::visit(
-        [this](const auto& s) {
-            if constexpr (ExactShape<std::decay_t<decltype(s)>>)
-                bounds_ = s.bounds(placement_.to_world);
-        },
-        source.shape);
-    const double size = absolute_dot(bounds_.min, Vec3d(1)) + absolute_dot(bounds_.max, Vec3d(1));
-    if (!(size < embree::kLargest)) bounds_ = Bounds();
+    const std::uint32_t count = exact_count();
+    for (std::uint32_t i = 0; i < count; ++i) bounds_.extend(bounds_of(i));
+}
+
+std::uint32_t BuiltShape::exact_count() const {
+    return std::visit([](const auto& s) { return sunfleck::exact_count(s); }, shape());
+}
+
+Bounds BuiltShape::bounds_of(std::uint32_t element) const {
+    const auto box_of = [&](const auto& surface) { return surface.bounds(placement_.to_world); };
+    const Bounds box = std::visit(
+        [&](const auto& s) { return with_exact(s, element, box_of, Bounds()); }, shape());
+    const double size = absolute_dot(box.min, Vec3d(1)) + absolute_dot(box.max, Vec3d(1));
+    return size < embree::kLargest ? box : Bounds();
 }
 
 /// What cannot be hit keeps its place, but its corners are not numbers: Embree passes over it.
@@ -123,12 +129,12 @@ void ShapeGroup::attach(RTCDevice device, std::uint32_t exact_number) {
         const BuiltShape& shape = (*built)[shapes[k]];
         if (shape.is_empty()) continue;
         bounds.extend(shape.bounds());
-        if (shape.mesh() == nullptr) {
-            exact.push_back(shapes[k]);
-            continue;
+        if (shape.mesh() != nullptr) {
+            if (shape.cover()) attach_cover(shape);
+            rtcAttachGeometryByID(scene.get(), shape.geometry(), k);
         }
-        if (shape.cover()) attach_cover(shape);
-        rtcAttachGeometryByID(scene.get(), shape.geometry(), k);
+        for (std::uint32_t i = 0; i < shape.exact_count(); ++i)
+            if (!shape.bounds_of(i).is_empty()) exact.push_back({shapes[k], i});
     }
     if (!exact.empty()) attach_exact_shapes(*this, device, exact_number);
 }

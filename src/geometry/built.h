@@ -47,6 +47,10 @@ public:
     /// Do the normals of a mesh's triangles point away from the side of area_vector()?
     bool is_turned() const { return is_turned_; }
     const Bounds& bounds() const { return bounds_; }
+    /// How many surfaces of it are intersected exactly.
+    std::uint32_t exact_count() const;
+    /// Of one surface of a shape that is intersected exactly; empty if it cannot be hit.
+    Bounds bounds_of(std::uint32_t element) const;
     /// Is there nothing to hit?
     bool is_empty() const { return bounds_.is_empty(); }
     /// Of a mesh that is not empty.
@@ -78,20 +82,27 @@ private:
     embree::Geometry geometry_;
 };
 
+/// One surface that is intersected exactly.
+struct ExactPrimitive {
+    std::uint32_t shape = 0;    // index into ShapeGroup::built
+    std::uint32_t element = 0;  // of the shape: what Hit::primitive says
+};
+
 /// Shapes that one Embree scene holds. Must stay where it is once build() was called.
 struct ShapeGroup {
     const std::vector<BuiltShape>* built = nullptr;
     std::vector<std::uint32_t> shapes;  // indices into `built`
-    std::vector<std::uint32_t> exact;   // those that are intersected exactly, by primitive
+    std::vector<ExactPrimitive> exact;  // surfaces that are intersected exactly, by primitive
     embree::Scene scene;
     Bounds bounds;
 
     /// Makes the scene and attaches the shapes; what remains is more geometry, and commit().
     /// @param exact_number  Embree's number for the shapes that are intersected exactly.
     void attach(RTCDevice device, std::uint32_t exact_number);
-    /// The shape that Embree's numbers name.
-    std::uint32_t shape_of(std::uint32_t geometry, std::uint32_t primitive) const {
-        return geometry < shapes.size() ? shapes[geometry] : exact[primitive];
+    /// The shape that Embree's numbers name, and which triangle or surface of it.
+    ExactPrimitive named(std::uint32_t geometry, std::uint32_t primitive) const {
+        if (geometry < shapes.size()) return {shapes[geometry], primitive};
+        return exact[primitive];
     }
 };
 

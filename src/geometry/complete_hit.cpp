@@ -87,28 +87,6 @@ Patch on_mesh(const Found& found, const Line& line) {
     return patch;
 }
 
-Patch on_exact_shape(const Found& found, const Line& line) {
-    const Placement& placement = found.shape->placement();
-    const Line local = line.through(placement.to_object);
-    const Vec3d near = local.origin + local.direction * found.t;
-    const LocalSurface surface = std::visit(
-        [&](const auto& s) -> LocalSurface {
-            if constexpr (ExactShape<std::decay_t<decltype(s)>>)
-                return s.at(near);
-            else
-                return {};
-        },
-        found.shape->shape());
-    Patch patch;
-    patch.position = placement.to_world.point(surface.position);
-    patch.normal = unit_or(placement.normal(surface.normal), {0, 0, 1});
-    if (found.shape->flip()) patch.normal = -patch.normal;
-    patch.shading_normal = patch.normal;
-    patch.tangent = placement.to_world.vector(surface.tangent);
-    patch.uv = surface.uv;
-    return patch;
-}
-
 /// Rounding in double, of a point that went through a map and its inverse.
 double double_uncertainty(const Vec3d& position, const Affine& map) {
     const Vec3d from_origin = position - map.origin;
@@ -117,19 +95,46 @@ double double_uncertainty(const Vec3d& position, const Affine& map) {
     return 0x1p-42 * size;
 }
 
+/// How much farther apart planes are after the map. @param image  of their unit normal.
+double stretch_across(const Placement& placement, const Vec3d& image) {
+    return std::abs(placement.to_world.determinant()) / std::sqrt(image.dot(image));
+}
+
+Patch on_exact_shape(const Found& found, const Line& line) {
+    const Placement& placement = found.shape->placement();
+    const Line local = line.through(placement.to_object);
+    const Vec3d near = local.origin + local.direction * found.t;
+    const auto around = [&](const auto& one) { return one.at(near, local.direction); };
+    const LocalSurface surface = std::visit(
+        [&](const auto& s) { return with_exact(s, found.primitive, around, LocalSurface()); },
+        found.shape->shape());
+    Patch patch;
+    patch.position = placement.to_world.point(surface.position);
+    patch.normal = unit_or(placement.normal(surface.normal), {0, 0, 1});
+    if (found.shape->flip()) patch.normal = -patch.normal;
+    patch.shading_normal = patch.normal;
+    const Vec3d given = placement.normal(surface.given_normal);
+    if (given != Vec3d(0)) {
+        patch.shading_normal = unit_or(found.shape->flip() ? -given : given, patch.normal);
+        if (patch.normal.dot(patch.shading_normal) < 0) patch.normal = -patch.normal;
+    }
+    patch.uncertainty = double_uncertainty(patch.position, placement.to_world);
+    if (surface.clearance > 0)
+        patch.uncertainty +=
+            surface.clearance * stretch_across(placement, placement.normal(surface.normal));
+    patch.tangent = placement.to_world.vector(surface.tangent);
+    patch.uv = surface.uv;
+    return patch;
+}
+
 /// Takes the patch out of the instance's frame into the world.
 void leave_instance(const BuiltInstance& instance, bool is_mesh, Patch& patch) {
     const Placement& placement = instance.placement;
     const Vec3d local = patch.position;
     patch.position = placement.to_world.point(local);
     const Vec3d normal = placement.normal(patch.normal);
-    if (is_mesh) {
-        // Planes d apart are d times this apart after the map.
-        const double stretch =
-            std::abs(placement.to_world.determinant()) / std::sqrt(normal.dot(normal));
-        patch.uncertainty += instance.ray_uncertainty(patch.normal, local, patch.position);
-        patch.uncertainty *= stretch;
-    }
+    if (is_mesh) patch.uncertainty += instance.ray_uncertainty(patch.normal, local, patch.position);
+    patch.uncertainty *= stretch_across(placement, normal);
     patch.normal = unit_or(normal, {0, 0, 1});
     patch.shading_normal = unit_or(placement.normal(patch.shading_normal), patch.normal);
     patch.tangent = placement.to_world.vector(patch.tangent);
@@ -175,8 +180,6 @@ void complete_hit(const Found& found, const Line& line, Hit& hit) {
     const bool is_mesh = found.shape->mesh() != nullptr;
     const Line local = instance == nullptr ? line : line.through(instance->placement.to_object);
     Patch patch = is_mesh ? on_mesh(found, local) : on_exact_shape(found, local);
-    if (!is_mesh)
-        patch.uncertainty += double_uncertainty(patch.position, found.shape->placement().to_world);
     if (instance != nullptr) leave_instance(*instance, is_mesh, patch);
 
     hit.position = Vec3(patch.position);
@@ -187,7 +190,7 @@ void complete_hit(const Found& found, const Line& line, Hit& hit) {
     hit.uv = patch.uv;
     hit.error = error_bound(patch.uncertainty + rounding_uncertainty(patch.normal, patch.position));
     hit.distance = distance_along(line, patch.position);
-    hit.primitive = is_mesh ? found.primitive : 0;
+    hit.primitive = found.primitive;
 }
 
 }  // namespace sunfleck

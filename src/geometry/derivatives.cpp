@@ -69,13 +69,13 @@ SurfaceDerivatives of_exact_shape(const BuiltShape& shape, const BuiltInstance* 
     const Vec3d p(hit.position);
     const Vec3d in_group = instance == nullptr ? p : instance->placement.to_object.point(p);
     const Vec3d local = shape.placement().to_object.point(in_group);
+    // Along the normal: what turns with the ray shows this side then.
+    Vec3d inwards(-hit.normal);
+    if (instance != nullptr) inwards = instance->placement.to_object.vector(inwards);
+    inwards = shape.placement().to_object.vector(inwards);
+    const auto around = [&](const auto& s) { return s.at(local, inwards); };
     const LocalSurface surface = std::visit(
-        [&](const auto& s) -> LocalSurface {
-            if constexpr (ExactShape<std::decay_t<decltype(s)>>)
-                return s.at(local);
-            else
-                return {};
-        },
+        [&](const auto& s) { return with_exact(s, hit.primitive, around, LocalSurface()); },
         shape.shape());
     const Affine& map = shape.placement().to_world;
     SurfaceDerivatives d;

@@ -18,7 +18,7 @@ Crossings Disk::crossings(const Vec3d& origin, const Vec3d& direction) const {
 }
 
 /// The parametrisation of pbrt-v4: u the azimuth, v one at the inner rim and zero at the outer.
-LocalSurface Disk::at(const Vec3d& near) const {
+LocalSurface Disk::at(const Vec3d& near, const Vec3d&) const {
     const double turn = Sweep(phi_max).angle();
     const double distance = std::sqrt(near.x * near.x + near.y * near.y);
     const double u = turn > 0 ? azimuth(near.x, near.y) / turn : 0;

@@ -14,13 +14,13 @@ struct Disk {
 
     /// There is one at most: the first.
     Crossings crossings(const Vec3d& origin, const Vec3d& direction) const;
-    LocalSurface at(const Vec3d& near) const;
+    LocalSurface at(const Vec3d& near, const Vec3d& direction) const;
     /// Of the whole disk; tight.
     Bounds bounds(const Affine& map) const;
     /// A closed form under every map.
     double area(const Affine& map) const;
 };
 
-static_assert(ExactShape<Disk>);
+static_assert(ExactShape<Disk> && HasArea<Disk>);
 
 }  // namespace sunfleck

@@ -1,4 +1,4 @@
-// Spheres, disks and their like inside Embree: its boxes, our intersection in double.
+// Quadrics, bilinear patches and curves inside Embree: its boxes, our intersection in double.
 //
 // The callbacks use the world's line in double, not the float ray that Embree carries into an
 // instance: t is the same in all frames, and the place on the surface is exact everywhere.
@@ -21,7 +21,8 @@ float outwards(double x, double size, double sign) {
 
 void write_bounds(const RTCBoundsFunctionArguments* args) {
     const auto& group = *static_cast<const ShapeGroup*>(args->geometryUserPtr);
-    const Bounds& box = (*group.built)[group.exact[args->primID]].bounds();
+    const ExactPrimitive& one = group.exact[args->primID];
+    const Bounds box = (*group.built)[one.shape].bounds_of(one.element);
     const double size = box.radius();
     args->bounds_o->lower_x = outwards(box.min.x, size, -1);
     args->bounds_o->lower_y = outwards(box.min.y, size, -1);
@@ -31,40 +32,49 @@ void write_bounds(const RTCBoundsFunctionArguments* args) {
     args->bounds_o->upper_z = outwards(box.max.z, size, 1);
 }
 
-/// The least t strictly between the ends at which the query's line meets the shape.
-std::optional<double> nearest(const BuiltShape& shape, const Query& query, const RTCRay& ray,
-                              std::uint32_t geometry, std::uint32_t primitive) {
+/// The least t strictly between the ends at which the query's line meets the surface.
+/// @param number  of the surface in its group.
+std::optional<double> nearest(const BuiltShape& shape, std::uint32_t element, const Query& query,
+                              const RTCRay& ray, std::uint32_t number) {
     const BuiltInstance* instance = query.instance_of(query.instID[0]);
     Line line = query.line;
     if (instance != nullptr) line = line.through(instance->placement.to_object);
     line = line.through(shape.placement().to_object);
-    const Crossings met = std::visit(
-        [&](const auto& s) -> Crossings {
-            if constexpr (ExactShape<std::decay_t<decltype(s)>>)
-                return s.crossings(line.origin, line.direction);
-            else
-                return {};
-        },
-        shape.shape());
-    for (std::uint32_t i = 0; i < 2; ++i) {
-        if (!(met.on.at(i) && met.t.at(i) > ray.tnear && met.t.at(i) < ray.tfar)) continue;
-        const Found found{&shape, instance, primitive, {}, met.t.at(i)};
-        if (!shape.cover() || is_there(found, query, geometry, i)) return met.t.at(i);
-    }
-    return {};
+    const auto least = [&](const auto& surface) -> std::optional<double> {
+        const auto met = surface.crossings(line.origin, line.direction);
+        double after = ray.tnear;
+        while (true) {
+            double t = ray.tfar;
+            std::uint32_t which = kNone;
+            for (std::uint32_t i = 0; i < met.t.size(); ++i) {
+                if (!met.on[i] || !(met.t[i] > after && met.t[i] < t)) continue;
+                t = met.t[i];
+                which = i;
+            }
+            if (which == kNone) return {};
+            const Found found{&shape, instance, element, {}, t};
+            if (!shape.cover() || is_there(found, query, number, which)) return t;
+            after = t;
+        }
+    };
+    const std::optional<double> none;
+    return std::visit([&](const auto& s) { return with_exact(s, element, least, none); },
+                      shape.shape());
 }
 
-const BuiltShape& shape_of(void* group_pointer, unsigned primitive) {
+/// nearest() for the primitive of a group.
+std::optional<double> nearest_of(void* group_pointer, unsigned geometry, unsigned primitive,
+                                 const Query& query, const RTCRay& ray) {
     const auto& group = *static_cast<const ShapeGroup*>(group_pointer);
-    return (*group.built)[group.exact[primitive]];
+    const ExactPrimitive& one = group.exact[primitive];
+    return nearest((*group.built)[one.shape], one.element, query, ray, geometry + primitive);
 }
 
 void intersect(const RTCIntersectFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     auto& query = *static_cast<Query*>(args->context);
     auto& found = *static_cast<RTCRayHit*>(static_cast<void*>(args->rayhit));
-    const auto t = nearest(shape_of(args->geometryUserPtr, args->primID), query, found.ray,
-                           args->geomID, args->primID);
+    const auto t = nearest_of(args->geometryUserPtr, args->geomID, args->primID, query, found.ray);
     if (!t) return;
     query.t = *t;
     found.ray.tfar = static_cast<float>(*t);
@@ -77,8 +87,7 @@ void occlude(const RTCOccludedFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     const auto& query = *static_cast<const Query*>(args->context);
     auto& ray = *static_cast<RTCRay*>(static_cast<void*>(args->ray));
-    if (nearest(shape_of(args->geometryUserPtr, args->primID), query, ray, args->geomID,
-                args->primID))
+    if (nearest_of(args->geometryUserPtr, args->geomID, args->primID, query, ray))
         ray.tfar = -std::numeric_limits<float>::infinity();
 }
 

@@ -155,8 +155,9 @@ Meeting Geometry::Impl::meet(const Line& line, float length, std::uint64_t ray_h
     const bool in_world = met.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
     meeting.instance = in_world ? kNone : met.hit.instID[0] - first_instance();
     const ShapeGroup& group = in_world ? world : *instances[meeting.instance].group;
-    meeting.shape = group.shape_of(met.hit.geomID, met.hit.primID);
-    meeting.primitive = met.hit.primID;
+    const ExactPrimitive named = group.named(met.hit.geomID, met.hit.primID);
+    meeting.shape = named.shape;
+    meeting.primitive = named.element;
     meeting.weights = {met.hit.u, met.hit.v};
     meeting.t = query.t;
     const BuiltShape& met_shape = shapes[meeting.shape];

@@ -33,10 +33,13 @@ double surface_area(const PlacedShape& placed) {
     const Affine to_world(placed.to_world);
     return std::visit(
         [&](const auto& shape) {
-            if constexpr (ExactShape<std::decay_t<decltype(shape)>>)
+            using S = std::decay_t<decltype(shape)>;
+            if constexpr (HasArea<S>)
                 return shape.area(to_world);
-            else
+            else if constexpr (std::is_same_v<S, TriangleMesh>)
                 return mesh_area(shape, to_world);
+            else
+                return 0.0;
         },
         placed.shape);
 }

@@ -17,7 +17,8 @@ Triangle placed_triangle(const TriangleMesh& mesh, const Affine& to_world, std::
 
 /// The area of one side in the world, in squares of the scene's unit. Triangles are summed in
 /// double, in order; spheres by a closed form under rotations, mirrors and uniform scales, else by
-/// quadrature to 1e-6; disks exactly. Not finite or out of range triangles count nothing.
+/// quadrature to 1e-6, and so are cylinders and bilinear patches; disks exactly. Not finite or out
+/// of range triangles and patches count nothing. Curves have none: flat ones turn with the ray.
 double surface_area(const PlacedShape& placed);
 
 }  // namespace sunfleck

@@ -28,7 +28,7 @@ struct Hit {
     float error = 0;          // position is within this distance of the true surface (each axis)
     float distance = 0;       // along the ray
     std::uint32_t shape = 0;  // index into the list that the geometry was built from
-    std::uint32_t primitive = 0;     // triangle of a mesh; 0 for quadrics
+    std::uint32_t primitive = 0;  // triangle or patch of a mesh, piece of a curve; 0 for quadrics
     std::uint32_t instance = kNone;  // index into Geometry's instances, or none
 };
 

@@ -2,6 +2,9 @@
 // name it here and in tests/laws/shape_examples.h.
 #pragma once
 
+#include "geometry/bilinear_mesh.h"
+#include "geometry/curves.h"
+#include "geometry/cylinder.h"
 #include "geometry/disk.h"
 #include "geometry/sphere.h"
 #include "geometry/triangle_mesh.h"
@@ -10,6 +13,6 @@
 
 namespace sunfleck {
 
-using Shape = std::variant<TriangleMesh, Sphere, Disk>;
+using Shape = std::variant<TriangleMesh, Sphere, Disk, Cylinder, BilinearMesh, Curves>;
 
 }  // namespace sunfleck

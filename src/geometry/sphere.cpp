@@ -45,7 +45,7 @@ Crossings Sphere::crossings(const Vec3d& origin, const Vec3d& direction) const {
 }
 
 /// The parametrisation of pbrt-v4: u the azimuth, v the angle from the pole, zero at z_min.
-LocalSurface Sphere::at(const Vec3d& near) const {
+LocalSurface Sphere::at(const Vec3d& near, const Vec3d&) const {
     const double length = near.length();
     const Vec3d normal = length > 0 ? near / length : Vec3d(0, 0, 1);
     const Heights heights(*this);

@@ -13,13 +13,13 @@ struct Sphere {
     double phi_max = 6.283185307179586;  // radians
 
     Crossings crossings(const Vec3d& origin, const Vec3d& direction) const;
-    LocalSurface at(const Vec3d& near) const;
+    LocalSurface at(const Vec3d& near, const Vec3d& direction) const;
     /// Of the whole sphere; tight.
     Bounds bounds(const Affine& map) const;
     /// A closed form under rotations and uniform scales, else quadrature.
     double area(const Affine& map) const;
 };
 
-static_assert(ExactShape<Sphere>);
+static_assert(ExactShape<Sphere> && HasArea<Sphere>);
 
 }  // namespace sunfleck

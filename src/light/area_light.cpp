@@ -88,7 +88,7 @@ float AreaLight::direct_pdf(const Vec3& point, const Vec3& on, const Vec3& norma
             return outside ? 1 / (2 * kPiDouble * cap->versine) : 0.0;
         }
         const double cosine = std::abs(facing) / std::sqrt(distance2);
-        return distance2 / (cosine * surface_spread(s, n));
+        return distance2 / (cosine * surface_spread(s, Vec3d(on), n));
     };
     return static_cast<float>(std::visit(density, surface));
 }

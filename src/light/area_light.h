@@ -1,15 +1,16 @@
 // A surface that emits the same radiance in all directions of one side, or of both: one emitting
-// triangle, sphere or disk, in the world's frame.
+// triangle, bilinear patch, sphere, cylinder or disk, in the world's frame.
 //
 // Curve: radiance, W/(sr m^2).
-// Emission: uniform by area (spheres under matrices that are no similarity: in their own frame),
-// cosine-weighted directions. Two-sided emitters choose the side by the
-// halves of the first direction slot, folded so that they meet at the horizon; Emission::normal
-// stays on the side of Hit::normal.
-// Direct light: whole spheres under similarities are sampled in the cone that the point sees (by
-// area from inside), all else by area.
+// Emission: uniform by area (spheres and cylinders under matrices that are no similarity: in their
+// own frame; patches that are not flat: nearly), cosine-weighted directions. Two-sided emitters
+// choose the side by the halves of the first direction slot, folded so that they meet at the
+// horizon; Emission::normal stays on the side of Hit::normal. Direct light: whole spheres under
+// similarities are sampled in the cone that the point sees (by area from inside), all else by area.
 #pragma once
 
+#include "geometry/bilinear.h"
+#include "geometry/cylinder.h"
 #include "geometry/disk.h"
 #include "geometry/sphere.h"
 #include "light/model.h"
@@ -26,8 +27,16 @@ struct EmittingTriangle {
     Vec3d normal;
 };
 
-/// A sphere or disk of its own frame, placed in the world by any affine matrix (area and density
-/// are those of the world). `flip` emits on the other side.
+/// A bilinear patch in the world's frame. Emits on the side of dP/du x dP/dv, or on the other.
+struct EmittingPatch {
+    Bilinear surface;
+    bool flip = false;
+    /// Of the corners, on the side that emits, any length: they decide the side of each point.
+    std::array<Vec3d, 4> normals{Vec3d(0), Vec3d(0), Vec3d(0), Vec3d(0)};  // zeros: none
+};
+
+/// A sphere, cylinder or disk of its own frame, placed in the world by any affine matrix (area and
+/// density are those of the world). `flip` emits on the other side.
 template <class Quadric>
 struct EmittingQuadric {
     Quadric shape;
@@ -37,7 +46,9 @@ struct EmittingQuadric {
 
 struct AreaLight {
     SpectralCurve curve;
-    std::variant<EmittingTriangle, EmittingQuadric<Sphere>, EmittingQuadric<Disk>> surface;
+    std::variant<EmittingTriangle, EmittingPatch, EmittingQuadric<Sphere>,
+                 EmittingQuadric<Cylinder>, EmittingQuadric<Disk>>
+        surface;
     bool two_sided = false;
     std::uint32_t shape = kNone;      // Hit::shape of the surface
     std::uint32_t primitive = kNone;  // Hit::primitive
@@ -49,7 +60,7 @@ struct AreaLight {
                                               const SceneSphere&) const;
     /// pi * area, twice if two-sided.
     double power(const SceneSphere&) const;
-    /// In m^2, in the world. By quadrature for spheres under matrices that are no similarity.
+    /// In m^2, in the world. By quadrature where there is no closed form.
     double area() const;
     /// Does the surface emit into w (unit, world, away from it)? @param normal  of the hit.
     bool emits(const Vec3& normal, const Vec3& w) const { return two_sided || normal.dot(w) > 0; }

@@ -1,4 +1,4 @@
-// Points and visible caps of emitting spheres, whole or in part, under any matrix.
+// Points of emitting spheres and cylinders, whole or in part, under any matrix; visible caps.
 #include "light/affine_area.h"
 #include "light/emitting_surface.h"
 #include "math/warp.h"
@@ -28,6 +28,27 @@ double own_area(const Sphere& sphere) {
     return sphere.radius * sphere.radius * (zone.high - zone.low) * zone.turns * 2 * kPiDouble;
 }
 
+double own_area(const Cylinder& cylinder) {
+    const double turns = std::clamp(cylinder.phi_max / (2 * kPiDouble), 0.0, 1.0);
+    return std::abs(cylinder.radius * (cylinder.z_max - cylinder.z_min)) * turns * 2 * kPiDouble;
+}
+
+/// A point of the surface, where the unit normal in the shape's frame is `own`.
+template <class Quadric>
+SurfaceSample sample_at(const EmittingQuadric<Quadric>& quadric, const Vec3d& point,
+                        const Vec3d& own) {
+    const Affine map(quadric.to_world);
+    const Vec3d area = area_vector(map, own);
+    const double ratio = area.length();
+    const double side = quadric.flip ? -1 : 1;
+    return {map.point(point), area * (side / ratio), own_area(quadric.shape) * ratio};
+}
+
+template <class Quadric>
+double spread_at(const EmittingQuadric<Quadric>& quadric, const Vec3d& normal) {
+    return own_area(quadric.shape) * area_ratio_of_image(Affine(quadric.to_world), normal);
+}
+
 /// The unit normal, outwards, in the sphere's frame.
 Vec3d own_normal(const Sphere& sphere, const Vec2d& u) {
     const Zone zone(sphere);
@@ -41,17 +62,25 @@ Vec3d own_normal(const Sphere& sphere, const Vec2d& u) {
 }  // namespace
 
 SurfaceSample sample_surface(const EmittingQuadric<Sphere>& sphere, const Vec2d& u) {
-    const Affine map(sphere.to_world);
     const Vec3d own = own_normal(sphere.shape, u);
-    const Vec3d area = area_vector(map, own);
-    const double ratio = area.length();
-    const double side = sphere.flip ? -1 : 1;
-    return {map.point(own * std::abs(sphere.shape.radius)), area * (side / ratio),
-            own_area(sphere.shape) * ratio};
+    return sample_at(sphere, own * std::abs(sphere.shape.radius), own);
 }
 
-double surface_spread(const EmittingQuadric<Sphere>& sphere, const Vec3d& normal) {
-    return own_area(sphere.shape) * area_ratio_of_image(Affine(sphere.to_world), normal);
+SurfaceSample sample_surface(const EmittingQuadric<Cylinder>& cylinder, const Vec2d& u) {
+    const Cylinder& c = cylinder.shape;
+    const SinCos phi = sin_cos_turn(u.y * std::clamp(c.phi_max / (2 * kPiDouble), 0.0, 1.0));
+    const Vec3d own(phi.cos, phi.sin, 0);
+    const Vec3d height(0, 0, c.z_min + u.x * (c.z_max - c.z_min));
+    return sample_at(cylinder, own * std::abs(c.radius) + height, own);
+}
+
+double surface_spread(const EmittingQuadric<Sphere>& sphere, const Vec3d&, const Vec3d& normal) {
+    return spread_at(sphere, normal);
+}
+
+double surface_spread(const EmittingQuadric<Cylinder>& cylinder, const Vec3d&,
+                      const Vec3d& normal) {
+    return spread_at(cylinder, normal);
 }
 
 std::optional<VisibleCap> visible_cap(const EmittingQuadric<Sphere>& sphere, const Vec3d& point) {

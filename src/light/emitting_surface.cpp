@@ -1,4 +1,5 @@
-// Points and areas of emitting triangles and disks; points of spheres in emitting_sphere.cpp.
+// Points and areas of emitting triangles and disks, and error bounds of all; points of spheres and
+// cylinders in emitting_sphere.cpp, of patches in emitting_patch.cpp.
 #include "light/emitting_surface.h"
 
 #include "geometry/triangle.h"
@@ -32,11 +33,21 @@ Vec2d own_point(const Disk& disk, const Vec2d& u) {
     return Vec2d(phi.cos, phi.sin) * radius;
 }
 
+double reach(const Sphere& sphere) {
+    return std::abs(sphere.radius);
+}
+double reach(const Disk& disk) {
+    return std::abs(disk.radius);
+}
+double reach(const Cylinder& cylinder) {
+    return std::abs(cylinder.radius) + std::max(std::abs(cylinder.z_min), std::abs(cylinder.z_max));
+}
+
 /// Rounding to float twice, and the errors of double arithmetic on the shape's own numbers.
 template <class Quadric>
 double quadric_error(const EmittingQuadric<Quadric>& surface, const SurfaceSample& on) {
     const Affine map(surface.to_world);
-    const double size = map.origin.length() + std::sqrt(mean_scale2(map)) * surface.shape.radius;
+    const double size = map.origin.length() + std::sqrt(mean_scale2(map)) * reach(surface.shape);
     return rounding_uncertainty(on.normal, on.position) + 0x1p-44 * std::abs(size);
 }
 
@@ -55,11 +66,11 @@ SurfaceSample sample_surface(const EmittingQuadric<Disk>& disk, const Vec2d& u) 
     return {map.point({point.x, point.y, disk.shape.height}), normal, surface_area(disk)};
 }
 
-double surface_spread(const EmittingTriangle& triangle, const Vec3d&) {
+double surface_spread(const EmittingTriangle& triangle, const Vec3d&, const Vec3d&) {
     return surface_area(triangle);
 }
 
-double surface_spread(const EmittingQuadric<Disk>& disk, const Vec3d&) {
+double surface_spread(const EmittingQuadric<Disk>& disk, const Vec3d&, const Vec3d&) {
     return surface_area(disk);
 }
 
@@ -72,6 +83,16 @@ float surface_error(const EmittingTriangle& triangle, const SurfaceSample& on) {
         {triangle.p0, triangle.p0 + triangle.edge1, triangle.p0 + triangle.edge2}};
     return as_bound(plane_uncertainty(corners, corners.area_vector(), on.position) +
                     rounding_uncertainty(on.normal, on.position));
+}
+
+float surface_error(const EmittingPatch& patch, const SurfaceSample& on) {
+    double size = 0;
+    for (const Vec3d& p : patch.surface.corner) size = std::max(size, p.length());
+    return as_bound(rounding_uncertainty(on.normal, on.position) + 0x1p-44 * size);
+}
+
+float surface_error(const EmittingQuadric<Cylinder>& cylinder, const SurfaceSample& on) {
+    return as_bound(quadric_error(cylinder, on));
 }
 
 float surface_error(const EmittingQuadric<Sphere>& sphere, const SurfaceSample& on) {

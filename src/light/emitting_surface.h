@@ -1,8 +1,9 @@
 // The surfaces of area lights: points spread over them, and how densely.
 //
-// In:  u in (0,1)^2, in double. Out: world positions, normals, areas. Triangles, disks and
-// similar images of spheres are covered uniformly by area. A sphere under any other matrix is
-// covered uniformly in its own frame: `spread` then varies over it.
+// In:  u in (0,1)^2, in double. Out: world positions, normals, areas. Triangles, disks, flat
+// patches, similar images of spheres and cylinders are covered uniformly by area. A sphere or
+// cylinder under any other matrix is covered uniformly in its own frame, a patch that is not flat
+// by the densities at its corners, bilinear between them: `spread` then varies over it.
 // The maps are continuous; sectors and rings have one seam at azimuth 0, full spheres and disks
 // none.
 #pragma once
@@ -20,35 +21,43 @@ struct SurfaceSample {
 };
 
 SurfaceSample sample_surface(const EmittingTriangle& triangle, const Vec2d& u);
+SurfaceSample sample_surface(const EmittingPatch& patch, const Vec2d& u);
 SurfaceSample sample_surface(const EmittingQuadric<Sphere>& sphere, const Vec2d& u);
+SurfaceSample sample_surface(const EmittingQuadric<Cylinder>& cylinder, const Vec2d& u);
 SurfaceSample sample_surface(const EmittingQuadric<Disk>& disk, const Vec2d& u);
 
-/// SurfaceSample::spread at the point of the surface whose unit world normal (either side) is
-/// `normal`.
-double surface_spread(const EmittingTriangle& triangle, const Vec3d& normal);
-double surface_spread(const EmittingQuadric<Sphere>& sphere, const Vec3d& normal);
-double surface_spread(const EmittingQuadric<Disk>& disk, const Vec3d& normal);
+/// SurfaceSample::spread at the point `on` of the surface, where its unit world normal (either
+/// side) is `normal`.
+double surface_spread(const EmittingTriangle& triangle, const Vec3d& on, const Vec3d& normal);
+double surface_spread(const EmittingPatch& patch, const Vec3d& on, const Vec3d& normal);
+double surface_spread(const EmittingQuadric<Sphere>& sphere, const Vec3d& on, const Vec3d& normal);
+double surface_spread(const EmittingQuadric<Cylinder>& cylinder, const Vec3d& on,
+                      const Vec3d& normal);
+double surface_spread(const EmittingQuadric<Disk>& disk, const Vec3d& on, const Vec3d& normal);
 
 /// World area, m^2.
 double surface_area(const EmittingTriangle& triangle);
+double surface_area(const EmittingPatch& patch);
 template <class Quadric>
 double surface_area(const EmittingQuadric<Quadric>& surface) {
     return surface.shape.area(Affine(surface.to_world));
 }
 
-/// Does the normal point inwards (spheres) or down (disks)? Never for triangles: theirs is given.
-inline bool is_flipped(const EmittingTriangle&) {
+/// Does the normal of a sphere point inwards? Asked of spheres alone: false for all others.
+template <class Surface>
+bool is_flipped(const Surface&) {
     return false;
 }
-template <class Quadric>
-bool is_flipped(const EmittingQuadric<Quadric>& surface) {
-    return surface.flip;
+inline bool is_flipped(const EmittingQuadric<Sphere>& sphere) {
+    return sphere.flip;
 }
 
 /// How far along its normal a ray that starts at the point must be moved, so that rounding to
 /// float leaves it on its side of the surface.
 float surface_error(const EmittingTriangle& triangle, const SurfaceSample& on);
+float surface_error(const EmittingPatch& patch, const SurfaceSample& on);
 float surface_error(const EmittingQuadric<Sphere>& sphere, const SurfaceSample& on);
+float surface_error(const EmittingQuadric<Cylinder>& cylinder, const SurfaceSample& on);
 float surface_error(const EmittingQuadric<Disk>& disk, const SurfaceSample& on);
 
 /// The part of a whole sphere that a point outside it sees, as a cone of directions.

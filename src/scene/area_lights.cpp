@@ -1,4 +1,4 @@
-// An emitting shape becomes area lights: one a triangle, one a quadric.
+// An emitting shape becomes area lights: one a triangle, one a patch, one a quadric.
 #include "scene/area_lights.h"
 
 #include "geometry/measure.h"
@@ -33,6 +33,16 @@ EmittingTriangle emitting_triangle(const TriangleMesh& mesh, std::size_t triangl
     return result;
 }
 
+EmittingPatch emitting_patch(const BilinearMesh& mesh, std::uint32_t index,
+                             const PlacedShape& placed) {
+    const Placement placement(placed.to_world);
+    const BilinearPatch patch = mesh.element(index);
+    EmittingPatch result{patch.surface.image(placement.to_world), placed.flip != placement.mirrors};
+    for (std::size_t i = 0; i < 4; ++i)
+        result.normals.at(i) = placement.normal(patch.normals.at(i)) * (placed.flip ? -1 : 1);
+    return result;
+}
+
 /// pbrt-v4's "power" is that of each light, and each triangle of a mesh is one.
 SpectralCurve radiance_of(const AreaEmission& emission, double area) {
     if (!(emission.power > 0) || !(area > 0)) return emission.radiance;
@@ -56,6 +66,14 @@ std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32
             const EmittingTriangle triangle = emitting_triangle(*mesh, t, placed);
             add(triangle, 0.5 * triangle.edge1.cross(triangle.edge2).length());
         }
+    } else if (const auto* patches = std::get_if<BilinearMesh>(&placed.shape)) {
+        for (std::uint32_t p = 0; p < patches->count(); ++p) {
+            const EmittingPatch patch = emitting_patch(*patches, p, placed);
+            add(patch, patch.surface.area());
+        }
+    } else if (const auto* cylinder = std::get_if<Cylinder>(&placed.shape)) {
+        add(EmittingQuadric<Cylinder>{*cylinder, placed.to_world, placed.flip},
+            surface_area(placed));
     } else if (const auto* sphere = std::get_if<Sphere>(&placed.shape)) {
         add(EmittingQuadric<Sphere>{*sphere, placed.to_world, placed.flip}, surface_area(placed));
     } else if (const auto* disk = std::get_if<Disk>(&placed.shape)) {

@@ -19,8 +19,8 @@ namespace sunfleck {
 struct AreaEmission {
     SpectralCurve radiance;
     bool two_sided = false;
-    /// When positive: each light of the shape (a quadric, each triangle) emits radiance * power /
-    /// (pi * area * (2 if two-sided)), the curve itself not normalised (pbrt-v4).
+    /// When positive: each light of the shape (a quadric, each triangle or patch) emits radiance *
+    /// power / (pi * area * (2 if two-sided)), the curve itself not normalised (pbrt-v4).
     double power = 0;
 };
 

@@ -87,6 +87,47 @@ inline std::vector<LightExample> disk_examples() {
     return all;
 }
 
+inline std::vector<LightExample> cylinder_examples() {
+    const Matrix across = placed({-0.3, 0.8, 2}, {0.5, 0.5, 0.8}, 1.3, 0.3);
+    Matrix sheared = placed({0.2, -0.4, 2.2}, {0.4, -0.7, 0.8}, 1.1, -0.5);
+    sheared[2][0] += 0.3;
+    Cylinder part;
+    part.z_min = -0.7;
+    part.phi_max = 4;
+    std::vector<LightExample> all;
+    all.push_back(area_example("cylinder", EmittingQuadric<Cylinder>{{}, across}));
+    all.push_back(area_example("sheared_part", EmittingQuadric<Cylinder>{part, sheared}, true));
+    // A trough, its hollow side down.
+    Cylinder half;
+    half.phi_max = kPiDouble;
+    const Matrix over = placed({0.1, 0.2, 1.2}, {0.9, 1.1, 0.8}, kPiDouble / 2, 0.4);
+    all.push_back(area_example("trough", EmittingQuadric<Cylinder>{half, over, true}));
+    return all;
+}
+
+inline std::vector<LightExample> patch_examples() {
+    const Bilinear twisted{
+        {Vec3d(-1, -0.8, 2), Vec3d(1, -0.9, 2.5), Vec3d(-0.6, 0.7, 2.6), Vec3d(0.8, 0.9, 1.9)}};
+    const Bilinear flat{
+        {Vec3d(-1, -0.8, 2), Vec3d(1, -0.9, 2.2), Vec3d(-0.3, 0.7, 2.07), Vec3d(0.5, 0.9, 0)}};
+    Bilinear trapezoid = flat;  // p11 into the plane of the others
+    const Vec3d normal = (flat.corner[1] - flat.corner[0]).cross(flat.corner[2] - flat.corner[0]);
+    trapezoid.corner[3].z =
+        flat.corner[0].z -
+        (normal.x * (0.5 - flat.corner[0].x) + normal.y * (0.9 - flat.corner[0].y)) / normal.z;
+    Bilinear triangle = twisted;
+    triangle.corner[3] = triangle.corner[2];
+    EmittingPatch smooth{twisted};
+    smooth.normals.fill(Vec3d(0.2, 0.1, -1));
+    std::vector<LightExample> all;
+    all.push_back(area_example("patch", EmittingPatch{twisted, true}));
+    all.push_back(area_example("two_sided_patch", EmittingPatch{twisted}, true));
+    all.push_back(area_example("patch_with_normals", smooth));
+    all.push_back(area_example("trapezoid", EmittingPatch{trapezoid, true}));
+    all.push_back(area_example("patch_with_a_point", EmittingPatch{triangle, true}));
+    return all;
+}
+
 inline std::vector<LightExample> light_examples() {
     std::vector<LightExample> all;
     all.push_back({"point", PointLight{{}, Vec3d(0.8, -0.3, 1.4)}});
@@ -105,6 +146,8 @@ inline std::vector<LightExample> light_examples() {
     all.push_back(area_example("two_sided_triangle", example_triangle(false), true));
     for (const LightExample& example : sphere_examples()) all.push_back(example);
     for (const LightExample& example : disk_examples()) all.push_back(example);
+    for (const LightExample& example : cylinder_examples()) all.push_back(example);
+    for (const LightExample& example : patch_examples()) all.push_back(example);
     return all;
 }
 

@@ -96,6 +96,45 @@ TEST(AreaLights, a_triangle_shines_to_the_side_of_its_hits) {
     EXPECT_EQ(up, 12);
 }
 
+/// The same for patches and cylinders, and their places and sizes with it.
+TEST(AreaLights, patches_and_cylinders_shine_to_the_side_of_their_hits) {
+    for (int bits = 0; bits < 24; ++bits) {
+        const bool flip = (bits & 1) != 0;
+        const bool mirror = (bits & 2) != 0;
+        const int kind = bits / 4;  // patch; with normals along +z, along -z; cylinder
+        SCOPED_TRACE(bits);
+        Shape shape = Cylinder{0.5, -1, 1};
+        if (kind < 3) {
+            BilinearMesh mesh;
+            mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5F}};
+            mesh.patches = {{0, 1, 2, 3}, {1, 0, 3, 2}};
+            if (kind > 0) mesh.normals.assign(4, Vec3(0.3F, 0, kind == 1 ? 1.0F : -1.0F));
+            shape = mesh;
+        }
+        const ShapeDescription emitter =
+            emitting(shape, scaled({2, mirror ? -3.0 : 3.0, 1}, {0, mirror ? 3.0 : 0.0, 5}), flip);
+        const auto lights = area_lights_of(emitter, 0);
+        ASSERT_EQ(lights.size(), kind < 3 ? 2U : 1U);
+        SceneDescription description;
+        description.materials = {DiffuseMaterial{}};
+        description.shapes = {emitter};
+        const Scene scene(std::move(description));
+        for (const AreaLight& light : lights)
+            for (const double u : {0.1, 0.4, 0.9}) {
+                const Emission e = light.sample_emission({u, 1 - u * u, 0.4, 0.2}, {});
+                const Vec3d from = e.origin + Vec3d(e.normal);
+                const Ray ray{Vec3(from), -e.normal, 1.5F};
+                const auto hit = scene.geometry().intersect(ray);
+                ASSERT_TRUE(hit);
+                EXPECT_LT((Vec3d(hit->position) - e.origin).length(), 1e-5);
+                const float side = hit->normal.dot(e.normal);
+                // Both patches are in one place, their own sides opposite.
+                const bool other = kind == 0 && hit->primitive != light.primitive;
+                EXPECT_NEAR(other ? -side : side, 1, 1e-5);
+            }
+    }
+}
+
 /// Vertex normals that lie in the plane say nothing: the winding does.
 TEST(AreaLights, normals_that_do_not_decide) {
     TriangleMesh mesh = square();

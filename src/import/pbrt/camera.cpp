@@ -86,11 +86,8 @@ void finish_camera(Reading& reading) {
     const Statement none{"Camera", "perspective", {reading.scene.path}, {}, nullptr};
     const Statement& camera = reading.options.camera ? *reading.options.camera : none;
     const Motion& motion = reading.options.camera_from_world;
-    if (motion[0] != motion[1])
-        reading.warn(camera.where,
-                     "motion is not simulated: things stand where they are at the "
-                     "start");
-    reading.scene.camera = camera_of(camera, motion[0].inverse(), reading.scene.film.resolution);
+    const Matrix to_world = reading.still({motion[0].inverse(), motion[1].inverse()}, camera.where);
+    reading.scene.camera = camera_of(camera, to_world, reading.scene.film.resolution);
     camera.ignore({"shutteropen", "shutterclose"});
     reading.warn_unused(camera);
 }

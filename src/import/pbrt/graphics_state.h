@@ -26,8 +26,6 @@ struct GraphicsState {
     std::shared_ptr<const Parameters> material_defaults;
     std::shared_ptr<const Parameters> medium_defaults;
     std::shared_ptr<const Parameters> texture_defaults;
-
-    bool moves() const { return matrix[0] != matrix[1]; }
 };
 
 /// A block that is open: its name, where it began, and what to bring back at its end.

@@ -1,23 +1,15 @@
 // Meshes from parameters, every count and index checked.
 #include "import/pbrt/meshes.h"
 
+#include "geometry/loop_subdivision.h"
 #include "import/pbrt/ply.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
 
+#include <cmath>
+
 namespace sunfleck {
 namespace {
-
-std::vector<Vec3> triples(const Parameter* parameter) {
-    std::vector<Vec3> result;
-    if (!parameter) return result;
-    const auto& v = parameter->numbers;
-    result.reserve(v.size() / 3);
-    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
-        result.emplace_back(static_cast<float>(v[i]), static_cast<float>(v[i + 1]),
-                            static_cast<float>(v[i + 2]));
-    return result;
-}
 
 std::vector<Vec2> pairs(const Parameter* parameter) {
     std::vector<Vec2> result;
@@ -48,45 +40,106 @@ std::uint32_t checked_index(const Parameter& indices, std::size_t i, std::size_t
                 "there are " + std::to_string(vertices) + ", counted from 0");
 }
 
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const Statement& statement,
-                                                       std::size_t vertices) {
+/// "indices" by N; one list of all vertices if there are just N and no list.
+template <std::size_t N>
+std::vector<std::array<std::uint32_t, N>> corners_of(const Statement& statement,
+                                                     std::size_t vertices,
+                                                     const std::string& what) {
     const Parameter* indices = statement.find("indices", ParameterType::integer);
+    std::vector<std::array<std::uint32_t, N>> result;
     if (!indices || indices->integers.empty()) {
-        if (vertices == 3) return {{0, 1, 2}};
-        throw Error(statement.where,
-                    "a trianglemesh of " + std::to_string(vertices) + " vertices without indices",
-                    "add \"integer indices\"");
+        if (vertices != N)
+            throw Error(statement.where,
+                        "a " + statement.type + " of " + std::to_string(vertices) +
+                            " vertices without indices",
+                        "add \"integer indices\"");
+        auto& only = result.emplace_back();
+        for (std::uint32_t i = 0; i < N; ++i) only[i] = i;
+        return result;
     }
     const std::size_t count = indices->integers.size();
-    if (count % 3 != 0)
-        throw Error(indices->where, std::to_string(count) + " indices make no whole triangles",
-                    "give a multiple of 3");
-    std::vector<std::array<std::uint32_t, 3>> result(count / 3);
+    if (count % N != 0)
+        throw Error(indices->where, std::to_string(count) + " indices make no whole " + what,
+                    "give a multiple of " + std::to_string(N));
+    result.resize(count / N);
     for (std::size_t i = 0; i < count; ++i)
-        result[i / 3][i % 3] = checked_index(*indices, i, vertices);
+        result[i / N][i % N] = checked_index(*indices, i, vertices);
     return result;
+}
+
+std::vector<Vec3> positions_of(const Statement& statement) {
+    std::vector<Vec3> positions = triples(statement.find("P", ParameterType::point3));
+    if (!positions.empty()) return positions;
+    throw Error(statement.where, "a " + statement.type + " without vertices", "add \"point3 P\"");
+}
+
+/// "N" and "uv", one a vertex.
+template <class Mesh>
+void read_attributes(const Statement& statement, Mesh& mesh) {
+    const Parameter* normals = statement.find("N", ParameterType::normal);
+    mesh.normals = triples(normals);
+    check_count(normals, mesh.normals.size(), mesh.positions.size());
+    const Parameter* uvs = statement.find("uv", ParameterType::point2);
+    mesh.uvs = pairs(uvs);
+    check_count(uvs, mesh.uvs.size(), mesh.positions.size());
+    statement.ignore({"faceIndices"});
 }
 
 }  // namespace
 
+std::vector<Vec3> triples(const Parameter* parameter) {
+    std::vector<Vec3> result;
+    if (!parameter) return result;
+    const auto& v = parameter->numbers;
+    result.reserve(v.size() / 3);
+    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
+        result.emplace_back(static_cast<float>(v[i]), static_cast<float>(v[i + 1]),
+                            static_cast<float>(v[i + 2]));
+    return result;
+}
+
 TriangleMesh triangle_mesh(const Statement& statement) {
     TriangleMesh mesh;
-    mesh.positions = triples(statement.find("P", ParameterType::point3));
-    if (mesh.positions.empty())
-        throw Error(statement.where, "a trianglemesh without vertices", "add \"point3 P\"");
-    const std::size_t vertices = mesh.positions.size();
-    mesh.triangles = triangles_of(statement, vertices);
-    const Parameter* normals = statement.find("N", ParameterType::normal);
-    mesh.normals = triples(normals);
-    check_count(normals, mesh.normals.size(), vertices);
-    const Parameter* uvs = statement.find("uv", ParameterType::point2);
-    mesh.uvs = pairs(uvs);
-    check_count(uvs, mesh.uvs.size(), vertices);
+    mesh.positions = positions_of(statement);
+    mesh.triangles = corners_of<3>(statement, mesh.positions.size(), "triangles");
+    read_attributes(statement, mesh);
     const Parameter* tangents = statement.find("S", ParameterType::vector3);
     mesh.tangents = triples(tangents);
-    check_count(tangents, mesh.tangents.size(), vertices);
-    statement.ignore({"faceIndices"});
+    check_count(tangents, mesh.tangents.size(), mesh.positions.size());
     return mesh;
+}
+
+/// In pbrt-v4 "emissionfilename" only says where to look for light: the picture is the area
+/// light's.
+BilinearMesh bilinear_mesh(const Statement& statement) {
+    BilinearMesh mesh;
+    mesh.positions = positions_of(statement);
+    mesh.patches = corners_of<4>(statement, mesh.positions.size(), "patches");
+    read_attributes(statement, mesh);
+    statement.ignore({"emissionfilename"});
+    return mesh;
+}
+
+TriangleMesh loop_mesh(const Statement& statement) {
+    TriangleMesh control;
+    control.positions = positions_of(statement);
+    control.triangles = corners_of<3>(statement, control.positions.size(), "triangles");
+    const int levels = statement.integer("levels").value_or(3);
+    statement.ignore({"scheme"});
+    constexpr double kMostTriangles = 3e7;
+    const double triangles = std::ldexp(double(control.triangles.size()), 2 * levels);
+    if (levels < 0 || !(triangles <= kMostTriangles)) {
+        const Parameter* found = statement.find("levels");
+        throw Error(found ? found->where : statement.where,
+                    levels < 0 ? "a negative number of levels"
+                               : "subdivision into more than 30 million triangles",
+                    "use 3 levels, for example");
+    }
+    const std::string fault = fault_of_control_mesh(control);
+    if (!fault.empty())
+        throw Error(statement.where, "a mesh that cannot be subdivided: " + fault,
+                    "repair it, or use a trianglemesh");
+    return loop_subdivided(control, levels);
 }
 
 TriangleMesh ply_mesh(const Statement& statement, Reading& reading) {

@@ -1,6 +1,10 @@
 // Warnings, files and matrices of a reading in progress.
 #include "import/pbrt/reading.h"
 
+#include "import/pbrt/transforms.h"
+
+#include <algorithm>
+
 namespace sunfleck {
 
 constexpr std::size_t kMostWarnings = 500;
@@ -37,10 +41,20 @@ void Reading::check_blocks_closed(std::size_t base) const {
     throw Error(block.where, block.begin + " is not closed", "add " + end);
 }
 
-const Matrix& Reading::still_matrix(const SourceLocation& where) {
-    if (state.moves())
-        warn(where, "motion is not simulated: things stand where they are at the start");
-    return state.matrix[0];
+Matrix Reading::still_matrix(const SourceLocation& where) {
+    return still(state.matrix, where);
+}
+
+Matrix Reading::still(const Motion& motion, const SourceLocation& where) {
+    if (motion[0] == motion[1]) return motion[0];
+    warn(where,
+         "motion is not simulated: things stand where they are in the middle of the exposure");
+    const double open = options.camera ? options.camera->real("shutteropen", 0) : 0;
+    const double close = options.camera ? options.camera->real("shutterclose", 1) : 1;
+    const double span = transform_times[1] - transform_times[0];
+    const double elapsed = 0.5 * (open + close) - transform_times[0];
+    const double share = span > 0 ? std::clamp(elapsed / span, 0.0, 1.0) : elapsed > 0;
+    return between(motion[0], motion[1], share);
 }
 
 }  // namespace sunfleck

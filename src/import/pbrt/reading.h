@@ -42,6 +42,7 @@ struct Reading {
     bool in_world = false;
     Options options;
     std::map<std::string, Motion> coordinate_systems;
+    std::array<double, 2> transform_times{0, 1};
 
     MaterialTable materials;
     TextureTable textures;
@@ -61,8 +62,10 @@ struct Reading {
     void count_file(const std::string& path, const SourceLocation& from);
     /// @throws Error if more than the outer `base` blocks are open.
     void check_blocks_closed(std::size_t base) const;
-    /// The matrix at the start of the exposure; warns where it moves.
-    const Matrix& still_matrix(const SourceLocation& where);
+    /// The matrix of the graphics state in the middle of the exposure; warns where it moves.
+    Matrix still_matrix(const SourceLocation& where);
+    /// Any motion in the middle of the exposure; warns if there is one.
+    Matrix still(const Motion& motion, const SourceLocation& where);
 };
 
 }  // namespace sunfleck

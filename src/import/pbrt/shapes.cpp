@@ -1,6 +1,7 @@
-// Shapes by their words, and what becomes of those that we have not.
+// Shapes by their words, with what the graphics state adds to them.
 #include "import/pbrt/shapes.h"
 
+#include "import/pbrt/curve_shape.h"
 #include "import/pbrt/meshes.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
@@ -52,28 +53,46 @@ Shape disk(const Statement& statement, Reading&) {
     return result;
 }
 
+Shape cylinder(const Statement& statement, Reading&) {
+    const double z0 = statement.real("zmin", -1);
+    const double z1 = statement.real("zmax", 1);
+    Cylinder result{radius_of(statement), std::min(z0, z1), std::max(z0, z1),
+                    phi_max_of(statement)};
+    want(result.z_min < result.z_max, statement, "zmin", "nothing is left between zmin and zmax");
+    return result;
+}
+
 Shape triangles(const Statement& statement, Reading&) {
     return triangle_mesh(statement);
 }
 Shape ply(const Statement& statement, Reading& reading) {
     return ply_mesh(statement, reading);
 }
+Shape patches(const Statement& statement, Reading&) {
+    return bilinear_mesh(statement);
+}
+Shape subdivision(const Statement& statement, Reading&) {
+    return loop_mesh(statement);
+}
+Shape curves(const Statement& statement, Reading& reading) {
+    return curve(statement, reading);
+}
 
 using Maker = Shape (*)(const Statement&, Reading&);
 
 struct Row {
     std::string_view word;
-    Maker maker;  // null: known, and left out
+    Maker maker;
 };
 
 constexpr std::array<Row, 8> kRows = {{{"trianglemesh", triangles},
                                        {"plymesh", ply},
                                        {"sphere", sphere},
                                        {"disk", disk},
-                                       {"cylinder", nullptr},
-                                       {"bilinearmesh", nullptr},
-                                       {"curve", nullptr},
-                                       {"loopsubdiv", nullptr}}};
+                                       {"cylinder", cylinder},
+                                       {"bilinearmesh", patches},
+                                       {"curve", curves},
+                                       {"loopsubdiv", subdivision}}};
 
 const Row& row_of(const Statement& statement) {
     const auto row = std::find_if(kRows.begin(), kRows.end(),
@@ -85,8 +104,13 @@ const Row& row_of(const Statement& statement) {
                 use_one_of(words, statement.type));
 }
 
-std::optional<AreaEmission> emission_here(const Statement& statement, Reading& reading) {
+std::optional<AreaEmission> emission_here(const Statement& statement, const Shape& shape,
+                                          Reading& reading) {
     if (!reading.state.emission) return std::nullopt;
+    if (std::holds_alternative<Curves>(shape)) {
+        reading.warn(statement.where, "curves emit no light");
+        return std::nullopt;
+    }
     if (!reading.open_object) return *reading.state.emission;
     reading.warn(statement.where, "area lights in objects are ignored, as in pbrt-v4");
     return std::nullopt;
@@ -109,23 +133,31 @@ bool take_alpha(const Statement& statement, Reading& reading, ShapeDescription& 
     return true;
 }
 
+/// Hair comes as one statement a curve: what goes on from the shape before is added to that.
+bool joined(ShapeDescription& before, ShapeDescription& shape) {
+    auto* first = std::get_if<Curves>(&before.placed.shape);
+    const auto* second = std::get_if<Curves>(&shape.placed.shape);
+    const bool same = first && second && first->kind == second->kind &&
+                      before.material == shape.material && !before.placed.cover &&
+                      !shape.placed.cover && before.placed.flip == shape.placed.flip &&
+                      before.placed.to_world == shape.placed.to_world;
+    if (same)
+        first->segments.insert(first->segments.end(), second->segments.begin(),
+                               second->segments.end());
+    return same;
+}
+
 }  // namespace
 
 void add_shape(const Statement& statement, Reading& reading) {
     const Row& row = row_of(statement);
     const GraphicsState& state = reading.state;
-    if (!row.maker) {
-        reading.warn(statement.where, "shape " + in_quotes(statement.type) +
-                                          " is left out: it is " + "not supported" +
-                                          (state.emission ? ", and it emits no light" : ""));
-        return;
-    }
     if (state.has_medium)
         reading.warn(statement.where, "media are not simulated: light passes them unchanged");
     ShapeDescription shape;
     shape.placed = {row.maker(statement, reading), reading.still_matrix(statement.where),
                     state.reverse_orientation};
-    shape.emission = emission_here(statement, reading);
+    shape.emission = emission_here(statement, shape.placed.shape, reading);
     shape.material = state.material;
     shape.where = statement.where;
     const bool is_there = take_alpha(statement, reading, shape);
@@ -134,6 +166,7 @@ void add_shape(const Statement& statement, Reading& reading) {
     reading.materials.use(shape.material);
     auto& scene = reading.scene;
     auto& list = reading.open_object ? scene.objects[*reading.open_object] : scene.shapes;
+    if (!list.empty() && joined(list.back(), shape)) return;
     list.push_back(std::move(shape));
 }
 

@@ -117,7 +117,7 @@ void transform_times(Reading& reading, TokenStream& tokens, const Token& keyword
     const double start = tokens.require_number("the first time of TransformTimes");
     const double end = tokens.require_number("the second time of TransformTimes");
     if (end < start) fail(keyword, "the end lies before the start", "swap them");
-    reading.warn(keyword.where(), "TransformTimes is ignored: motion is not simulated");
+    reading.transform_times = {start, end};
 }
 
 void reverse_orientation(Reading& reading, TokenStream&, const Token&) {

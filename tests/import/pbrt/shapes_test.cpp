@@ -14,6 +14,11 @@ S made(const std::string& statement) {
 const std::string kQuad = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 1 1 0 0 1 0 ] ";
 const std::string kTwo = "\"integer indices\" [ 0 1 2 0 2 3 ] ";
 
+const std::string kPatch = "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 1 1 0 ] ";
+const std::string kLoop = "Shape \"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0] ";
+const std::string kCurve =
+    "Shape \"curve\" \"point3 P\" [0 0 0 1 0 0 2 0 0 3 0 1 4 0 0 5 0 0 6 0 0] ";
+
 TEST(Shapes, spheres_have_defaults_and_parts) {
     const auto whole = made<Sphere>("Shape \"sphere\" \"float radius\" 2");
     EXPECT_EQ(whole.radius, 2);
@@ -70,14 +75,92 @@ TEST(Shapes, ply_files_are_read_from_the_main_folder) {
     EXPECT_EQ(scene.files, read);
 }
 
-TEST(Shapes, that_we_have_not_are_left_out_and_named) {
-    const SceneDescription scene = read_world(
-        "Shape \"cylinder\" Shape \"curve\" \"float width\" "
-        "1 Shape \"cylinder\" Shape \"loopsubdiv\" Shape "
-        "\"bilinearmesh\"");
-    EXPECT_TRUE(scene.shapes.empty());
-    EXPECT_EQ(warnings_with(scene, "\"cylinder\" is left out"), 2);
-    EXPECT_EQ(scene.warnings.entries().size(), 4U);
+TEST(Shapes, cylinders_have_defaults_and_parts) {
+    const auto whole = made<Cylinder>("Shape \"cylinder\"");
+    EXPECT_EQ(whole.radius, 1);
+    EXPECT_EQ(whole.z_min, -1);
+    EXPECT_EQ(whole.z_max, 1);
+    EXPECT_EQ(whole.phi_max, Cylinder().phi_max);
+    const auto part = made<Cylinder>(
+        "Shape \"cylinder\" \"float radius\" 2 \"float zmin\" 5 \"float zmax\" -3 \"float "
+        "phimax\" 90");
+    EXPECT_EQ(part.radius, 2);
+    EXPECT_EQ(part.z_min, -3);
+    EXPECT_EQ(part.z_max, 5);
+    EXPECT_NEAR(part.phi_max, kPiDouble / 2, 1e-15);
+}
+
+TEST(Shapes, bilinear_meshes_have_patches) {
+    const auto one = made<BilinearMesh>(kPatch);
+    const std::array<std::uint32_t, 4> corners = {0, 1, 2, 3};
+    EXPECT_EQ(one.patches, std::vector{corners});
+    const auto mesh = made<BilinearMesh>(
+        kPatch +
+        "\"integer indices\" [ 0 1 2 3 3 2 1 0 ] \"normal N\" [ 0 0 1 0 0 1 0 0 1 0 0 1 ] "
+        "\"point2 uv\" [ 0 0 1 0 0 1 1 1 ] \"integer faceIndices\" [ 0 1 ]");
+    EXPECT_EQ(mesh.patches.size(), 2U);
+    EXPECT_EQ(mesh.normals.size(), 4U);
+    EXPECT_EQ(mesh.uvs.at(3), Vec2(1, 1));
+}
+
+TEST(Shapes, subdivided_meshes_have_levels) {
+    const std::string flat = "Shape \"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0] ";
+    const std::string indices = "\"integer indices\" [ 0 1 2 ] ";
+    EXPECT_EQ(made<TriangleMesh>(flat + indices).triangles.size(), 64U);
+    const auto one = made<TriangleMesh>(flat + indices + "\"integer levels\" 1");
+    EXPECT_EQ(one.triangles.size(), 4U);
+    EXPECT_EQ(one.normals.size(), 6U);
+}
+
+TEST(Shapes, curves_are_bezier_segments) {
+    const auto cubic = made<Curves>(kCurve + "\"float width0\" 2 \"float width1\" 4");
+    EXPECT_EQ(cubic.kind, CurveKind::flat);
+    ASSERT_EQ(cubic.segments.size(), 2U);
+    EXPECT_EQ(cubic.segments[1].points[0], Vec3(3, 0, 1));
+    EXPECT_EQ(cubic.segments[0].width[0], 2);
+    EXPECT_EQ(cubic.segments[0].width[1], 3);
+    EXPECT_EQ(cubic.segments[1].width[1], 4);
+    const auto quadratic = made<Curves>(
+        "Shape \"curve\" \"point3 P\" [0 0 0 3 0 0 3 3 0] \"integer degree\" 2 "
+        "\"string type\" \"cylinder\" \"integer splitdepth\" 5");
+    EXPECT_EQ(quadratic.kind, CurveKind::cylinder);
+    EXPECT_EQ(quadratic.segments.at(0).width[0], 1);
+    const std::array<Vec3, 4> raised = {Vec3(0), Vec3(2, 0, 0), Vec3(3, 1, 0), Vec3(3, 3, 0)};
+    EXPECT_EQ(quadratic.segments.at(0).points, raised);
+    const auto ribbon =
+        made<Curves>(kCurve + "\"string type\" \"ribbon\" \"normal N\" [0 0 1 0 1 0 1 0 0]");
+    EXPECT_EQ(ribbon.segments.at(1).normal[0], Vec3(0, 1, 0));
+    EXPECT_EQ(ribbon.segments.at(1).normal[1], Vec3(1, 0, 0));
+}
+
+/// Points on the straight line x = 1, 2, 3 ...: the spline runs evenly along it, and its segments
+/// join.
+TEST(Shapes, splines_become_bezier_segments) {
+    for (const int degree : {2, 3}) {
+        const auto curve =
+            made<Curves>("Shape \"curve\" \"string basis\" \"bspline\" \"integer degree\" " +
+                         std::to_string(degree) + " \"point3 P\" [1 0 0 2 0 0 3 0 0 4 0 0 5 0 7]");
+        ASSERT_EQ(curve.segments.size(), degree == 2 ? 3U : 2U);
+        const float start = degree == 2 ? 1.5F : 2;
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_NEAR(curve.segments[0].points.at(i).x, start + float(i) / 3, 1e-6);
+        for (std::size_t s = 1; s < curve.segments.size(); ++s)
+            EXPECT_EQ(curve.segments[s - 1].points[3], curve.segments[s].points[0]);
+        EXPECT_GT(curve.segments.back().points[3].z, 1);
+    }
+}
+
+TEST(Shapes, curves_in_a_row_are_one_shape) {
+    const SceneDescription scene =
+        read_world(kCurve + kCurve + "Translate 1 0 0 " + kCurve + "ReverseOrientation " + kCurve +
+                   "Shape \"sphere\"" + kCurve);
+    ASSERT_EQ(scene.shapes.size(), 5U);
+    EXPECT_EQ(std::get<Curves>(scene.shapes[0].placed.shape).segments.size(), 4U);
+    EXPECT_EQ(std::get<Curves>(scene.shapes[4].placed.shape).segments.size(), 2U);
+    const SceneDescription lit = read_world("AreaLightSource \"diffuse\" " + kCurve);
+    EXPECT_FALSE(lit.shapes.at(0).emission);
+    EXPECT_EQ(warnings_with(lit, "curves emit no light"), 1);
+    EXPECT_EQ(warnings_with(read_world(kCurve + "\"normal N\" [0 0 1]"), "no ribbon"), 1);
 }
 
 TEST(Shapes, with_alpha_are_there_in_part) {
@@ -162,7 +245,26 @@ TEST(Shapes, that_cannot_be_are_errors) {
         kQuad + kTwo + "\"point2 uv\" [ 0 0 ]",
         kQuad + kTwo + "\"vector3 S\" [ 0 0 1 ]",
         kQuad + kTwo + "\"vector3 N\" [ 0 0 1 0 0 1 0 0 1 0 0 1 ]",
-        "Shape \"sphere\" \"texture alpha\" \"x\""};
+        "Shape \"sphere\" \"texture alpha\" \"x\"",
+        "Shape \"cylinder\" \"float radius\" 0",
+        "Shape \"cylinder\" \"float zmin\" 1",
+        "Shape \"bilinearmesh\"",
+        kPatch + "\"integer indices\" [ 0 1 2 ]",
+        kPatch + "\"integer indices\" [ 0 1 2 4 ]",
+        kPatch + "\"point2 uv\" [ 0 0 ]",
+        "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ]",
+        "Shape \"loopsubdiv\"",
+        kLoop + "\"integer indices\" [ 0 1 2 0 1 2 ]",
+        kLoop + "\"integer levels\" -1",
+        kLoop + "\"integer levels\" 15",
+        "Shape \"curve\"",
+        "Shape \"curve\" \"point3 P\" [0 0 0 1 0 0 2 0 0]",
+        kCurve + "\"integer degree\" 4",
+        kCurve + "\"string basis\" \"hermite\"",
+        kCurve + "\"string type\" \"tube\"",
+        kCurve + "\"float width1\" -1",
+        kCurve + "\"string type\" \"ribbon\"",
+        kCurve + "\"string type\" \"ribbon\" \"normal N\" [0 0 1 0 0 0 0 0 1]"};
     for (const std::string& text : broken) EXPECT_NE(world_error(text), "") << text;
 }
 

@@ -71,17 +71,52 @@ TEST(Transforms, blocks_bring_matrix_and_orientation_back) {
     EXPECT_FALSE(scene.shapes[2].placed.flip);
 }
 
-TEST(Transforms, motion_stands_at_its_start_and_says_so) {
+TEST(Transforms, motion_stands_in_the_middle_and_says_so) {
     const SceneDescription scene = read_world(
         "ActiveTransform StartTime Translate 1 0 0 ActiveTransform EndTime "
         "Translate 2 0 0 ActiveTransform All Scale 3 3 3 Shape \"sphere\"");
-    EXPECT_EQ(scene.shapes[0].placed.to_world[3][0], 1);
-    EXPECT_EQ(scene.shapes[0].placed.to_world[0][0], 3);
-    EXPECT_EQ(warnings_with(scene, "motion"), 1);
+    EXPECT_EQ(scene.shapes[0].placed.to_world[3][0], 1.5);
+    EXPECT_NEAR(scene.shapes[0].placed.to_world[0][0], 3, 1e-14);
+    EXPECT_EQ(warnings_with(scene, "motion is not simulated"), 1);
     const SceneDescription still = read_world(
         "ActiveTransform StartTime Translate 1 0 0 ActiveTransform EndTime "
         "Translate 1 0 0 ActiveTransform All Shape \"sphere\"");
     EXPECT_EQ(warnings_with(still, "motion"), 0);
+}
+
+/// Turns of less than half a circle go the shorter way; mirrors and stretches are mixed.
+TEST(Transforms, between_two_matrices) {
+    const Matrix a = scaling({1, 2, -1}) * rotation(20, {1, 2, 3}) * translation({1, 0, 0});
+    const Matrix b = scaling({3, 2, -1}) * rotation(140, {1, 2, 3}) * translation({3, 8, 0});
+    EXPECT_EQ(between(a, b, 0), a);
+    EXPECT_EQ(between(a, b, 1), b);
+    for (const double share : {0.25, 0.5, 0.9}) {
+        const Matrix expected = scaling({1 + 2 * share, 2, -1}) *
+                                rotation(20 + 120 * share, {1, 2, 3}) *
+                                translation({1 + 2 * share, 8 * share, 0});
+        EXPECT_TRUE(between(a, b, share).equalWithAbsError(expected, 1e-12)) << share;
+    }
+    const Matrix back = between(rotation(170, {0, 0, 1}), rotation(190, {0, 0, 1}), 0.5);
+    EXPECT_TRUE(back.equalWithAbsError(rotation(180, {0, 0, 1}), 1e-12));
+}
+
+/// The middle of the exposure between the times of the two matrices; held outside of them.
+TEST(Transforms, times_of_shutter_and_matrices) {
+    const auto place = [](const std::string& shutter, const std::string& times) {
+        const SceneDescription scene = read_pbrt_text(
+            times + " Camera \"perspective\" " + shutter +
+                " WorldBegin ActiveTransform EndTime Translate 8 0 0 ActiveTransform All "
+                "Shape \"sphere\"",
+            "main.pbrt", memory_access({}));
+        return scene.shapes.at(0).placed.to_world[3][0];
+    };
+    const std::string early = "\"float shutterclose\" .5";
+    EXPECT_EQ(place("", ""), 4);
+    EXPECT_EQ(place(early, ""), 2);
+    EXPECT_EQ(place(early, "TransformTimes 0 .5"), 4);
+    EXPECT_EQ(place(early, "TransformTimes .25 2"), 0);
+    EXPECT_EQ(place("\"float shutteropen\" .5", "TransformTimes 0 .5"), 8);
+    EXPECT_EQ(place("", "TransformTimes .25 .25"), 8);
 }
 
 TEST(Transforms, without_an_inverse_are_errors) {
