@@ -129,7 +129,7 @@ struct Query : RTCIntersectContext {
     const std::vector<BuiltInstance>* instances;
     std::uint32_t first_instance;  // Embree's number of instance 0
     double t = 0;                  // of the nearest point on such a shape so far
-    std::uint64_t ray_hash = 0;    // for surfaces that are there in part
+    const Line* whole = nullptr;   // the ray of which `line` is the end, if it is
 
     /// @param number  Embree's, or RTC_INVALID_GEOMETRY_ID: then null.
     const BuiltInstance* instance_of(unsigned number) const {

@@ -20,6 +20,13 @@ std::uint64_t joined(std::uint64_t hash, std::uint64_t bits) {
     return mixed(hash + 0x9E3779B97F4A7C15 + bits);
 }
 
+std::uint64_t hash_of(const Line& line) {
+    std::uint64_t hash = 0;
+    for (const Vec3d& v : {line.origin, line.direction})
+        for (int i = 0; i < 3; ++i) hash = joined(hash, std::bit_cast<std::uint64_t>(v[i]));
+    return hash;
+}
+
 void filter(const RTCFilterFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     const auto& query = *static_cast<const Query*>(args->context);
@@ -34,22 +41,15 @@ void filter(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
-std::uint64_t hash_of(const Line& line) {
-    std::uint64_t hash = 0;
-    for (const Vec3d& v : {line.origin, line.direction})
-        for (int i = 0; i < 3; ++i) hash = joined(hash, std::bit_cast<std::uint64_t>(v[i]));
-    return hash;
-}
-
 bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
               std::uint32_t crossing) {
-    const Line line{query.line.origin, query.line.direction};
     Hit hit;
-    complete_hit(found, line, hit);
+    complete_hit(found, query.line, hit);
     const float cover = found.shape->cover()(hit);
     if (cover >= 1) return true;
     if (!(cover > 0)) return false;
-    std::uint64_t hash = joined(query.ray_hash, std::uint64_t{geometry} << 32U | found.primitive);
+    const Line& ray = query.whole == nullptr ? query.line : *query.whole;
+    std::uint64_t hash = joined(hash_of(ray), std::uint64_t{geometry} << 32U | found.primitive);
     const auto instance = static_cast<std::uint64_t>(
         found.instance == nullptr ? 0 : found.instance - query.instances->data() + 1);
     hash = joined(hash, instance << 32U | crossing);

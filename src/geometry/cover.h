@@ -11,9 +11,6 @@
 
 namespace sunfleck {
 
-/// A hash of a ray, for Query::ray_hash.
-std::uint64_t hash_of(const Line& line);
-
 /// Is the surface there where a query's ray meets it?
 /// @param crossing  tells apart the points where a ray meets one primitive several times.
 bool is_there(const Found& found, const Query& query, std::uint32_t geometry,

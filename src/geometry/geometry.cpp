@@ -3,11 +3,9 @@
 
 #include "core/parallel.h"
 #include "geometry/built.h"
-#include "geometry/cover.h"
 
 #include <embree3/rtcore_ray.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -55,7 +53,6 @@ struct Geometry::Impl {
     ShapeGroup world;
     Bounds bounds;
     std::size_t triangles = 0;
-    bool has_covers = false;
 
     Impl(GeometryInput in, const std::string& isa);
 
@@ -64,9 +61,7 @@ struct Geometry::Impl {
     void build_world();
     std::uint32_t first_instance() const { return static_cast<std::uint32_t>(world.shapes.size()); }
     std::size_t triangles_of(const std::vector<std::uint32_t>& list) const;
-    Meeting meet(const Line& line, float length) const { return meet(line, length, hash(line)); }
-    Meeting meet(const Line& line, float length, std::uint64_t ray_hash) const;
-    std::uint64_t hash(const Line& line) const { return has_covers ? hash_of(line) : 0; }
+    Meeting meet(const Line& line, float length, const Line* whole = nullptr) const;
     void complete(const Meeting& meeting, Hit& hit) const;
     bool is_far(double distance, const Vec3& position) const;
 };
@@ -95,8 +90,6 @@ void Geometry::Impl::build_shapes() {
     for (std::uint32_t i = 0; i < most; ++i) counting[i] = {3 * i, 3 * i + 1, 3 * i + 2};
     for (std::size_t i = 0; i < shapes.size(); ++i)
         if (is_used[i] != 0) shapes[i] = BuiltShape(input.shapes[i], device.get(), counting);
-    has_covers = std::any_of(input.shapes.begin(), input.shapes.end(),
-                             [](const PlacedShape& s) { return s.cover != nullptr; });
 }
 
 void Geometry::Impl::build_objects() {
@@ -137,14 +130,14 @@ std::size_t Geometry::Impl::triangles_of(const std::vector<std::uint32_t>& list)
     return sum;
 }
 
-/// @param ray_hash  of the whole ray, of which `line` may be the end.
-Meeting Geometry::Impl::meet(const Line& line, float length, std::uint64_t ray_hash) const {
+/// @param whole  the ray of which `line` is the end, if it is.
+Meeting Geometry::Impl::meet(const Line& line, float length, const Line* whole) const {
     Meeting meeting;
     meeting.origin = line.origin;
     meeting.direction = line.direction;
     if (!is_traceable(line, length)) return meeting;
     Query query(line, instances, first_instance());
-    query.ray_hash = ray_hash;
+    query.whole = whole;
     RTCRayHit met;
     met.ray = embree_ray(line, length);
     met.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -213,6 +206,7 @@ bool Geometry::hit_of(const Meeting& meeting, Hit& hit) const {
     if (meeting.shape == kNone) return false;
     impl_->complete(meeting, hit);
     if (!meeting.precise) return true;
+    const Line whole{meeting.origin, meeting.direction};
     double walked = 0;
     for (int repetition = 0; repetition < kMostRepetitions; ++repetition) {
         const double left = hit.distance;
@@ -220,8 +214,7 @@ bool Geometry::hit_of(const Meeting& meeting, Hit& hit) const {
         if (!impl_->is_far(left, hit.position)) return true;
         walked += left * kWalk;
         const Vec3d start = meeting.origin + meeting.direction * walked;
-        const Meeting again = impl_->meet({start, meeting.direction}, kInfinity,
-                                          impl_->hash({meeting.origin, meeting.direction}));
+        const Meeting again = impl_->meet({start, meeting.direction}, kInfinity, &whole);
         if (again.shape == kNone) return false;
         impl_->complete(again, hit);
     }
@@ -251,7 +244,6 @@ bool Geometry::occluded(const Ray& ray) const {
     const Line line{Vec3d(ray.origin), Vec3d(ray.direction)};
     if (!is_traceable(line, ray.length)) return false;
     Query query(line, impl_->instances, impl_->first_instance());
-    query.ray_hash = impl_->hash(line);
     RTCRay embree = embree_ray(line, ray.length);
     rtcOccluded1(impl_->world.scene.get(), &query, &embree);
     return embree.tfar < 0;

@@ -96,33 +96,33 @@ public:
     template <SlotReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
-        if (const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)]) {
-            if (const auto end = meet(read, visit, {*constant, hit}, state)) return end;
-        } else if (!pass_.scene.passes_straight(hit)) {
-            if (const auto end = meet_varied(read, visit, hit, state)) return end;
-        }
-        state.at_light = false;
-        state.origin = Vec3d(ray_from(hit, state.direction).origin);
+        const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
+        if (constant) return meet(read, visit, *constant, hit, state);
+        if (!pass_.scene.passes_straight(hit)) return meet_varied(read, visit, hit, state);
+        leave(hit, state);
         return {};
     }
 
 private:
-    struct Surface {
-        const Bsdf& bsdf;
-        const Hit& hit;
-    };
+    /// Makes ready for the next ray.
+    static void leave(const Hit& hit, PhotonState& state) {
+        state.at_light = false;
+        state.origin = Vec3d(ray_from(hit, state.direction).origin);
+    }
 
     /// Gathering and scattering. @return how the path ends, if it does.
     template <SlotReader Reader, PhotonVisitor Visitor>
-    std::optional<PathEnd> meet(Reader& read, Visitor& visit, const Surface& at,
-                                PhotonState& state) const {
-        const auto* lambert = std::get_if<Lambert>(&at.bsdf);
-        const bool gathers = lambert != nullptr || scattering(at.bsdf) != Scattering::specular;
-        if (gathers && !visit(arrive(at.hit, state))) return PathEnd::stopped;
+    [[gnu::always_inline]] inline std::optional<PathEnd> meet(Reader& read, Visitor& visit,
+                                                              const Bsdf& bsdf, const Hit& hit,
+                                                              PhotonState& state) const {
+        const auto* lambert = std::get_if<Lambert>(&bsdf);
+        const bool gathers = lambert != nullptr || scattering(bsdf) != Scattering::specular;
+        if (gathers && !visit(arrive(hit, state))) return PathEnd::stopped;
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
-        const bool goes_on = lambert != nullptr ? scatter(read, *lambert, at.hit, state)
-                                                : scatter(read, at.bsdf, at.hit, state);
+        const bool goes_on = lambert != nullptr ? scatter(read, *lambert, hit, state)
+                                                : scatter(read, bsdf, hit, state);
         if (!goes_on) return PathEnd::absorbed;
+        leave(hit, state);
         return {};
     }
 
@@ -133,7 +133,7 @@ private:
         Hit bent = hit;
         std::optional<Bsdf> room;
         const Bsdf& bsdf = pass_.bsdf_at(bent, room);
-        return meet(read, visit, {bsdf, bent}, state);
+        return meet(read, visit, bsdf, bent, state);
     }
 
     /// Chooses the light and the first ray; sets flux and direction.

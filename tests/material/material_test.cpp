@@ -1,6 +1,8 @@
 // Materials at the wavelengths of a pass: which BSDF each becomes, and with what numbers.
 #include "material/material.h"
 
+#include "texture/kinds.h"
+
 #include <gtest/gtest.h>
 
 namespace sunfleck {
@@ -81,6 +83,43 @@ TEST(Material, conductor_by_index_and_by_reflectance) {
 
     metal.reflectance = SpectralCurve::constant(1);
     EXPECT_TRUE(as<RoughConductor>(metal).k.is_finite());
+}
+
+/// u itself.
+FloatTexture u_itself() {
+    return FloatTexture(FloatKind{BilerpKind<FloatTexture>{UvMapping{}, 0, 0, 1, 1}});
+}
+
+TexturePoint at_u(float u) {
+    return {Vec3(0), {0, 0, 1}, {u, 0}};
+}
+
+TEST(Material, textures_are_asked_at_the_point) {
+    const Wavelengths wavelengths = some_wavelengths();
+    const SpectrumTexture grey_u(SpectrumKind{
+        ScaledKind<SpectrumTexture>{SpectrumTexture(SpectralCurve::constant(1)), u_itself()}});
+    const Material diffuse = DiffuseMaterial{grey_u};
+    EXPECT_TRUE(is_textured(diffuse));
+    EXPECT_EQ(std::get<Lambert>(*bsdf_of(diffuse, wavelengths, at_u(0.25F))).albedo,
+              Spectrum(0.25F));
+    const Material glass = DielectricMaterial{SpectralCurve::constant(1.5F), {u_itself(), 0.2F}};
+    EXPECT_TRUE(is_textured(glass));
+    const Bsdf rough = *bsdf_of(glass, wavelengths, at_u(0.3F));
+    EXPECT_EQ(std::get<RoughDielectric>(rough).facets().alpha_x, 0.3F);
+    EXPECT_EQ(std::get<RoughDielectric>(rough).facets().alpha_y, 0.2F);
+    ConductorMaterial metal;
+    metal.reflectance = grey_u;
+    metal.roughness = {u_itself(), u_itself(), true};
+    EXPECT_TRUE(is_textured(metal));
+    const auto shine = std::get<RoughConductor>(*bsdf_of(metal, wavelengths, at_u(0.25F)));
+    EXPECT_EQ(shine.facets.alpha_x, 0.5F);
+    EXPECT_NEAR(conductor_reflectance(1, shine.eta, shine.k)[2], 0.25F, 1e-6F);
+    EXPECT_TRUE(std::holds_alternative<SmoothConductor>(*bsdf_of(metal, wavelengths, at_u(0))));
+    metal = ConductorMaterial{grey_u, grey_u, {}, {}};
+    EXPECT_EQ(std::get<SmoothConductor>(*bsdf_of(metal, wavelengths, at_u(0.75F))).k,
+              Spectrum(0.75F));
+    EXPECT_FALSE(is_textured(DiffuseMaterial{}));
+    EXPECT_FALSE(is_textured(InterfaceMaterial{}));
 }
 
 TEST(Material, interface_is_no_surface) {
