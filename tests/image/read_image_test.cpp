@@ -125,6 +125,10 @@ TEST(ReadImage, hdr_plain_and_in_runs) {
                 wanted, 0);
     expect_near(values_of(parse_image(hdr_file({3, 1}, {128, 64, 32, 129, 1, 1, 1, 2}), "a.hdr")),
                 {1, 0.5F, 0.25F, 1, 0.5F, 0.25F, 1, 0.5F, 0.25F}, 0);
+    // Of old: one texel, 43 more of it, and 256 more.
+    const Image wide =
+        parse_image(hdr_file({300, 1}, {128, 64, 32, 129, 1, 1, 1, 43, 1, 1, 1, 1}), "a.hdr");
+    EXPECT_EQ(wide.rgb(299, 0), Vec3(1, 0.5F, 0.25F));
     // Runs of the four components: 8 of red 128; 4 of 64, then 4 plain; 8 of 32; 8 exponents.
     const Image runs = parse_image(
         hdr_file({8, 1}, {2, 2, 0, 8, 136, 128, 132, 64, 4, 1, 2, 3, 4, 136, 32, 136, 129}),

@@ -162,5 +162,19 @@ TEST(AreaLight, areas_are_the_closed_forms) {
                 1e-9);
 }
 
+/// Rays do not meet it, so its light samples are not weighed against any.
+TEST(AreaLight, that_nothing_meets_is_sampled_as_a_point_light) {
+    AreaLight light;
+    light.curve = SpectralCurve::constant(1);
+    light.surface = EmittingQuadric<Disk>{Disk{0, 1, 0, 2 * kPiDouble}, Matrix()};
+    const auto seen = light.sample_direct({0, 0, 1}, {0.3F, 0.6F}, {});
+    light.unseen = true;
+    const auto unseen = light.sample_direct({0, 0, 1}, {0.3F, 0.6F}, {});
+    ASSERT_TRUE(seen && unseen);
+    EXPECT_TRUE(seen->pdf);
+    EXPECT_FALSE(unseen->pdf);
+    EXPECT_EQ(seen->factor, unseen->factor);
+}
+
 }  // namespace
 }  // namespace sunfleck
