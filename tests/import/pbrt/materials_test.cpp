@@ -65,14 +65,32 @@ TEST(Materials, by_name_may_be_made_later) {
     EXPECT_FLOAT_EQ(material.reflectance.curve()(500), 0.2F);
 }
 
-TEST(Materials, that_are_not_ours_have_stand_ins) {
-    const SceneDescription coated = read_world(
+TEST(Materials, coated_diffuse_has_a_coat) {
+    const SceneDescription smooth = read_world(
         "Material \"coateddiffuse\" \"rgb reflectance\" [ .3 .3 .3 ] \"float roughness\" 0 "
-        "Shape \"sphere\"");
-    EXPECT_FLOAT_EQ(std::get<DiffuseMaterial>(coated.materials.at(1)).reflectance.curve()(500),
-                    0.3F);
-    EXPECT_EQ(warnings_with(coated, "coateddiffuse"), 1);
-    EXPECT_EQ(warnings_with(coated, "unused"), 0);
+        "\"integer nsamples\" 4 Shape \"sphere\"");
+    const auto& plain = std::get<CoatedDiffuseMaterial>(smooth.materials.at(1));
+    EXPECT_FLOAT_EQ(plain.reflectance.curve()(500), 0.3F);
+    EXPECT_EQ(plain.coat->eta(), 1.5F);
+    EXPECT_FALSE(plain.coat->facets());
+    EXPECT_EQ(warnings_with(smooth, "coat"), 0);
+    EXPECT_EQ(warnings_with(smooth, "unused"), 0);
+    const auto rough = made<CoatedDiffuseMaterial>(
+        "Material \"coateddiffuse\" \"float roughness\" .09 \"float vroughness\" .25 \"float "
+        "eta\" 1.3 \"float thickness\" .5");
+    EXPECT_FLOAT_EQ(rough.coat->facets()->alpha_x, 0.3F);
+    EXPECT_FLOAT_EQ(rough.coat->facets()->alpha_y, 0.5F);
+    EXPECT_EQ(rough.coat->eta(), 1.3F);
+    EXPECT_NE(world_error("Material \"coateddiffuse\" \"float roughness\" -1 Shape \"sphere\""),
+              "");
+    EXPECT_NE(world_error("Material \"coateddiffuse\" \"float eta\" 0 Shape \"sphere\""), "");
+    EXPECT_EQ(warnings_with(read_world("Material \"coateddiffuse\" \"rgb albedo\" [ .5 .5 .5 ] "
+                                       "Shape \"sphere\""),
+                            "albedo"),
+              1);
+}
+
+TEST(Materials, that_are_not_ours_have_stand_ins) {
     const auto metal = made<ConductorMaterial>(
         "Material \"coatedconductor\" \"spectrum conductor.eta\" \"metal-Au-eta\" \"spectrum "
         "conductor.k\" \"metal-Au-k\" \"float conductor.roughness\" .04");
