@@ -10,10 +10,13 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::array<const char*, std::variant_size_v<Material>> kMaterialNames = {
-    "diffuse", "dielectric", "thindielectric", "conductor", "interface"};
-constexpr std::array<const char*, std::variant_size_v<Light>> kLightNames = {
-    "point", "spot", "distant", "infinite", "area"};
+// In the order of the variants.
+constexpr std::array kMaterialNames = {"diffuse",   "dielectric",    "thindielectric",
+                                       "conductor", "coateddiffuse", "diffusetransmission",
+                                       "mix",       "interface"};
+static_assert(kMaterialNames.size() == std::variant_size_v<Material>);
+constexpr std::array kLightNames = {"point", "spot", "distant", "infinite", "area"};
+static_assert(kLightNames.size() == std::variant_size_v<Light>);
 
 void print_lights(const Scene& scene) {
     std::map<std::string, std::pair<int, double>> kinds;  // count, share of the photons

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bsdf/coated_diffuse.h"
+#include "bsdf/diffuse_transmission.h"
 #include "bsdf/lambert.h"
 #include "bsdf/model.h"
 #include "bsdf/rough_conductor.h"
@@ -21,7 +22,7 @@ using BsdfVariant = std::variant<Models...>;
 /// A BSDF at one point of a surface: a value, copied into the visible point that needs it.
 using Bsdf =
     BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielectric, SmoothConductor,
-                RoughConductor, CoatReflection, CoatedBase, CoatedDiffuse>;
+                RoughConductor, CoatReflection, CoatedBase, CoatedDiffuse, DiffuseTransmission>;
 
 /// f per steradian, without the cosine; zero for delta lobes (bsdf/model.h).
 inline Spectrum eval(const Bsdf& bsdf, const Vec3& w_from, const Vec3& w_to, Transport transport) {
@@ -50,6 +51,14 @@ inline Scattering scattering(const Bsdf& bsdf) {
 /// z_from? @param z_from, z_to  cosines with the normal, of which the signs alone count.
 inline bool gathers(const Bsdf& bsdf, float z_from, float z_to) {
     return std::visit([&](const auto& b) { return b.gathers(z_from, z_to); }, bsdf);
+}
+
+/// Of a diffuse surface: share of the light of each lane that it scatters.
+inline Spectrum spread_share(const Bsdf& bsdf, const Vec3& w_from) {
+    if (const auto* base = std::get_if<CoatedBase>(&bsdf)) return base->reflectance(w_from);
+    if (const auto* sheet = std::get_if<DiffuseTransmission>(&bsdf))
+        return sheet->reflectance + sheet->transmittance;
+    return std::get<Lambert>(bsdf).albedo;
 }
 
 /// Whether lanes part in direction here.

@@ -93,9 +93,7 @@ void EyePath::meet_base(const EyeVertex& vertex, RoundPoints& numbers) {
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
     gather(vertex.hit, vertex.bsdf, sampled ? kScattered : kEverything);
     if (sampled) add_direct_light(vertex, numbers, true);
-    const auto* coated = std::get_if<CoatedBase>(&vertex.bsdf);
-    add_features(vertex.hit, coated != nullptr ? coated->reflectance(vertex.w_from)
-                                               : std::get<Lambert>(vertex.bsdf).albedo);
+    add_features(vertex.hit, spread_share(vertex.bsdf, vertex.w_from));
 }
 
 /// The path goes on from what is narrow. @return whether it does.

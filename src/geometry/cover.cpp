@@ -1,6 +1,8 @@
 // Filters for Embree, and the hash that decides.
 #include "geometry/cover.h"
 
+#include "core/hash.h"
+
 #include <embree3/rtcore_ray.h>
 
 #include <bit>
@@ -8,22 +10,10 @@
 namespace sunfleck {
 namespace {
 
-/// A bijection of 64 bits after which all of them depend on all.
-/// Source: Stafford, Better Bit Mixing (2011), variant 13, as used by SplitMix64.
-std::uint64_t mixed(std::uint64_t bits) {
-    bits = (bits ^ bits >> 30U) * 0xBF58476D1CE4E5B9;
-    bits = (bits ^ bits >> 27U) * 0x94D049BB133111EB;
-    return bits ^ bits >> 31U;
-}
-
-std::uint64_t joined(std::uint64_t hash, std::uint64_t bits) {
-    return mixed(hash + 0x9E3779B97F4A7C15 + bits);
-}
-
 std::uint64_t hash_of(const Line& line) {
     std::uint64_t hash = 0;
     for (const Vec3d& v : {line.origin, line.direction})
-        for (int i = 0; i < 3; ++i) hash = joined(hash, std::bit_cast<std::uint64_t>(v[i]));
+        for (int i = 0; i < 3; ++i) hash = hash_joined(hash, std::bit_cast<std::uint64_t>(v[i]));
     return hash;
 }
 
@@ -49,11 +39,12 @@ bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
     if (cover >= 1) return true;
     if (!(cover > 0)) return false;
     const Line& ray = query.whole == nullptr ? query.line : *query.whole;
-    std::uint64_t hash = joined(hash_of(ray), std::uint64_t{geometry} << 32U | found.primitive);
+    std::uint64_t hash =
+        hash_joined(hash_of(ray), std::uint64_t{geometry} << 32U | found.primitive);
     const auto instance = static_cast<std::uint64_t>(
         found.instance == nullptr ? 0 : found.instance - query.instances->data() + 1);
-    hash = joined(hash, instance << 32U | crossing);
-    return static_cast<float>(hash >> 40U) * 0x1p-24F < cover;
+    hash = hash_joined(hash, instance << 32U | crossing);
+    return hash_to_unit(hash) < cover;
 }
 
 void attach_cover(const BuiltShape& mesh) {

@@ -1,7 +1,10 @@
 // Materials at a pass's wavelengths and at a point.
 #include "material/material.h"
 
+#include "core/hash.h"
+
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 namespace sunfleck {
@@ -71,6 +74,18 @@ struct BsdfOf {
         return CoatedDiffuse{clamped(m.reflectance.at(point, wavelengths), 0, 1), m.coat.get()};
     }
 
+    std::optional<Bsdf> operator()(const DiffuseTransmissionMaterial& m) const {
+        Spectrum back = clamped(m.reflectance.at(point, wavelengths), 0, 1);
+        Spectrum through = clamped(m.transmittance.at(point, wavelengths), 0, 1);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float over = std::max(1.0F, back[i] + through[i]);
+            back[i] /= over;
+            through[i] /= over;
+        }
+        return DiffuseTransmission{back, through};
+    }
+
+    std::optional<Bsdf> operator()(const MixMaterial&) const { return {}; }
     std::optional<Bsdf> operator()(const InterfaceMaterial&) const { return {}; }
 
     MetalIndex metal_index(const ConductorMaterial& m) const {
@@ -91,6 +106,10 @@ struct IsTextured {
                  m.roughness.is_constant());
     }
     bool operator()(const CoatedDiffuseMaterial& m) const { return !m.reflectance.is_constant(); }
+    bool operator()(const DiffuseTransmissionMaterial& m) const {
+        return !(m.reflectance.is_constant() && m.transmittance.is_constant());
+    }
+    bool operator()(const MixMaterial&) const { return true; }
     bool operator()(const ThinDielectricMaterial&) const { return false; }
     bool operator()(const InterfaceMaterial&) const { return false; }
 };
@@ -100,6 +119,14 @@ struct IsTextured {
 Vec2 Roughness::alphas(const TexturePoint& point) const {
     const Vec2 given(std::max(0.0F, u.at(point)), std::max(0.0F, v.at(point)));
     return remap ? Vec2(alpha_from_roughness(given.x), alpha_from_roughness(given.y)) : given;
+}
+
+std::uint32_t MixMaterial::chosen(const TexturePoint& point) const {
+    const float second = amount.at(point);
+    std::uint64_t hash = hash_joined(parts[0], parts[1]);
+    for (int i = 0; i < 3; ++i)
+        hash = hash_joined(hash, std::bit_cast<std::uint32_t>(point.position[i]));
+    return parts.at(hash_to_unit(hash) < second ? 1 : 0);
 }
 
 bool is_textured(const Material& material) {

@@ -7,6 +7,7 @@
 #include "bsdf/bsdf.h"
 #include "texture/texture.h"
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -60,17 +61,33 @@ struct CoatedDiffuseMaterial {
     std::shared_ptr<const Coat> coat;                             // not null
 };
 
+/// Scattered evenly, back and through. Together at most one: a larger sum is scaled down.
+struct DiffuseTransmissionMaterial {
+    SpectrumTexture reflectance = SpectralCurve::constant(0.25F);
+    SpectrumTexture transmittance = SpectralCurve::constant(0.25F);
+};
+
+/// Two materials, one of which a ray meets.
+struct MixMaterial {
+    std::array<std::uint32_t, 2> parts{};  // numbers of materials; never interfaces
+    FloatTexture amount = 0.5F;            // the chance of the second
+
+    /// Which part is met, by a hash of the place: the same for all that meet it there.
+    std::uint32_t chosen(const TexturePoint& point) const;
+};
+
 /// A surface that is not there: light passes straight, and it is no bounce.
 struct InterfaceMaterial {};
 
 using Material = std::variant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
-                              ConductorMaterial, CoatedDiffuseMaterial, InterfaceMaterial>;
+                              ConductorMaterial, CoatedDiffuseMaterial, DiffuseTransmissionMaterial,
+                              MixMaterial, InterfaceMaterial>;
 
 /// Does the Bsdf depend on the point?
 bool is_textured(const Material& material);
 
 /// The material at one pass's wavelengths and at a point, which counts where it is textured;
-/// nothing for an interface.
+/// nothing for an interface, and for a mix, whose parts have their own.
 ///
 /// Limits, as in pbrt-v4: reflectances are held in [0,1] (of a conductor in [0, 0.9999], where k is
 /// finite); an alpha below 1e-4 beside a larger one counts as 1e-4; a curve that gives no index

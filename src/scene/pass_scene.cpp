@@ -31,7 +31,10 @@ PassScene::PassScene(const Scene& of, PassId pass)
 }
 
 const Bsdf& PassScene::make_bsdf(Hit& hit, std::optional<Bsdf>& room) const {
-    const std::uint32_t number = scene.material_of(hit);
+    std::uint32_t number = scene.material_of(hit);
+    while (const auto* mix = std::get_if<MixMaterial>(&scene.materials()[number]))
+        number = mix->chosen(TexturePoint(hit));
+    if (bsdfs[number]) return *bsdfs[number];
     const Relief& relief = scene.relief_of(number);
     if (!is_flat(relief)) bend(relief, scene.geometry().derivatives(hit), hit);
     if (bent_[number]) return *bent_[number];

@@ -13,8 +13,8 @@ namespace sunfleck {
 struct PassScene {
     const Scene& scene;
     Wavelengths wavelengths;
-    /// By material; nothing for an interface, and for one that varies over its surfaces or bends
-    /// their shading.
+    /// By material; nothing for an interface or a mix, and for one that varies over its surfaces or
+    /// bends their shading.
     std::vector<std::optional<Bsdf>> bsdfs;
     std::vector<Spectrum> emission;  // by light: its curve
     Spectrum white;                  // D65 of luminance one

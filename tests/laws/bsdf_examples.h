@@ -69,6 +69,8 @@ inline std::vector<BsdfExample> bsdf_examples() {
         {"rough_mirror", RoughConductor{Spectrum(1), Spectrum(2000), {0.5F, 0.1F}}},
         {"rough_gold", RoughConductor{gold_eta, gold_k, {0.2F, 0.2F}}},
         {"chalky_gold", RoughConductor{gold_eta, gold_k, {1, 0.6F}}},
+        {"leaf", DiffuseTransmission{ramp(0.2F, 0.5F), ramp(0.4F, 0.1F)}},
+        {"milk_glass", DiffuseTransmission{Spectrum(0.05F), Spectrum(0.9F)}},
         {"varnish", CoatReflection{&coats().smooth}},
         {"satin_varnish", CoatReflection{&coats().rough}},
         {"varnished", CoatedBase{ramp(0.2F, 0.9F), &coats().smooth}},

@@ -1,10 +1,11 @@
-// Materials by their words: four that we have, and what stands in for the rest.
+// Materials by their words, and what stands in for those that we do not have.
 #include "import/pbrt/materials.h"
 
 #include "import/pbrt/reading.h"
 #include "import/pbrt/spectra.h"
 #include "import/pbrt/textures.h"
 #include "import/pbrt/words.h"
+#include "texture/kinds.h"
 
 #include <algorithm>
 #include <array>
@@ -163,11 +164,22 @@ Material hair_or_skin(const Statement& statement, Reading& reading) {
     return diffuse(statement, reading);
 }
 
+SpectrumTexture scaled(const SpectrumTexture& texture, float factor) {
+    if (texture.is_constant()) return texture.curve().scaled(factor);
+    if (factor == 1) return texture;
+    return SpectrumTexture(SpectrumKind{ScaledKind<SpectrumTexture>{texture, factor}});
+}
+
 Material diffuse_transmission(const Statement& statement, Reading& reading) {
-    warn_approximation(statement, "it is diffuse, with its reflectance, and transmits nothing",
-                       reading);
-    if (statement.find("reflectance")) return diffuse(statement, reading);
-    return DiffuseMaterial{SpectralCurve::constant(0.25F)};  // likewise
+    const double scale = statement.real("scale", 1);
+    if (scale < 0)
+        throw Error(statement.find("scale")->where, "\"scale\" is negative", "use 0 or more");
+    const auto part = [&](std::string_view name) {
+        const auto given =
+            find_spectrum_texture(statement, name, SpectrumUse::reflectance, reading);
+        return scaled(given.value_or(SpectralCurve::constant(0.25F)), static_cast<float>(scale));
+    };
+    return DiffuseTransmissionMaterial{part("reflectance"), part("transmittance")};
 }
 
 Material measured(const Statement& statement, Reading& reading) {
@@ -175,21 +187,46 @@ Material measured(const Statement& statement, Reading& reading) {
     return DiffuseMaterial{};
 }
 
-/// The first of the two, which may be a mix itself.
-Material mix(const Statement& statement, Reading& reading) {
-    const Statement* first = &statement;
-    for (int depth = 0; first->type == "mix"; ++depth) {
-        const Parameter* names = first->find("materials", ParameterType::text);
-        if (!names || names->texts.size() != 2)
-            throw Error(first->where, "a mix without two materials",
-                        "add \"string materials\" [ \"one\" \"another\" ]");
-        if (depth >= kDeepestMix)
-            throw Error(first->where, "materials mix each other in a circle", "break it");
-        warn_approximation(*first, "it is the first of its materials", reading);
-        if (names->texts[0] == "interface" || names->texts[0].empty()) return InterfaceMaterial{};
-        first = &reading.materials.named(names->texts[0], names->where);
+bool is_interface(const std::string& name, const SourceLocation& where, Reading& reading) {
+    if (name == "interface" || name == "none" || name.empty()) return true;
+    const std::string& type = reading.materials.named(name, where).type;
+    return type == "interface" || type == "none" || type.empty();
+}
+
+/// The names of both parts. @throws Error when they mix each other in a circle.
+const Parameter& parts_of_mix(const Statement& statement, int depth, Reading& reading) {
+    const Parameter* names = statement.find("materials", ParameterType::text);
+    if (!names || names->texts.size() != 2)
+        throw Error(statement.where, "a mix without two materials",
+                    "add \"string materials\" [ \"one\" \"another\" ]");
+    if (depth >= kDeepestMix)
+        throw Error(statement.where, "materials mix each other in a circle", "break it");
+    for (const std::string& name : names->texts) {
+        if (is_interface(name, names->where, reading)) continue;
+        const Statement& part = reading.materials.named(name, names->where);
+        if (part.type == "mix") parts_of_mix(part, depth + 1, reading);
     }
-    return material_of(*first, reading);
+    return *names;
+}
+
+/// Where nothing is mixed in, the other part is everywhere.
+Material mix(const Statement& statement, Reading& reading) {
+    const Parameter& names = parts_of_mix(statement, 0, reading);
+    MixMaterial result;
+    result.amount = find_float_texture(statement, "amount", reading).value_or(0.5F);
+    std::vector<std::string> there;
+    for (const std::string& name : names.texts)
+        if (!is_interface(name, names.where, reading)) there.push_back(name);
+    if (there.size() < 2)
+        reading.warn(statement.where,
+                     "a mix with nothing in it is not simulated: it is the other part everywhere");
+    if (there.empty()) return InterfaceMaterial{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        result.parts.at(i) =
+            reading.materials.slot_of(there.at(std::min(i, there.size() - 1)), names.where);
+        reading.materials.use(result.parts.at(i));
+    }
+    return result;
 }
 
 using Maker = Material (*)(const Statement&, Reading&);

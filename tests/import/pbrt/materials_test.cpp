@@ -99,15 +99,36 @@ TEST(Materials, that_are_not_ours_have_stand_ins) {
     made<DiffuseMaterial>("Material \"measured\" \"string filename\" \"x.bsdf\"");
     made<DiffuseMaterial>("Material \"hair\"");
     made<DiffuseMaterial>("Material \"subsurface\" \"rgb mfp\" [ 1 1 1 ]");
-    EXPECT_FLOAT_EQ(
-        made<DiffuseMaterial>("Material \"diffusetransmission\"").reflectance.curve()(500), 0.25F);
 }
 
-TEST(Materials, mixes_are_their_first) {
+TEST(Materials, diffuse_transmission_scales_both_parts) {
+    const auto plain = made<DiffuseTransmissionMaterial>("Material \"diffusetransmission\"");
+    EXPECT_FLOAT_EQ(plain.reflectance.curve()(500), 0.25F);
+    const auto leaf = made<DiffuseTransmissionMaterial>(
+        "Material \"diffusetransmission\" \"rgb transmittance\" [ .4 .4 .4 ] \"float scale\" .5");
+    EXPECT_FLOAT_EQ(leaf.reflectance.curve()(500), 0.125F);
+    EXPECT_FLOAT_EQ(leaf.transmittance.curve()(500), 0.2F);
+}
+
+TEST(Materials, mixes_have_two_parts) {
     const std::string two =
         "MakeNamedMaterial \"g\" \"string type\" \"dielectric\" "
-        "MakeNamedMaterial \"d\" \"string type\" \"diffuse\" ";
-    made<DielectricMaterial>(two + "Material \"mix\" \"string materials\" [ \"g\" \"d\" ]");
+        "MakeNamedMaterial \"d\" \"string type\" \"diffuse\" "
+        "MakeNamedMaterial \"i\" \"string type\" \"interface\" ";
+    const SceneDescription scene =
+        read_world(two +
+                   "Material \"mix\" \"string materials\" [ \"g\" \"d\" ] \"float amount\" .3 "
+                   "Shape \"sphere\"");
+    const auto& mix = std::get<MixMaterial>(scene.materials.at(1));
+    EXPECT_TRUE(std::holds_alternative<DielectricMaterial>(scene.materials.at(mix.parts[0])));
+    EXPECT_TRUE(std::holds_alternative<DiffuseMaterial>(scene.materials.at(mix.parts[1])));
+    EXPECT_EQ(mix.amount.constant(), 0.3F);
+    EXPECT_EQ(warnings_with(scene, "mix"), 0);
+    const SceneDescription holes =
+        read_world(two + "Material \"mix\" \"string materials\" [ \"i\" \"d\" ] Shape \"sphere\"");
+    const auto& whole = std::get<MixMaterial>(holes.materials.at(1));
+    EXPECT_EQ(whole.parts[0], whole.parts[1]);
+    EXPECT_EQ(warnings_with(holes, "mix"), 1);
     EXPECT_NE(world_error(two + "Material \"mix\""), "");
     EXPECT_NE(world_error(two + "Material \"mix\" \"string materials\" [ \"x\" \"d\" ]"), "");
     EXPECT_TRUE(

@@ -1,0 +1,50 @@
+// Paper, leaves, lampshades: light is scattered evenly, part of it back and part of it through.
+//
+// In:  directions in the local frame (bsdf/model.h). Out: f = reflectance / pi on the side that is
+// lit, transmittance / pi on the other; both sides alike.
+#pragma once
+
+#include "bsdf/lambert.h"
+
+namespace sunfleck {
+
+struct DiffuseTransmission {
+    Spectrum reflectance;    // per lane; with the transmittance at most one
+    Spectrum transmittance;  // likewise
+
+    Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport) const {
+        if (!gathers(w_from.z, w_to.z)) return {};
+        return (w_from.z * w_to.z > 0 ? reflectance : transmittance) / kPi;
+    }
+
+    float pdf(const Vec3& w_from, const Vec3& w_to, Transport) const {
+        if (!gathers(w_from.z, w_to.z)) return 0;
+        const float back = chance_back();
+        return std::abs(w_to.z) / kPi * (w_from.z * w_to.z > 0 ? back : 1 - back);
+    }
+
+    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
+        const float back = chance_back();
+        const bool reflects = draw.u.x < back;
+        const float chance = reflects ? back : 1 - back;
+        auto drawn =
+            Lambert{(reflects ? reflectance : transmittance) / chance}.sample(w_from, draw);
+        if (!drawn) return {};
+        if (!reflects) drawn->w_to.z = -drawn->w_to.z;
+        *drawn->pdf *= chance;
+        return drawn;
+    }
+
+    static constexpr Scattering scattering() { return Scattering::diffuse; }
+    static bool gathers(float z_from, float z_to) { return z_from != 0 && z_to != 0; }
+
+private:
+    /// Of reflection; never zero or one, for a lane may have what their mean lacks.
+    float chance_back() const {
+        const float back = reflectance.mean();
+        const float both = back + transmittance.mean();
+        return both > 0 ? std::min(0.99F, std::max(0.01F, back / both)) : 0.5F;
+    }
+};
+
+}  // namespace sunfleck
