@@ -11,9 +11,10 @@ namespace sunfleck {
 namespace {
 
 // In the order of the variants.
-constexpr std::array kMaterialNames = {"diffuse",   "dielectric",    "thindielectric",
-                                       "conductor", "coateddiffuse", "diffusetransmission",
-                                       "mix",       "interface"};
+constexpr std::array kMaterialNames = {
+    "diffuse",       "dielectric",      "thindielectric",      "conductor",
+    "coateddiffuse", "coatedconductor", "diffusetransmission", "mix",
+    "interface"};
 static_assert(kMaterialNames.size() == std::variant_size_v<Material>);
 constexpr std::array kLightNames = {"point", "spot", "distant", "infinite", "area"};
 static_assert(kLightNames.size() == std::variant_size_v<Light>);

@@ -2,6 +2,7 @@
 // example in tests/laws/bsdf_examples.h.
 #pragma once
 
+#include "bsdf/coated_conductor.h"
 #include "bsdf/coated_diffuse.h"
 #include "bsdf/diffuse_transmission.h"
 #include "bsdf/lambert.h"
@@ -20,9 +21,9 @@ template <BsdfModel... Models>
 using BsdfVariant = std::variant<Models...>;
 
 /// A BSDF at one point of a surface: a value, copied into the visible point that needs it.
-using Bsdf =
-    BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielectric, SmoothConductor,
-                RoughConductor, CoatReflection, CoatedBase, CoatedDiffuse, DiffuseTransmission>;
+using Bsdf = BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielectric,
+                         SmoothConductor, RoughConductor, CoatReflection, CoatedBase, CoatedDiffuse,
+                         CoatedConductor, DiffuseTransmission>;
 
 /// f per steradian, without the cosine; zero for delta lobes (bsdf/model.h).
 inline Spectrum eval(const Bsdf& bsdf, const Vec3& w_from, const Vec3& w_to, Transport transport) {

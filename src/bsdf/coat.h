@@ -40,10 +40,12 @@ public:
     /// Fresnel reflectance of the boundary from the air. @param cosine  with the (facet's) normal.
     float reflectance(float cosine) const { return dielectric_reflectance(cosine, eta_); }
 
+    /// What one way through the layer leaves. @param cosine  within it.
+    float faded(float cosine) const { return std::exp(-thickness_ / std::max(cosine, 1e-6F)); }
+
 private:
     static constexpr int kCells = 32;
 
-    float faded(float cosine) const { return std::exp(-thickness_ / std::max(cosine, 1e-6F)); }
     float passed_smooth(float cosine) const;
     float passed_rough(float cosine) const;
     float returned_smooth(float cosine) const;

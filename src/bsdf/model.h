@@ -34,7 +34,7 @@ struct BsdfDraw {
 /// How a path treats the surface.
 enum class Scattering {
     specular,  // only delta lobes: always continue
-    glossy,    // no delta lobe, narrow: gather or continue (docs/method.md, owners of light)
+    glossy,    // narrow, perhaps beside a delta lobe: gather or continue (docs/method.md, owners)
     diffuse,   // wide: gather
     coated     // diffuse under a specular or glossy coat: both (bsdf/coated_diffuse.h)
 };

@@ -74,6 +74,14 @@ struct BsdfOf {
         return CoatedDiffuse{clamped(m.reflectance.at(point, wavelengths), 0, 1), m.coat.get()};
     }
 
+    std::optional<Bsdf> operator()(const CoatedConductorMaterial& m) const {
+        const auto [eta, k] = metal_index(m.metal);
+        const Vec2 alphas = m.metal.roughness.alphas(point);
+        std::optional<Ggx> facets;
+        if (!is_smooth(alphas)) facets = facets_of(alphas);
+        return CoatedConductor(eta, k, facets, m.coat.get());
+    }
+
     std::optional<Bsdf> operator()(const DiffuseTransmissionMaterial& m) const {
         Spectrum back = clamped(m.reflectance.at(point, wavelengths), 0, 1);
         Spectrum through = clamped(m.transmittance.at(point, wavelengths), 0, 1);
@@ -106,6 +114,7 @@ struct IsTextured {
                  m.roughness.is_constant());
     }
     bool operator()(const CoatedDiffuseMaterial& m) const { return !m.reflectance.is_constant(); }
+    bool operator()(const CoatedConductorMaterial& m) const { return (*this)(m.metal); }
     bool operator()(const DiffuseTransmissionMaterial& m) const {
         return !(m.reflectance.is_constant() && m.transmittance.is_constant());
     }

@@ -61,6 +61,12 @@ struct CoatedDiffuseMaterial {
     std::shared_ptr<const Coat> coat;                             // not null
 };
 
+/// Metal under a clear coat.
+struct CoatedConductorMaterial {
+    ConductorMaterial metal;
+    std::shared_ptr<const Coat> coat;  // not null
+};
+
 /// Scattered evenly, back and through. Together at most one: a larger sum is scaled down.
 struct DiffuseTransmissionMaterial {
     SpectrumTexture reflectance = SpectralCurve::constant(0.25F);
@@ -80,8 +86,8 @@ struct MixMaterial {
 struct InterfaceMaterial {};
 
 using Material = std::variant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
-                              ConductorMaterial, CoatedDiffuseMaterial, DiffuseTransmissionMaterial,
-                              MixMaterial, InterfaceMaterial>;
+                              ConductorMaterial, CoatedDiffuseMaterial, CoatedConductorMaterial,
+                              DiffuseTransmissionMaterial, MixMaterial, InterfaceMaterial>;
 
 /// Does the Bsdf depend on the point?
 bool is_textured(const Material& material);

@@ -55,6 +55,17 @@ Truth truth(const Bsdf& bsdf, const Vec3& w_from, std::size_t lane) {
     }
     if (const auto* varnish = std::get_if<CoatReflection>(&bsdf))
         return {fresnel(cosine, varnish->coat->eta()), 0};
+    if (std::holds_alternative<CoatedConductor>(bsdf)) {
+        // The example's: gold under a coat of index 1.5 that takes nothing, summed as a series.
+        const double inside = std::sqrt(1 - (1 - cosine * cosine) / 2.25);
+        const double top = fresnel(cosine, 1.5);
+        const double r =
+            fresnel(inside, std::complex<double>(gold_eta()[lane], gold_k()[lane]) / 1.5);
+        double sum = top;
+        double left = (1 - top) * r;
+        for (int i = 0; i < 60; ++i, left *= top * r) sum += left * (1 - top);
+        return {sum, 0};
+    }
     const auto& metal = std::get<SmoothConductor>(bsdf);
     return {fresnel(cosine, {metal.eta[lane], metal.k[lane]}), 0};
 }

@@ -35,6 +35,13 @@ inline Spectrum ramp(float first, float last) {
     return s;
 }
 
+inline Spectrum gold_eta() {
+    return ramp(1.6F, 0.15F);
+}
+inline Spectrum gold_k() {
+    return ramp(1.9F, 4.5F);
+}
+
 struct Coats {
     Coat smooth{1.5F, {}, 0};
     Coat rough{1.5F, Ggx{0.3F, 0.3F}, 0.01F};
@@ -50,8 +57,6 @@ inline std::vector<BsdfExample> bsdf_examples() {
     const Spectrum glass(1.5F);
     const Spectrum bubble(1 / 1.33F);
     const Spectrum flint = ramp(1.62F, 1.54F);
-    const Spectrum gold_eta = ramp(1.6F, 0.15F);
-    const Spectrum gold_k = ramp(1.9F, 4.5F);
     return {
         {"grey", Lambert{ramp(0.2F, 0.8F)}},
         {"white", Lambert{Spectrum(1)}},
@@ -65,12 +70,16 @@ inline std::vector<BsdfExample> bsdf_examples() {
         {"pane", ThinDielectric{glass}},
         {"coloured_pane", ThinDielectric{ramp(1.3F, 1.9F)}},
         {"mirror", SmoothConductor{Spectrum(1), Spectrum(2000)}},
-        {"gold", SmoothConductor{gold_eta, gold_k}},
+        {"gold", SmoothConductor{gold_eta(), gold_k()}},
         {"rough_mirror", RoughConductor{Spectrum(1), Spectrum(2000), {0.5F, 0.1F}}},
-        {"rough_gold", RoughConductor{gold_eta, gold_k, {0.2F, 0.2F}}},
-        {"chalky_gold", RoughConductor{gold_eta, gold_k, {1, 0.6F}}},
+        {"rough_gold", RoughConductor{gold_eta(), gold_k(), {0.2F, 0.2F}}},
+        {"chalky_gold", RoughConductor{gold_eta(), gold_k(), {1, 0.6F}}},
         {"leaf", DiffuseTransmission{ramp(0.2F, 0.5F), ramp(0.4F, 0.1F)}},
         {"milk_glass", DiffuseTransmission{Spectrum(0.05F), Spectrum(0.9F)}},
+        {"coated_gold", CoatedConductor(gold_eta(), gold_k(), {}, &coats().smooth)},
+        {"coated_rough_gold",
+         CoatedConductor(gold_eta(), gold_k(), Ggx{0.3F, 0.2F}, &coats().smooth)},
+        {"satin_gold", CoatedConductor(gold_eta(), gold_k(), {}, &coats().rough)},
         {"varnish", CoatReflection{&coats().smooth}},
         {"satin_varnish", CoatReflection{&coats().rough}},
         {"varnished", CoatedBase{ramp(0.2F, 0.9F), &coats().smooth}},

@@ -153,8 +153,8 @@ Material coated_diffuse(const Statement& statement, Reading& reading) {
 }
 
 Material coated_conductor(const Statement& statement, Reading& reading) {
-    warn_approximation(statement, "it is its conductor, without the coat", reading);
-    return conductor_by(statement, "conductor.", reading);
+    return CoatedConductorMaterial{conductor_by(statement, "conductor.", reading),
+                                   coat_of(statement, "interface.", reading)};
 }
 
 Material hair_or_skin(const Statement& statement, Reading& reading) {

@@ -90,12 +90,18 @@ TEST(Materials, coated_diffuse_has_a_coat) {
               1);
 }
 
-TEST(Materials, that_are_not_ours_have_stand_ins) {
-    const auto metal = made<ConductorMaterial>(
+TEST(Materials, coated_conductor_has_a_coat_over_metal) {
+    const auto coated = made<CoatedConductorMaterial>(
         "Material \"coatedconductor\" \"spectrum conductor.eta\" \"metal-Au-eta\" \"spectrum "
-        "conductor.k\" \"metal-Au-k\" \"float conductor.roughness\" .04");
-    EXPECT_EQ(metal.k.curve()(500), (*named_spectrum("metal-Au-k"))(500));
-    EXPECT_FLOAT_EQ(metal.roughness.alphas({}).x, 0.2F);
+        "conductor.k\" \"metal-Au-k\" \"float conductor.roughness\" .04 \"float "
+        "interface.roughness\" .09 \"float interface.eta\" 1.4");
+    EXPECT_EQ(coated.metal.k.curve()(500), (*named_spectrum("metal-Au-k"))(500));
+    EXPECT_FLOAT_EQ(coated.metal.roughness.alphas({}).x, 0.2F);
+    EXPECT_FLOAT_EQ(coated.coat->facets()->alpha_x, 0.3F);
+    EXPECT_EQ(coated.coat->eta(), 1.4F);
+}
+
+TEST(Materials, that_are_not_ours_have_stand_ins) {
     made<DiffuseMaterial>("Material \"measured\" \"string filename\" \"x.bsdf\"");
     made<DiffuseMaterial>("Material \"hair\"");
     made<DiffuseMaterial>("Material \"subsurface\" \"rgb mfp\" [ 1 1 1 ]");
