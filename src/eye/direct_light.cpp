@@ -8,8 +8,7 @@ namespace {
 /// each other, and a bsdf sample finds them all at once, so they count together.
 float density(const PassScene& pass, std::size_t light, const DirectSample& drawn,
               float probability) {
-    if (std::holds_alternative<InfiniteLight>(pass.scene.lights()[light]))
-        return emitter_beyond(pass, drawn.direction).pdf;
+    if (is_infinite(pass.scene.lights()[light])) return emitter_beyond(pass, drawn.direction).pdf;
     return *drawn.pdf * probability;
 }
 
@@ -34,7 +33,7 @@ Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_
     if (light->pdf)
         weight *= mis_weight(density(pass, choice.index, *light, probability),
                              pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance));
-    return f * pass.emission[choice.index] * weight;
+    return f * pass.tinted(pass.emission[choice.index], light->tint) * weight;
 }
 
 EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Vec3& from,
@@ -51,10 +50,9 @@ EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Vec3& from,
 EmitterMet emitter_beyond(const PassScene& pass, const Vec3& direction) {
     EmitterMet all;
     for (const std::uint32_t index : pass.scene.infinite_lights()) {
-        const auto& light = std::get<InfiniteLight>(pass.scene.lights()[index]);
-        all.radiance += pass.emission[index];
-        all.pdf += static_cast<float>(pass.scene.light_choice().probability(index)) *
-                   light.direct_pdf(direction);
+        const Beyond there = beyond(pass.scene.lights()[index], direction);
+        all.radiance += pass.tinted(pass.emission[index] * there.factor, there.tint);
+        all.pdf += static_cast<float>(pass.scene.light_choice().probability(index)) * there.pdf;
     }
     return all;
 }

@@ -15,15 +15,15 @@ Emission InfiniteLight::sample_emission(const std::array<double, 4>& u,
 std::optional<DirectSample> InfiniteLight::sample_direct(const Vec3&, const Vec2& u,
                                                          const SceneSphere&) const {
     const Vec3 direction(uniform_sphere(Vec2d(u)));
-    return DirectSample{direction, kInfinity, 4 * kPi, direct_pdf(direction)};
+    return DirectSample{direction, kInfinity, 4 * kPi, beyond(direction).pdf};
 }
 
 double InfiniteLight::power(const SceneSphere& sphere) const {
     return 4 * kPiDouble * scene_disc_area(sphere);
 }
 
-float InfiniteLight::direct_pdf(const Vec3&) const {
-    return 1 / (4 * kPi);
+Beyond InfiniteLight::beyond(const Vec3&) const {
+    return {1, 1 / (4 * kPi)};
 }
 
 }  // namespace sunfleck

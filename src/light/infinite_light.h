@@ -15,8 +15,7 @@ struct InfiniteLight {
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;
     double power(const SceneSphere& sphere) const;
-    /// Density per steradian of sample_direct(): the other half of MIS.
-    float direct_pdf(const Vec3& direction) const;
+    Beyond beyond(const Vec3& direction) const;
 };
 
 }  // namespace sunfleck

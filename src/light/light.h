@@ -4,6 +4,7 @@
 
 #include "light/area_light.h"
 #include "light/distant_light.h"
+#include "light/image_infinite_light.h"
 #include "light/infinite_light.h"
 #include "light/point_light.h"
 #include "light/spot_light.h"
@@ -15,7 +16,8 @@ namespace sunfleck {
 template <LightModel... Models>
 using LightVariant = std::variant<Models...>;
 
-using Light = LightVariant<PointLight, SpotLight, DistantLight, InfiniteLight, AreaLight>;
+using Light =
+    LightVariant<PointLight, SpotLight, DistantLight, InfiniteLight, ImageInfiniteLight, AreaLight>;
 
 inline Emission sample_emission(const Light& light, const std::array<double, 4>& u,
                                 const SceneSphere& sphere) {
@@ -33,6 +35,25 @@ inline double power(const Light& light, const SceneSphere& sphere) {
 
 inline const SpectralCurve& curve(const Light& light) {
     return std::visit([](const auto& l) -> const SpectralCurve& { return l.curve; }, light);
+}
+
+/// Do rays that leave the scene meet it?
+inline bool is_infinite(const Light& light) {
+    const auto has_beyond = [](const auto& l) {
+        return requires(Vec3 w) {
+            l.beyond(w);
+        };
+    };
+    return std::visit(has_beyond, light);
+}
+
+/// What comes from `direction` (unit, to the light); nothing from lights that are not infinite.
+inline Beyond beyond(const Light& light, const Vec3& direction) {
+    const auto ask = [&](const auto& l) {
+        if constexpr (requires { l.beyond(direction); }) return l.beyond(direction);
+        return Beyond{};
+    };
+    return std::visit(ask, light);
 }
 
 }  // namespace sunfleck

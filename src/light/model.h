@@ -3,7 +3,8 @@
 // Two users: photon paths start with sample_emission(); eye paths ask sample_direct() and, when a
 // ray meets an emitter or leaves the scene, radiance() and direct_pdf() for the other half of MIS.
 // Curves are evaluated once a pass: a light's functions return a unitless or geometric factor and
-// `LightSpectra` holds each light's emission at the pass's wavelengths.
+// `LightSpectra` holds each light's emission at the pass's wavelengths. A light with a picture adds
+// a tint: linear sRGB of luminance one, whose smooth spectrum multiplies the curve.
 #pragma once
 
 #include "geometry/ray.h"
@@ -28,8 +29,9 @@ struct Emission {
     /// Flux per unit of the light's curve: factor * curve = Le |cos| / (pdf position * pdf
     /// direction). The choice of the light is not in it.
     double factor = 0;
-    Vec3 normal;      // geometric, of an area light's surface; zero for others
-    float error = 0;  // bound of the origin's error on an area light
+    Vec3 normal;                 // geometric, of an area light's surface; zero for others
+    float error = 0;             // bound of the origin's error on an area light
+    std::optional<Vec3> tint{};  // of lights with pictures: multiplies the curve
 };
 
 /// One sample of the light that arrives straight at a point.
@@ -38,6 +40,14 @@ struct DirectSample {
     float distance = kInfinity;
     float factor = 0;  // radiance (or irradiance, for delta lights) per unit of the curve, / pdf
     std::optional<float> pdf;  // per steradian at the point; none for delta lights
+    std::optional<Vec3> tint{};
+};
+
+/// What an infinite light sends from one direction.
+struct Beyond {
+    float factor = 0;  // radiance per unit of the curve
+    float pdf = 0;     // per steradian, of sample_direct(): the other half of MIS
+    std::optional<Vec3> tint{};
 };
 
 /// emission:   u in (0,1)^4: position (2), direction (2). Continuous and gentle in u.
@@ -45,6 +55,7 @@ struct DirectSample {
 ///             (behind a one-sided emitter, outside a spot).
 /// power:      total emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).
 /// curve:      the emission's spectrum.
+/// beyond:     of infinite lights alone.
 template <class L>
 concept LightModel = std::copyable<L> &&
     requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,

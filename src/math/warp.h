@@ -55,6 +55,20 @@ inline Vec3d uniform_sphere(const Vec2d& u) {
             std::copysign(1 - radius * radius, inside)};
 }
 
+/// Where uniform_sphere() takes to `w`: its inverse, within 1e-7. @param w  unit.
+inline Vec2d sphere_to_square(const Vec3d& w) {
+    const double flat2 = w.x * w.x + w.y * w.y;
+    const double radius = std::sqrt(flat2 / (1 + std::abs(w.z)));
+    const double x = std::abs(w.x);
+    const double y = std::abs(w.y);
+    const double tangent = x + y > 0 ? (y - x) / (y + x) : 0;
+    const double off = std::atan(static_cast<float>(tangent));
+    const double sum = w.z < 0 ? 2 - radius : radius;
+    const double difference = radius * std::clamp(off / (kPiDouble / 4), -1.0, 1.0);
+    return {(1 + std::copysign((sum - difference) / 2, w.x)) / 2,
+            (1 + std::copysign((sum + difference) / 2, w.y)) / 2};
+}
+
 /// A direction around +z whose 1 - cos is `versine` and whose azimuth is that of a disc point.
 /// The disc's radius2 must be monotone in `versine` for the map to be continuous.
 inline Vec3d around_pole(const DiscPoint& disc, double versine) {

@@ -151,6 +151,7 @@ private:
         start.origin += normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
         state.flux =
             pass_.emission[choice.index] * static_cast<float>(start.factor / choice.probability);
+        if (start.tint) state.flux = pass_.tinted(state.flux, start.tint);
         state.direction = Vec3(start.direction);
         return start;
     }

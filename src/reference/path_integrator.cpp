@@ -42,25 +42,26 @@ private:
             const auto hit = scene_.geometry().intersect(ray);
             if (!hit) {
                 for (const std::uint32_t i : scene_.infinite_lights())
-                    add_emitter(
-                        i, std::get<InfiniteLight>(scene_.lights()[i]).direct_pdf(ray.direction));
+                    add_emitter(i, beyond(scene_.lights()[i], ray.direction));
                 return {};
             }
             if (const std::uint32_t i = scene_.light_of(*hit); i != kNone) {
                 const auto& light = std::get<AreaLight>(scene_.lights()[i]);
                 if (light.emits(hit->normal, -ray.direction))
-                    add_emitter(i, light.direct_pdf(last_, hit->position, hit->normal));
+                    add_emitter(i, {1, light.direct_pdf(last_, hit->position, hit->normal)});
             }
             if (!scene_.passes_straight(*hit)) return hit;
             ray = ray_from(*hit, ray.direction);
         }
     }
 
-    /// An emitter that the last bsdf sample found. @param pdf  of finding it by a light sample.
-    void add_emitter(std::uint32_t light, float pdf) {
-        const auto other = static_cast<float>(scene_.light_choice().probability(light)) * pdf;
+    /// An emitter that the last bsdf sample found. @param met  with what a light sample would do.
+    void add_emitter(std::uint32_t light, const Beyond& met) {
+        if (!(met.factor > 0)) return;
+        const auto other = static_cast<float>(scene_.light_choice().probability(light)) * met.pdf;
         const float weight = specular_ ? 1 : pdf_ / (pdf_ + other);
-        sum_ += throughput_ * pass_.scene.emission[light] * weight;
+        const Spectrum emitted = pass_.scene.tinted(pass_.scene.emission[light], met.tint);
+        sum_ += throughput_ * emitted * (met.factor * weight);
     }
 
     /// Direct light, then a direction to go on in: `ray` becomes the next one.
@@ -103,8 +104,9 @@ private:
             const float mine = *light->pdf * chosen;
             weight = mine / (mine + pdf(bsdf, w_from, w_to, Transport::radiance));
         }
-        sum_ += throughput_ * f * pass_.scene.emission[choice.index] *
-                (light->factor * std::abs(w_to.z) * weight / chosen);
+        const Spectrum emitted =
+            pass_.scene.tinted(pass_.scene.emission[choice.index], light->tint);
+        sum_ += throughput_ * f * emitted * (light->factor * std::abs(w_to.z) * weight / chosen);
     }
 
     bool survives() {

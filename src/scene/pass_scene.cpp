@@ -2,6 +2,7 @@
 #include "scene/pass_scene.h"
 
 #include "core/parallel.h"
+#include "math/sigmoid_table.h"
 
 namespace sunfleck {
 
@@ -28,6 +29,12 @@ PassScene::PassScene(const Scene& of, PassId pass)
         for (std::size_t i = begin; i < end; ++i)
             emission[i] = curve(of.lights()[i]).at(wavelengths);
     });
+}
+
+/// Greys exactly, and without asking for the table.
+Spectrum PassScene::colour(const Vec3& rgb) const {
+    if (rgb.x == rgb.y && rgb.y == rgb.z) return Spectrum(rgb.x);
+    return SigmoidTable::srgb().unbounded(rgb, wavelengths);
 }
 
 const Bsdf& PassScene::make_bsdf(Hit& hit, std::optional<Bsdf>& room) const {

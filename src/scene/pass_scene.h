@@ -29,6 +29,11 @@ struct PassScene {
         return constant ? *constant : make_bsdf(hit, room);
     }
 
+    /// What a light emits, in the colour that it has there.
+    Spectrum tinted(const Spectrum& emitted, const std::optional<Vec3>& tint) const {
+        return tint ? emitted * colour(*tint) : emitted;
+    }
+
     /// A number by which kept() finds the Bsdf of a hit, or one of its layers, for as long as the
     /// pass lasts: that of the material, or, where this varies, of a copy. Any number of threads.
     std::uint32_t keep(const Hit& hit, const Bsdf& bsdf) const {
@@ -43,6 +48,7 @@ struct PassScene {
     }
 
 private:
+    Spectrum colour(const Vec3& rgb) const;
     const Bsdf& make_bsdf(Hit& hit, std::optional<Bsdf>& room) const;
 
     std::vector<std::optional<Bsdf>> bent_;  // by material: constant, but with a relief

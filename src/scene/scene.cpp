@@ -72,7 +72,7 @@ void Scene::finish_lights(const std::vector<Light>& others) {
     lights_.insert(lights_.end(), others.begin(), others.end());
     std::vector<double> weights;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
-        const bool infinite = std::holds_alternative<InfiniteLight>(lights_[i]);
+        const bool infinite = is_infinite(lights_[i]);
         if (infinite) infinite_lights_.push_back(static_cast<std::uint32_t>(i));
         const auto* area = std::get_if<AreaLight>(&lights_[i]);
         if (infinite || (area != nullptr && !area->unseen)) has_lights_to_meet_ = true;

@@ -128,6 +128,31 @@ inline std::vector<LightExample> patch_examples() {
     return all;
 }
 
+/// A coloured sky with a sun, a black stripe and a black corner.
+inline std::shared_ptr<const LightPicture> example_sky(int side) {
+    std::vector<float> texels;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const bool black = y == side / 3 || (x == 0 && y == 0);
+            const float sun = x == side / 2 && y == side / 2 + 1 ? 20.0F : 0.0F;
+            const auto part = [&](int a) {
+                return static_cast<float>(a) / static_cast<float>(side);
+            };
+            for (const float c : {0.2F + part(x), 0.5F, 1.5F - part(y)})
+                texels.push_back(black ? 0 : c + sun);
+        }
+    return std::make_shared<const LightPicture>(Image({side, side}, 3, texels));
+}
+
+inline std::vector<LightExample> picture_examples() {
+    std::vector<LightExample> all;
+    const Affine turned(placed({0, 0, 0}, Vec3d(1), 0.7, -0.4));
+    all.push_back({"sky", ImageInfiniteLight{{}, example_sky(9), turned}});
+    const Affine mirrored(placed({0, 0, 0}, {1, 1, -1}, 0.2, 1.3));
+    all.push_back({"mirrored_sky", ImageInfiniteLight{{}, example_sky(4), mirrored}});
+    return all;
+}
+
 inline std::vector<LightExample> light_examples() {
     std::vector<LightExample> all;
     all.push_back({"point", PointLight{{}, Vec3d(0.8, -0.3, 1.4)}});
@@ -144,6 +169,7 @@ inline std::vector<LightExample> light_examples() {
     all.push_back({"infinite", InfiniteLight{}});
     all.push_back(area_example("triangle", example_triangle(true)));
     all.push_back(area_example("two_sided_triangle", example_triangle(false), true));
+    for (const LightExample& example : picture_examples()) all.push_back(example);
     for (const LightExample& example : sphere_examples()) all.push_back(example);
     for (const LightExample& example : disk_examples()) all.push_back(example);
     for (const LightExample& example : cylinder_examples()) all.push_back(example);

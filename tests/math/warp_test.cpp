@@ -60,6 +60,18 @@ TEST(Warp, uniform_sphere_is_uniform) {
               1e-3);
 }
 
+TEST(Warp, sphere_to_square_goes_back) {
+    for (int y = 0; y <= 100; ++y)
+        for (int x = 0; x <= 100; ++x) {
+            const Vec2d u(0.01 * x, 0.01 * y);
+            const Vec3d w = uniform_sphere(u);
+            const Vec3d again = uniform_sphere(sphere_to_square(w));
+            ASSERT_LT((again - w).length(), 1e-6) << u;
+            const bool inside = std::min({u.x, u.y, 1 - u.x, 1 - u.y}) > 0;  // edges are folded
+            ASSERT_LT(inside ? (sphere_to_square(w) - u).length() : 0, 1e-6) << u;
+        }
+}
+
 TEST(Warp, cosine_hemisphere_has_density_cosine) {
     EXPECT_GT(uniformity([](const Vec2d& u) {
                   const Vec3d p = cosine_hemisphere(u);

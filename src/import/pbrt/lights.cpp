@@ -2,6 +2,7 @@
 // "power" and "illuminance" (above 0) multiply "scale".
 #include "import/pbrt/lights.h"
 
+#include "import/pbrt/light_pictures.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/spectra.h"
 #include "import/pbrt/words.h"
@@ -82,20 +83,23 @@ Light distant_light(const Statement& statement, Reading& reading) {
                         direction_of(statement, reading.still_matrix(statement.where))};
 }
 
+Light image_infinite_light(const Statement& statement, Reading& reading) {
+    if (const Parameter* both = statement.find("L"))
+        throw Error(both->where, "an infinite light with \"L\" and \"filename\"",
+                    "give one of them");
+    const auto picture = directions_picture(statement, reading);
+    // pbrt-v4 sums 2 pi / texels a texel, half of the solid angle.
+    const double at_one = illuminance_from_above(*picture) / 2;
+    const double factor = scale_of(statement) * factor_by(statement, "illuminance", at_one);
+    return ImageInfiniteLight{scaled(SpectralCurve::d65(), factor), picture,
+                              turn_of(statement, reading)};
+}
+
 Light infinite_light(const Statement& statement, Reading& reading) {
-    double factor = scale_of(statement) * factor_by(statement, "illuminance", kPiDouble);
-    if (const auto file = statement.text("filename")) {
-        if (const Parameter* both = statement.find("L"))
-            throw Error(both->where, "an infinite light with \"L\" and \"filename\"",
-                        "give one of them");
-        if (!(statement.real("illuminance", 0) > 0)) factor *= kPictureRadiance;
-        reading.warn(statement.where, "the picture " + in_quotes(*file) +
-                                          " of an infinite light is not read: its mean is not "
-                                          "known, and radiance 0.5 times \"scale\" (or what "
-                                          "gives its \"illuminance\") comes from everywhere");
-    }
     if (statement.find("portal"))
         reading.warn(statement.where, "portals are ignored: the light comes from everywhere");
+    if (statement.find("filename")) return image_infinite_light(statement, reading);
+    const double factor = scale_of(statement) * factor_by(statement, "illuminance", kPiDouble);
     return InfiniteLight{scaled(emission_of(statement, "L", reading), factor)};
 }
 

@@ -63,13 +63,6 @@ TEST(Lights, from_everywhere_have_a_radiance_or_illuminance) {
 }
 
 TEST(Lights, with_pictures_are_said_to_be_without) {
-    const SceneDescription sky =
-        read_world("LightSource \"infinite\" \"string filename\" \"a.exr\" \"float scale\" 4");
-    EXPECT_NEAR(value_of(curve(sky.lights.at(0))), 2, 1e-3);
-    EXPECT_EQ(warnings_with(sky, "\"a.exr\""), 1);
-    const SceneDescription lit = read_world(
-        "LightSource \"infinite\" \"string filename\" \"a.exr\" \"float illuminance\" 1");
-    EXPECT_NEAR(value_of(curve(lit.lights.at(0))), 1 / kPi, 1e-4);
     const SceneDescription projector = read_world(
         "LightSource \"projection\" \"string filename\" \"a.exr\" LightSource \"goniometric\"");
     EXPECT_TRUE(std::holds_alternative<PointLight>(projector.lights.at(1)));

@@ -1,0 +1,57 @@
+// Reading and checking pictures of lights.
+#include "import/pbrt/light_pictures.h"
+
+#include "image/read_image.h"
+#include "import/pbrt/reading.h"
+#include "import/pbrt/words.h"
+#include "light/affine_area.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+
+Image light_image(const Statement& statement, Reading& reading) {
+    const auto name = statement.text("filename");
+    if (!name || name->empty())
+        throw Error(statement.where, "a light without its picture", "add \"string filename\"");
+    const SourceLocation& where = statement.find("filename")->where;
+    Image image = parse_image(reading.read_file(*name, where), *name);
+    for (int y = 0; y < image.resolution().y; ++y)
+        for (int x = 0; x < image.resolution().x; ++x) {
+            const Vec3 rgb = image.rgb(x, y);
+            if (!std::isfinite(rgb.x) || !std::isfinite(rgb.y) || !std::isfinite(rgb.z))
+                throw Error(where,
+                            "texel (" + std::to_string(x) + ", " + std::to_string(y) + ") of " +
+                                in_quotes(*name) + " is not finite",
+                            "mend the picture: lights need numbers");
+        }
+    return image;
+}
+
+std::shared_ptr<const LightPicture> directions_picture(const Statement& statement,
+                                                       Reading& reading) {
+    Image image = light_image(statement, reading);
+    const Vec2i size = image.resolution();
+    if (size.x != size.y)
+        throw Error(statement.find("filename")->where,
+                    "the picture of a light is " + std::to_string(size.x) + " x " +
+                        std::to_string(size.y) + " texels, and no equal-area map of directions",
+                    "convert it to a square, as by pbrt-v4's imgtool makeequiarea");
+    return std::make_shared<const LightPicture>(std::move(image));
+}
+
+Affine turn_of(const Statement& statement, Reading& reading) {
+    const Affine given(reading.still_matrix(statement.where));
+    if (!given.is_invertible())
+        throw Error(statement.where, "the matrix of the light is singular", "scale by no zero");
+    if (!is_similarity(given))
+        reading.warn(statement.where,
+                     "a light with a picture is turned by its matrix, not stretched");
+    Affine turn;
+    turn.x = given.x.normalized();
+    turn.y = (given.y - turn.x * turn.x.dot(given.y)).normalized();
+    turn.z = turn.x.cross(turn.y) * (given.determinant() < 0 ? -1 : 1);
+    return turn;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,25 @@
+// Pictures that lights name, and how they are turned.
+#pragma once
+
+#include "geometry/affine.h"
+#include "import/pbrt/parameters.h"
+#include "light/light_picture.h"
+
+#include <memory>
+
+namespace sunfleck {
+
+struct Reading;
+
+/// The "filename" of a light. @throws Error for texels that are not finite.
+Image light_image(const Statement& statement, Reading& reading);
+
+/// The same where it stands for all directions. @throws Error also if it is no square.
+std::shared_ptr<const LightPicture> directions_picture(const Statement& statement,
+                                                       Reading& reading);
+
+/// The present matrix as a rotation, with a reflection if it mirrors. Where it stretches or shears,
+/// the nearest in the order x, y, z of axes, and a warning.
+Affine turn_of(const Statement& statement, Reading& reading);
+
+}  // namespace sunfleck

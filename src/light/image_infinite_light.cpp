@@ -1,0 +1,54 @@
+// Image infinite light: directions by the luminance of texels, which are of one solid angle.
+#include "light/image_infinite_light.h"
+
+#include "light/scene_disc.h"
+
+namespace sunfleck {
+
+Emission ImageInfiniteLight::sample_emission(const std::array<double, 4>& u,
+                                             const SceneSphere& sphere) const {
+    const auto drawn = picture->draw({u[2], u[3]});
+    const Vec3d direction = -to_world.vector(uniform_sphere(drawn.place));
+    return {scene_disc_point(sphere, direction, {u[0], u[1]}),
+            direction,
+            power(sphere),
+            Vec3(0),
+            0,
+            drawn.light.tint};
+}
+
+std::optional<DirectSample> ImageInfiniteLight::sample_direct(const Vec3&, const Vec2& u,
+                                                              const SceneSphere&) const {
+    if (!(picture->mean() > 0)) return {};
+    const auto drawn = picture->draw(Vec2d(u));
+    const double pdf = drawn.light.luminance / (picture->mean() * 4 * kPiDouble);
+    return DirectSample{Vec3(to_world.vector(uniform_sphere(drawn.place))), kInfinity,
+                        static_cast<float>(picture->mean() * 4 * kPiDouble),
+                        static_cast<float>(pdf), drawn.light.tint};
+}
+
+double ImageInfiniteLight::power(const SceneSphere& sphere) const {
+    return picture->mean() * 4 * kPiDouble * scene_disc_area(sphere);
+}
+
+Beyond ImageInfiniteLight::beyond(const Vec3& direction) const {
+    if (!(picture->mean() > 0)) return {};
+    const Vec3d w(direction);
+    const Vec3d local(to_world.x.dot(w), to_world.y.dot(w), to_world.z.dot(w));
+    const TexelLight light = picture->at(sphere_to_square(local));
+    const double pdf = light.luminance / (picture->mean() * 4 * kPiDouble);
+    return {static_cast<float>(light.luminance), static_cast<float>(pdf), light.tint};
+}
+
+double illuminance_from_above(const LightPicture& picture) {
+    const Vec2i size = picture.resolution();
+    double sum = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const double height = uniform_sphere({(x + 0.5) / size.x, (y + 0.5) / size.y}).z;
+            if (height > 0) sum += picture.texel(x, y).luminance * height;
+        }
+    return sum * 4 * kPiDouble / (static_cast<double>(size.x) * size.y);
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,93 @@
+// Sums over texels, and their inversion.
+#include "light/light_picture.h"
+
+#include "core/parallel.h"
+#include "math/sigmoid_table.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+/// A place on [0,1]: the cell, and how far it is from the left.
+struct Place {
+    std::size_t cell;
+    double along;
+};
+
+/// @param ends  sums up to each of the cells; the last one is one.
+Place invert(const double* ends, std::size_t count, double u) {
+    const double* end = std::upper_bound(ends, ends + count, std::min(u, 1 - 0x1p-53));
+    const auto cell = static_cast<std::size_t>(end - ends);
+    const double begin = cell == 0 ? 0 : ends[cell - 1];
+    const double part = (u - begin) / (*end - begin);
+    return {cell, (static_cast<double>(cell) + part) / static_cast<double>(count)};
+}
+
+/// Sums become shares of the last one.
+void normalise(double* sums, std::size_t count) {
+    const double total = sums[count - 1];
+    if (!(total > 0)) return;
+    for (std::size_t i = 0; i < count; ++i) sums[i] /= total;
+}
+
+}  // namespace
+
+LightPicture::LightPicture(Image image) : image_(std::move(image)) {
+    const Vec2i size = image_.resolution();
+    const auto width = static_cast<std::size_t>(size.x);
+    const auto height = static_cast<std::size_t>(size.y);
+    rows_.resize(height);
+    columns_.resize(width * height);
+    parallel_for(height, [this](std::size_t y) { sum_row(static_cast<int>(y)); });
+    for (std::size_t y = 1; y < height; ++y) rows_[y] += rows_[y - 1];
+    mean_ = rows_.back() / static_cast<double>(width * height);
+    normalise(rows_.data(), height);
+    if (has_colours()) SigmoidTable::srgb();  // now: it may not be within parallel work
+}
+
+void LightPicture::sum_row(int y) {
+    const auto width = static_cast<std::size_t>(image_.resolution().x);
+    double* row = &columns_[static_cast<std::size_t>(y) * width];
+    double sum = 0;
+    for (std::size_t x = 0; x < width; ++x) {
+        sum += texel(static_cast<int>(x), y).luminance;
+        row[x] = sum;
+    }
+    rows_[static_cast<std::size_t>(y)] = sum;
+    normalise(row, width);
+}
+
+bool LightPicture::has_colours() const {
+    for (int y = 0; y < image_.resolution().y; ++y)
+        for (int x = 0; x < image_.resolution().x; ++x)
+            if (texel(x, y).tint != Vec3(1)) return true;
+    return false;
+}
+
+TexelLight LightPicture::texel(int x, int y) const {
+    const Vec3 given = image_.rgb(x, y);
+    const Vec3d rgb(std::max(0.0F, given.x), std::max(0.0F, given.y), std::max(0.0F, given.z));
+    const double luminance = 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;  // IEC 61966-2-1
+    if (!(luminance > 0)) return {};
+    if (rgb.x == rgb.y && rgb.y == rgb.z) return {rgb.x, Vec3(1)};
+    return {luminance, Vec3(rgb / luminance)};
+}
+
+TexelLight LightPicture::at(const Vec2d& place) const {
+    const Vec2i size = image_.resolution();
+    const auto cell = [](double along, int count) {
+        return std::clamp(static_cast<int>(along * count), 0, count - 1);
+    };
+    return texel(cell(place.x, size.x), cell(place.y, size.y));
+}
+
+LightPicture::Drawn LightPicture::draw(const Vec2d& u) const {
+    const auto width = static_cast<std::size_t>(image_.resolution().x);
+    const Place row = invert(rows_.data(), rows_.size(), u.y);
+    const Place column = invert(&columns_[row.cell * width], width, u.x);
+    return {{column.along, row.along},
+            texel(static_cast<int>(column.cell), static_cast<int>(row.cell))};
+}
+
+}  // namespace sunfleck

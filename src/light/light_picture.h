@@ -1,0 +1,50 @@
+// A picture as a distribution of light over the unit square: bright texels are drawn often.
+//
+// In:  texels in linear sRGB, constant over their squares, x to the right and y down; negative
+// components count as none. Out: places with the density luminance / mean luminance, exactly; a
+// texel of any light is drawn. By inverting the sums of rows, then of a row's texels: continuous
+// in the numbers within a row, and between rows that are alike.
+#pragma once
+
+#include "image/image.h"
+
+#include <vector>
+
+namespace sunfleck {
+
+/// What a texel shines: luminance times tint.
+struct TexelLight {
+    double luminance = 0;
+    Vec3 tint{1};  // of luminance one
+};
+
+class LightPicture {
+public:
+    struct Drawn {
+        Vec2d place;  // in the unit square
+        TexelLight light;
+    };
+
+    /// @param image  its texels finite. Builds the table of colours, if they are no greys.
+    explicit LightPicture(Image image);
+
+    const Vec2i& resolution() const { return image_.resolution(); }
+    /// Mean luminance.
+    double mean() const { return mean_; }
+    TexelLight texel(int x, int y) const;
+    /// The texel at a place of the closed unit square.
+    TexelLight at(const Vec2d& place) const;
+    /// Not to be asked of a black picture. @param u  in (0,1)^2.
+    Drawn draw(const Vec2d& u) const;
+
+private:
+    void sum_row(int y);
+    bool has_colours() const;
+
+    Image image_;
+    std::vector<double> rows_;     // sums of rows up to each, over that of all
+    std::vector<double> columns_;  // row by row: sums of texels up to each, over that of the row
+    double mean_ = 0;
+};
+
+}  // namespace sunfleck
