@@ -6,6 +6,7 @@
 #include "light/distant_light.h"
 #include "light/image_infinite_light.h"
 #include "light/infinite_light.h"
+#include "light/picture_point_lights.h"
 #include "light/point_light.h"
 #include "light/spot_light.h"
 
@@ -16,8 +17,8 @@ namespace sunfleck {
 template <LightModel... Models>
 using LightVariant = std::variant<Models...>;
 
-using Light =
-    LightVariant<PointLight, SpotLight, DistantLight, InfiniteLight, ImageInfiniteLight, AreaLight>;
+using Light = LightVariant<PointLight, SpotLight, GoniometricLight, ProjectionLight, DistantLight,
+                           InfiniteLight, ImageInfiniteLight, AreaLight>;
 
 inline Emission sample_emission(const Light& light, const std::array<double, 4>& u,
                                 const SceneSphere& sphere) {

@@ -9,10 +9,11 @@
 namespace sunfleck {
 namespace {
 
-/// A place on [0,1]: the cell, and how far it is from the left.
+/// A place on [0,1]: the cell, and how far it is from the left; its density.
 struct Place {
     std::size_t cell;
     double along;
+    double density;
 };
 
 /// @param ends  sums up to each of the cells; the last one is one.
@@ -20,8 +21,9 @@ Place invert(const double* ends, std::size_t count, double u) {
     const double* end = std::upper_bound(ends, ends + count, std::min(u, 1 - 0x1p-53));
     const auto cell = static_cast<std::size_t>(end - ends);
     const double begin = cell == 0 ? 0 : ends[cell - 1];
-    const double part = (u - begin) / (*end - begin);
-    return {cell, (static_cast<double>(cell) + part) / static_cast<double>(count)};
+    const double share = *end - begin;
+    const auto cells = static_cast<double>(count);
+    return {cell, (static_cast<double>(cell) + (u - begin) / share) / cells, share * cells};
 }
 
 /// Sums become shares of the last one.
@@ -33,25 +35,26 @@ void normalise(double* sums, std::size_t count) {
 
 }  // namespace
 
-LightPicture::LightPicture(Image image) : image_(std::move(image)) {
+LightPicture::LightPicture(Image image, const Share& share) : image_(std::move(image)) {
     const Vec2i size = image_.resolution();
     const auto width = static_cast<std::size_t>(size.x);
     const auto height = static_cast<std::size_t>(size.y);
     rows_.resize(height);
     columns_.resize(width * height);
-    parallel_for(height, [this](std::size_t y) { sum_row(static_cast<int>(y)); });
+    parallel_for(height, [&](std::size_t y) { sum_row(static_cast<int>(y), share); });
     for (std::size_t y = 1; y < height; ++y) rows_[y] += rows_[y - 1];
     mean_ = rows_.back() / static_cast<double>(width * height);
     normalise(rows_.data(), height);
     if (has_colours()) SigmoidTable::srgb();  // now: it may not be within parallel work
 }
 
-void LightPicture::sum_row(int y) {
+void LightPicture::sum_row(int y, const Share& share) {
     const auto width = static_cast<std::size_t>(image_.resolution().x);
     double* row = &columns_[static_cast<std::size_t>(y) * width];
     double sum = 0;
     for (std::size_t x = 0; x < width; ++x) {
-        sum += texel(static_cast<int>(x), y).luminance;
+        const auto column = static_cast<int>(x);
+        sum += texel(column, y).luminance * (share ? share(column, y) : 1);
         row[x] = sum;
     }
     rows_[static_cast<std::size_t>(y)] = sum;
@@ -87,7 +90,8 @@ LightPicture::Drawn LightPicture::draw(const Vec2d& u) const {
     const Place row = invert(rows_.data(), rows_.size(), u.y);
     const Place column = invert(&columns_[row.cell * width], width, u.x);
     return {{column.along, row.along},
-            texel(static_cast<int>(column.cell), static_cast<int>(row.cell))};
+            texel(static_cast<int>(column.cell), static_cast<int>(row.cell)),
+            row.density * column.density};
 }
 
 }  // namespace sunfleck

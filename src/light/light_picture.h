@@ -1,13 +1,15 @@
 // A picture as a distribution of light over the unit square: bright texels are drawn often.
 //
 // In:  texels in linear sRGB, constant over their squares, x to the right and y down; negative
-// components count as none. Out: places with the density luminance / mean luminance, exactly; a
-// texel of any light is drawn. By inverting the sums of rows, then of a row's texels: continuous
-// in the numbers within a row, and between rows that are alike.
+// components count as none. Out: places with the density luminance / mean luminance, exactly, each
+// weighed by its texel's share where these differ; a texel of any light is drawn. By inverting the
+// sums of rows, then of a row's texels: continuous in the numbers within a row, and between rows
+// that are alike.
 #pragma once
 
 #include "image/image.h"
 
+#include <functional>
 #include <vector>
 
 namespace sunfleck {
@@ -23,13 +25,17 @@ public:
     struct Drawn {
         Vec2d place;  // in the unit square
         TexelLight light;
+        double density = 0;  // over the unit square
     };
+    /// What a texel weighs, beside its luminance; positive.
+    using Share = std::function<double(int x, int y)>;
 
     /// @param image  its texels finite. Builds the table of colours, if they are no greys.
-    explicit LightPicture(Image image);
+    /// @param share  all one, if empty.
+    explicit LightPicture(Image image, const Share& share = {});
 
     const Vec2i& resolution() const { return image_.resolution(); }
-    /// Mean luminance.
+    /// Mean of luminance times share.
     double mean() const { return mean_; }
     TexelLight texel(int x, int y) const;
     /// The texel at a place of the closed unit square.
@@ -38,7 +44,7 @@ public:
     Drawn draw(const Vec2d& u) const;
 
 private:
-    void sum_row(int y);
+    void sum_row(int y, const Share& share);
     bool has_colours() const;
 
     Image image_;

@@ -1,6 +1,7 @@
 // Point light: even emission, inverse square.
 #include "light/point_light.h"
 
+#include "light/towards_point.h"
 #include "math/warp.h"
 
 namespace sunfleck {
@@ -11,12 +12,10 @@ Emission PointLight::sample_emission(const std::array<double, 4>& u, const Scene
 
 std::optional<DirectSample> PointLight::sample_direct(const Vec3& point, const Vec2&,
                                                       const SceneSphere&) const {
-    const Vec3d to_light = position - Vec3d(point);
-    const double distance2 = to_light.length2();
-    if (!(distance2 > 0)) return {};
-    const double distance = std::sqrt(distance2);
-    return DirectSample{Vec3(to_light / distance), static_cast<float>(distance),
-                        static_cast<float>(1 / distance2), std::nullopt};
+    const auto way = towards_point(position, point);
+    if (!way) return {};
+    return DirectSample{Vec3(way->direction), static_cast<float>(way->distance),
+                        static_cast<float>(1 / way->distance2), std::nullopt};
 }
 
 }  // namespace sunfleck

@@ -5,6 +5,7 @@
 // edge's width: the quantile is a root of a quartic.
 #include "light/spot_light.h"
 
+#include "light/towards_point.h"
 #include "math/warp.h"
 
 #include <algorithm>
@@ -53,14 +54,12 @@ Emission SpotLight::sample_emission(const std::array<double, 4>& u, const SceneS
 
 std::optional<DirectSample> SpotLight::sample_direct(const Vec3& point, const Vec2&,
                                                      const SceneSphere&) const {
-    const Vec3d to_light = position - Vec3d(point);
-    const double distance2 = to_light.length2();
-    if (!(distance2 > 0)) return {};
-    const double distance = std::sqrt(distance2);
-    const double intensity = falloff(-axis.dot(to_light) / distance);
+    const auto way = towards_point(position, point);
+    if (!way) return {};
+    const double intensity = falloff(-axis.dot(way->direction));
     if (!(intensity > 0)) return {};
-    return DirectSample{Vec3(to_light / distance), static_cast<float>(distance),
-                        static_cast<float>(intensity / distance2), std::nullopt};
+    return DirectSample{Vec3(way->direction), static_cast<float>(way->distance),
+                        static_cast<float>(intensity / way->distance2), std::nullopt};
 }
 
 double SpotLight::power(const SceneSphere&) const {

@@ -129,7 +129,7 @@ inline std::vector<LightExample> patch_examples() {
 }
 
 /// A coloured sky with a sun, a black stripe and a black corner.
-inline std::shared_ptr<const LightPicture> example_sky(int side) {
+inline Image example_image(int side) {
     std::vector<float> texels;
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
@@ -141,7 +141,11 @@ inline std::shared_ptr<const LightPicture> example_sky(int side) {
             for (const float c : {0.2F + part(x), 0.5F, 1.5F - part(y)})
                 texels.push_back(black ? 0 : c + sun);
         }
-    return std::make_shared<const LightPicture>(Image({side, side}, 3, texels));
+    return Image({side, side}, 3, texels);
+}
+
+inline std::shared_ptr<const LightPicture> example_sky(int side) {
+    return std::make_shared<const LightPicture>(example_image(side));
 }
 
 inline std::vector<LightExample> picture_examples() {
@@ -150,6 +154,12 @@ inline std::vector<LightExample> picture_examples() {
     all.push_back({"sky", ImageInfiniteLight{{}, example_sky(9), turned}});
     const Affine mirrored(placed({0, 0, 0}, {1, 1, -1}, 0.2, 1.3));
     all.push_back({"mirrored_sky", ImageInfiniteLight{{}, example_sky(4), mirrored}});
+    const Vec3d above(0.6, -0.2, 1.5);
+    all.push_back({"goniometric", GoniometricLight{{}, above, example_sky(6), mirrored}});
+    const Vec2d half(0.6, 0.6);
+    const auto slide = projected_picture(example_image(7), half);
+    const Affine down(placed({0, 0, 0}, Vec3d(1), kPiDouble + 0.2, 0.5));
+    all.push_back({"projection", ProjectionLight{{}, above, half, slide, down}});
     return all;
 }
 

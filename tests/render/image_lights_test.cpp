@@ -1,4 +1,5 @@
-// Skies with pictures in whole renders, by photons, by sampling and by the reference path tracer.
+// Skies and projectors with pictures in whole renders, by photons, by sampling and by the reference
+// path tracer.
 #include "core/parallel.h"
 #include "image/image_files.h"
 #include "import/pbrt/scene_text.h"
@@ -34,6 +35,7 @@ const MemoryFiles kFiles = {
     {"white.pfm", pfm_file("PF\n4 4\n-1\n", std::vector<float>(48, 1), true)},
     {"black.pfm", pfm_file("PF\n2 2\n-1\n", std::vector<float>(12, 0), true)},
     {"sun.pfm", sun_file({40, 40, 40})},
+    {"slide.pfm", pfm_file("PF\n2 2\n-1\n", {30, 30, 30, 90, 90, 90, 0, 0, 0, 60, 30, 15}, true)},
     {"gold.pfm", sun_file({40, 20, 5})}};
 
 /// A floor seen from above, of reflectance 1/2.
@@ -113,6 +115,32 @@ TEST_P(ImageLights, of_one_value_are_a_sky_without_a_picture) {
         });
     };
     EXPECT_LT(worst_ratio(value(painted), value(plain)), 0.06);
+}
+
+/// From height 4 straight down over the view of [-1,1]^2, turned about x: its top is at y = -1.
+/// (Discs of photons reach over the edges of texels.)
+TEST_P(ImageLights, project_their_picture) {
+    const Scene scene = floor_under(
+        "AttributeBegin Translate 0 0 4 Rotate 180 1 0 0\nLightSource \"projection\" \"string "
+        "filename\" \"slide.pfm\" \"float fov\" 28.0724869\nAttributeEnd\n");
+    const MeanPicture picture = render_mean(scene, settings_for(GetParam()), 64);
+    // Mean of cos / distance^2 over the pixels 1 to 2 of 8 (x and y), from the axis.
+    double share = 0;
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) {
+            const Vec3d way(0.25 + (x + 0.5) / 200, 0.25 + (y + 0.5) / 200, 4);
+            share += 0.5 / kPiDouble * 4 / (way.length2() * way.length()) / 10000;
+        }
+    const auto expect = [&](int x, int y, const Vec3d& intensity) {
+        const Vec3d seen = picture.mean(x, y, x + 2, y + 2);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(seen[c], intensity[c] * share, (0.06 * intensity[c] + 0.6) * share)
+                << x << ' ' << y;
+    };
+    expect(1, 1, {30, 30, 30});
+    expect(5, 1, {90, 90, 90});
+    expect(1, 5, {0, 0, 0});
+    expect(5, 5, {60, 30, 15});
 }
 
 TEST_P(ImageLights, of_black_are_no_light) {

@@ -28,8 +28,10 @@ Image light_image(const Statement& statement, Reading& reading) {
     return image;
 }
 
-std::shared_ptr<const LightPicture> directions_picture(const Statement& statement,
-                                                       Reading& reading) {
+namespace {
+
+/// An image that stands for all directions.
+Image square_image(const Statement& statement, Reading& reading) {
     Image image = light_image(statement, reading);
     const Vec2i size = image.resolution();
     if (size.x != size.y)
@@ -37,7 +39,27 @@ std::shared_ptr<const LightPicture> directions_picture(const Statement& statemen
                     "the picture of a light is " + std::to_string(size.x) + " x " +
                         std::to_string(size.y) + " texels, and no equal-area map of directions",
                     "convert it to a square, as by pbrt-v4's imgtool makeequiarea");
-    return std::make_shared<const LightPicture>(std::move(image));
+    return image;
+}
+
+}  // namespace
+
+std::shared_ptr<const LightPicture> directions_picture(const Statement& statement,
+                                                       Reading& reading) {
+    return std::make_shared<const LightPicture>(square_image(statement, reading));
+}
+
+std::shared_ptr<const LightPicture> intensity_picture(const Statement& statement,
+                                                      Reading& reading) {
+    const Image image = square_image(statement, reading);
+    const Vec2i size = image.resolution();
+    std::vector<float> means;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const Vec3 rgb = image.rgb(x, y);
+            means.push_back((rgb.x + rgb.y + rgb.z) / 3);
+        }
+    return std::make_shared<const LightPicture>(Image(size, 1, std::move(means)));
 }
 
 Affine turn_of(const Statement& statement, Reading& reading) {

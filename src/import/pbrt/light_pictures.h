@@ -18,6 +18,9 @@ Image light_image(const Statement& statement, Reading& reading);
 std::shared_ptr<const LightPicture> directions_picture(const Statement& statement,
                                                        Reading& reading);
 
+/// Likewise, of one channel: the mean of the colours of a texel.
+std::shared_ptr<const LightPicture> intensity_picture(const Statement& statement, Reading& reading);
+
 /// The present matrix as a rotation, with a reflection if it mirrors. Where it stretches or shears,
 /// the nearest in the order x, y, z of axes, and a warning.
 Affine turn_of(const Statement& statement, Reading& reading);

@@ -54,11 +54,40 @@ Light point_light(const Statement& statement, Reading& reading) {
                       position_of(statement, reading.still_matrix(statement.where))};
 }
 
-Light picture_light(const Statement& statement, Reading& reading) {
-    reading.warn(statement.where, "light " + in_quotes(statement.type) +
-                                      " is not simulated: it is a point without its picture");
-    statement.ignore({"filename", "fov"});
-    return point_light(statement, reading);
+/// Over all directions, z and y exchanged as in pbrt-v4.
+Light goniometric_light(const Statement& statement, Reading& reading) {
+    if (!statement.find("filename")) {
+        reading.warn(statement.where, "a goniometric light without a picture is a point");
+        return point_light(statement, reading);
+    }
+    const auto picture = intensity_picture(statement, reading);
+    Affine to_world = turn_of(statement, reading);
+    std::swap(to_world.y, to_world.z);
+    const double at_one = 4 * kPiDouble * picture->mean();
+    const double factor = scale_of(statement) * factor_by(statement, "power", at_one);
+    return GoniometricLight{scaled(emission_of(statement, "I", reading), factor),
+                            Affine(reading.still_matrix(statement.where)).origin, picture,
+                            to_world};
+}
+
+/// "fov" is that of the shorter side; the picture's rows go down, against y.
+Light projection_light(const Statement& statement, Reading& reading) {
+    Image image = light_image(statement, reading);
+    const double fov = statement.real("fov", 90);
+    if (!(fov > 0 && fov < 180))
+        throw Error(statement.where, "a projection whose \"fov\" makes no picture",
+                    "use one in (0, 180)");
+    const SinCos corner = sin_cos_turn(fov / 720);
+    const Vec2d size(image.resolution());
+    const Vec2d half = size * (corner.sin / corner.cos / std::min(size.x, size.y));
+    const auto picture = projected_picture(std::move(image), half);
+    Affine to_world = turn_of(statement, reading);
+    to_world.y = -to_world.y;
+    const double at_one = 4 * half.x * half.y * picture->mean();
+    const double factor = scale_of(statement) * factor_by(statement, "power", at_one);
+    return ProjectionLight{scaled(SpectralCurve::d65(), factor),
+                           Affine(reading.still_matrix(statement.where)).origin, half, picture,
+                           to_world};
 }
 
 Light spot_light(const Statement& statement, Reading& reading) {
@@ -114,8 +143,8 @@ constexpr std::array<Row, 6> kRows = {{{"point", point_light},
                                        {"spot", spot_light},
                                        {"distant", distant_light},
                                        {"infinite", infinite_light},
-                                       {"goniometric", picture_light},
-                                       {"projection", picture_light}}};
+                                       {"goniometric", goniometric_light},
+                                       {"projection", projection_light}}};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 
 #include "image/image_files.h"
 #include "import/pbrt/scene_text.h"
+#include "light/light.h"
 
 #include <limits>
 
@@ -57,6 +58,55 @@ TEST(LightPictures, of_illuminance_have_the_scale_of_pbrt) {
     const SceneDescription plain =
         read_world("LightSource \"infinite\" \"string filename\" \"white.pfm\"", kFiles);
     EXPECT_NEAR(radiance(plain, {0, 0, 1}).x, 1, 1e-4);
+}
+
+/// What a light that is a point sends towards `point`: rgb of its intensity.
+Vec3 intensity(const SceneDescription& scene, const Vec3& point) {
+    const Light& light = scene.lights.at(0);
+    const auto s = sample_direct(light, point, {0.5F, 0.5F}, {});
+    if (!s) return Vec3(0);
+    return s->tint.value_or(Vec3(1)) *
+           (s->factor * s->distance * s->distance * curve(light).luminance());
+}
+
+/// y is up for them, as in pbrt-v4.
+TEST(LightPictures, of_goniometric_lights_are_means_of_colours) {
+    const std::string light =
+        "Translate 1 0 0 LightSource \"goniometric\" \"string filename\" \"sky.pfm\" ";
+    const SceneDescription plain = read_world(light + "\"float scale\" 3", kFiles);
+    expect_near(intensity(plain, Vec3(1, 0, 0) + Vec3(1, 2, -1)), Vec3(8));
+    expect_near(intensity(plain, Vec3(1, 0, 0) + Vec3(-1, 2, 1)), Vec3(3));
+    const SceneDescription power = read_world(light + "\"float power\" 10", kFiles);
+    EXPECT_NEAR(sunfleck::power(power.lights[0], {}) *
+                    static_cast<double>(curve(power.lights[0]).luminance()),
+                10, 1e-3);
+    const SceneDescription bare = read_world("LightSource \"goniometric\"");
+    EXPECT_TRUE(std::holds_alternative<PointLight>(bare.lights.at(0)));
+    EXPECT_EQ(warnings_with(bare, "without a picture"), 1);
+}
+
+/// Along z, y up, x to the right; the upper right texel of 2 x 2 is (8, 0, 0).
+TEST(LightPictures, of_projections_stand_upright) {
+    const std::string light = "LightSource \"projection\" \"float fov\" 60 \"string filename\" ";
+    const SceneDescription sky = read_world(light + "\"sky.pfm\" \"float scale\" 2", kFiles);
+    expect_near(intensity(sky, {1, 1, 4}), Vec3(16, 0, 0));
+    expect_near(intensity(sky, {-1, 1, 4}), Vec3(0, 0, 4));
+    expect_near(intensity(sky, {-1, -1, 4}), Vec3(2, 2, 2));
+    expect_near(intensity(sky, {1, -1, 4}), Vec3(0, 8, 0));
+    expect_near(intensity(sky, {-0.56F, 0, 1}), Vec3(2, 2, 2));
+    expect_near(intensity(sky, {-0.59F, 0, 1}), Vec3(0));  // tan 30 degrees is 0.577
+    expect_near(intensity(sky, {1, 1, -4}), Vec3(0));
+    // Twice as wide as high: the fov is that of the height.
+    const SceneDescription wide = read_world(light + "\"wide.pfm\" \"float power\" 7", kFiles);
+    EXPECT_GT(intensity(wide, {1.14F, 0.56F, 1}).x, 0);
+    EXPECT_EQ(intensity(wide, {1.17F, 0, 1}).x, 0);
+    EXPECT_EQ(intensity(wide, {0, 0.6F, 1}).x, 0);
+    EXPECT_NEAR(sunfleck::power(wide.lights[0], {}) *
+                    static_cast<double>(curve(wide.lights[0]).luminance()),
+                7, 1e-3);
+    const auto error = [&](const std::string& text) { return world_error(text, kFiles); };
+    EXPECT_TRUE(contains(error("LightSource \"projection\""), "without its picture"));
+    EXPECT_NE(error(light + "\"sky.pfm\" \"float fov\" 180"), "");
 }
 
 TEST(LightPictures, that_cannot_be_are_errors) {

@@ -62,14 +62,6 @@ TEST(Lights, from_everywhere_have_a_radiance_or_illuminance) {
         1 / kPi, 1e-4);
 }
 
-TEST(Lights, with_pictures_are_said_to_be_without) {
-    const SceneDescription projector = read_world(
-        "LightSource \"projection\" \"string filename\" \"a.exr\" LightSource \"goniometric\"");
-    EXPECT_TRUE(std::holds_alternative<PointLight>(projector.lights.at(1)));
-    EXPECT_EQ(warnings_with(projector, "without its picture"), 2);
-    EXPECT_EQ(warnings_with(projector, "unused"), 0);
-}
-
 TEST(Lights, on_shapes_end_with_their_block) {
     const SceneDescription scene = read_world(
         "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [ 2 2 2 ] \"float scale\" 3 \"bool "
