@@ -26,12 +26,11 @@ CoatedConductor::CoatedConductor(const Spectrum& eta, const Spectrum& k,
       coat_(coat),
       is_smooth_(!facets && !coat->facets()) {}
 
-/// On either side: turned to the upper one.
 CoatedConductor::Inner CoatedConductor::inner(const Vec3& w) const {
     const float cosine = std::min(1.0F, std::abs(w.z));
     const float eta = coat_->eta();
     const float within = refracted_cosine(1 - cosine * cosine, eta);
-    return {Vec3(w.x / eta, w.y / eta, within) * std::copysign(1.0F, w.z), coat_->entering(cosine),
+    return {Vec3(w.x / eta, w.y / eta, std::copysign(within, w.z)), coat_->entering(cosine),
             coat_->reflectance(cosine), coat_->faded(within)};
 }
 

@@ -45,6 +45,7 @@ inline Spectrum gold_k() {
 struct Coats {
     Coat smooth{1.5F, {}, 0};
     Coat rough{1.5F, Ggx{0.3F, 0.3F}, 0.01F};
+    Coat frosted{1.5F, Ggx{0.8F, 0.8F}, 0.01F};
 };
 
 inline const Coats& coats() {
@@ -79,7 +80,7 @@ inline std::vector<BsdfExample> bsdf_examples() {
         {"coated_gold", CoatedConductor(gold_eta(), gold_k(), {}, &coats().smooth)},
         {"coated_rough_gold",
          CoatedConductor(gold_eta(), gold_k(), Ggx{0.3F, 0.2F}, &coats().smooth)},
-        {"satin_gold", CoatedConductor(gold_eta(), gold_k(), {}, &coats().rough)},
+        {"satin_gold", CoatedConductor(gold_eta(), gold_k(), {}, &coats().frosted)},
         {"varnish", CoatReflection{&coats().smooth}},
         {"satin_varnish", CoatReflection{&coats().rough}},
         {"varnished", CoatedBase{ramp(0.2F, 0.9F), &coats().smooth}},
