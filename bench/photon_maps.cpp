@@ -102,17 +102,15 @@ public:
     };
     using Tally = Statistics;
 
-    WholePaths(const PhotonTracer& tracer, const PhotonSpace& space, const ViewOctree& octree)
-        : tracer_(tracer), space_(space), octree_(octree) {}
+    WholePaths(const PhotonTracer& tracer, const PhotonSpace& space)
+        : tracer_(tracer), space_(space) {}
 
     template <SlotReader Reader>
     void trace(Reader&& read, Path& path, Statistics& counts) const {
         path = {};
         const auto visit = [&](const Photon& photon) {
             path.places.push_back(photon.position);
-            const int height = octree_.height(photon.position);
-            path.seen.near = std::max(path.seen.near, height);
-            if (height == ViewOctree::kFull) path.seen.photons.push_back(photon);
+            space_.see(photon, path.seen);
             return true;
         };
         count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
@@ -123,7 +121,6 @@ public:
 private:
     const PhotonTracer& tracer_;
     const PhotonSpace& space_;
-    const ViewOctree& octree_;
 };
 
 struct MapSink {
@@ -213,7 +210,7 @@ void run(const Settings& settings) {
     const PhotonTracer tracer(pass, render.transport);
     const ViewOctree octree(index.points(), scene.sphere().center, scene.sphere().radius);
     const PhotonSpace seen(tracer, index, octree);
-    const WholePaths space(tracer, seen, octree);
+    const WholePaths space(tracer, seen);
     const Maps maps{settings, space, id};
     const LadderPlan plan = learn_epoch(scene, render, 0).plan;
     std::vector<Map> ladder;

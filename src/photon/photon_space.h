@@ -35,13 +35,18 @@ public:
         path.photons.clear();
         path.near = 0;
         const auto visit = [&](const Photon& photon) {
-            if (!index_.takes_kind(photon.kind)) return true;
-            const int height = octree_.height(photon.position);
-            path.near = std::max(path.near, height);
-            if (height == ViewOctree::kFull) path.photons.push_back(photon);
+            see(photon, path);
             return true;
         };
         count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
+    }
+
+    /// Adds the next photon of a path to what is left of it.
+    void see(const Photon& photon, PhotonPath& path) const {
+        if (!index_.takes_kind(photon.kind)) return;
+        const int height = octree_.height(photon.position);
+        path.near = std::max(path.near, height);
+        if (height == ViewOctree::kFull) path.photons.push_back(photon);
     }
 
     int height(const PhotonPath& path) const {

@@ -119,8 +119,8 @@ private:
         const bool gathers = lambert != nullptr || scattering(bsdf) != Scattering::specular;
         if (gathers && !visit(arrive(hit, state))) return PathEnd::stopped;
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
-        const bool goes_on = lambert != nullptr ? scatter(read, *lambert, hit, state)
-                                                : scatter(read, bsdf, hit, state);
+        const bool goes_on =
+            lambert != nullptr ? turn(read, *lambert, hit, state) : scatter(read, bsdf, hit, state);
         if (!goes_on) return PathEnd::absorbed;
         leave(hit, state);
         return {};
@@ -162,11 +162,6 @@ private:
     }
 
     /// One scattering event. @return false when the photon is absorbed.
-    template <SlotReader Reader>
-    static bool scatter(Reader& read, const Lambert& surface, const Hit& hit, PhotonState& state) {
-        return turn(read, surface, hit, state);
-    }
-
     template <SlotReader Reader>
     static bool scatter(Reader& read, const Bsdf& at_surface, const Hit& hit, PhotonState& state) {
         if (!is_dispersive(at_surface)) return turn(read, at_surface, hit, state);

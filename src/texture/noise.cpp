@@ -67,6 +67,24 @@ float mixed(float a, float b, float part) {
     return (1 - part) * a + part * b;
 }
 
+struct OctaveSum {
+    float sum = 0;
+    float next_strength = 1;  // of the octave that would follow
+};
+
+/// Of part(noise) at each octave.
+template <class Part>
+OctaveSum sum_of_octaves(const Vec3& p, const Octaves& octaves, const Part& part) {
+    OctaveSum total;
+    float frequency = 1;
+    for (int i = 0; i < octaves.count; ++i) {
+        total.sum += total.next_strength * part(noise(p * frequency));
+        frequency *= 1.99F;
+        total.next_strength *= octaves.roughness;
+    }
+    return total;
+}
+
 }  // namespace
 
 float noise(const Vec3& p) {
@@ -90,27 +108,12 @@ float noise(const Vec3& p) {
 }
 
 float fbm(Vec3 p, const Octaves& octaves) {
-    float sum = 0;
-    float strength = 1;
-    float frequency = 1;
-    for (int i = 0; i < octaves.count; ++i) {
-        sum += strength * noise(p * frequency);
-        frequency *= 1.99F;
-        strength *= octaves.roughness;
-    }
-    return sum;
+    return sum_of_octaves(p, octaves, [](float value) { return value; }).sum;
 }
 
 float turbulence(Vec3 p, const Octaves& octaves) {
-    float sum = 0;
-    float strength = 1;
-    float frequency = 1;
-    for (int i = 0; i < octaves.count; ++i) {
-        sum += strength * std::abs(noise(p * frequency));
-        frequency *= 1.99F;
-        strength *= octaves.roughness;
-    }
-    return sum + strength * 0.2F;
+    const OctaveSum total = sum_of_octaves(p, octaves, [](float value) { return std::abs(value); });
+    return total.sum + total.next_strength * 0.2F;
 }
 
 }  // namespace sunfleck

@@ -119,11 +119,8 @@ void finish_filter(Reading& reading) {
     const auto row = std::find_if(kRows.begin(), kRows.end(),
                                   [&](const Row& r) { return r.word == filter.type; });
     if (row == kRows.end()) {
-        std::array<std::string_view, kRows.size()> words;
-        std::transform(kRows.begin(), kRows.end(), words.begin(),
-                       [](const Row& r) { return r.word; });
         throw Error(filter.where, "unknown filter " + in_quotes(filter.type),
-                    use_one_of(words, filter.type));
+                    use_one_of(words_of(kRows), filter.type));
     }
     FilterSettings& settings = reading.scene.filter;
     settings.kind = row->kind;

@@ -152,12 +152,9 @@ void add_light(const Statement& statement, Reading& reading) {
     const auto row = std::find_if(kRows.begin(), kRows.end(),
                                   [&](const Row& r) { return r.word == statement.type; });
     if (row == kRows.end()) {
-        std::array<std::string_view, kRows.size()> words;
-        std::transform(kRows.begin(), kRows.end(), words.begin(),
-                       [](const Row& r) { return r.word; });
         throw Error(statement.where, "unknown light " + in_quotes(statement.type),
                     statement.type == "diffuse" ? "use AreaLightSource \"diffuse\""
-                                                : use_one_of(words, statement.type));
+                                                : use_one_of(words_of(kRows), statement.type));
     }
     reading.scene.lights.push_back(row->maker(statement, reading));
     reading.warn_unused(statement);

@@ -98,10 +98,8 @@ const Row& row_of(const Statement& statement) {
     const auto row = std::find_if(kRows.begin(), kRows.end(),
                                   [&](const Row& r) { return r.word == statement.type; });
     if (row != kRows.end()) return *row;
-    std::array<std::string_view, kRows.size()> words;
-    std::transform(kRows.begin(), kRows.end(), words.begin(), [](const Row& r) { return r.word; });
     throw Error(statement.where, "unknown shape " + in_quotes(statement.type),
-                use_one_of(words, statement.type));
+                use_one_of(words_of(kRows), statement.type));
 }
 
 std::optional<AreaEmission> emission_here(const Statement& statement, const Shape& shape,

@@ -233,12 +233,7 @@ constexpr std::array<Row, 13> kRows = {
 }  // namespace
 
 std::span<const std::string_view> texture_classes() {
-    static const std::array<std::string_view, kRows.size()> kWords = [] {
-        std::array<std::string_view, kRows.size()> words;
-        std::transform(kRows.begin(), kRows.end(), words.begin(),
-                       [](const Row& row) { return row.word; });
-        return words;
-    }();
+    static constexpr auto kWords = words_of(kRows);
     return kWords;
 }
 
