@@ -50,14 +50,6 @@ std::string replaced(std::string text, std::string_view mark, std::string_view b
     return text;
 }
 
-Mesh table() {
-    constexpr auto kSide = static_cast<float>(kTableHalfWidth);
-    Mesh mesh;
-    mesh.points = {{-kSide, -kSide, 0}, {kSide, -kSide, 0}, {kSide, kSide, 0}, {-kSide, kSide, 0}};
-    mesh.add_quad(0, 1, 2, 3);
-    return mesh;
-}
-
 }  // namespace
 
 std::vector<SceneFile> cognac_scene(const CognacView& view) {
@@ -65,7 +57,7 @@ std::vector<SceneFile> cognac_scene(const CognacView& view) {
     text = replaced(text, "@WHAT@", view.what);
     text = replaced(text, "@TARGET@", view.target);
     text = replaced(text, "@FOV@", view.fov);
-    text += shape_text(table());
+    text += shape_text(square_mesh(static_cast<float>(kTableHalfWidth), 0));
     text += kGlass;
     const CognacGlass glass = cognac_glass();
     return {{std::string(view.name) + ".pbrt", text},

@@ -61,6 +61,16 @@ std::string shape_text(const Mesh& mesh) {
     return text + " ]\n";
 }
 
+Mesh square_mesh(float half_side, float height) {
+    Mesh mesh;
+    mesh.points = {{-half_side, -half_side, height},
+                   {half_side, -half_side, height},
+                   {half_side, half_side, height},
+                   {-half_side, half_side, height}};
+    mesh.add_quad(0, 1, 2, 3);
+    return mesh;
+}
+
 Mesh box_mesh(const std::array<float, 3>& low, const std::array<float, 3>& high) {
     Mesh mesh;
     for (unsigned corner = 0; corner < 8; ++corner)

@@ -29,6 +29,9 @@ std::string ply_bytes(const Mesh& mesh);
 /// Coordinates are the shortest decimals that read back as the same floats.
 std::string shape_text(const Mesh& mesh);
 
+/// A horizontal square around the z axis, facing up: two triangles.
+Mesh square_mesh(float half_side, float height);
+
 /// A closed box with outward normals: 8 points, 12 triangles. @param low, high  opposite corners.
 Mesh box_mesh(const std::array<float, 3>& low, const std::array<float, 3>& high);
 

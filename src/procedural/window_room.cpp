@@ -85,16 +85,6 @@ std::string boxes_text(std::string_view material, const std::array<Box, N>& boxe
     return text;
 }
 
-Mesh ground() {
-    Mesh mesh;
-    mesh.points = {{-kHalfGround, -kHalfGround, -0.1F},
-                   {kHalfGround, -kHalfGround, -0.1F},
-                   {kHalfGround, kHalfGround, -0.1F},
-                   {-kHalfGround, kHalfGround, -0.1F}};
-    mesh.add_quad(0, 1, 2, 3);
-    return mesh;
-}
-
 /// Four points around the hole at one depth of the wall, counter-clockwise seen from -y.
 void append_hole(Mesh& mesh, float y) {
     mesh.points.push_back({kHole.low[0], y, kHole.low[2]});
@@ -141,7 +131,8 @@ Mesh window_pane() {
 
 std::vector<SceneFile> window_room_scene() {
     std::string text(kHead);
-    text += "\n# Outside.\nNamedMaterial \"ground\"\n" + shape_text(ground());
+    text +=
+        "\n# Outside.\nNamedMaterial \"ground\"\n" + shape_text(square_mesh(kHalfGround, -0.1F));
     text += "\n# Walls, floor and ceiling, 20 cm thick, with a hole.\nNamedMaterial \"plaster\"\n" +
             shape_text(room_walls());
     text += "\n# The pane, 6 mm thick, its edges within the wall.\nNamedMaterial \"pane\"\n" +

@@ -3,6 +3,7 @@
 #include "procedural/cognac_glass.h"
 
 #include "core/random.h"
+#include "media_checks.h"
 #include "mesh_checks.h"
 
 #include <gtest/gtest.h>
@@ -58,66 +59,38 @@ TEST(CognacGlass, stands_clear_of_the_table_and_is_as_high_as_it_says) {
     EXPECT_FLOAT_EQ((*high)[2], static_cast<float>(kSnifterHeight));
 }
 
-enum class Medium { air, glass, brandy };
+enum Medium { kAir, kGlass, kBrandy };
 
-struct Crossing {
-    double distance = 0;
-    Medium before = Medium::air;
-    Medium after = Medium::air;
-};
-
-void add_crossings(std::vector<Crossing>& crossings, const Mesh& mesh,
-                   std::pair<Medium, Medium> back_and_front, const std::pair<Vec3d, Vec3d>& ray) {
-    const auto [back, front] = back_and_front;
-    for (const MeshHit& h : all_hits(mesh, ray.first, ray.second))
-        crossings.push_back({h.distance, h.from_front ? front : back, h.from_front ? back : front});
-}
-
-/// All crossings of a ray with the three surfaces, from near to far.
-std::vector<Crossing> crossings_of(const CognacGlass& glass, const std::pair<Vec3d, Vec3d>& ray) {
-    std::vector<Crossing> crossings;
-    add_crossings(crossings, glass.glass_air, {Medium::glass, Medium::air}, ray);
-    add_crossings(crossings, glass.liquid_glass, {Medium::brandy, Medium::glass}, ray);
-    add_crossings(crossings, glass.liquid_air, {Medium::brandy, Medium::air}, ray);
-    std::sort(crossings.begin(), crossings.end(),
-              [](const Crossing& a, const Crossing& b) { return a.distance < b.distance; });
-    return crossings;
-}
-
-/// The medium behind a crossing is the medium before the next, and both ends are in air.
-void expect_consistent(const std::vector<Crossing>& crossings) {
-    Medium medium = Medium::air;
-    for (const Crossing& crossing : crossings) {
-        ASSERT_EQ(crossing.before, medium) << "at " << crossing.distance;
-        medium = crossing.after;
-    }
-    ASSERT_EQ(medium, Medium::air);
+std::vector<Interface> interfaces_of(const CognacGlass& glass) {
+    return {{glass.glass_air, kGlass, kAir},
+            {glass.liquid_glass, kBrandy, kGlass},
+            {glass.liquid_air, kBrandy, kAir}};
 }
 
 TEST(CognacGlass, media_agree_along_any_line) {
-    const CognacGlass glass = cognac_glass();
+    const auto surfaces = interfaces_of(cognac_glass());
     RandomStream random(1, Purpose::test, 0, 0);
     int through_brandy = 0;
     for (int i = 0; i < 200; ++i) {
         const Vec3d from(9 * random.next() - 4.5, -20, 12 * random.next());
         const Vec3d to(9 * random.next() - 4.5, 20, i % 2 == 0 ? from.z : 12 * random.next());
-        const auto crossings = crossings_of(glass, {from, to - from});
-        expect_consistent(crossings);
+        const auto crossings = crossings_of(surfaces, from, to - from);
+        expect_consistent(crossings, kAir);
         const bool wet = std::any_of(crossings.begin(), crossings.end(),
-                                     [](const Crossing& c) { return c.after == Medium::brandy; });
+                                     [](const Crossing& c) { return c.after == kBrandy; });
         through_brandy += wet ? 1 : 0;
     }
     EXPECT_GT(through_brandy, 20);
 }
 
 TEST(CognacGlass, media_agree_from_above_down_to_the_foot) {
-    const CognacGlass glass = cognac_glass();
-    const auto crossings = crossings_of(glass, {{0.31, 0.17, 20}, {0, 0, -1}});
-    expect_consistent(crossings);
+    const auto crossings =
+        crossings_of(interfaces_of(cognac_glass()), {0.31, 0.17, 20}, {0, 0, -1});
+    expect_consistent(crossings, kAir);
     ASSERT_EQ(crossings.size(), 3);
-    EXPECT_EQ(crossings[0].after, Medium::brandy);
-    EXPECT_EQ(crossings[1].after, Medium::glass);
-    EXPECT_EQ(crossings[2].after, Medium::air);
+    EXPECT_EQ(crossings[0].after, kBrandy);
+    EXPECT_EQ(crossings[1].after, kGlass);
+    EXPECT_EQ(crossings[2].after, kAir);
 }
 
 double distance_to_segment(const ProfilePoint& p, const ProfilePoint& a, const ProfilePoint& b) {

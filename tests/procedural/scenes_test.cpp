@@ -58,6 +58,9 @@ TEST_P(EveryScene, uses_only_statements_that_pbrt_has) {
                                             "MakeNamedMaterial",
                                             "NamedMaterial",
                                             "AreaLightSource",
+                                            "MakeNamedMedium",
+                                            "MediumInterface",
+                                            "Texture",
                                             "Shape",
                                             "AttributeBegin",
                                             "AttributeEnd"};
@@ -109,11 +112,12 @@ std::uint64_t fingerprint(const std::vector<SceneFile>& files) {
 // A change of any byte of a scene shows here: pictures made of it are then no longer comparable.
 TEST_P(EveryScene, has_the_bytes_that_pictures_were_made_of) {
     const std::map<std::string, std::uint64_t> known = {
-        {"cornell", 0x91ac4398ab085897},    {"cognac-0", 0x44c956006899667d},
-        {"cognac-1", 0x9c0cbd6f97a14462},   {"cognac-2", 0x3d236a3728cdb121},
-        {"cognac-3", 0xa9baea26be3b83a5},   {"cognac-4", 0x9928d3768ccb555a},
-        {"cognac-5", 0x9c628b5743ddfa4c},   {"cognac-6", 0x8be59a0468be5182},
-        {"window-room", 0x2b0f398c90f67e1b}};
+        {"cornell", 0x91ac4398ab085897},     {"cognac-0", 0x44c956006899667d},
+        {"cognac-1", 0x9c0cbd6f97a14462},    {"cognac-2", 0x3d236a3728cdb121},
+        {"cognac-3", 0xa9baea26be3b83a5},    {"cognac-4", 0x9928d3768ccb555a},
+        {"cognac-5", 0x9c628b5743ddfa4c},    {"cognac-6", 0x8be59a0468be5182},
+        {"window-room", 0x2b0f398c90f67e1b}, {"diamond", 0xf2313625dcc007db},
+        {"iced-tea", 0x7c8b8fbbda70e1bd}};
     EXPECT_EQ(known.at(GetParam().name), fingerprint(files_))
         << "0x" << std::hex << fingerprint(files_);
 }
@@ -121,7 +125,8 @@ TEST_P(EveryScene, has_the_bytes_that_pictures_were_made_of) {
 TEST_P(EveryScene, has_the_number_of_triangles_it_promises) {
     std::size_t triangles = 0;
     for (const Mesh& mesh : scene_meshes(files_)) triangles += mesh.triangles.size();
-    const std::map<std::string, std::size_t> promised = {{"cornell", 36}, {"window-room", 262}};
+    const std::map<std::string, std::size_t> promised = {
+        {"cornell", 36}, {"window-room", 262}, {"diamond", 112}, {"iced-tea", 13044}};
     const bool is_cognac = GetParam().name.starts_with("cognac");
     EXPECT_EQ(triangles, is_cognac ? 16456 : promised.at(GetParam().name));
 }
@@ -138,7 +143,7 @@ TEST(Scenes, are_these) {
     for (const ProceduralScene& scene : procedural_scenes()) names += scene.name + ' ';
     EXPECT_EQ(names,
               "cornell cognac-0 cognac-1 cognac-2 cognac-3 cognac-4 cognac-5 cognac-6 "
-              "window-room ");
+              "window-room diamond iced-tea ");
 }
 
 TEST(Scenes, an_unknown_name_is_answered_with_the_known_ones) {
