@@ -46,19 +46,24 @@ CLI::Validator between(double low, double high) {
         fmt::format("{} to {}", low, high));
 }
 
+/// An option that takes one of the names of a table, whose rows say what each means.
+template <class Rows>
+void add_choice(CLI::App& app, const char* flag, std::string& text, const Rows& rows) {
+    std::string what;
+    std::vector<std::string> names;
+    for (const auto& row : rows) {
+        names.emplace_back(row.name);
+        what += fmt::format("{}{}: {}", what.empty() ? "" : "; ", row.name, row.what);
+    }
+    app.add_option(flag, text, what)->check(CLI::IsMember(names));
+}
+
 void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("SCENE", o.scene, "Scene file (pbrt-v4)")->required();
     app.add_option("-o,--output", o.outputs, "Output file: .exr, .png, .film; may be repeated")
         ->allow_extra_args(false);
-    app.add_option("--integrator", t.integrator, "sppm, or path (reference path tracer)")
-        ->check(CLI::IsMember({"sppm", "path"}));
-    std::string samplers;
-    std::vector<std::string> names;
-    for (const PhotonSamplerRow& row : kPhotonSamplers) {
-        names.emplace_back(row.name);
-        samplers += fmt::format("{}{}: {}", samplers.empty() ? "" : "; ", row.name, row.what);
-    }
-    app.add_option("--photon-sampler", t.sampler, samplers)->check(CLI::IsMember(names));
+    add_choice(app, "--integrator", t.integrator, kIntegrators);
+    add_choice(app, "--photon-sampler", t.sampler, kPhotonSamplers);
     add_paper_flags(app, t.paper);
     app.add_option("--direct", t.direct, "Who brings direct light: sampled, or photons")
         ->check(CLI::IsMember({"sampled", "photons"}));
@@ -136,18 +141,21 @@ void read_pass_range(const std::string& text, StopSettings& stop) {
     stop.end_pass = static_cast<std::uint32_t>(end);
 }
 
-/// What the reference path tracer has no use for is refused rather than passed over.
+/// What the reference integrators have no use for is refused rather than passed over.
 void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
-    if (t.integrator != "path") return;
+    if (t.integrator == "sppm") return;
     for (const char* flag : {"--photon-sampler", "--mode", "--replica-exchange", "--mutation-size",
                              "--target-acceptance", "--direct", "--photons-per-pass", "--radius",
-                             "--radius-pixels", "--alpha", "--layers"})
-        if (given.count(flag) > 0)
-            throw Error({flag}, "has no meaning with --integrator path", "leave it out");
+                             "--radius-pixels", "--alpha", "--layers"}) {
+        const bool counts_paths = std::string_view(flag) == "--photons-per-pass";
+        if (given.count(flag) == 0 || (counts_paths && t.integrator == "light")) continue;
+        throw Error({flag}, "has no meaning with --integrator " + t.integrator, "leave it out");
+    }
 }
 
 void finish_render(RenderOptions& o, const RenderTexts& t) {
-    o.settings.integrator = t.integrator == "path" ? Integrator::path : Integrator::sppm;
+    for (const IntegratorRow& row : kIntegrators)
+        if (row.name == t.integrator) o.settings.integrator = row.integrator;
     o.settings.photon.sampler = *sampler_named(t.sampler);  // one of those names: checked
     o.settings.transport.direct =
         t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;

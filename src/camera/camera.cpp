@@ -1,46 +1,12 @@
 // Rays through a thin lens, and pbrt-v4's screen; spheres of directions.
 #include "camera/camera.h"
 
-#include "math/warp.h"
+#include "camera/screen.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace sunfleck {
-
-namespace {
-
-/// Matrix without its translation, applied to v.
-Vec3d turn(const Matrix& matrix, const Vec3d& v) {
-    Vec3d result;
-    matrix.multDirMatrix(v, result);
-    return result;
-}
-
-double volume_scale(const Matrix& matrix) {
-    const Vec3d x = turn(matrix, {1, 0, 0});
-    const Vec3d y = turn(matrix, {0, 1, 0});
-    return std::abs(x.cross(y).dot(turn(matrix, {0, 0, 1})));
-}
-
-Vec2d pixel_of(const ScreenCamera& camera) {
-    const Vec2d screen = camera.screen_max - camera.screen_min;
-    return {screen.x / camera.resolution.x, screen.y / camera.resolution.y};
-}
-
-/// A film point on the screen.
-Vec2d on_screen(const ScreenCamera& camera, const Vec2d& film) {
-    const Vec2d pixel = pixel_of(camera);
-    return {camera.screen_min.x + film.x * pixel.x, camera.screen_max.y - film.y * pixel.y};
-}
-
-Vec3d on_lens(const ScreenCamera& camera, const Vec2d& lens) {
-    const Vec2d point =
-        camera.lens_radius > 0 ? concentric_disc(lens) * camera.lens_radius : Vec2d(0);
-    return {point.x, point.y, 0};
-}
-
-}  // namespace
 
 CameraRay PerspectiveCamera::ray(const Vec2d& film, const Vec2d& lens) const {
     const Vec2d pixel = pixel_of(*this);

@@ -53,6 +53,30 @@ double axis_value(const FilterSettings& filter, double radius, double offset) {
     return 0;
 }
 
+/// axis_value() by place, in cells from the left end.
+struct AxisCells {
+    const FilterSettings& filter;
+    double radius;
+
+    double operator()(double cell) const {
+        return axis_value(filter, radius, (2 * cell / kCells - 1) * radius);
+    }
+    /// Integral over cell i, in cells: Simpson's rule.
+    double over(std::size_t i) const {
+        const auto left = static_cast<double>(i);
+        return ((*this)(left) + 4 * (*this)(left + 0.5) + (*this)(left + 1)) / 6;
+    }
+};
+
+double axis_integral(const FilterSettings& filter, double radius) {
+    if (filter.kind == FilterKind::box) return 2 * radius;
+    if (filter.kind == FilterKind::triangle) return radius * radius;
+    const AxisCells value{filter, radius};
+    double sum = 0;
+    for (std::size_t i = 0; i < kCells; ++i) sum += value.over(i);
+    return sum * (2 * radius / kCells);
+}
+
 /// Quantile of the triangle of half width one.
 double tent(double u) {
     return u < 0.5 ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
@@ -71,6 +95,10 @@ double filter_value(const FilterSettings& filter, const Vec2d& offset) {
            axis_value(filter, filter.radius.y, offset.y);
 }
 
+double filter_integral(const FilterSettings& filter) {
+    return axis_integral(filter, filter.radius.x) * axis_integral(filter, filter.radius.y);
+}
+
 FilterSampler::FilterSampler(const FilterSettings& settings) : settings_(settings) {
     if (settings.kind == FilterKind::box || settings.kind == FilterKind::triangle) return;
     x_ = make_axis(settings, settings.radius.x);
@@ -78,16 +106,14 @@ FilterSampler::FilterSampler(const FilterSettings& settings) : settings_(setting
 }
 
 FilterSampler::Axis FilterSampler::make_axis(const FilterSettings& settings, double radius) {
-    const auto value = [&](double cell) {
-        return axis_value(settings, radius, (2 * cell / kCells - 1) * radius);
-    };
+    const AxisCells value{settings, radius};
     Axis axis;
     double sum = 0;
     axis.cdf.push_back(0);
     axis.density.push_back(std::abs(value(0)));
     for (std::size_t i = 0; i < kCells; ++i) {
         const auto left = static_cast<double>(i);
-        sum += (value(left) + 4 * value(left + 0.5) + value(left + 1)) / 6;
+        sum += value.over(i);
         axis.density.push_back(std::abs(value(left + 1)));
         axis.cdf.push_back(axis.cdf.back() + (axis.density[i] + axis.density[i + 1]) / 2);
     }

@@ -23,6 +23,10 @@ struct FilterSettings {
 /// 2 x / radius (Mitchell and Netravali 1988). Sinc: sinc(x) sinc(x / tau), x in pixels.
 double filter_value(const FilterSettings& filter, const Vec2d& offset);
 
+/// Integral of filter_value() over the plane, in pixels squared: exact for box and triangle, else
+/// by Simpson's rule over 1024 pieces an axis.
+double filter_integral(const FilterSettings& filter);
+
 struct FilterSample {
     Vec2d offset;      // from the centre of the pixel, in pixels
     float weight = 1;  // f / (pdf * integral of f): one, or of either sign for mitchell and sinc

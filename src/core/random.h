@@ -39,7 +39,8 @@ enum class Purpose : std::uint32_t {
     chain,
     reference_path,
     test,
-    ladder
+    ladder,
+    light_path
 };
 
 /// A 64-bit fraction of one turn as a double of the open interval (0,1): an odd multiple of 2^-53.

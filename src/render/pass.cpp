@@ -5,7 +5,7 @@
 #include "estimate/deposit.h"
 #include "photon/adaptive_paths.h"
 #include "photon/uniform_paths.h"
-#include "reference/path_integrator.h"
+#include "reference/light_integrator.h"
 #include "render/radius.h"
 
 namespace sunfleck {
@@ -68,13 +68,23 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     result.seconds.build = watch.lap();
     const EyePass eye{at_wavelengths,      settings.transport, settings.eye, window, id,
                       result.radius_factor};
-    if (settings.integrator == Integrator::path) {
-        trace_reference_paths(
-            {at_wavelengths, settings.transport, {window.x0, window.x1, window.y0, window.y1}, id},
-            result.image, result.statistics);
-        result.seconds.eye = watch.lap();
-    } else {
-        render_sppm(at_wavelengths, settings, eye, epoch.plan, result);
+    const ReferencePass reference{
+        at_wavelengths, settings.transport, {window.x0, window.x1, window.y0, window.y1}, id};
+    switch (settings.integrator) {
+        case Integrator::sppm:
+            render_sppm(at_wavelengths, settings, eye, epoch.plan, result);
+            break;
+        case Integrator::path:
+            trace_reference_paths(reference, result.image, result.statistics);
+            result.seconds.eye = watch.lap();
+            break;
+        case Integrator::light: {
+            Statistics counts;
+            trace_light_paths(reference, epoch.plan.uniform_paths, result.image, counts);
+            count_uniform(counts, result);
+            result.seconds.photon = watch.lap();
+            break;
+        }
     }
     result.statistics[Count::dropped_nonfinite] += result.image.dropped();
     result.statistics[Count::saturated] += result.image.saturated();

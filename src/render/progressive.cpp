@@ -16,6 +16,13 @@ bool is_paper(const RenderSettings& settings) {
            settings.photon.sampler == PhotonSampler::paper;
 }
 
+/// Photon paths; camera paths of the path tracer.
+double paths_of(const PassResult& pass, Integrator integrator) {
+    if (integrator == Integrator::path) return static_cast<double>(pass.image.pixels());
+    return static_cast<double>(pass.statistics[Count::uniform_paths] +
+                               pass.statistics[Count::mutated_paths]);
+}
+
 FilmKey key_of(const RenderJob& job) {
     const PixelWindow window = window_of(job.scene.film());
     const Vec2i whole = job.scene.film().resolution;
@@ -107,10 +114,7 @@ RenderResult render(const RenderJob& job, const RenderHooks& hooks) {
         progress.passes = ++result.passes;
         if (pass.statistics[Count::uniform_paths] > 0) follow(pass, progress);
         progress.seconds = clock.seconds();
-        paths += static_cast<double>(job.settings.integrator == Integrator::sppm
-                                         ? pass.statistics[Count::uniform_paths] +
-                                               pass.statistics[Count::mutated_paths]
-                                         : pass.image.pixels());
+        paths += paths_of(pass, job.settings.integrator);
         progress.paths_per_second = paths / progress.seconds;
         if ((number + 1) % kRoundPasses == 0) progress.error = target_error(result.film);
         progress.seconds_left = seconds_left(progress, stop);

@@ -18,7 +18,7 @@ std::string RenderSettings::text() const {
     std::string text = fmt::format(
         "integrator={}\nphoton_sampler={}\ndirect={}\nmax_depth={}\nphotons_per_pass={}\n"
         "radius_pixels={}\nradius={}\nalpha={}\n",
-        integrator == Integrator::sppm ? "sppm" : "path", name_of(photon.sampler),
+        kIntegrators.at(static_cast<std::size_t>(integrator)).name, name_of(photon.sampler),
         transport.direct == DirectLight::sampled ? "sampled" : "photons", transport.max_depth,
         optional_number(photon.paths_per_pass), eye.radius_pixels, optional_number(eye.radius),
         alpha);

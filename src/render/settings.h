@@ -7,13 +7,27 @@
 #include "measurement/transport.h"
 #include "photon/settings.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace sunfleck {
 
-enum class Integrator { sppm, path };
+enum class Integrator { sppm, path, light };
+
+struct IntegratorRow {
+    Integrator integrator;
+    std::string_view name;  // as the user writes it
+    std::string_view what;
+};
+
+inline constexpr std::array<IntegratorRow, 3> kIntegrators = {{
+    {Integrator::sppm, "sppm", "stochastic progressive photon mapping"},
+    {Integrator::path, "path", "reference path tracer"},
+    {Integrator::light, "light", "reference light tracer"},
+}};
 
 /// What a pass is a function of, beside the scene.
 struct RenderSettings {

@@ -71,6 +71,19 @@ double sampled(const FilterSettings& filter, const Picture& picture) {
     return x * y / static_cast<double>(sampler.sample({kHeld, kHeld}).weight);
 }
 
+TEST(Filter, integrals_are_those_of_sums) {
+    for (const FilterSettings& filter : examples()) {
+        constexpr int kSteps = 1500;
+        double sum = 0;
+        for (int i = 0; i < kSteps; ++i)
+            for (int j = 0; j < kSteps; ++j)
+                sum += filter_value(filter, {((i + 0.5) / kSteps * 2 - 1) * filter.radius.x,
+                                             ((j + 0.5) / kSteps * 2 - 1) * filter.radius.y});
+        sum *= 4 * filter.radius.x * filter.radius.y / kSteps / kSteps;
+        EXPECT_NEAR(filter_integral(filter) / sum, 1, 1e-4);
+    }
+}
+
 TEST(Filter, weights_have_mean_one) {
     const auto white = [](double) { return 1.0; };
     for (const FilterSettings& filter : examples())

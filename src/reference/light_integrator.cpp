@@ -1,0 +1,206 @@
+// One path from a light: at every vertex a look from the camera, added to all pixels whose filter
+// reaches there.
+#include "reference/light_integrator.h"
+
+#include "camera/filter.h"
+#include "camera/projection.h"
+#include "core/parallel.h"
+
+#include <cmath>
+#include <mutex>
+
+namespace sunfleck {
+namespace {
+
+/// Adds light at points of the film to pixels.
+class Splatter {
+public:
+    Splatter(const ReferencePass& pass, PassImage& image)
+        : filter_(pass.scene.scene.filter()),
+          scale_(pass.scene.scene.film().imaging_ratio / filter_integral(filter_)),
+          window_(pass.window),
+          wavelengths_(pass.scene.wavelengths),
+          image_(image) {}
+
+    bool reaches(const Vec2d& film) const {
+        const auto [x0, x1, y0, y1] = window_;
+        return film.x > x0 - filter_.radius.x && film.x < x1 + filter_.radius.x &&
+               film.y > y0 - filter_.radius.y && film.y < y1 + filter_.radius.y;
+    }
+
+    void add(const Vec2d& film, const Spectrum& light) const {
+        const auto [x0, x1, y0, y1] = window_;
+        const auto first = [](double at, double radius, int least) {
+            return std::max(least, static_cast<int>(std::ceil(at - radius - 0.5)));
+        };
+        const auto last = [](double at, double radius, int most) {
+            return std::min(most - 1, static_cast<int>(std::floor(at + radius - 0.5)));
+        };
+        const Vec3 rgb = wavelengths_.to_rgb(light);
+        for (int y = first(film.y, filter_.radius.y, y0); y <= last(film.y, filter_.radius.y, y1);
+             ++y)
+            for (int x = first(film.x, filter_.radius.x, x0);
+                 x <= last(film.x, filter_.radius.x, x1); ++x) {
+                const double weight =
+                    filter_value(filter_, film - Vec2d(x + 0.5, y + 0.5)) * scale_;
+                image_.add_light(static_cast<std::size_t>((y - y0) * (x1 - x0) + x - x0),
+                                 rgb * static_cast<float>(weight), Layer::total);
+            }
+    }
+
+private:
+    const FilterSettings& filter_;
+    double scale_;
+    std::array<int, 4> window_;
+    const Wavelengths& wavelengths_;
+    PassImage& image_;
+};
+
+class LightPath {
+public:
+    LightPath(const ReferencePass& pass, const Projection& camera, const Splatter& splatter,
+              RandomStream numbers, std::uint64_t& rays)
+        : pass_(pass),
+          scene_(pass.scene.scene),
+          camera_(camera),
+          splatter_(splatter),
+          numbers_(numbers),
+          rays_(rays) {}
+
+    /// @param share  of the light that this path stands for: one over their number.
+    /// @return whether it brought light to a pixel.
+    bool trace(float share) {
+        follow(share);
+        return seen_;
+    }
+
+private:
+    void follow(float share) {
+        lanes_.chosen = lane_of(number());
+        const Emission start = emit(share);
+        direction_ = Vec3(start.direction);
+        const Vec3d normal(start.normal);
+        const Vec3d origin =
+            start.origin + normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
+        Hit hit;
+        Meeting met = scene_.geometry().meet_precise(origin, start.direction);
+        for (int depth = 0; depth < pass_.transport.max_depth;) {
+            ++rays_;
+            if (!scene_.geometry().hit_of(met, hit)) return;
+            if (!scene_.passes_straight(hit)) {
+                if (!scatter(hit, depth)) return;
+                ++depth;
+            }
+            const Ray ray = ray_from(hit, direction_);
+            met = scene_.geometry().meet(ray);
+        }
+    }
+
+    double number() { return numbers_.next(); }
+    Vec2d two_numbers() {
+        const double first = number();
+        return {first, number()};
+    }
+
+    Emission emit(float share) {
+        const auto choice = scene_.light_choice().choose(number());
+        const Vec2d place = two_numbers();
+        const Vec2d way = two_numbers();
+        const Emission start = sample_emission(scene_.lights()[choice.index],
+                                               {place.x, place.y, way.x, way.y}, scene_.sphere());
+        flux_ = pass_.scene.tinted(pass_.scene.emission[choice.index], start.tint) *
+                (share * static_cast<float>(start.factor / choice.probability));
+        return start;
+    }
+
+    /// The look from the camera, then a direction to go on in. @return whether the path goes on.
+    bool scatter(Hit& hit, int depth) {
+        std::optional<Bsdf> room;
+        Bsdf bsdf = pass_.scene.bsdf_at(hit, room);
+        if (is_dispersive(bsdf)) {
+            if (scattering(bsdf) != Scattering::specular) keep_lane(flux_, lanes_);
+            if (lanes_.single) bsdf = for_lane(bsdf, lanes_.chosen);
+        }
+        const Frame frame(hit.shading_normal, hit.tangent);
+        const Vec3 w_from = frame.to_local(-direction_);
+        // Flux by unit of area is that on the geometric surface; bsdfs count by the shading one.
+        const float arrived = std::abs(w_from.z / direction_.dot(hit.normal));
+        if (scattering(bsdf) != Scattering::specular) look(hit, frame, bsdf, w_from, arrived);
+        const BsdfDraw draw{{static_cast<float>(number()), static_cast<float>(number()),
+                             static_cast<float>(number())},
+                            Transport::flux,
+                            lanes_};
+        const auto drawn = sample(bsdf, w_from, draw);
+        if (!drawn) return false;
+        direction_ = frame.to_world(drawn->w_to);
+        const float left = std::abs(direction_.dot(hit.normal) / drawn->w_to.z);
+        const Spectrum before = flux_;
+        flux_ *= drawn->weight * (arrived * left);
+        if (drawn->dispersed) lanes_.single = true;
+        return depth < 3 || survives(before);
+    }
+
+    void look(const Hit& hit, const Frame& frame, const Bsdf& bsdf, const Vec3& w_from,
+              float arrived) {
+        const auto sight = camera_.sight_of(Vec3d(hit.position), two_numbers());
+        if (!sight || !splatter_.reaches(sight->film)) return;
+        const Vec3 way = Vec3(sight->origin) - hit.position;
+        const float distance = way.length();
+        if (!(distance > 0)) return;
+        const Vec3 to_camera = way / distance;
+        const Spectrum f = eval(bsdf, w_from, frame.to_local(to_camera), Transport::flux);
+        if (f.is_zero()) return;
+        ++rays_;
+        if (!scene_.is_free(shadow_ray(hit, to_camera, distance))) return;
+        const float facing = std::abs(to_camera.dot(hit.normal));
+        seen_ = true;
+        splatter_.add(sight->film,
+                      flux_ * f * (arrived * facing * static_cast<float>(sight->area)));
+    }
+
+    bool survives(const Spectrum& before) {
+        const float survival = std::min(1.0F, flux_.sum() / before.sum());
+        if (!(number() < static_cast<double>(survival))) return false;
+        flux_ /= survival;
+        return true;
+    }
+
+    const ReferencePass& pass_;
+    const Scene& scene_;
+    const Projection& camera_;
+    const Splatter& splatter_;
+    RandomStream numbers_;
+    std::uint64_t& rays_;
+    Spectrum flux_;
+    Vec3 direction_{0};
+    LaneChoice lanes_;
+    bool seen_ = false;
+};
+
+}  // namespace
+
+void trace_light_paths(const ReferencePass& pass, std::uint32_t paths, PassImage& image,
+                       Statistics& statistics) {
+    TransportSettings emitters_alone = pass.transport;
+    emitters_alone.max_depth = 0;
+    trace_reference_paths({pass.scene, emitters_alone, pass.window, pass.id}, image, statistics);
+    if (pass.scene.scene.light_choice().empty()) return;
+    statistics[Count::uniform_paths] += paths;
+    const Projection camera(pass.scene.scene.camera());
+    const Splatter splatter(pass, image);
+    std::mutex guard;
+    parallel_blocks(paths, 1024, [&](std::size_t begin, std::size_t end) {
+        std::uint64_t rays = 0;
+        std::uint64_t seen = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            const RandomStream numbers = pass.id.stream(Purpose::light_path, i);
+            LightPath path(pass, camera, splatter, numbers, rays);
+            seen += path.trace(1 / static_cast<float>(paths)) ? 1 : 0;
+        }
+        const std::lock_guard lock(guard);
+        statistics[Count::photon_rays] += rays;
+        statistics[Count::uniform_visible] += seen;
+    });
+}
+
+}  // namespace sunfleck
