@@ -23,6 +23,9 @@ struct Wavelengths {
     /// of its first 2, 4, 8 passes, coarser; and every pass is unbiased by itself.
     static Wavelengths of_pass(PassId pass);
 
+    /// Turns what to_rgb() gives by a matrix on linear sRGB, given by its rows.
+    void turn_rgb(const std::array<std::array<double, 3>, 3>& rows);
+
     /// Linear sRGB of a radiance spectrum, in pbrt-v4's scale: the D65 illuminant scaled to
     /// luminance one gives (1,1,1) in expectation.
     Vec3 to_rgb(const Spectrum& radiance) const {

@@ -42,7 +42,9 @@ struct FilmDescription {
     /// Pixels [x0, x1) x [y0, y1) of the resolution that are rendered; all when absent.
     std::optional<std::array<int, 4>> crop;
     float imaging_ratio = 1;  // pixel = radiance * exposure time * iso / 100
-    std::string filename;     // as the scene names it; empty when it does not
+    /// White balance: the temperature of daylight (kelvin) that is to be white; absent: D65 is.
+    std::optional<double> white;
+    std::string filename;  // as the scene names it; empty when it does not
 };
 
 /// What the scene asks of the renderer; the command line wins.

@@ -3,12 +3,23 @@
 
 #include "core/parallel.h"
 #include "math/sigmoid_table.h"
+#include "math/white_balance.h"
 
 namespace sunfleck {
 
+namespace {
+
+Wavelengths wavelengths_of(const FilmDescription& film, PassId pass) {
+    Wavelengths drawn = Wavelengths::of_pass(pass);
+    if (film.white) drawn.turn_rgb(white_balance(*film.white));
+    return drawn;
+}
+
+}  // namespace
+
 PassScene::PassScene(const Scene& of, PassId pass)
     : scene(of),
-      wavelengths(Wavelengths::of_pass(pass)),
+      wavelengths(wavelengths_of(of.film(), pass)),
       emission(of.lights().size()),
       white(SpectralCurve::d65().at(wavelengths)) {
     const std::size_t materials = of.materials().size();

@@ -56,12 +56,6 @@ std::optional<std::array<int, 4>> crop_of(const Statement& film, const Vec2i& si
 }
 
 void warn_approximations(const Statement& film, Reading& reading) {
-    const std::string sensor = film.text("sensor").value_or("cie1931");
-    if (sensor != "cie1931")
-        reading.warn(film.where, "sensor " + in_quotes(sensor) +
-                                     " is not simulated: it is the observer cie1931");
-    if (film.real("whitebalance", 0) > 0)
-        reading.warn(film.where, "white balance is ignored: D65 stays white");
     if (film.type != "rgb")
         reading.warn(film.where, "film " + in_quotes(film.type) + " is read as \"rgb\"");
     if (film.find("scale"))
@@ -69,6 +63,30 @@ void warn_approximations(const Statement& film, Reading& reading) {
     if (film.find("maxcomponentvalue"))
         reading.warn(film.where, "\"maxcomponentvalue\" is ignored: nothing is clamped");
     film.ignore({"diagonal", "savefp16", "nbuckets", "lambdamin", "lambdamax", "coordinatesystem"});
+}
+
+/// Temperature of what is to be white. Cameras by name are balanced to 6500 K where the scene says
+/// nothing, as in pbrt-v4; their colours are those of the standard observer.
+std::optional<double> white_of(const Statement& film, Reading& reading) {
+    static constexpr std::array<std::string_view, 18> kSensors = {
+        "cie1931",           "canon_eos_100d",      "canon_eos_1dx_mkii",
+        "canon_eos_200d",    "canon_eos_200d_mkii", "canon_eos_5d",
+        "canon_eos_5d_mkii", "canon_eos_5d_mkiii",  "canon_eos_5d_mkiv",
+        "canon_eos_5ds",     "canon_eos_m",         "hasselblad_l1d_20c",
+        "nikon_d810",        "nikon_d850",          "sony_ilce_6400",
+        "sony_ilce_7m3",     "sony_ilce_7rm3",      "sony_ilce_9"};
+    const std::string sensor = film.text("sensor").value_or("cie1931");
+    if (std::find(kSensors.begin(), kSensors.end(), sensor) == kSensors.end())
+        throw Error(film.find("sensor")->where, "unknown sensor " + in_quotes(sensor),
+                    use_one_of(kSensors, sensor));
+    const bool is_camera = sensor != "cie1931";
+    const double white = film.real("whitebalance", 0);
+    if (is_camera)
+        reading.warn(film.where, "sensor " + in_quotes(sensor) +
+                                     " sees colours as the observer cie1931 does, white-balanced");
+    if (white > 0) return std::max(white, 1000.0);
+    if (is_camera) return 6500;
+    return std::nullopt;
 }
 
 double exposure_of(Reading& reading) {
@@ -99,6 +117,7 @@ void finish_film(Reading& reading) {
     const double iso = film.real("iso", 100);
     if (!(iso > 0)) throw Error(film.where, "\"iso\" is not positive", "use 100");
     result.imaging_ratio = static_cast<float>(exposure_of(reading) * iso / 100);
+    result.white = white_of(film, reading);
     warn_approximations(film, reading);
     reading.warn_unused(film);
 }

@@ -42,8 +42,16 @@ TEST(Film, says_what_is_approximated) {
     const SceneDescription scene = with(
         "Film \"gbuffer\" \"string sensor\" \"nikon_d850\" \"float whitebalance\" 5000 "
         "\"float scale\" 2 \"float colour\" 3");
-    EXPECT_EQ(scene.warnings.entries().size(), 5U);
+    EXPECT_EQ(scene.warnings.entries().size(), 4U);
+    EXPECT_EQ(scene.film.white, 5000);
     EXPECT_EQ(warnings_with(scene, "unused parameter \"float colour\" of Film \"gbuffer\""), 1);
+}
+
+TEST(Film, cameras_are_white_balanced_and_the_observer_only_when_asked) {
+    EXPECT_EQ(with("Film \"rgb\" \"string sensor\" \"canon_eos_5d_mkiv\"").film.white, 6500);
+    EXPECT_FALSE(with("Film \"rgb\"").film.white);
+    EXPECT_EQ(with("Film \"rgb\" \"float whitebalance\" 3200").film.white, 3200);
+    EXPECT_THROW(with("Film \"rgb\" \"string sensor\" \"box_brownie\""), Error);
 }
 
 TEST(Film, filters_have_their_own_defaults) {
