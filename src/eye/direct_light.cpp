@@ -43,7 +43,7 @@ EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Vec3& from,
     const auto& light = std::get<AreaLight>(pass.scene.lights()[index]);
     if (!light.emits(hit.normal, -direction)) return {};
     const double chosen = pass.scene.light_choice().probability(index);
-    return {pass.emission[index],
+    return {pass.emitted(index, light, hit),
             static_cast<float>(chosen) * light.direct_pdf(from, hit.position, hit.normal)};
 }
 

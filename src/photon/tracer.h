@@ -24,7 +24,7 @@ concept PhotonVisitor = requires(V& visit, const Photon& photon) {
 };
 
 enum class PathEnd {
-    no_light,  // nothing emits
+    no_light,  // nothing emits, or not from there
     escaped,   // left the scene
     absorbed,  // by a surface, or by roulette
     too_long,  // the next event would exceed the greatest depth
@@ -69,7 +69,7 @@ public:
     }
 
     /// The steps of a path. The first: chooses the light, and flux, place and direction there.
-    /// @return false when nothing emits.
+    /// @return false when nothing emits there.
     template <SlotReader Reader>
     bool start(Reader& read, PhotonState& state) const {
         const std::optional<Emission> from = emit(read, state);
@@ -147,6 +147,7 @@ private:
                             {unit(EmissionSlot::position_u), unit(EmissionSlot::position_v),
                              unit(EmissionSlot::direction_u), unit(EmissionSlot::direction_v)},
                             pass_.scene.sphere());
+        if (!(start.factor > 0)) return {};  // from a dark place of a picture
         const Vec3d normal(start.normal);
         start.origin += normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
         state.flux =

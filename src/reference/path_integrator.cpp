@@ -41,27 +41,30 @@ private:
             ++rays_;
             const auto hit = scene_.geometry().intersect(ray);
             if (!hit) {
-                for (const std::uint32_t i : scene_.infinite_lights())
-                    add_emitter(i, beyond(scene_.lights()[i], ray.direction));
+                for (const std::uint32_t i : scene_.infinite_lights()) {
+                    const Beyond met = beyond(scene_.lights()[i], ray.direction);
+                    add_emitter(i, met.pdf,
+                                pass_.scene.tinted(pass_.scene.emission[i] * met.factor, met.tint));
+                }
                 return {};
             }
             if (const std::uint32_t i = scene_.light_of(*hit); i != kNone) {
                 const auto& light = std::get<AreaLight>(scene_.lights()[i]);
-                if (light.emits(hit->normal, -ray.direction))
-                    add_emitter(i, {1, light.direct_pdf(last_, hit->position, hit->normal)});
+                if (light.emits(hit->normal, -ray.direction)) {
+                    const float pdf = light.direct_pdf(last_, hit->position, hit->normal);
+                    add_emitter(i, pdf, pass_.scene.emitted(i, light, *hit));
+                }
             }
             if (!scene_.passes_straight(*hit)) return hit;
             ray = ray_from(*hit, ray.direction);
         }
     }
 
-    /// An emitter that the last bsdf sample found. @param met  with what a light sample would do.
-    void add_emitter(std::uint32_t light, const Beyond& met) {
-        if (!(met.factor > 0)) return;
-        const auto other = static_cast<float>(scene_.light_choice().probability(light)) * met.pdf;
+    /// An emitter that the last bsdf sample found. @param light_pdf  of direct samples of it.
+    void add_emitter(std::uint32_t light, float light_pdf, const Spectrum& radiance) {
+        const auto other = static_cast<float>(scene_.light_choice().probability(light)) * light_pdf;
         const float weight = specular_ ? 1 : pdf_ / (pdf_ + other);
-        const Spectrum emitted = pass_.scene.tinted(pass_.scene.emission[light], met.tint);
-        sum_ += throughput_ * emitted * (met.factor * weight);
+        sum_ += throughput_ * radiance * weight;
     }
 
     /// Direct light, then a direction to go on in: `ray` becomes the next one.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "light/light.h"
+#include "light/surface_picture.h"
 #include "math/warp.h"
 
 #include <ostream>
@@ -163,6 +164,27 @@ inline std::vector<LightExample> picture_examples() {
     return all;
 }
 
+/// Surfaces of every kind, each with the same picture on it.
+inline std::vector<LightExample> pictured_examples() {
+    const auto picture = std::make_shared<const SurfacePicture>(example_image(5));
+    const CornerUvs uvs{Vec2(0.1F, 0), Vec2(1.2F, 0.3F), Vec2(0, 1), Vec2(0.9F, 1)};
+    std::vector<LightExample> all;
+    const auto add = [&](const std::string& name, const LightExample& plain) {
+        LightExample example = plain;
+        example.name = "pictured_" + name;
+        auto& light = std::get<AreaLight>(example.light);
+        light.picture = std::make_shared<const LaidPicture>(picture, uvs, light.surface, 1 << 22);
+        all.push_back(example);
+    };
+    add("triangle", area_example("", example_triangle(true)));
+    add("sphere", sphere_examples()[0]);
+    add("ellipsoid", sphere_examples()[4]);
+    add("disk", disk_examples()[2]);
+    add("trough", cylinder_examples()[2]);
+    add("patch", patch_examples()[0]);
+    return all;
+}
+
 inline std::vector<LightExample> light_examples() {
     std::vector<LightExample> all;
     all.push_back({"point", PointLight{{}, Vec3d(0.8, -0.3, 1.4)}});
@@ -184,6 +206,7 @@ inline std::vector<LightExample> light_examples() {
     for (const LightExample& example : disk_examples()) all.push_back(example);
     for (const LightExample& example : cylinder_examples()) all.push_back(example);
     for (const LightExample& example : patch_examples()) all.push_back(example);
+    for (const LightExample& example : pictured_examples()) all.push_back(example);
     return all;
 }
 

@@ -14,8 +14,6 @@
 namespace sunfleck {
 namespace {
 
-constexpr double kPictureRadiance = 0.5;  // for pictures that are not read
-
 double scale_of(const Statement& statement) {
     const double scale = statement.real("scale", 1);
     if (scale >= 0) return scale;
@@ -165,14 +163,13 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
         throw Error(statement.where, "unknown area light " + in_quotes(statement.type),
                     "use \"diffuse\"");
     AreaEmission emission;
-    double factor = scale_of(statement);
-    if (const auto file = statement.text("filename")) {
-        factor *= kPictureRadiance;
-        reading.warn(statement.where, "the picture " + in_quotes(*file) +
-                                          " of an area light is not read: its mean is not known, "
-                                          "and radiance 0.5 times \"scale\" is emitted");
+    if (statement.find("filename")) {
+        if (const Parameter* both = statement.find("L"))
+            throw Error(both->where, "an area light with \"L\" and \"filename\"",
+                        "give one of them");
+        emission.picture = std::make_shared<const SurfacePicture>(light_image(statement, reading));
     }
-    emission.radiance = scaled(emission_of(statement, "L", reading), factor);
+    emission.radiance = scaled(emission_of(statement, "L", reading), scale_of(statement));
     emission.two_sided = statement.flag("twosided", false);
     emission.power = std::max(statement.real("power", 0), 0.0);
     reading.warn_unused(statement);

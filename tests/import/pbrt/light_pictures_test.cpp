@@ -109,6 +109,18 @@ TEST(LightPictures, of_projections_stand_upright) {
     EXPECT_NE(error(light + "\"sky.pfm\" \"float fov\" 180"), "");
 }
 
+TEST(LightPictures, of_area_lights_lie_on_their_shapes) {
+    const std::string light = "AreaLightSource \"diffuse\" \"string filename\" \"wide.pfm\" ";
+    const SceneDescription scene =
+        read_world(light + "\"float scale\" 3 \"float power\" 5 Shape \"sphere\"", kFiles);
+    const AreaEmission& emission = scene.shapes.at(0).emission.value();
+    EXPECT_NEAR(emission.radiance.luminance(), 3, 1e-3);
+    EXPECT_EQ(emission.power, 5);
+    EXPECT_EQ(emission.picture->resolution(), Vec2i(2, 1));
+    EXPECT_TRUE(scene.warnings.entries().empty());
+    EXPECT_TRUE(contains(world_error(light + "\"rgb L\" [1 1 1]", kFiles), "\"L\" and"));
+}
+
 TEST(LightPictures, that_cannot_be_are_errors) {
     const auto error = [](const std::string& text) { return world_error(text, kFiles); };
     const std::string light = "LightSource \"infinite\" \"string filename\" ";
