@@ -6,10 +6,11 @@ namespace {
 
 /// Density with which light samples take a direction, for the weights: infinite lights lie upon
 /// each other, and a bsdf sample finds them all at once, so they count together.
-float density(const PassScene& pass, std::size_t light, const DirectSample& drawn,
-              float probability) {
-    if (is_infinite(pass.scene.lights()[light])) return emitter_beyond(pass, drawn.direction).pdf;
-    return *drawn.pdf * probability;
+float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen& light,
+              const DirectSample& drawn) {
+    if (is_infinite(pass.scene.lights()[light.index]))
+        return emitter_beyond(pass, from, drawn.direction).pdf;
+    return *drawn.pdf * static_cast<float>(light.probability);
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_
     const auto probability = static_cast<float>(choice.probability);
     float weight = light->factor * std::abs(w_to.z) / probability;
     if (light->pdf)
-        weight *= mis_weight(density(pass, choice.index, *light, probability),
+        weight *= mis_weight(density(pass, vertex.hit.position, choice, *light),
                              pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance));
     return f * pass.tinted(pass.emission[choice.index], light->tint) * weight;
 }
@@ -47,10 +48,10 @@ EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Vec3& from,
             static_cast<float>(chosen) * light.direct_pdf(from, hit.position, hit.normal)};
 }
 
-EmitterMet emitter_beyond(const PassScene& pass, const Vec3& direction) {
+EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction) {
     EmitterMet all;
     for (const std::uint32_t index : pass.scene.infinite_lights()) {
-        const Beyond there = beyond(pass.scene.lights()[index], direction);
+        const Beyond there = beyond(pass.scene.lights()[index], from, direction);
         all.radiance += pass.tinted(pass.emission[index] * there.factor, there.tint);
         all.pdf += static_cast<float>(pass.scene.light_choice().probability(index)) * there.pdf;
     }
@@ -70,7 +71,7 @@ Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, cons
         ++statistics[Count::eye_rays];
         const auto hit = pass.scene.geometry().intersect(ray);
         if (!hit) {
-            add(emitter_beyond(pass, direction));
+            add(emitter_beyond(pass, vertex.hit.position, direction));
             return sum;
         }
         add(emitter_at(pass, *hit, vertex.hit.position, direction));

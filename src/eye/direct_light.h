@@ -34,8 +34,8 @@ Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_
 EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Vec3& from,
                       const Vec3& direction);
 
-/// The infinite lights along a ray that leaves the scene.
-EmitterMet emitter_beyond(const PassScene& pass, const Vec3& direction);
+/// The infinite lights along a ray from a vertex, at `from`, that leaves the scene.
+EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction);
 
 /// Light found by following one bsdf sample from a vertex to the first thing it meets: weighted
 /// for MIS, the sample's weight included.

@@ -48,6 +48,7 @@ struct PhotonState {
     bool at_light = true;  // about to leave it
     Vec3d origin{0};       // of the next ray
     Vec3d first_direction{0};
+    float unlit = 0;  // still to go where it lights nothing: Emission
 };
 
 class PhotonTracer {
@@ -76,6 +77,7 @@ public:
         if (!from) return false;
         state.origin = from->origin;
         state.first_direction = from->direction;
+        state.unlit = static_cast<float>(from->unlit);
         return true;
     }
 
@@ -96,6 +98,7 @@ public:
     template <SlotReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
+        if (state.unlit > 0 && is_stopped(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         if (constant) return meet(read, visit, *constant, hit, state);
         if (!pass_.scene.passes_straight(hit)) return meet_varied(read, visit, hit, state);
@@ -108,6 +111,13 @@ private:
     static void leave(const Hit& hit, PhotonState& state) {
         state.at_light = false;
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
+    }
+
+    /// Is the photon met where it is no light yet?
+    bool is_stopped(const Hit& hit, PhotonState& state) const {
+        const bool before = hit.distance < state.unlit;
+        state.unlit -= hit.distance;
+        return before && !pass_.scene.passes_straight(hit);
     }
 
     /// Gathering and scattering. @return how the path ends, if it does.

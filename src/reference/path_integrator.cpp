@@ -17,6 +17,7 @@ public:
 
     /// Radiance along the ray. @return one sample of it.
     Spectrum radiance(Ray ray) {
+        last_ = ray.origin;
         lanes_.chosen = lane_of(numbers_.next());
         for (int depth = 0;; ++depth) {
             auto hit = next_surface(ray);
@@ -42,7 +43,7 @@ private:
             const auto hit = scene_.geometry().intersect(ray);
             if (!hit) {
                 for (const std::uint32_t i : scene_.infinite_lights()) {
-                    const Beyond met = beyond(scene_.lights()[i], ray.direction);
+                    const Beyond met = beyond(scene_.lights()[i], last_, ray.direction);
                     add_emitter(i, met.pdf,
                                 pass_.scene.tinted(pass_.scene.emission[i] * met.factor, met.tint));
                 }
@@ -129,7 +130,7 @@ private:
     bool specular_ = true;
     float pdf_ = 0;
     float scale_ = 1;
-    Vec3 last_{0};
+    Vec3 last_{0};  // vertex
 };
 
 }  // namespace

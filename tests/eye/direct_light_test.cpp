@@ -154,7 +154,7 @@ void expect_weights_sum_to_one(const LitPoint& point, double u_choice, const Vec
     if (const auto hit = pass.scene.geometry().intersect(ray))
         emitted = emitter_at(pass, *hit, vertex.hit.position, light->direction).radiance[0];
     else
-        emitted = emitter_beyond(pass, light->direction).radiance[0];
+        emitted = emitter_beyond(pass, vertex.hit.position, light->direction).radiance[0];
     const double bsdf_weight = static_cast<double>(by_bsdf[0] / emitted);
     EXPECT_NEAR(light_weight + bsdf_weight, 1, 2e-4) << light_weight << ' ' << bsdf_weight;
     EXPECT_GT(light_weight, 0);
@@ -198,7 +198,7 @@ TEST(DirectLight, darkness_costs_nothing) {
     Statistics statistics;
     EXPECT_TRUE(point.by_light(0.5, {0.5, 0.5}, statistics).is_zero());
     EXPECT_EQ(statistics[Count::eye_rays], 0U);
-    EXPECT_TRUE(emitter_beyond(point.pass(), {0, 0, 1}).radiance.is_zero());
+    EXPECT_TRUE(emitter_beyond(point.pass(), Vec3(kPoint), {0, 0, 1}).radiance.is_zero());
     EXPECT_TRUE(point.by_bsdf({0.5F, 0.3F, 0.3F}, statistics).is_zero());
     EXPECT_EQ(statistics[Count::eye_rays], 1U);
 }
@@ -241,7 +241,7 @@ TEST(DirectLight, emitters_beyond) {
     const LitPoint point(std::move(scene));
     const LightChoice& choice = point.scene().light_choice();
     const double skies = choice.probability(2) + choice.probability(3) + choice.probability(4);
-    const EmitterMet met = emitter_beyond(point.pass(), {0, 0, 1});
+    const EmitterMet met = emitter_beyond(point.pass(), Vec3(kPoint), {0, 0, 1});
     EXPECT_FLOAT_EQ(met.radiance[0], 0.6F);
     EXPECT_NEAR(met.pdf, skies / (4 * kPiDouble), 1e-7);
 }

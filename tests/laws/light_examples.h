@@ -164,6 +164,22 @@ inline std::vector<LightExample> picture_examples() {
     return all;
 }
 
+/// A window in the ceiling, and a part of a wall far away. The sky has a sun and colours.
+inline std::vector<LightExample> portal_examples() {
+    const auto image = std::make_shared<const Image>(example_image(9));
+    const auto picture = std::make_shared<const PortalPicture>(64, [image](const Vec3d& w) {
+        const Vec2d place = sphere_to_square(w) * 9;
+        return image->rgb(std::min(static_cast<int>(place.x), 8),
+                          std::min(static_cast<int>(place.y), 8));
+    });
+    const auto plain =
+        std::make_shared<const PortalPicture>(48, [](const Vec3d&) { return Vec3(1); });
+    Affine above(placed({-0.4, -0.6, 1.2}, Vec3d(1), 0.2, 0.3));
+    Affine wall(placed({-1.2, 0.6, 1.1}, Vec3d(1), -0.7, 0.2));
+    return {{"portal", PortalLight{{}, picture, above, {1.3, 1.9}}},
+            {"portal_aside", PortalLight{{}, plain, wall, {2.5, 1.1}}}};
+}
+
 /// Surfaces of every kind, each with the same picture on it.
 inline std::vector<LightExample> pictured_examples() {
     const auto picture = std::make_shared<const SurfacePicture>(example_image(5));
@@ -202,6 +218,7 @@ inline std::vector<LightExample> light_examples() {
     all.push_back(area_example("triangle", example_triangle(true)));
     all.push_back(area_example("two_sided_triangle", example_triangle(false), true));
     for (const LightExample& example : picture_examples()) all.push_back(example);
+    for (const LightExample& example : portal_examples()) all.push_back(example);
     for (const LightExample& example : sphere_examples()) all.push_back(example);
     for (const LightExample& example : disk_examples()) all.push_back(example);
     for (const LightExample& example : cylinder_examples()) all.push_back(example);
