@@ -34,7 +34,8 @@ void EyePath::trace(std::uint32_t pixel) {
             return;
         }
         grow_footprint(*hit);
-        add_emission(emitter_at(pass_.scene, *hit, position_, direction_));
+        const bool weighted = emitters_ == Emitters::weighted;
+        add_emission(emitter_at(pass_.scene, *hit, weighted ? &glossy_ : nullptr, direction_));
         if (!scene.passes_straight(*hit)) {
             if (first) first_footprint_ = footprint_;
             first = false;
@@ -177,6 +178,7 @@ bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {
     if (drawn->pdf) {
         emitters_ = Emitters::weighted;
         bsdf_pdf_ = *drawn->pdf;
+        glossy_ = receiver_at(vertex);
         ++rough_;
     } else if (emitters_ == Emitters::weighted) {
         emitters_ = Emitters::none;

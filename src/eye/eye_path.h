@@ -63,6 +63,7 @@ private:
     std::uint16_t bounces_ = 0;
     Emitters emitters_ = Emitters::all;
     float bsdf_pdf_ = 0;     // of the last glossy sample
+    Receiver glossy_;        // its vertex
     std::size_t rough_ = 0;  // glossy vertices so far
 };
 

@@ -63,7 +63,9 @@ private:
 
     /// An emitter that the last bsdf sample found. @param light_pdf  of direct samples of it.
     void add_emitter(std::uint32_t light, float light_pdf, const Spectrum& radiance) {
-        const auto other = static_cast<float>(scene_.light_choice().probability(light)) * light_pdf;
+        const auto other =
+            static_cast<float>(scene_.light_tree().probability({last_, Vec3(0)}, light)) *
+            light_pdf;
         const float weight = specular_ ? 1 : pdf_ / (pdf_ + other);
         sum_ += throughput_ * radiance * weight;
     }
@@ -91,25 +93,25 @@ private:
 
     void add_light_sample(const Hit& hit, const Frame& frame, const Bsdf& bsdf,
                           const Vec3& w_from) {
-        if (scene_.light_choice().empty()) return;
-        const auto choice = scene_.light_choice().choose(number());
+        const auto choice = scene_.light_tree().choose({hit.position, Vec3(0)}, number());
+        if (!choice) return;
         const Vec2 u{static_cast<float>(number()), static_cast<float>(number())};
         const auto light =
-            sample_direct(scene_.lights()[choice.index], hit.position, u, scene_.sphere());
+            sample_direct(scene_.lights()[choice->index], hit.position, u, scene_.sphere());
         if (!light) return;
         const Vec3 w_to = frame.to_local(light->direction);
         const Spectrum f = eval(bsdf, w_from, w_to, Transport::radiance);
         ++rays_;
         if (f.is_zero() || !scene_.is_free(shadow_ray(hit, light->direction, light->distance)))
             return;
-        const auto chosen = static_cast<float>(choice.probability);
+        const auto chosen = static_cast<float>(choice->probability);
         float weight = 1;
         if (light->pdf) {
             const float mine = *light->pdf * chosen;
             weight = mine / (mine + pdf(bsdf, w_from, w_to, Transport::radiance));
         }
         const Spectrum emitted =
-            pass_.scene.tinted(pass_.scene.emission[choice.index], light->tint);
+            pass_.scene.tinted(pass_.scene.emission[choice->index], light->tint);
         sum_ += throughput_ * f * emitted * (light->factor * std::abs(w_to.z) * weight / chosen);
     }
 
