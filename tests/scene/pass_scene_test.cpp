@@ -1,7 +1,8 @@
-// Area lights with a picture: what a ray meets is what direct samples promise, texel by texel, and
-// the picture stands upright.
-#include "core/random.h"
+// The scene of a pass where area lights have pictures: what a ray meets is what direct samples
+// promise, texel by texel, and pictures stand upright.
 #include "scene/pass_scene.h"
+
+#include "core/random.h"
 
 #include <gtest/gtest.h>
 
