@@ -16,9 +16,15 @@ constexpr std::array kMaterialNames = {
     "coateddiffuse", "coatedconductor", "diffusetransmission", "mix",
     "interface"};
 static_assert(kMaterialNames.size() == std::variant_size_v<Material>);
-constexpr std::array kLightNames = {
-    "point", "spot", "goniometric", "projection", "distant", "infinite", "infinite with a picture",
-    "area"};
+constexpr std::array kLightNames = {"point",
+                                    "spot",
+                                    "goniometric",
+                                    "projection",
+                                    "distant",
+                                    "infinite",
+                                    "infinite with a picture",
+                                    "infinite with a portal",
+                                    "area"};
 static_assert(kLightNames.size() == std::variant_size_v<Light>);
 
 void print_lights(const Scene& scene) {

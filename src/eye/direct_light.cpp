@@ -6,10 +6,11 @@ namespace {
 
 /// Density with which light samples take a direction, for the weights: infinite lights lie upon
 /// each other, and a bsdf sample finds them all at once, so they count together.
-float density(const PassScene& pass, std::size_t light, const DirectSample& drawn,
-              float probability) {
-    if (is_infinite(pass.scene.lights()[light])) return emitter_beyond(pass, drawn.direction).pdf;
-    return *drawn.pdf * probability;
+float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen& light,
+              const DirectSample& drawn) {
+    if (is_infinite(pass.scene.lights()[light.index]))
+        return emitter_beyond(pass, from, drawn.direction).pdf;
+    return *drawn.pdf * static_cast<float>(light.probability);
 }
 
 }  // namespace
@@ -17,10 +18,10 @@ float density(const PassScene& pass, std::size_t light, const DirectSample& draw
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
                        const Vec2d& u, Statistics& statistics) {
     const Scene& scene = pass.scene;
-    if (scene.light_choice().empty()) return Spectrum(0);
-    const auto choice = scene.light_choice().choose(u_choice);
+    const auto choice = scene.light_tree().choose(receiver_at(vertex), u_choice);
+    if (!choice) return Spectrum(0);
     const auto light =
-        sample_direct(scene.lights()[choice.index], vertex.hit.position, Vec2(u), scene.sphere());
+        sample_direct(scene.lights()[choice->index], vertex.hit.position, Vec2(u), scene.sphere());
     if (!light) return Spectrum(0);
     const Vec3 w_to = vertex.frame.to_local(light->direction);
     const Spectrum f = eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance);
@@ -28,31 +29,38 @@ Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_
     ++statistics[Count::eye_rays];
     if (!scene.is_free(shadow_ray(vertex.hit, light->direction, light->distance)))
         return Spectrum(0);
-    const auto probability = static_cast<float>(choice.probability);
+    const auto probability = static_cast<float>(choice->probability);
     float weight = light->factor * std::abs(w_to.z) / probability;
     if (light->pdf)
-        weight *= mis_weight(density(pass, choice.index, *light, probability),
+        weight *= mis_weight(density(pass, vertex.hit.position, *choice, *light),
                              pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance));
-    return f * pass.tinted(pass.emission[choice.index], light->tint) * weight;
+    return f * pass.tinted(pass.emission[choice->index], light->tint) * weight;
 }
 
-EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Vec3& from,
+Receiver receiver_at(const EyeVertex& vertex) {
+    if (gathers(vertex.bsdf, 1, -1)) return {vertex.hit.position, Vec3(0)};
+    return {vertex.hit.position, vertex.w_from.z < 0 ? -vertex.frame.z : vertex.frame.z};
+}
+
+EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* from,
                       const Vec3& direction) {
     const std::uint32_t index = pass.scene.light_of(hit);
     if (index == kNone) return {};
     const auto& light = std::get<AreaLight>(pass.scene.lights()[index]);
     if (!light.emits(hit.normal, -direction)) return {};
-    const double chosen = pass.scene.light_choice().probability(index);
-    return {pass.emission[index],
-            static_cast<float>(chosen) * light.direct_pdf(from, hit.position, hit.normal)};
+    const Spectrum radiance = pass.emitted(index, light, hit);
+    if (from == nullptr) return {radiance};
+    const double chosen = pass.scene.light_tree().probability(*from, index);
+    return {radiance, static_cast<float>(chosen) *
+                          light.direct_pdf(from->position, hit.position, hit.normal)};
 }
 
-EmitterMet emitter_beyond(const PassScene& pass, const Vec3& direction) {
+EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction) {
     EmitterMet all;
     for (const std::uint32_t index : pass.scene.infinite_lights()) {
-        const Beyond there = beyond(pass.scene.lights()[index], direction);
+        const Beyond there = beyond(pass.scene.lights()[index], from, direction);
         all.radiance += pass.tinted(pass.emission[index] * there.factor, there.tint);
-        all.pdf += static_cast<float>(pass.scene.light_choice().probability(index)) * there.pdf;
+        all.pdf += static_cast<float>(pass.scene.light_tree().probability({}, index)) * there.pdf;
     }
     return all;
 }
@@ -60,6 +68,7 @@ EmitterMet emitter_beyond(const PassScene& pass, const Vec3& direction) {
 Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
                             Statistics& statistics) {
     const Vec3 direction = vertex.frame.to_world(drawn.w_to);
+    const Receiver from = receiver_at(vertex);
     Spectrum sum;
     const auto add = [&](const EmitterMet& met) {
         if (!met.radiance.is_zero())
@@ -70,10 +79,10 @@ Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, cons
         ++statistics[Count::eye_rays];
         const auto hit = pass.scene.geometry().intersect(ray);
         if (!hit) {
-            add(emitter_beyond(pass, direction));
+            add(emitter_beyond(pass, vertex.hit.position, direction));
             return sum;
         }
-        add(emitter_at(pass, *hit, vertex.hit.position, direction));
+        add(emitter_at(pass, *hit, &from, direction));
         if (!pass.scene.passes_straight(*hit)) return sum;
         ray = ray_from(*hit, direction);
     }

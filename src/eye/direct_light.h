@@ -29,13 +29,16 @@ struct EmitterMet {
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
                        const Vec2d& u, Statistics& statistics);
 
-/// The emitter at a hit, seen along `direction` (unit, of the ray) from `from`; zero if it shows
-/// its dark side or is none.
-EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Vec3& from,
+/// Where light is wanted: what cannot come through the surface is not chosen.
+Receiver receiver_at(const EyeVertex& vertex);
+
+/// The emitter at a hit, seen along `direction` (unit, of the ray); zero if it shows its dark side
+/// or is none. @param from  the vertex that the ray comes from; null: without a density.
+EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* from,
                       const Vec3& direction);
 
-/// The infinite lights along a ray that leaves the scene.
-EmitterMet emitter_beyond(const PassScene& pass, const Vec3& direction);
+/// The infinite lights along a ray from a vertex, at `from`, that leaves the scene.
+EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction);
 
 /// Light found by following one bsdf sample from a vertex to the first thing it meets: weighted
 /// for MIS, the sample's weight included.

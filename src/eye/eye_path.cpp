@@ -30,11 +30,12 @@ void EyePath::trace(std::uint32_t pixel) {
         ++statistics_[Count::eye_rays];
         auto hit = scene.geometry().intersect(ray);
         if (!hit) {
-            add_emission(emitter_beyond(pass_.scene, direction_));
+            add_emission(emitter_beyond(pass_.scene, position_, direction_));
             return;
         }
         grow_footprint(*hit);
-        add_emission(emitter_at(pass_.scene, *hit, glossy_position_, direction_));
+        const bool weighted = emitters_ == Emitters::weighted;
+        add_emission(emitter_at(pass_.scene, *hit, weighted ? &glossy_ : nullptr, direction_));
         if (!scene.passes_straight(*hit)) {
             if (first) first_footprint_ = footprint_;
             first = false;
@@ -57,7 +58,8 @@ Ray EyePath::start(RoundPoints& numbers) {
     direction_ = Vec3(ray.direction);
     footprint_ = ray.footprint;
     footprint_angle_ = ray.footprint_angle;
-    return {Vec3(ray.origin), direction_};
+    position_ = Vec3(ray.origin);
+    return {position_, direction_};
 }
 
 /// @return whether the path goes on, in the new direction.
@@ -176,12 +178,13 @@ bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {
     if (drawn->pdf) {
         emitters_ = Emitters::weighted;
         bsdf_pdf_ = *drawn->pdf;
-        glossy_position_ = vertex.hit.position;
+        glossy_ = receiver_at(vertex);
         ++rough_;
     } else if (emitters_ == Emitters::weighted) {
         emitters_ = Emitters::none;
     }
     direction_ = vertex.frame.to_world(drawn->w_to);
+    position_ = vertex.hit.position;
     if (bounces_ < kRouletteFrom) return !throughput_.is_zero();
     const float survival =
         std::min(1.0F, std::max(0.0F, throughput_.sum() * eta_scale_ / static_cast<float>(kLanes)));

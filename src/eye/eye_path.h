@@ -53,6 +53,7 @@ private:
     float weight_ = 1;  // of the pixel filter, and of the film's exposure
     Spectrum throughput_;
     LaneChoice lanes_;
+    Vec3 position_{0};  // of the last vertex
     Vec3 direction_{0};
     float length_ = 0;           // of the path so far
     float footprint_ = 0;        // width of the pixel here
@@ -61,8 +62,8 @@ private:
     float eta_scale_ = 1;        // undoes the radiance's factor of refraction for roulette
     std::uint16_t bounces_ = 0;
     Emitters emitters_ = Emitters::all;
-    float bsdf_pdf_ = 0;  // of the last glossy sample
-    Vec3 glossy_position_{0};
+    float bsdf_pdf_ = 0;     // of the last glossy sample
+    Receiver glossy_;        // its vertex
     std::size_t rough_ = 0;  // glossy vertices so far
 };
 

@@ -2,6 +2,7 @@
 #include "light/area_light.h"
 
 #include "light/emitting_surface.h"
+#include "light/surface_picture.h"
 #include "math/warp.h"
 
 namespace sunfleck {
@@ -40,8 +41,14 @@ std::optional<DirectSample> sample_by_area(const SurfaceSample& on, const Vec3d&
 }  // namespace
 
 Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneSphere&) const {
-    const auto on_surface = [&](const auto& s) { return sample_surface(s, {u[0], u[1]}); };
-    const SurfaceSample on = std::visit(on_surface, surface);
+    LaidPicture::Drawn from;
+    if (picture) {
+        from = picture->draw(surface, {u[0], u[1]});
+    } else {
+        const auto on_surface = [&](const auto& s) { return sample_surface(s, {u[0], u[1]}); };
+        from = {std::visit(on_surface, surface), {1, Vec3(1)}, 1};
+    }
+    const SurfaceSample& on = from.on;
     const auto bound = [&](const auto& s) { return surface_error(s, on); };
     const bool back = two_sided && u[2] > 0.5;
     // The two sides are the halves of the slot, folded so that they meet at the horizon.
@@ -49,8 +56,12 @@ Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneS
     Vec3d local = cosine_hemisphere({folded, u[3]});
     if (back) local.z = -local.z;
     const double sides = two_sided ? 2 : 1;
-    return {on.position, rotate_z_to(on.normal, local), sides * kPiDouble * on.spread,
-            Vec3(on.normal), std::visit(bound, surface)};
+    Emission emission{on.position, rotate_z_to(on.normal, local), sides * kPiDouble * on.spread,
+                      Vec3(on.normal), std::visit(bound, surface)};
+    if (!picture) return emission;
+    emission.factor *= from.light.luminance / from.density;
+    emission.tint = from.light.tint;
+    return emission;
 }
 
 std::optional<DirectSample> AreaLight::sample_direct(const Vec3& point, const Vec2& u,
@@ -65,11 +76,22 @@ std::optional<DirectSample> AreaLight::sample_direct(const Vec3& point, const Ve
     };
     std::optional<DirectSample> drawn = std::visit(sample, surface);
     if (drawn && unseen) drawn->pdf.reset();
+    if (!drawn || !picture) return drawn;
+    const Vec3d towards(drawn->direction);
+    const TexelLight light =
+        picture->at(surface, from + towards * static_cast<double>(drawn->distance), towards);
+    if (!(light.luminance > 0)) return {};
+    drawn->factor *= static_cast<float>(light.luminance);
+    drawn->tint = light.tint;
     return drawn;
 }
 
 double AreaLight::power(const SceneSphere&) const {
-    return (two_sided ? 2 : 1) * kPiDouble * area();
+    return (two_sided ? 2 : 1) * kPiDouble * (picture ? picture->flux() : area());
+}
+
+TexelLight AreaLight::light_at(const Vec2& uv) const {
+    return picture ? picture->at(uv) : TexelLight{1, Vec3(1)};
 }
 
 double AreaLight::area() const {

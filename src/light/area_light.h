@@ -1,20 +1,24 @@
 // A surface that emits the same radiance in all directions of one side, or of both: one emitting
-// triangle, bilinear patch, sphere, cylinder or disk, in the world's frame.
+// triangle, bilinear patch, sphere, cylinder or disk, in the world's frame. A picture may vary it
+// from place to place.
 //
-// Curve: radiance, W/(sr m^2).
-// Emission: uniform by area (spheres and cylinders under matrices that are no similarity: in their
-// own frame; patches that are not flat: nearly), cosine-weighted directions. Two-sided emitters
-// choose the side by the halves of the first direction slot, folded so that they meet at the
-// horizon; Emission::normal stays on the side of Hit::normal. Direct light: whole spheres under
-// similarities are sampled in the cone that the point sees (by area from inside), all else by area.
+// Curve: radiance, W/(sr m^2); with a picture, where that is one.
+// Emission: with a picture, from where that is bright; else uniform by area (spheres and cylinders
+// under matrices that are no similarity: in their own frame; patches that are not flat: nearly),
+// cosine-weighted directions. Two-sided emitters choose the side by the halves of the first
+// direction slot, folded so that they meet at the horizon; Emission::normal stays on the side of
+// Hit::normal. Direct light: whole spheres under similarities are sampled in the cone that the
+// point sees (by area from inside), all else by area.
 #pragma once
 
 #include "geometry/bilinear.h"
 #include "geometry/cylinder.h"
 #include "geometry/disk.h"
 #include "geometry/sphere.h"
+#include "light/light_picture.h"
 #include "light/model.h"
 
+#include <memory>
 #include <variant>
 
 namespace sunfleck {
@@ -44,26 +48,33 @@ struct EmittingQuadric {
     bool flip = false;
 };
 
+using EmittingSurface = std::variant<EmittingTriangle, EmittingPatch, EmittingQuadric<Sphere>,
+                                     EmittingQuadric<Cylinder>, EmittingQuadric<Disk>>;
+
+class LaidPicture;  // light/surface_picture.h
+
 struct AreaLight {
     SpectralCurve curve;
-    std::variant<EmittingTriangle, EmittingPatch, EmittingQuadric<Sphere>,
-                 EmittingQuadric<Cylinder>, EmittingQuadric<Disk>>
-        surface;
+    EmittingSurface surface;
     bool two_sided = false;
     std::uint32_t shape = kNone;      // Hit::shape of the surface
     std::uint32_t primitive = kNone;  // Hit::primitive
     /// It shines, but nothing is there: rays do not meet it, so light samples must bring it all.
     bool unseen = false;
+    /// What the radiance is multiplied by, over the surface; null: one.
+    std::shared_ptr<const LaidPicture> picture = nullptr;
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;
-    /// pi * area, twice if two-sided.
+    /// pi * area, twice if two-sided; times the picture's mean over the surface.
     double power(const SceneSphere&) const;
     /// In m^2, in the world. By quadrature where there is no closed form.
     double area() const;
     /// Does the surface emit into w (unit, world, away from it)? @param normal  of the hit.
     bool emits(const Vec3& normal, const Vec3& w) const { return two_sided || normal.dot(w) > 0; }
+    /// Radiance over the curve where the surface is met. @param uv  of the hit.
+    TexelLight light_at(const Vec2& uv) const;
     /// Density per steradian at `point` with which sample_direct() would choose the point `on`
     /// of the surface (whose geometric normal is `normal`): the other half of MIS.
     float direct_pdf(const Vec3& point, const Vec3& on, const Vec3& normal) const;

@@ -31,7 +31,7 @@ double ImageInfiniteLight::power(const SceneSphere& sphere) const {
     return picture->mean() * 4 * kPiDouble * scene_disc_area(sphere);
 }
 
-Beyond ImageInfiniteLight::beyond(const Vec3& direction) const {
+Beyond ImageInfiniteLight::beyond(const Vec3&, const Vec3& direction) const {
     if (!(picture->mean() > 0)) return {};
     const Vec3d w(direction);
     const Vec3d local(to_world.x.dot(w), to_world.y.dot(w), to_world.z.dot(w));

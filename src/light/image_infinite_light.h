@@ -24,7 +24,7 @@ struct ImageInfiniteLight {
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;
     double power(const SceneSphere& sphere) const;
-    Beyond beyond(const Vec3& direction) const;
+    Beyond beyond(const Vec3& from, const Vec3& direction) const;
 };
 
 /// Illuminance on the plane z = 0 from above, for a picture of all directions: lumens per m^2 if

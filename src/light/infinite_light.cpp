@@ -12,17 +12,17 @@ Emission InfiniteLight::sample_emission(const std::array<double, 4>& u,
             0};
 }
 
-std::optional<DirectSample> InfiniteLight::sample_direct(const Vec3&, const Vec2& u,
+std::optional<DirectSample> InfiniteLight::sample_direct(const Vec3& point, const Vec2& u,
                                                          const SceneSphere&) const {
     const Vec3 direction(uniform_sphere(Vec2d(u)));
-    return DirectSample{direction, kInfinity, 4 * kPi, beyond(direction).pdf};
+    return DirectSample{direction, kInfinity, 4 * kPi, beyond(point, direction).pdf};
 }
 
 double InfiniteLight::power(const SceneSphere& sphere) const {
     return 4 * kPiDouble * scene_disc_area(sphere);
 }
 
-Beyond InfiniteLight::beyond(const Vec3&) const {
+Beyond InfiniteLight::beyond(const Vec3&, const Vec3&) const {
     return {1, 1 / (4 * kPi)};
 }
 

@@ -8,6 +8,7 @@
 #include "light/infinite_light.h"
 #include "light/picture_point_lights.h"
 #include "light/point_light.h"
+#include "light/portal_light.h"
 #include "light/spot_light.h"
 
 #include <variant>
@@ -18,7 +19,7 @@ template <LightModel... Models>
 using LightVariant = std::variant<Models...>;
 
 using Light = LightVariant<PointLight, SpotLight, GoniometricLight, ProjectionLight, DistantLight,
-                           InfiniteLight, ImageInfiniteLight, AreaLight>;
+                           InfiniteLight, ImageInfiniteLight, PortalLight, AreaLight>;
 
 inline Emission sample_emission(const Light& light, const std::array<double, 4>& u,
                                 const SceneSphere& sphere) {
@@ -42,16 +43,17 @@ inline const SpectralCurve& curve(const Light& light) {
 inline bool is_infinite(const Light& light) {
     const auto has_beyond = [](const auto& l) {
         return requires(Vec3 w) {
-            l.beyond(w);
+            l.beyond(w, w);
         };
     };
     return std::visit(has_beyond, light);
 }
 
-/// What comes from `direction` (unit, to the light); nothing from lights that are not infinite.
-inline Beyond beyond(const Light& light, const Vec3& direction) {
+/// What comes to the point `from` from `direction` (unit, to the light), were nothing else there;
+/// nothing from lights that are not infinite.
+inline Beyond beyond(const Light& light, const Vec3& from, const Vec3& direction) {
     const auto ask = [&](const auto& l) {
-        if constexpr (requires { l.beyond(direction); }) return l.beyond(direction);
+        if constexpr (requires { l.beyond(from, direction); }) return l.beyond(from, direction);
         return Beyond{};
     };
     return std::visit(ask, light);

@@ -35,6 +35,23 @@ void normalise(double* sums, std::size_t count) {
 
 }  // namespace
 
+TexelLight texel_light(const Vec3& given) {
+    const Vec3d rgb(std::max(0.0F, given.x), std::max(0.0F, given.y), std::max(0.0F, given.z));
+    const double luminance = 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;  // IEC 61966-2-1
+    if (!(luminance > 0)) return {};
+    if (rgb.x == rgb.y && rgb.y == rgb.z) return {rgb.x, Vec3(1)};
+    return {luminance, Vec3(rgb / luminance)};
+}
+
+void prepare_colours(const Image& image) {
+    for (int y = 0; y < image.resolution().y; ++y)
+        for (int x = 0; x < image.resolution().x; ++x)
+            if (texel_light(image.rgb(x, y)).tint != Vec3(1)) {
+                SigmoidTable::srgb();
+                return;
+            }
+}
+
 LightPicture::LightPicture(Image image, const Share& share) : image_(std::move(image)) {
     const Vec2i size = image_.resolution();
     const auto width = static_cast<std::size_t>(size.x);
@@ -45,7 +62,7 @@ LightPicture::LightPicture(Image image, const Share& share) : image_(std::move(i
     for (std::size_t y = 1; y < height; ++y) rows_[y] += rows_[y - 1];
     mean_ = rows_.back() / static_cast<double>(width * height);
     normalise(rows_.data(), height);
-    if (has_colours()) SigmoidTable::srgb();  // now: it may not be within parallel work
+    prepare_colours(image_);
 }
 
 void LightPicture::sum_row(int y, const Share& share) {
@@ -59,22 +76,6 @@ void LightPicture::sum_row(int y, const Share& share) {
     }
     rows_[static_cast<std::size_t>(y)] = sum;
     normalise(row, width);
-}
-
-bool LightPicture::has_colours() const {
-    for (int y = 0; y < image_.resolution().y; ++y)
-        for (int x = 0; x < image_.resolution().x; ++x)
-            if (texel(x, y).tint != Vec3(1)) return true;
-    return false;
-}
-
-TexelLight LightPicture::texel(int x, int y) const {
-    const Vec3 given = image_.rgb(x, y);
-    const Vec3d rgb(std::max(0.0F, given.x), std::max(0.0F, given.y), std::max(0.0F, given.z));
-    const double luminance = 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;  // IEC 61966-2-1
-    if (!(luminance > 0)) return {};
-    if (rgb.x == rgb.y && rgb.y == rgb.z) return {rgb.x, Vec3(1)};
-    return {luminance, Vec3(rgb / luminance)};
 }
 
 TexelLight LightPicture::at(const Vec2d& place) const {

@@ -20,6 +20,13 @@ struct TexelLight {
     Vec3 tint{1};  // of luminance one
 };
 
+/// Of a colour in linear sRGB; negative components count as none.
+TexelLight texel_light(const Vec3& rgb);
+
+/// Builds the table of colours if the texels are no greys: now, for it may not be within parallel
+/// work.
+void prepare_colours(const Image& image);
+
 class LightPicture {
 public:
     struct Drawn {
@@ -37,7 +44,7 @@ public:
     const Vec2i& resolution() const { return image_.resolution(); }
     /// Mean of luminance times share.
     double mean() const { return mean_; }
-    TexelLight texel(int x, int y) const;
+    TexelLight texel(int x, int y) const { return texel_light(image_.rgb(x, y)); }
     /// The texel at a place of the closed unit square.
     TexelLight at(const Vec2d& place) const;
     /// Not to be asked of a black picture. @param u  in (0,1)^2.
@@ -45,7 +52,6 @@ public:
 
 private:
     void sum_row(int y, const Share& share);
-    bool has_colours() const;
 
     Image image_;
     std::vector<double> rows_;     // sums of rows up to each, over that of all

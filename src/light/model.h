@@ -32,6 +32,8 @@ struct Emission {
     Vec3 normal;                 // geometric, of an area light's surface; zero for others
     float error = 0;             // bound of the origin's error on an area light
     std::optional<Vec3> tint{};  // of lights with pictures: multiplies the curve
+    /// What the photon meets nearer than this stops it unlit: it is not yet through the portal.
+    double unlit = 0;
 };
 
 /// One sample of the light that arrives straight at a point.
@@ -43,7 +45,7 @@ struct DirectSample {
     std::optional<Vec3> tint{};
 };
 
-/// What an infinite light sends from one direction.
+/// What an infinite light sends to a point from one direction.
 struct Beyond {
     float factor = 0;  // radiance per unit of the curve
     float pdf = 0;     // per steradian, of sample_direct(): the other half of MIS
@@ -55,7 +57,7 @@ struct Beyond {
 ///             (behind a one-sided emitter, outside a spot).
 /// power:      total emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).
 /// curve:      the emission's spectrum.
-/// beyond:     of infinite lights alone.
+/// beyond:     of infinite lights alone: what a point gets from a direction.
 template <class L>
 concept LightModel = std::copyable<L> &&
     requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,

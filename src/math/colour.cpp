@@ -1,6 +1,7 @@
 // The tables behind math/colour.h, built once from the committed numbers.
 #include "math/colour.h"
 
+#include "math/colour_matrix.h"
 #include "math/data_illuminants.h"
 #include "math/data_observer.h"
 
@@ -9,33 +10,6 @@
 namespace sunfleck {
 
 namespace {
-
-using Rows = std::array<Triple, 3>;
-
-Triple operator*(const Rows& m, const Triple& v) {
-    Triple product{};
-    for (std::size_t i = 0; i < 3; ++i)
-        product[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
-    return product;
-}
-
-Rows inverse(const Rows& m) {
-    Rows cofactor{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            const std::size_t a = (i + 1) % 3;
-            const std::size_t b = (i + 2) % 3;
-            const std::size_t c = (j + 1) % 3;
-            const std::size_t d = (j + 2) % 3;
-            cofactor[j][i] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
-        }
-    }
-    const double determinant =
-        m[0][0] * cofactor[0][0] + m[0][1] * cofactor[1][0] + m[0][2] * cofactor[2][0];
-    for (Triple& row : cofactor)
-        for (double& value : row) value /= determinant;
-    return cofactor;
-}
 
 /// D65 between its points, 5 nm apart from 300 nm on; at whole nm.
 double d65_at(std::size_t nm) {
@@ -72,13 +46,10 @@ struct Colour {
     }
 
 private:
-    /// Columns are the primaries' x, y, 1-x-y, each scaled so that together they make the white.
     void build_matrices(const Triple& white_xyz) {
         const Rows primaries{Triple{0.64, 0.30, 0.15}, Triple{0.33, 0.60, 0.06},
                              Triple{0.03, 0.10, 0.79}};
-        const Triple amount = inverse(primaries) * white_xyz;
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j) xyz_of_rgb[i][j] = primaries[i][j] * amount[j];
+        xyz_of_rgb = xyz_of_primaries(primaries, white_xyz);
         rgb_of_xyz = inverse(xyz_of_rgb);
     }
 };

@@ -24,7 +24,7 @@ concept PhotonVisitor = requires(V& visit, const Photon& photon) {
 };
 
 enum class PathEnd {
-    no_light,  // nothing emits
+    no_light,  // nothing emits, or not from there
     escaped,   // left the scene
     absorbed,  // by a surface, or by roulette
     too_long,  // the next event would exceed the greatest depth
@@ -48,6 +48,7 @@ struct PhotonState {
     bool at_light = true;  // about to leave it
     Vec3d origin{0};       // of the next ray
     Vec3d first_direction{0};
+    float unlit = 0;  // still to go where it lights nothing: Emission
 };
 
 class PhotonTracer {
@@ -69,13 +70,14 @@ public:
     }
 
     /// The steps of a path. The first: chooses the light, and flux, place and direction there.
-    /// @return false when nothing emits.
+    /// @return false when nothing emits there.
     template <SlotReader Reader>
     bool start(Reader& read, PhotonState& state) const {
         const std::optional<Emission> from = emit(read, state);
         if (!from) return false;
         state.origin = from->origin;
         state.first_direction = from->direction;
+        state.unlit = static_cast<float>(from->unlit);
         return true;
     }
 
@@ -96,6 +98,7 @@ public:
     template <SlotReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
+        if (state.unlit > 0 && is_stopped(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         if (constant) return meet(read, visit, *constant, hit, state);
         if (!pass_.scene.passes_straight(hit)) return meet_varied(read, visit, hit, state);
@@ -108,6 +111,13 @@ private:
     static void leave(const Hit& hit, PhotonState& state) {
         state.at_light = false;
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
+    }
+
+    /// Is the photon met where it is no light yet?
+    bool is_stopped(const Hit& hit, PhotonState& state) const {
+        const bool before = hit.distance < state.unlit;
+        state.unlit -= hit.distance;
+        return before && !pass_.scene.passes_straight(hit);
     }
 
     /// Gathering and scattering. @return how the path ends, if it does.
@@ -147,6 +157,7 @@ private:
                             {unit(EmissionSlot::position_u), unit(EmissionSlot::position_v),
                              unit(EmissionSlot::direction_u), unit(EmissionSlot::direction_v)},
                             pass_.scene.sphere());
+        if (!(start.factor > 0)) return {};  // from a dark place of a picture
         const Vec3d normal(start.normal);
         start.origin += normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
         state.flux =

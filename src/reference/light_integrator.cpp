@@ -78,6 +78,7 @@ private:
     void follow(float share) {
         lanes_.chosen = lane_of(number());
         const Emission start = emit(share);
+        auto unlit = static_cast<float>(start.unlit);
         direction_ = Vec3(start.direction);
         const Vec3d normal(start.normal);
         const Vec3d origin =
@@ -87,7 +88,10 @@ private:
         for (int depth = 0; depth < pass_.transport.max_depth;) {
             ++rays_;
             if (!scene_.geometry().hit_of(met, hit)) return;
+            const bool is_lit = !(hit.distance < unlit);
+            unlit -= hit.distance;
             if (!scene_.passes_straight(hit)) {
+                if (!is_lit) return;
                 if (!scatter(hit, depth)) return;
                 ++depth;
             }

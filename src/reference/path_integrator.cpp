@@ -17,6 +17,7 @@ public:
 
     /// Radiance along the ray. @return one sample of it.
     Spectrum radiance(Ray ray) {
+        last_ = ray.origin;
         lanes_.chosen = lane_of(numbers_.next());
         for (int depth = 0;; ++depth) {
             auto hit = next_surface(ray);
@@ -41,27 +42,32 @@ private:
             ++rays_;
             const auto hit = scene_.geometry().intersect(ray);
             if (!hit) {
-                for (const std::uint32_t i : scene_.infinite_lights())
-                    add_emitter(i, beyond(scene_.lights()[i], ray.direction));
+                for (const std::uint32_t i : scene_.infinite_lights()) {
+                    const Beyond met = beyond(scene_.lights()[i], last_, ray.direction);
+                    add_emitter(i, met.pdf,
+                                pass_.scene.tinted(pass_.scene.emission[i] * met.factor, met.tint));
+                }
                 return {};
             }
             if (const std::uint32_t i = scene_.light_of(*hit); i != kNone) {
                 const auto& light = std::get<AreaLight>(scene_.lights()[i]);
-                if (light.emits(hit->normal, -ray.direction))
-                    add_emitter(i, {1, light.direct_pdf(last_, hit->position, hit->normal)});
+                if (light.emits(hit->normal, -ray.direction)) {
+                    const float pdf = light.direct_pdf(last_, hit->position, hit->normal);
+                    add_emitter(i, pdf, pass_.scene.emitted(i, light, *hit));
+                }
             }
             if (!scene_.passes_straight(*hit)) return hit;
             ray = ray_from(*hit, ray.direction);
         }
     }
 
-    /// An emitter that the last bsdf sample found. @param met  with what a light sample would do.
-    void add_emitter(std::uint32_t light, const Beyond& met) {
-        if (!(met.factor > 0)) return;
-        const auto other = static_cast<float>(scene_.light_choice().probability(light)) * met.pdf;
+    /// An emitter that the last bsdf sample found. @param light_pdf  of direct samples of it.
+    void add_emitter(std::uint32_t light, float light_pdf, const Spectrum& radiance) {
+        const auto other =
+            static_cast<float>(scene_.light_tree().probability({last_, Vec3(0)}, light)) *
+            light_pdf;
         const float weight = specular_ ? 1 : pdf_ / (pdf_ + other);
-        const Spectrum emitted = pass_.scene.tinted(pass_.scene.emission[light], met.tint);
-        sum_ += throughput_ * emitted * (met.factor * weight);
+        sum_ += throughput_ * radiance * weight;
     }
 
     /// Direct light, then a direction to go on in: `ray` becomes the next one.
@@ -87,25 +93,25 @@ private:
 
     void add_light_sample(const Hit& hit, const Frame& frame, const Bsdf& bsdf,
                           const Vec3& w_from) {
-        if (scene_.light_choice().empty()) return;
-        const auto choice = scene_.light_choice().choose(number());
+        const auto choice = scene_.light_tree().choose({hit.position, Vec3(0)}, number());
+        if (!choice) return;
         const Vec2 u{static_cast<float>(number()), static_cast<float>(number())};
         const auto light =
-            sample_direct(scene_.lights()[choice.index], hit.position, u, scene_.sphere());
+            sample_direct(scene_.lights()[choice->index], hit.position, u, scene_.sphere());
         if (!light) return;
         const Vec3 w_to = frame.to_local(light->direction);
         const Spectrum f = eval(bsdf, w_from, w_to, Transport::radiance);
         ++rays_;
         if (f.is_zero() || !scene_.is_free(shadow_ray(hit, light->direction, light->distance)))
             return;
-        const auto chosen = static_cast<float>(choice.probability);
+        const auto chosen = static_cast<float>(choice->probability);
         float weight = 1;
         if (light->pdf) {
             const float mine = *light->pdf * chosen;
             weight = mine / (mine + pdf(bsdf, w_from, w_to, Transport::radiance));
         }
         const Spectrum emitted =
-            pass_.scene.tinted(pass_.scene.emission[choice.index], light->tint);
+            pass_.scene.tinted(pass_.scene.emission[choice->index], light->tint);
         sum_ += throughput_ * f * emitted * (light->factor * std::abs(w_to.z) * weight / chosen);
     }
 
@@ -126,7 +132,7 @@ private:
     bool specular_ = true;
     float pdf_ = 0;
     float scale_ = 1;
-    Vec3 last_{0};
+    Vec3 last_{0};  // vertex
 };
 
 }  // namespace

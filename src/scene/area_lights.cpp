@@ -3,6 +3,8 @@
 
 #include "geometry/measure.h"
 
+#include <algorithm>
+
 namespace sunfleck {
 namespace {
 
@@ -33,6 +35,16 @@ EmittingTriangle emitting_triangle(const TriangleMesh& mesh, std::size_t triangl
     return result;
 }
 
+/// As hits have them: pbrt-v4's where the mesh gives none.
+CornerUvs corner_uvs(const TriangleMesh& mesh, std::size_t triangle) {
+    CornerUvs uvs{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)};
+    if (mesh.uvs.empty()) return uvs;
+    const auto& corners = mesh.triangles[triangle];
+    for (std::size_t i = 0; i < 3; ++i)
+        if (corners.at(i) < mesh.uvs.size()) uvs.at(i) = mesh.uvs[corners.at(i)];
+    return uvs;
+}
+
 EmittingPatch emitting_patch(const BilinearMesh& mesh, std::uint32_t index,
                              const PlacedShape& placed) {
     const Placement placement(placed.to_world);
@@ -47,9 +59,14 @@ EmittingPatch emitting_patch(const BilinearMesh& mesh, std::uint32_t index,
 SpectralCurve radiance_of(const AreaEmission& emission, double area) {
     if (!(emission.power > 0) || !(area > 0)) return emission.radiance;
     const double sides = emission.two_sided ? 2 : 1;
+    const double mean = emission.picture ? emission.picture->mean() : 1;
+    if (!(mean > 0)) return emission.radiance;
     return emission.radiance.scaled(
-        static_cast<float>(emission.power / (kPiDouble * area * sides)));
+        static_cast<float>(emission.power / (kPiDouble * area * sides * mean)));
 }
+
+/// All tables of pictures on one shape together have so many cells (12 bytes each), or one a light.
+constexpr int kMostCells = 1 << 22;
 
 }  // namespace
 
@@ -57,19 +74,27 @@ std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32
     const AreaEmission& emission = *shape.emission;
     const PlacedShape& placed = shape.placed;
     std::vector<AreaLight> lights;
-    const auto add = [&](auto surface, double area) {
+    int cells = kMostCells;
+    const auto add = [&](auto surface, double area, const CornerUvs& uvs = {}) {
         lights.push_back({radiance_of(emission, area), std::move(surface), emission.two_sided,
                           index, static_cast<std::uint32_t>(lights.size()), shape.unseen});
+        AreaLight& light = lights.back();
+        if (emission.picture && area > 0)
+            light.picture =
+                std::make_shared<const LaidPicture>(emission.picture, uvs, light.surface, cells);
     };
     if (const auto* mesh = std::get_if<TriangleMesh>(&placed.shape)) {
+        cells /= static_cast<int>(std::clamp<std::size_t>(mesh->triangles.size(), 1, kMostCells));
         for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
             const EmittingTriangle triangle = emitting_triangle(*mesh, t, placed);
-            add(triangle, 0.5 * triangle.edge1.cross(triangle.edge2).length());
+            add(triangle, 0.5 * triangle.edge1.cross(triangle.edge2).length(),
+                corner_uvs(*mesh, t));
         }
     } else if (const auto* patches = std::get_if<BilinearMesh>(&placed.shape)) {
+        cells /= static_cast<int>(std::clamp<std::uint32_t>(patches->count(), 1, kMostCells));
         for (std::uint32_t p = 0; p < patches->count(); ++p) {
             const EmittingPatch patch = emitting_patch(*patches, p, placed);
-            add(patch, patch.surface.area());
+            add(patch, patch.surface.area(), patches->element(p).uvs);
         }
     } else if (const auto* cylinder = std::get_if<Cylinder>(&placed.shape)) {
         add(EmittingQuadric<Cylinder>{*cylinder, placed.to_world, placed.flip},

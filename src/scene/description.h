@@ -6,6 +6,7 @@
 #include "core/warnings.h"
 #include "geometry/geometry.h"
 #include "light/light.h"
+#include "light/surface_picture.h"
 #include "material/material.h"
 #include "material/relief.h"
 
@@ -20,8 +21,11 @@ struct AreaEmission {
     SpectralCurve radiance;
     bool two_sided = false;
     /// When positive: each light of the shape (a quadric, each triangle or patch) emits radiance *
-    /// power / (pi * area * (2 if two-sided)), the curve itself not normalised (pbrt-v4).
+    /// power / (pi * area * (2 if two-sided)), the curve itself not normalised (pbrt-v4); a picture
+    /// is divided by its mean.
     double power = 0;
+    /// What the radiance is multiplied by, by the (u, v) of the surface; null: one.
+    std::shared_ptr<const SurfacePicture> picture = nullptr;
 };
 
 struct ShapeDescription {

@@ -34,6 +34,13 @@ struct PassScene {
         return tint ? emitted * colour(*tint) : emitted;
     }
 
+    /// What an area light emits where it is met.
+    Spectrum emitted(std::uint32_t index, const AreaLight& light, const Hit& hit) const {
+        if (!light.picture) return emission[index];
+        const TexelLight here = light.light_at(hit.uv);
+        return tinted(emission[index] * static_cast<float>(here.luminance), here.tint);
+    }
+
     /// A number by which kept() finds the Bsdf of a hit, or one of its layers, for as long as the
     /// pass lasts: that of the material, or, where this varies, of a copy. Any number of threads.
     std::uint32_t keep(const Hit& hit, const Bsdf& bsdf) const {

@@ -79,6 +79,7 @@ void Scene::finish_lights(const std::vector<Light>& others) {
         weights.push_back(weight_of(lights_[i], sphere_));
     }
     light_choice_ = LightChoice(weights);
+    light_tree_ = LightTree(lights_, weights);
     const bool dark = std::all_of(weights.begin(), weights.end(), [](double w) { return w <= 0; });
     if (dark) warnings_.add({path_}, "the scene has no light; the picture will be black");
 }

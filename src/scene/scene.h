@@ -3,7 +3,7 @@
 // In:  a SceneDescription. Out: hits with their material and emission. Any number of threads.
 #pragma once
 
-#include "light/choice.h"
+#include "light/light_tree.h"
 #include "scene/description.h"
 
 #include <string>
@@ -30,8 +30,10 @@ public:
     const std::vector<Material>& materials() const { return materials_; }
     const std::vector<Light>& lights() const { return lights_; }
     const std::vector<std::uint32_t>& infinite_lights() const { return infinite_lights_; }
-    /// By power: photons start, and direct light is sampled, at lights chosen by it.
+    /// By power: photons start at lights chosen by it.
     const LightChoice& light_choice() const { return light_choice_; }
+    /// By what arrives at a point: direct light is sampled at lights chosen by it.
+    const LightTree& light_tree() const { return light_tree_; }
     const SceneSphere& sphere() const { return sphere_; }
     const Warnings& warnings() const { return warnings_; }
     const std::string& path() const { return path_; }
@@ -67,6 +69,7 @@ private:
     Geometry geometry_;
     SceneSphere sphere_;
     LightChoice light_choice_;
+    LightTree light_tree_;
     Camera camera_;
     FilterSettings filter_;
     FilmDescription film_;

@@ -1,5 +1,6 @@
 // Direct light at a point against closed forms, for each kind of light; what hides it; the
 // weights of the two ways to find it.
+#include "math/warp.h"
 #include "support/direct_light_cases.h"
 
 #include <gtest/gtest.h>
@@ -89,6 +90,29 @@ TEST(DirectLight, what_hides_it) {
     }
 }
 
+/// 150 lamps of two triangles, some near, turned this way and that; a sky beside them.
+TEST(DirectLight, many_lamps) {
+    SceneDescription scene = floor_of();
+    RandomStream random(9, Purpose::test, 0, 0);
+    double expected = kPiDouble * 0.01;
+    for (int i = 0; i < 150; ++i) {
+        const Vec3 at(12 * random.next_float() - 6, 12 * random.next_float() - 6,
+                      0.5F + 2 * random.next_float());
+        const Vec3 along = Vec3(uniform_sphere({random.next(), random.next()})) * 0.2F;
+        const Vec3 other(uniform_sphere({random.next(), random.next()}));
+        const Vec3 across = along.cross(other).normalized() * 0.2F;
+        const Corners corners = {{at, at + along, at + along + across, at + across}};
+        ShapeDescription shape = lamp(quad(corners), 1 + 4 * random.next_float());
+        shape.unseen = true;  // they do not hide each other
+        const double radiance = shape.emission->radiance(550);
+        scene.shapes.push_back(shape);
+        const Vec3 facing = along.cross(across);
+        if (facing.dot(Vec3(kPoint) - at) > 0) expected += radiance * std::abs(of_quad(corners));
+    }
+    scene.lights = {InfiniteLight{SpectralCurve::constant(0.01F)}};
+    expect_irradiance(LitPoint(std::move(scene)), expected, 0.02);
+}
+
 /// A plate between lamp and point hides the half of the lamp with x > 0.3, as seen from there.
 TEST(DirectLight, half_hidden_lamp) {
     SceneDescription scene = floor_of();
@@ -135,7 +159,8 @@ void expect_weights_sum_to_one(const LitPoint& point, double u_choice, const Vec
     if (by_light.is_zero()) return;
     const PassScene& pass = point.pass();
     const EyeVertex& vertex = point.vertex();
-    const auto choice = pass.scene.light_choice().choose(u_choice);
+    const Receiver from = receiver_at(vertex);
+    const auto choice = pass.scene.light_tree().choose(from, u_choice).value();
     const auto light = sample_direct(pass.scene.lights()[choice.index], vertex.hit.position,
                                      Vec2(u), pass.scene.sphere());
     ASSERT_TRUE(light);
@@ -152,9 +177,9 @@ void expect_weights_sum_to_one(const LitPoint& point, double u_choice, const Vec
     float emitted = 0;  // by all that the direction meets
     const Ray ray = ray_from(vertex.hit, light->direction);
     if (const auto hit = pass.scene.geometry().intersect(ray))
-        emitted = emitter_at(pass, *hit, vertex.hit.position, light->direction).radiance[0];
+        emitted = emitter_at(pass, *hit, &from, light->direction).radiance[0];
     else
-        emitted = emitter_beyond(pass, light->direction).radiance[0];
+        emitted = emitter_beyond(pass, vertex.hit.position, light->direction).radiance[0];
     const double bsdf_weight = static_cast<double>(by_bsdf[0] / emitted);
     EXPECT_NEAR(light_weight + bsdf_weight, 1, 2e-4) << light_weight << ' ' << bsdf_weight;
     EXPECT_GT(light_weight, 0);
@@ -198,7 +223,7 @@ TEST(DirectLight, darkness_costs_nothing) {
     Statistics statistics;
     EXPECT_TRUE(point.by_light(0.5, {0.5, 0.5}, statistics).is_zero());
     EXPECT_EQ(statistics[Count::eye_rays], 0U);
-    EXPECT_TRUE(emitter_beyond(point.pass(), {0, 0, 1}).radiance.is_zero());
+    EXPECT_TRUE(emitter_beyond(point.pass(), Vec3(kPoint), {0, 0, 1}).radiance.is_zero());
     EXPECT_TRUE(point.by_bsdf({0.5F, 0.3F, 0.3F}, statistics).is_zero());
     EXPECT_EQ(statistics[Count::eye_rays], 1U);
 }
@@ -222,7 +247,8 @@ TEST(DirectLight, emitter_at_a_hit) {
     const Vec3 from(kPoint);
     const auto met = [&](const Vec3& origin, const Vec3& direction) {
         const auto hit = scene.geometry().intersect({origin, direction, kInfinity});
-        return emitter_at(point.pass(), hit.value(), origin, direction);
+        const Receiver at{origin, Vec3(0)};
+        return emitter_at(point.pass(), hit.value(), &at, direction);
     };
     const EmitterMet front = met(from + Vec3(0, 0, 0.5F), {0, 0, 1});
     EXPECT_EQ(front.radiance, Spectrum(2));
@@ -239,9 +265,10 @@ TEST(DirectLight, emitters_beyond) {
     for (const float radiance : {0.1F, 0.3F, 0.2F})
         scene.lights.emplace_back(InfiniteLight{SpectralCurve::constant(radiance)});
     const LitPoint point(std::move(scene));
-    const LightChoice& choice = point.scene().light_choice();
-    const double skies = choice.probability(2) + choice.probability(3) + choice.probability(4);
-    const EmitterMet met = emitter_beyond(point.pass(), {0, 0, 1});
+    const LightTree& tree = point.scene().light_tree();
+    const double skies =
+        tree.probability({}, 2) + tree.probability({}, 3) + tree.probability({}, 4);
+    const EmitterMet met = emitter_beyond(point.pass(), Vec3(kPoint), {0, 0, 1});
     EXPECT_FLOAT_EQ(met.radiance[0], 0.6F);
     EXPECT_NEAR(met.pdf, skies / (4 * kPiDouble), 1e-7);
 }

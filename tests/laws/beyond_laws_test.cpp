@@ -35,12 +35,12 @@ TEST_P(BeyondLaws, from_beyond_comes_what_samples_of_it_bring) {
     for (int i = 0; i < 10000; ++i) {
         const auto s = sample_direct(light(), GetParam().point, random_2d(), kExampleSphere);
         ASSERT_TRUE(s);
-        const Beyond met = beyond(light(), s->direction);
-        if (met.pdf != *s->pdf) {
+        const Beyond met = beyond(light(), GetParam().point, s->direction);
+        if (!(std::abs(met.pdf / *s->pdf - 1) < 1e-4F)) {
             ++lost;
             continue;
         }
-        ASSERT_NEAR(s->factor * *s->pdf / met.factor, 1, 1e-5F);
+        ASSERT_NEAR(s->factor * *s->pdf / met.factor, 1, 1e-4F);
         ASSERT_EQ(met.tint, s->tint);
         ASSERT_FALSE(met.tint && std::abs(met.tint->dot({0.2126F, 0.7152F, 0.0722F}) - 1) > 1e-5F);
     }
@@ -48,10 +48,11 @@ TEST_P(BeyondLaws, from_beyond_comes_what_samples_of_it_bring) {
 }
 
 /// Means of tint * factor: photons and direct samples bring the picture's integral, in colour, and
-/// so do uniform directions. Sees 3%.
+/// so do uniform directions. Sees 3%. (Photons through a portal: LightLaws.)
 TEST_P(BeyondLaws, all_ways_bring_the_same_colour_from_beyond) {
     constexpr int kSamples = 1 << 18;
     const double disc = kPiDouble * kExampleSphere.radius * kExampleSphere.radius;
+    const bool is_portal = std::holds_alternative<PortalLight>(light());
     std::array<Vec3d, 3> sums = {Vec3d(0), Vec3d(0), Vec3d(0)};
     const auto add = [&](std::size_t way, double factor, const std::optional<Vec3>& tint) {
         sums.at(way) += Vec3d(tint.value_or(Vec3(1))) * factor / kSamples;
@@ -59,15 +60,15 @@ TEST_P(BeyondLaws, all_ways_bring_the_same_colour_from_beyond) {
     for (int i = 0; i < kSamples; ++i) {
         const std::array<double, 4> u = {0.5, 0.5, random_.next(), random_.next()};
         const Emission e = sample_emission(light(), u, kExampleSphere);
-        add(0, e.factor / disc, e.tint);
+        add(0, is_portal ? 0 : e.factor / disc, e.tint);
         const auto s = sample_direct(light(), GetParam().point, random_2d(), kExampleSphere);
         add(1, static_cast<double>(s->factor), s->tint);
         const Vec3 w(uniform_sphere({random_.next(), random_.next()}));
-        const Beyond met = beyond(light(), w);
+        const Beyond met = beyond(light(), GetParam().point, w);
         add(2, static_cast<double>(met.factor) * 4 * kPiDouble, met.tint);
     }
     for (int c = 0; c < 3; ++c)
-        for (const std::size_t way : {0U, 1U})
+        for (const std::size_t way : {is_portal ? 1U : 0U, 1U})
             EXPECT_NEAR(sums.at(way)[c], sums[2][c], 0.03 * sums[2][c]) << way << ' ' << c;
 }
 
@@ -89,8 +90,8 @@ TEST_P(BeyondLaws, directions_from_beyond_have_their_density) {
     for (int y = 0; y < kAll; ++y)
         for (int x = 0; x < kAll; ++x) {
             const Vec2d place((x + 0.5) / kAll, (y + 0.5) / kAll);
-            const double pdf =
-                static_cast<double>(beyond(light(), Vec3(uniform_sphere(place))).pdf);
+            const double pdf = static_cast<double>(
+                beyond(light(), GetParam().point, Vec3(uniform_sphere(place))).pdf);
             bins[bin(place)].y += pdf * 4 * kPiDouble / (double{kAll} * kAll) * kSamples;
         }
     double statistic = 0;
@@ -100,7 +101,7 @@ TEST_P(BeyondLaws, directions_from_beyond_have_their_density) {
         statistic += (b.x - b.y) * (b.x - b.y) / b.y;
         ++used;
     }
-    EXPECT_GT(used, 100);
+    EXPECT_GT(used, std::holds_alternative<PortalLight>(light()) ? 25 : 100);
     EXPECT_GT(chi_square_p(statistic, used), kSignificance) << statistic << " of " << used;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "light/light.h"
+#include "light/surface_picture.h"
 #include "math/warp.h"
 
 #include <ostream>
@@ -163,6 +164,43 @@ inline std::vector<LightExample> picture_examples() {
     return all;
 }
 
+/// A window in the ceiling, and a part of a wall far away. The sky has a sun and colours.
+inline std::vector<LightExample> portal_examples() {
+    const auto image = std::make_shared<const Image>(example_image(9));
+    const auto picture = std::make_shared<const PortalPicture>(64, [image](const Vec3d& w) {
+        const Vec2d place = sphere_to_square(w) * 9;
+        return image->rgb(std::min(static_cast<int>(place.x), 8),
+                          std::min(static_cast<int>(place.y), 8));
+    });
+    const auto plain =
+        std::make_shared<const PortalPicture>(48, [](const Vec3d&) { return Vec3(1); });
+    Affine above(placed({-0.4, -0.6, 1.2}, Vec3d(1), 0.2, 0.3));
+    Affine wall(placed({-1.2, 0.6, 1.1}, Vec3d(1), -0.7, 0.2));
+    return {{"portal", PortalLight{{}, picture, above, {1.3, 1.9}}},
+            {"portal_aside", PortalLight{{}, plain, wall, {2.5, 1.1}}}};
+}
+
+/// Surfaces of every kind, each with the same picture on it.
+inline std::vector<LightExample> pictured_examples() {
+    const auto picture = std::make_shared<const SurfacePicture>(example_image(5));
+    const CornerUvs uvs{Vec2(0.1F, 0), Vec2(1.2F, 0.3F), Vec2(0, 1), Vec2(0.9F, 1)};
+    std::vector<LightExample> all;
+    const auto add = [&](const std::string& name, const LightExample& plain) {
+        LightExample example = plain;
+        example.name = "pictured_" + name;
+        auto& light = std::get<AreaLight>(example.light);
+        light.picture = std::make_shared<const LaidPicture>(picture, uvs, light.surface, 1 << 22);
+        all.push_back(example);
+    };
+    add("triangle", area_example("", example_triangle(true)));
+    add("sphere", sphere_examples()[0]);
+    add("ellipsoid", sphere_examples()[4]);
+    add("disk", disk_examples()[2]);
+    add("trough", cylinder_examples()[2]);
+    add("patch", patch_examples()[0]);
+    return all;
+}
+
 inline std::vector<LightExample> light_examples() {
     std::vector<LightExample> all;
     all.push_back({"point", PointLight{{}, Vec3d(0.8, -0.3, 1.4)}});
@@ -180,10 +218,12 @@ inline std::vector<LightExample> light_examples() {
     all.push_back(area_example("triangle", example_triangle(true)));
     all.push_back(area_example("two_sided_triangle", example_triangle(false), true));
     for (const LightExample& example : picture_examples()) all.push_back(example);
+    for (const LightExample& example : portal_examples()) all.push_back(example);
     for (const LightExample& example : sphere_examples()) all.push_back(example);
     for (const LightExample& example : disk_examples()) all.push_back(example);
     for (const LightExample& example : cylinder_examples()) all.push_back(example);
     for (const LightExample& example : patch_examples()) all.push_back(example);
+    for (const LightExample& example : pictured_examples()) all.push_back(example);
     return all;
 }
 

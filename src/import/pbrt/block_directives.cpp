@@ -84,7 +84,7 @@ std::shared_ptr<const Parameters>* defaults_of(GraphicsState& state, const std::
 }
 
 void attribute(Reading& reading, TokenStream& tokens, const Token& keyword) {
-    const Statement statement = read_statement(tokens, keyword);
+    const Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     auto* defaults = defaults_of(reading.state, statement.type);
     if (!defaults)
         throw Error(statement.where, "Attribute of " + in_quotes(statement.type),

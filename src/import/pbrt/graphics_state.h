@@ -19,6 +19,7 @@ struct GraphicsState {
     std::uint32_t material = 0;  // slot of the MaterialTable
     std::shared_ptr<const AreaEmission> emission;
     bool has_medium = false;
+    ColourSpace colour_space = ColourSpace::srgb;  // of rgb parameters to come
 
     /// Defaults by the directive Attribute, or null.
     std::shared_ptr<const Parameters> shape_defaults;

@@ -28,10 +28,7 @@ Image light_image(const Statement& statement, Reading& reading) {
     return image;
 }
 
-namespace {
-
-/// An image that stands for all directions.
-Image square_image(const Statement& statement, Reading& reading) {
+Image directions_image(const Statement& statement, Reading& reading) {
     Image image = light_image(statement, reading);
     const Vec2i size = image.resolution();
     if (size.x != size.y)
@@ -42,16 +39,14 @@ Image square_image(const Statement& statement, Reading& reading) {
     return image;
 }
 
-}  // namespace
-
 std::shared_ptr<const LightPicture> directions_picture(const Statement& statement,
                                                        Reading& reading) {
-    return std::make_shared<const LightPicture>(square_image(statement, reading));
+    return std::make_shared<const LightPicture>(directions_image(statement, reading));
 }
 
 std::shared_ptr<const LightPicture> intensity_picture(const Statement& statement,
                                                       Reading& reading) {
-    const Image image = square_image(statement, reading);
+    const Image image = directions_image(statement, reading);
     const Vec2i size = image.resolution();
     std::vector<float> means;
     for (int y = 0; y < size.y; ++y)

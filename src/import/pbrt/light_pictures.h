@@ -15,6 +15,7 @@ struct Reading;
 Image light_image(const Statement& statement, Reading& reading);
 
 /// The same where it stands for all directions. @throws Error also if it is no square.
+Image directions_image(const Statement& statement, Reading& reading);
 std::shared_ptr<const LightPicture> directions_picture(const Statement& statement,
                                                        Reading& reading);
 

@@ -3,6 +3,8 @@
 #include "import/pbrt/lights.h"
 
 #include "import/pbrt/light_pictures.h"
+#include "import/pbrt/light_scale.h"
+#include "import/pbrt/portals.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/spectra.h"
 #include "import/pbrt/words.h"
@@ -13,24 +15,6 @@
 
 namespace sunfleck {
 namespace {
-
-constexpr double kPictureRadiance = 0.5;  // for pictures that are not read
-
-double scale_of(const Statement& statement) {
-    const double scale = statement.real("scale", 1);
-    if (scale >= 0) return scale;
-    throw Error(statement.find("scale")->where, "a light of negative \"scale\"", "use 0 or more");
-}
-
-/// A positive "power" or "illuminance" over what the light has at scale one; else one.
-double factor_by(const Statement& statement, std::string_view name, double at_one) {
-    const double wanted = statement.real(name, 0);
-    return wanted > 0 ? wanted / at_one : 1;
-}
-
-SpectralCurve scaled(const SpectralCurve& curve, double factor) {
-    return curve.scaled(static_cast<float>(std::min(factor, 1e30)));
-}
 
 /// The way from "from" to "to" in the world, as a unit vector.
 Vec3d direction_of(const Statement& statement, const Matrix& to_world) {
@@ -113,9 +97,6 @@ Light distant_light(const Statement& statement, Reading& reading) {
 }
 
 Light image_infinite_light(const Statement& statement, Reading& reading) {
-    if (const Parameter* both = statement.find("L"))
-        throw Error(both->where, "an infinite light with \"L\" and \"filename\"",
-                    "give one of them");
     const auto picture = directions_picture(statement, reading);
     // pbrt-v4 sums 2 pi / texels a texel, half of the solid angle.
     const double at_one = illuminance_from_above(*picture) / 2;
@@ -125,8 +106,11 @@ Light image_infinite_light(const Statement& statement, Reading& reading) {
 }
 
 Light infinite_light(const Statement& statement, Reading& reading) {
-    if (statement.find("portal"))
-        reading.warn(statement.where, "portals are ignored: the light comes from everywhere");
+    const Parameter* both = statement.find("L");
+    if (both && statement.find("filename"))
+        throw Error(both->where, "an infinite light with \"L\" and \"filename\"",
+                    "give one of them");
+    if (statement.find("portal")) return portal_light(statement, reading);
     if (statement.find("filename")) return image_infinite_light(statement, reading);
     const double factor = scale_of(statement) * factor_by(statement, "illuminance", kPiDouble);
     return InfiniteLight{scaled(emission_of(statement, "L", reading), factor)};
@@ -165,14 +149,13 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
         throw Error(statement.where, "unknown area light " + in_quotes(statement.type),
                     "use \"diffuse\"");
     AreaEmission emission;
-    double factor = scale_of(statement);
-    if (const auto file = statement.text("filename")) {
-        factor *= kPictureRadiance;
-        reading.warn(statement.where, "the picture " + in_quotes(*file) +
-                                          " of an area light is not read: its mean is not known, "
-                                          "and radiance 0.5 times \"scale\" is emitted");
+    if (statement.find("filename")) {
+        if (const Parameter* both = statement.find("L"))
+            throw Error(both->where, "an area light with \"L\" and \"filename\"",
+                        "give one of them");
+        emission.picture = std::make_shared<const SurfacePicture>(light_image(statement, reading));
     }
-    emission.radiance = scaled(emission_of(statement, "L", reading), factor);
+    emission.radiance = scaled(emission_of(statement, "L", reading), scale_of(statement));
     emission.two_sided = statement.flag("twosided", false);
     emission.power = std::max(statement.real("power", 0), 0.0);
     reading.warn_unused(statement);

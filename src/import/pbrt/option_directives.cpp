@@ -6,6 +6,7 @@
 #include "import/pbrt/words.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace sunfleck {
 namespace {
@@ -41,12 +42,38 @@ void color_space(Reading& reading, TokenStream& tokens, const Token& keyword) {
     static constexpr std::array<std::string_view, 4> kSpaces = {"srgb", "aces2065-1", "rec2020",
                                                                 "dci-p3"};
     const std::string name = tokens.require_string("the name of a colour space");
-    if (std::find(kSpaces.begin(), kSpaces.end(), name) == kSpaces.end())
+    const auto space = colour_space(name);
+    if (!space)
         throw Error(keyword.where(), "unknown colour space " + in_quotes(name),
                     use_one_of(kSpaces, name));
-    if (name != "srgb")
-        reading.warn(keyword.where(),
-                     "colour space " + in_quotes(name) + " is not read: rgb values count as sRGB");
+    reading.state.colour_space = *space;
+}
+
+struct KnownOption {
+    std::string_view name;
+    std::string_view instead;  // what is done; empty: it has no say in the picture
+};
+
+constexpr std::array<KnownOption, 11> kOptions = {
+    {{"disablepixeljitter", "pixels are filtered all over"},
+     {"disabletexturefiltering", ""},
+     {"disablewavelengthjitter", "each pass has its own wavelengths"},
+     {"displacementedgescale", ""},
+     {"forcediffuse", "materials are as they are"},
+     {"msereferenceimage", ""},
+     {"msereferenceout", ""},
+     {"pixelstats", ""},
+     {"rendercoordsys", ""},
+     {"seed", "the command line gives the seed"},
+     {"wavefront", ""}}};
+
+/// pbrt-v4 passes over case and underscores.
+std::string plain(const std::string& name) {
+    std::string result;
+    for (const char c : name)
+        if (c != '_' && c != '-')
+            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
 }
 
 /// Option "name" value: a number, a quoted string, true or false.
@@ -57,7 +84,14 @@ void option(Reading& reading, TokenStream& tokens, const Token& keyword) {
     if (value.kind == TokenKind::word && !flag) real_of(value);
     if (value.kind == TokenKind::open || value.kind == TokenKind::close)
         throw Error(value.where(), "a list for option " + in_quotes(name), "give one value");
-    reading.warn(keyword.where(), "Option " + in_quotes(name) + " is ignored");
+    const auto known = std::find_if(kOptions.begin(), kOptions.end(), [&](const KnownOption& o) {
+        return o.name == plain(name.substr(name.rfind(' ') + 1));
+    });
+    if (known == kOptions.end())
+        reading.warn(keyword.where(), "unknown Option " + in_quotes(name) + " is ignored");
+    else if (!known->instead.empty() && value.text != "false")
+        reading.warn(keyword.where(),
+                     "Option " + in_quotes(name) + " is ignored: " + std::string(known->instead));
 }
 
 constexpr std::array<Directive, 8> kDirectives = {

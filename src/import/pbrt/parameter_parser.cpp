@@ -102,10 +102,11 @@ void read_values(TokenStream& tokens, Parameter& parameter) {
 
 }  // namespace
 
-Parameters read_parameters(TokenStream& tokens) {
+Parameters read_parameters(TokenStream& tokens, ColourSpace space) {
     Parameters list;
     while (tokens.peek() && tokens.peek()->kind == TokenKind::string) {
         Parameter parameter = declared(*tokens.next());
+        parameter.space = space;
         read_values(tokens, parameter);
         check_components(parameter);
         list.push_back(std::make_shared<const Parameter>(std::move(parameter)));
@@ -113,12 +114,12 @@ Parameters read_parameters(TokenStream& tokens) {
     return list;
 }
 
-Statement read_statement(TokenStream& tokens, const Token& keyword) {
+Statement read_statement(TokenStream& tokens, const Token& keyword, ColourSpace space) {
     Statement statement;
     statement.keyword = keyword.text;
     statement.where = keyword.where();
     statement.type = tokens.require_string("the type of " + statement.keyword);
-    statement.own = read_parameters(tokens);
+    statement.own = read_parameters(tokens, space);
     return statement;
 }
 

@@ -7,10 +7,12 @@
 namespace sunfleck {
 
 /// All parameters that follow; ends before the next directive.
+/// @param space  that rgb values are in.
 /// @throws Error for unknown types, values of the wrong kind, lists that are cut or never end.
-Parameters read_parameters(TokenStream& tokens);
+Parameters read_parameters(TokenStream& tokens, ColourSpace space = ColourSpace::srgb);
 
 /// A type word and the parameters that follow. @param keyword  the directive.
-Statement read_statement(TokenStream& tokens, const Token& keyword);
+Statement read_statement(TokenStream& tokens, const Token& keyword,
+                         ColourSpace space = ColourSpace::srgb);
 
 }  // namespace sunfleck

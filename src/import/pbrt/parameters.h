@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/error.h"
+#include "math/colour_space.h"
 #include "math/vector.h"
 
 #include <cstdint>
@@ -43,6 +44,7 @@ struct Parameter {
     std::vector<double> numbers;  // of all types but integer, bool, string and texture
     std::vector<int> integers;    // of integer; of bool: 0 and 1
     std::vector<std::string> texts;
+    ColourSpace space = ColourSpace::srgb;  // of an rgb
     mutable bool used = false;
 
     /// "float radius", in quotes.

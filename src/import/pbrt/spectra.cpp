@@ -17,16 +17,34 @@ void want(bool right, const Parameter& parameter, const std::string& fault,
     if (!right) throw Error(parameter.where, "parameter " + parameter.title() + fault, mend);
 }
 
-SpectralCurve rgb_curve(const Parameter& parameter, SpectrumUse use) {
+/// In linear sRGB, negative components cut with a warning.
+Vec3 in_srgb(const Parameter& parameter, SpectrumUse use, Reading& reading) {
+    const auto& v = parameter.numbers;
+    const Triple given{v[0], v[1], v[2]};
+    const bool light = use == SpectrumUse::emission;
+    Triple rgb =
+        light ? srgb_of_light(parameter.space, given) : srgb_of_surface(parameter.space, given);
+    const auto [least, most] = std::minmax_element(rgb.begin(), rgb.end());
+    constexpr double kRounding = 1e-3;
+    const bool too_bright = use == SpectrumUse::reflectance && *most > 1 + kRounding;
+    if (*least < -kRounding * *most || too_bright)
+        reading.warn(parameter.where, "parameter " + parameter.title() +
+                                          " is no colour of sRGB: what is beyond it is cut off");
+    for (double& c : rgb) c = std::max(c, 0.0);
+    return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
+}
+
+SpectralCurve rgb_curve(const Parameter& parameter, SpectrumUse use, Reading& reading) {
     const auto& v = parameter.numbers;
     want(v.size() == 3, parameter, " has " + std::to_string(v.size()) + " numbers", "give 3");
     want(*std::min_element(v.begin(), v.end()) >= 0, parameter, " has a negative component",
          "use components of 0 or more");
-    const Vec3 rgb(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
+    if (use == SpectrumUse::reflectance)
+        want(*std::max_element(v.begin(), v.end()) <= 1, parameter, " has a component above 1",
+             "a surface reflects at most all light: use components in 0..1");
+    const Vec3 rgb = in_srgb(parameter, use, reading);
     if (use == SpectrumUse::emission) return SpectralCurve::rgb_illuminant(rgb);
     if (use == SpectrumUse::unbounded) return SpectralCurve::rgb_unbounded(rgb);
-    want(*std::max_element(v.begin(), v.end()) <= 1, parameter, " has a component above 1",
-         "a surface reflects at most all light: use components in 0..1");
     return SpectralCurve::rgb_albedo(rgb);
 }
 
@@ -85,7 +103,7 @@ SpectralCurve raw_curve(const Parameter& parameter, Reading& reading) {
 }  // namespace
 
 SpectralCurve curve_of(const Parameter& parameter, SpectrumUse use, Reading& reading) {
-    if (parameter.type == ParameterType::rgb) return rgb_curve(parameter, use);
+    if (parameter.type == ParameterType::rgb) return rgb_curve(parameter, use, reading);
     SpectralCurve curve = raw_curve(parameter, reading);
     if (use != SpectrumUse::emission) return curve;
     const float luminance = curve.luminance();
@@ -103,7 +121,10 @@ std::optional<SpectralCurve> find_curve(const Statement& statement, std::string_
 
 SpectralCurve emission_of(const Statement& statement, std::string_view name, Reading& reading) {
     const auto curve = find_curve(statement, name, SpectrumUse::emission, reading);
-    return curve ? *curve : SpectralCurve::d65();
+    if (curve) return *curve;
+    if (reading.state.colour_space != ColourSpace::aces2065_1) return SpectralCurve::d65();
+    const SpectralCurve white = *named_spectrum("illum-acesD60");
+    return white.scaled(1 / white.luminance());
 }
 
 }  // namespace sunfleck

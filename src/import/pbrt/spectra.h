@@ -22,7 +22,8 @@ SpectralCurve curve_of(const Parameter& parameter, SpectrumUse use, Reading& rea
 std::optional<SpectralCurve> find_curve(const Statement& statement, std::string_view name,
                                         SpectrumUse use, Reading& reading);
 
-/// Emission by a parameter; the white of luminance one where there is none.
+/// Emission by a parameter; where there is none, the white of the present colour space, of
+/// luminance one.
 SpectralCurve emission_of(const Statement& statement, std::string_view name, Reading& reading);
 
 }  // namespace sunfleck

@@ -12,13 +12,13 @@ namespace sunfleck {
 namespace {
 
 void material(Reading& reading, TokenStream& tokens, const Token& keyword) {
-    Statement statement = read_statement(tokens, keyword);
+    Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.material_defaults;
     reading.state.material = reading.materials.add(std::move(statement));
 }
 
 void make_named_material(Reading& reading, TokenStream& tokens, const Token& keyword) {
-    Statement statement = read_statement(tokens, keyword);
+    Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.material_defaults;
     const std::string name = statement.type;
     reading.materials.make(name, std::move(statement));
@@ -32,13 +32,13 @@ void named_material(Reading& reading, TokenStream& tokens, const Token& keyword)
 void texture(Reading& reading, TokenStream& tokens, const Token& keyword) {
     const std::string name = tokens.require_string("the name of a texture");
     const std::string kind = tokens.require_string("\"float\" or \"spectrum\"");
-    Statement statement = read_statement(tokens, keyword);
+    Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.texture_defaults;
     reading.textures.add(kind, name, std::move(statement), reading.still_matrix(keyword.where()));
 }
 
 void make_named_medium(Reading& reading, TokenStream& tokens, const Token& keyword) {
-    const Statement statement = read_statement(tokens, keyword);
+    const Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     const auto type = statement.text("type");
     static constexpr std::array<std::string_view, 5> kTypes = {"homogeneous", "uniformgrid",
                                                                "rgbgrid", "cloud", "nanovdb"};
@@ -63,20 +63,20 @@ void medium_interface(Reading& reading, TokenStream& tokens, const Token&) {
 }
 
 void light_source(Reading& reading, TokenStream& tokens, const Token& keyword) {
-    Statement statement = read_statement(tokens, keyword);
+    Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.light_defaults;
     add_light(statement, reading);
 }
 
 void area_light_source(Reading& reading, TokenStream& tokens, const Token& keyword) {
-    Statement statement = read_statement(tokens, keyword);
+    Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.light_defaults;
     reading.state.emission =
         std::make_shared<const AreaEmission>(area_emission(statement, reading));
 }
 
 void shape(Reading& reading, TokenStream& tokens, const Token& keyword) {
-    Statement statement = read_statement(tokens, keyword);
+    Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.shape_defaults;
     add_shape(statement, reading);
 }

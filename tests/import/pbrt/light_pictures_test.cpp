@@ -21,9 +21,9 @@ const MemoryFiles kFiles = {
 
 const std::string kSky = "LightSource \"infinite\" \"string filename\" \"sky.pfm\" ";
 
-Vec3 radiance(const SceneDescription& scene, const Vec3& w) {
+Vec3 radiance(const SceneDescription& scene, const Vec3& w, const Vec3& from = Vec3(0)) {
     const Light& light = scene.lights.at(0);
-    const Beyond met = beyond(light, w.normalized());
+    const Beyond met = beyond(light, from, w.normalized());
     return met.tint.value_or(Vec3(1)) * (met.factor * curve(light).luminance());
 }
 
@@ -109,6 +109,68 @@ TEST(LightPictures, of_projections_stand_upright) {
     EXPECT_NE(error(light + "\"sky.pfm\" \"float fov\" 180"), "");
 }
 
+TEST(LightPictures, of_area_lights_lie_on_their_shapes) {
+    const std::string light = "AreaLightSource \"diffuse\" \"string filename\" \"wide.pfm\" ";
+    const SceneDescription scene =
+        read_world(light + "\"float scale\" 3 \"float power\" 5 Shape \"sphere\"", kFiles);
+    const AreaEmission& emission = scene.shapes.at(0).emission.value();
+    EXPECT_NEAR(emission.radiance.luminance(), 3, 1e-3);
+    EXPECT_EQ(emission.power, 5);
+    EXPECT_EQ(emission.picture->resolution(), Vec2i(2, 1));
+    EXPECT_TRUE(scene.warnings.entries().empty());
+    EXPECT_TRUE(contains(world_error(light + "\"rgb L\" [1 1 1]", kFiles), "\"L\" and"));
+}
+
+/// The portal x, y in [-1, 1] at z = 1, the sky above it; texels of 2 x 2 blend.
+const std::string kPortal = "\"point3 portal\" [-1 -1 1  -1 1 1  1 1 1  1 -1 1] ";
+const std::string kPortalDown = "\"point3 portal\" [-1 -1 1  1 -1 1  1 1 1  -1 1 1] ";
+
+TEST(LightPictures, behind_portals_are_seen_through_them_alone) {
+    const auto expect_edges = [](const SceneDescription& scene, const Vec3& lit) {
+        expect_near(radiance(scene, {0, 0, 1}), lit);
+        expect_near(radiance(scene, {0.98F, -0.98F, 1}), lit);
+        expect_near(radiance(scene, {1.02F, 0, 1}), Vec3(0));
+        expect_near(radiance(scene, {1.02F, 0, 1}, {-0.1F, 0, 0}), lit);
+        expect_near(radiance(scene, {0, 0, -1}), Vec3(0));
+        expect_near(radiance(scene, {0, 0, 1}, {0, 0, 1.5F}), Vec3(0));
+        expect_near(radiance(scene, {0, 0, -1}, {0, 0, 1.5F}), Vec3(0));
+    };
+    // Corners are those of the world, whatever the matrix.
+    const std::string white = "Translate 9 9 9 LightSource \"infinite\" " + kPortal;
+    expect_edges(read_world(white + "\"string filename\" \"white.pfm\"", kFiles), Vec3(1));
+    expect_edges(read_world(white + "\"float scale\" 3 \"rgb L\" [1 2 1]"),
+                 Vec3(3 * (0.2126F + 2 * 0.7152F + 0.0722F)));
+    expect_near(
+        radiance(read_world("LightSource \"infinite\" " + kPortalDown), {0, 0, -1}, {0, 0, 2}),
+        Vec3(1));
+    expect_near(radiance(read_world(white + "\"float illuminance\" 5"), {0, 0, 1}),
+                Vec3(5 / (2 * kPi)));
+}
+
+/// Far from the other quadrants each shows its own colour, on the side where it is.
+TEST(LightPictures, behind_portals_keep_their_directions) {
+    const SceneDescription sky = read_world(kSky + kPortal, kFiles);
+    const auto greatest = [&](const Vec3& w) {
+        const Vec3 rgb = radiance(sky, w);
+        return rgb.x > rgb.y ? (rgb.x > rgb.z ? 0 : 2) : (rgb.y > rgb.z ? 1 : 2);
+    };
+    EXPECT_EQ(greatest({0.9F, -0.9F, 1}), 0);
+    EXPECT_EQ(greatest({0.9F, 0.9F, 1}), 1);
+    EXPECT_GT(radiance(sky, {-0.9F, -0.9F, 1}).z, radiance(sky, {0.9F, 0.9F, 1}).z);
+    const SceneDescription turned = read_world("Rotate 90 0 0 1 " + kSky + kPortal, kFiles);
+    expect_near(radiance(turned, {0.9F, 0.9F, 1}), radiance(sky, {0.9F, -0.9F, 1}));
+}
+
+TEST(LightPictures, behind_bad_portals_are_errors) {
+    const auto error = [](const std::string& points) {
+        return world_error("LightSource \"infinite\" \"point3 portal\" [" + points + "]");
+    };
+    EXPECT_TRUE(contains(error("0 0 0 1 0 0 1 1 0"), "a portal of 3 points"));
+    for (const char* points : {"0 0 0  1 0 0  1 1 0  0 1 0.1", "0 0 0  1 0 0  2 1 0  1 1 0",
+                               "0 0 0  0 0 0  1 1 0  1 1 0", "0 0 0  1 1 0  1 0 0  0 1 0"})
+        EXPECT_TRUE(contains(error(points), "no rectangle")) << points;
+}
+
 TEST(LightPictures, that_cannot_be_are_errors) {
     const auto error = [](const std::string& text) { return world_error(text, kFiles); };
     const std::string light = "LightSource \"infinite\" \"string filename\" ";
@@ -117,10 +179,6 @@ TEST(LightPictures, that_cannot_be_are_errors) {
     EXPECT_TRUE(contains(error(light + "\"none.pfm\""), "none.pfm"));
     EXPECT_NE(error(light + "\"sky.pfm\" \"rgb L\" [1 1 1]"), "");
     EXPECT_NE(error("Scale 0 1 1 " + kSky), "");
-    EXPECT_EQ(
-        warnings_with(read_world(kSky + "\"point3 portal\" [0 0 0 1 0 0 1 1 0 0 1 0]", kFiles),
-                      "portals are ignored"),
-        1);
 }
 
 }  // namespace

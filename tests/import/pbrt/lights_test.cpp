@@ -84,6 +84,40 @@ TEST(Lights, on_interfaces_are_ignored) {
     EXPECT_EQ(warnings_with(scene, "on interfaces"), 1);
 }
 
+/// A colour space is one of the attributes; colours of Attribute keep the one they were given in.
+TEST(Lights, have_the_colour_space_of_their_place) {
+    const auto seen = [](const std::string& text) {
+        const SceneDescription scene = read_world(text);
+        return curve(scene.lights.back()).to_rgb();
+    };
+    const std::string light = "LightSource \"infinite\" \"rgb L\" [ .2 1 .3 ] ";
+    const std::string p3 = "ColorSpace \"dci-p3\" ";
+    const Vec3 plain(0.2F, 1, 0.3F);
+    EXPECT_NEAR((seen(light) - plain).length(), 0, 1e-3F);
+    EXPECT_NEAR((seen(p3 + light) - Vec3(0.0201F, 1.0337F, 0.2465F)).length(), 0, 0.01F)
+        << seen(p3 + light);
+    EXPECT_NEAR((seen("AttributeBegin " + p3 + "AttributeEnd " + light) - plain).length(), 0,
+                1e-3F);
+    const std::string kept = "Attribute \"light\" \"rgb L\" [ .2 1 .3 ] " + p3;
+    EXPECT_NEAR((seen(kept + "LightSource \"infinite\"") - plain).length(), 0, 1e-3F);
+    const Vec3 white = seen("ColorSpace \"aces2065-1\" LightSource \"infinite\"");
+    EXPECT_GT(white.x, white.z + 0.05F);
+    const SceneDescription cut = read_world(p3 + "LightSource \"infinite\" \"rgb L\" [ 0 1 0 ]");
+    EXPECT_EQ(warnings_with(cut, "no colour of sRGB"), 1);
+}
+
+TEST(Options, are_known_or_told) {
+    const auto warnings = [](const std::string& option) {
+        return read_text("Option " + option + " WorldBegin").warnings.entries().size();
+    };
+    EXPECT_EQ(warnings("\"string rendercoordsys\" \"world\""), 0U);
+    EXPECT_EQ(warnings("\"pixelstats\" true"), 0U);
+    EXPECT_EQ(warnings("\"disablePixelJitter\" false"), 0U);
+    EXPECT_EQ(warnings("\"disablepixeljitter\" true"), 1U);
+    EXPECT_EQ(warnings("\"seed\" 7"), 1U);
+    EXPECT_EQ(warnings_with(read_text("Option \"gamma\" 2 WorldBegin"), "unknown Option"), 1);
+}
+
 TEST(Lights, that_cannot_be_are_errors) {
     for (const char* text :
          {"LightSource \"sun\"", "LightSource \"diffuse\"", "AreaLightSource \"sphere\"",

@@ -1,0 +1,28 @@
+// What the numbers of a light statement do to its emission.
+#pragma once
+
+#include "import/pbrt/parameters.h"
+#include "math/spectral_curve.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+
+/// "scale". @throws Error for a negative one.
+inline double scale_of(const Statement& statement) {
+    const double scale = statement.real("scale", 1);
+    if (scale >= 0) return scale;
+    throw Error(statement.find("scale")->where, "a light of negative \"scale\"", "use 0 or more");
+}
+
+/// A positive "power" or "illuminance" over what the light has at scale one; else one.
+inline double factor_by(const Statement& statement, std::string_view name, double at_one) {
+    const double wanted = statement.real(name, 0);
+    return wanted > 0 ? wanted / at_one : 1;
+}
+
+inline SpectralCurve scaled(const SpectralCurve& curve, double factor) {
+    return curve.scaled(static_cast<float>(std::min(factor, 1e30)));
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,77 @@
+// Corners of portals, checked, and the sky behind them.
+#include "import/pbrt/portals.h"
+
+#include "image/lookup.h"
+#include "import/pbrt/light_pictures.h"
+#include "import/pbrt/light_scale.h"
+#include "import/pbrt/reading.h"
+#include "import/pbrt/spectra.h"
+#include "math/warp.h"
+
+namespace sunfleck {
+namespace {
+
+/// Cells across where the sky has no picture: they only guide the choice of directions.
+constexpr int kPlainSide = 64;
+
+std::array<Vec3d, 4> corners_of(const Parameter& portal) {
+    const std::vector<double>& v = portal.numbers;
+    if (v.size() != 12)
+        throw Error(portal.where, "a portal of " + std::to_string(v.size() / 3) + " points",
+                    "give its 4 corners");
+    std::array<Vec3d, 4> corners;
+    for (std::size_t i = 0; i < 4; ++i) corners.at(i) = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
+    return corners;
+}
+
+/// The light's frame and extent, as pbrt-v4 has them: x along p3 - p0, y along p1 - p0.
+PortalLight placed(const Parameter& portal) {
+    const auto p = corners_of(portal);
+    const Vec3d x = p[3] - p[0];
+    const Vec3d y = p[1] - p[0];
+    PortalLight light;
+    light.extent = {x.length(), y.length()};
+    const double size = std::max(light.extent.x, light.extent.y);
+    const bool is_rectangle = light.extent.x > 0 && light.extent.y > 0 && std::isfinite(size) &&
+                              std::abs(x.dot(y)) <= 1e-3 * light.extent.x * light.extent.y &&
+                              (p[0] + x + y - p[2]).length() <= 1e-3 * size;
+    if (!is_rectangle)
+        throw Error(portal.where, "a portal that is no rectangle",
+                    "give its corners in their order around it, at right angles");
+    light.frame.x = x / light.extent.x;
+    light.frame.y = (y - light.frame.x * light.frame.x.dot(y)).normalized();
+    light.frame.z = light.frame.x.cross(light.frame.y);
+    light.frame.origin = p[0];
+    return light;
+}
+
+}  // namespace
+
+Light portal_light(const Statement& statement, Reading& reading) {
+    PortalLight light = placed(*statement.find("portal", ParameterType::point3));
+    if (!statement.find("filename")) {
+        const SpectralCurve curve = emission_of(statement, "L", reading);
+        // pbrt-v4 makes a picture of one texel, in its zenith, and adds that up.
+        const double at_one = 2 * kPiDouble * static_cast<double>(curve.luminance());
+        light.curve =
+            scaled(curve, scale_of(statement) * factor_by(statement, "illuminance", at_one));
+        light.picture =
+            std::make_shared<const PortalPicture>(kPlainSide, [](const Vec3d&) { return Vec3(1); });
+        return light;
+    }
+    const Image image = directions_image(statement, reading);
+    const double at_one = illuminance_from_above(LightPicture(image)) / 2;
+    light.curve = scaled(SpectralCurve::d65(),
+                         scale_of(statement) * factor_by(statement, "illuminance", at_one));
+    const Affine turn = turn_of(statement, reading);
+    const auto sky = [&](const Vec3d& w) {
+        const Vec3d world = light.frame.vector(w);
+        const Vec3d own(turn.x.dot(world), turn.y.dot(world), turn.z.dot(world));
+        const auto v = bilinear(image, Vec2(sphere_to_square(own)), Wrap::octahedral_sphere);
+        return image.channels() < 3 ? Vec3(v[0]) : Vec3(v[0], v[1], v[2]);
+    };
+    light.picture = std::make_shared<const PortalPicture>(image.resolution().x, sky);
+    return light;
+}
+
+}  // namespace sunfleck

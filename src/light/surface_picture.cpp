@@ -1,0 +1,106 @@
+// Lookups, and tables of what an area light with a picture emits.
+#include "light/surface_picture.h"
+
+#include "image/lookup.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+/// Share of the mean that each cell of the slots has at least.
+constexpr double kEverywhere = 0.02;
+
+Vec2 uv_of(const EmittingTriangle& t, const CornerUvs& uvs, const Vec3d& on, const Vec3d&) {
+    const Vec3d area = t.edge1.cross(t.edge2);
+    const Vec3d from = on - t.p0;
+    const double area2 = area.length2();
+    if (!(area2 > 0)) return uvs[0];
+    const auto second = static_cast<float>(from.cross(t.edge2).dot(area) / area2);
+    const auto third = static_cast<float>(t.edge1.cross(from).dot(area) / area2);
+    return uvs[0] + (uvs[1] - uvs[0]) * second + (uvs[2] - uvs[0]) * third;
+}
+
+Vec2 uv_of(const EmittingPatch& patch, const CornerUvs& uvs, const Vec3d& on, const Vec3d& normal) {
+    return bilinear(uvs, patch.surface.locate(on, normal));
+}
+
+template <class Quadric>
+Vec2 uv_of(const EmittingQuadric<Quadric>& quadric, const CornerUvs&, const Vec3d& on,
+           const Vec3d& normal) {
+    return quadric.shape.at(Affine(quadric.to_world).inverse().point(on), normal).uv;
+}
+
+bool has_corners(const EmittingSurface& surface) {
+    return std::holds_alternative<EmittingTriangle>(surface) ||
+           std::holds_alternative<EmittingPatch>(surface);
+}
+
+}  // namespace
+
+SurfacePicture::SurfacePicture(Image image) : image_(std::move(image)) {
+    const Vec2i size = image_.resolution();
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) mean_ += texel_light(image_.rgb(x, y)).luminance;
+    mean_ /= static_cast<double>(size.x) * size.y;
+    prepare_colours(image_);
+}
+
+TexelLight SurfacePicture::at(const Vec2& uv) const {
+    const auto v = bilinear(image_, {uv.x, 1 - uv.y}, Wrap::clamp);
+    return texel_light(image_.channels() < 3 ? Vec3(v[0]) : Vec3(v[0], v[1], v[2]));
+}
+
+LaidPicture::LaidPicture(std::shared_ptr<const SurfacePicture> picture, const CornerUvs& uvs,
+                         const EmittingSurface& surface, int most_cells)
+    : picture_(std::move(picture)), uvs_(uvs) {
+    if (!has_corners(surface)) uvs_ = {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)};
+    if (std::holds_alternative<EmittingTriangle>(surface)) uvs_[3] = uvs_[2];
+    const int side = cells_across(most_cells);
+    std::vector<float> cells;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            double sum = 0;
+            for (const double right : {0.25, 0.75})
+                for (const double below : {0.25, 0.75}) {
+                    const Vec2d u((x + right) / side, (y + below) / side);
+                    const auto sample = [&](const auto& s) { return sample_surface(s, u); };
+                    const SurfaceSample on = std::visit(sample, surface);
+                    sum += on.spread * at(surface, on.position, on.normal).luminance / 4;
+                }
+            flux_ += sum / (double{1} * side * side);
+            cells.push_back(static_cast<float>(sum));
+        }
+    const auto floor = static_cast<float>(kEverywhere * flux_);
+    for (float& cell : cells) cell += floor;
+    slots_ = std::make_unique<const LightPicture>(Image({side, side}, 1, std::move(cells)));
+}
+
+/// Eight cells a texel, as far as there is room.
+int LaidPicture::cells_across(int most_cells) const {
+    Vec2 low = uvs_[0];
+    Vec2 high = uvs_[0];
+    for (const Vec2& uv : uvs_) {
+        low = {std::min(low.x, uv.x), std::min(low.y, uv.y)};
+        high = {std::max(high.x, uv.x), std::max(high.y, uv.y)};
+    }
+    const Vec2 texels = (high - low) * Vec2(picture_->resolution());
+    const float wanted = std::clamp(8 * std::max(texels.x, texels.y), 4.0F, 256.0F);
+    const auto room = std::sqrt(static_cast<float>(most_cells));
+    return std::max(static_cast<int>(std::min(wanted, room)), 1);
+}
+
+LaidPicture::Drawn LaidPicture::draw(const EmittingSurface& surface, const Vec2d& u) const {
+    const LightPicture::Drawn slot = slots_->draw(u);
+    const auto sample = [&](const auto& s) { return sample_surface(s, slot.place); };
+    const SurfaceSample on = std::visit(sample, surface);
+    return {on, at(surface, on.position, on.normal), slot.density};
+}
+
+TexelLight LaidPicture::at(const EmittingSurface& surface, const Vec3d& on,
+                           const Vec3d& normal) const {
+    const auto uv = [&](const auto& s) { return uv_of(s, uvs_, on, normal); };
+    return at(std::visit(uv, surface));
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,67 @@
+// The picture of an area light: radiance that varies over an emitting surface by its (u, v).
+//
+// In:  texels in linear sRGB, between which it is bilinear, row 0 at v = 1; edges go on beyond the
+// unit square (pbrt-v4). Out: radiance at a (u, v), and places of the slots of emission with the
+// density of what is emitted there.
+#pragma once
+
+#include "light/emitting_surface.h"
+#include "light/light_picture.h"
+
+#include <memory>
+
+namespace sunfleck {
+
+class SurfacePicture {
+public:
+    /// @param image  its texels finite. Builds the table of colours, if they are no greys.
+    explicit SurfacePicture(Image image);
+
+    TexelLight at(const Vec2& uv) const;
+    /// Of the luminance of texels.
+    double mean() const { return mean_; }
+    const Vec2i& resolution() const { return image_.resolution(); }
+
+private:
+    Image image_;
+    double mean_ = 0;
+};
+
+/// (u, v) at the corners of a triangle (the first three) or of a patch; of no meaning for others.
+using CornerUvs = std::array<Vec2, 4>;
+
+/// A picture as it lies on the surface of one light.
+class LaidPicture {
+public:
+    /// @param most_cells  of the table of what is emitted where; at least 1.
+    LaidPicture(std::shared_ptr<const SurfacePicture> picture, const CornerUvs& uvs,
+                const EmittingSurface& surface, int most_cells);
+
+    /// A point of the surface, and its light; `density` is that of the slots that led there.
+    struct Drawn {
+        SurfaceSample on;
+        TexelLight light;
+        double density = 0;
+    };
+    /// About as often where more is emitted. Not to be asked where flux() is zero.
+    /// @param u  in (0,1)^2.
+    Drawn draw(const EmittingSurface& surface, const Vec2d& u) const;
+
+    TexelLight at(const Vec2& uv) const { return picture_->at(uv); }
+    /// At a point of the surface, whose unit normal (either side) is `normal`.
+    TexelLight at(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal) const;
+    /// Luminance integrated over the surface, m^2: by midpoints, two each way in each cell.
+    double flux() const { return flux_; }
+
+private:
+    int cells_across(int most_cells) const;
+
+    std::shared_ptr<const SurfacePicture> picture_;
+    CornerUvs uvs_;
+    double flux_ = 0;
+    /// The unit square of the slots that sample_surface() takes: spread times luminance of each
+    /// cell, and everywhere a little more, for no place may be forgotten.
+    std::unique_ptr<const LightPicture> slots_;
+};
+
+}  // namespace sunfleck
