@@ -54,6 +54,7 @@ private:
     Spectrum throughput_;
     LaneChoice lanes_;
     Vec3 direction_{0};
+    MediumNumber medium_ = 0;    // of the next ray
     float length_ = 0;           // of the path so far
     float footprint_ = 0;        // width of the pixel here
     float footprint_angle_ = 0;  // its growth per distance

@@ -26,7 +26,7 @@ concept PhotonVisitor = requires(V& visit, const Photon& photon) {
 enum class PathEnd {
     no_light,  // nothing emits
     escaped,   // left the scene
-    absorbed,  // by a surface, or by roulette
+    absorbed,  // by a surface or a medium, or by roulette
     too_long,  // the next event would exceed the greatest depth
     stopped    // by the visitor
 };
@@ -45,8 +45,10 @@ struct PhotonState {
     bool lane_read = false;
     std::uint16_t bounces = 0;
     PhotonKind kind = PhotonKind::direct;
-    bool at_light = true;  // about to leave it
-    Vec3d origin{0};       // of the next ray
+    bool at_light = true;     // about to leave it
+    MediumNumber medium = 0;  // of the next ray
+    float faded = 1;          // what media left of the flux since the last roulette
+    Vec3d origin{0};          // of the next ray
     Vec3d first_direction{0};
 };
 
@@ -96,6 +98,7 @@ public:
     template <SlotReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
+        if (pass_.scene.has_media() && !fade(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         if (constant) return meet(read, visit, *constant, hit, state);
         if (!pass_.scene.passes_straight(hit)) return meet_varied(read, visit, hit, state);
@@ -104,9 +107,20 @@ public:
     }
 
 private:
+    /// The medium takes its share on the way to the hit. @return whether anything is left.
+    [[gnu::noinline]] bool fade(const Hit& hit, PhotonState& state) const {
+        const float before = state.flux.sum();
+        state.flux *= pass_.left_after(state.medium, hit.distance);
+        const float after = state.flux.sum();
+        if (!(after > 0)) return false;
+        state.faded *= after / before;
+        return true;
+    }
+
     /// Makes ready for the next ray.
-    static void leave(const Hit& hit, PhotonState& state) {
+    void leave(const Hit& hit, PhotonState& state) const {
         state.at_light = false;
+        state.medium = pass_.scene.medium_beyond(hit, state.direction, state.medium);
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
     }
 
@@ -152,8 +166,17 @@ private:
         state.flux =
             pass_.emission[choice.index] * static_cast<float>(start.factor / choice.probability);
         if (start.tint) state.flux = pass_.tinted(state.flux, start.tint);
+        if (pass_.scene.has_media()) enter_media(choice.index, start, state);
         state.direction = Vec3(start.direction);
         return start;
+    }
+
+    /// Around the light; light from afar has come a long way already.
+    void enter_media(std::size_t light, const Emission& start, PhotonState& state) const {
+        const Scene& scene = pass_.scene;
+        state.medium = scene.media().at_lights[light].towards(start.normal, Vec3(start.direction));
+        if (comes_from_afar(scene.lights()[light]))
+            state.flux *= pass_.left_after(state.medium, kInfinity);
     }
 
     static Photon arrive(const Hit& hit, const PhotonState& state) {
@@ -199,7 +222,7 @@ private:
         if (hit.shading_normal != hit.normal)
             flux *= std::abs(w_from.z * w_to.dot(hit.normal)) /
                     std::abs(state.direction.dot(hit.normal) * drawn->w_to.z);
-        const float survival = std::min(1.0F, flux.sum() / state.flux.sum());
+        const float survival = std::min(1.0F, state.faded * (flux.sum() / state.flux.sum()));
         if (!(unit(BounceSlot::roulette) < survival)) return false;
         if (drawn->dispersed) state.lanes.single = true;
         if (drawn->pdf)
@@ -207,6 +230,7 @@ private:
         else if (state.kind == PhotonKind::direct)
             state.kind = PhotonKind::caustic;
         state.flux = flux / survival;
+        state.faded = 1;
         state.direction = w_to;
         ++state.bounces;
         return true;

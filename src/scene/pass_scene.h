@@ -16,8 +16,9 @@ struct PassScene {
     /// By material; nothing for an interface or a mix, and for one that varies over its surfaces or
     /// bends their shading.
     std::vector<std::optional<Bsdf>> bsdfs;
-    std::vector<Spectrum> emission;  // by light: its curve
-    Spectrum white;                  // D65 of luminance one
+    std::vector<Spectrum> emission;    // by light: its curve
+    std::vector<Spectrum> absorption;  // by medium, per unit of length
+    Spectrum white;                    // D65 of luminance one
 
     PassScene(const Scene& of, PassId pass);
 
@@ -33,6 +34,16 @@ struct PassScene {
     Spectrum tinted(const Spectrum& emitted, const std::optional<Vec3>& tint) const {
         return tint ? emitted * colour(*tint) : emitted;
     }
+
+    /// Share of the light that is left after a way through a medium; of an endless way, too.
+    Spectrum left_after(MediumNumber medium, float distance) const {
+        return sunfleck::left_after(absorption[medium], distance);
+    }
+    /// Share of the light of a point that arrives at a hit from there: nothing where something is
+    /// in the way but surfaces passed straight; less where media are.
+    /// @param direction  to the point, unit. @param medium  in which the way there starts.
+    Spectrum seen_from(const Hit& hit, const Vec3& direction, float distance,
+                       MediumNumber medium) const;
 
     /// A number by which kept() finds the Bsdf of a hit, or one of its layers, for as long as the
     /// pass lasts: that of the material, or, where this varies, of a copy. Any number of threads.
