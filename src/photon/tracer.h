@@ -55,7 +55,7 @@ struct PhotonState {
 class PhotonTracer {
 public:
     PhotonTracer(const PassScene& pass, const TransportSettings& transport)
-        : pass_(pass), transport_(transport) {}
+        : pass_(pass), transport_(transport), has_media_(pass.scene.has_media()) {}
 
     /// One whole path. @param rays  counts the rays traced.
     template <SlotReader Reader, PhotonVisitor Visitor>
@@ -98,7 +98,7 @@ public:
     template <SlotReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
-        if (pass_.scene.has_media() && !fade(hit, state)) return PathEnd::absorbed;
+        if (has_media_ && !fade(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         if (constant) return meet(read, visit, *constant, hit, state);
         if (!pass_.scene.passes_straight(hit)) return meet_varied(read, visit, hit, state);
@@ -117,10 +117,14 @@ private:
         return true;
     }
 
+    [[gnu::noinline]] void enter_beyond(const Hit& hit, PhotonState& state) const {
+        state.medium = pass_.scene.medium_beyond(hit, state.direction, state.medium);
+    }
+
     /// Makes ready for the next ray.
     void leave(const Hit& hit, PhotonState& state) const {
         state.at_light = false;
-        state.medium = pass_.scene.medium_beyond(hit, state.direction, state.medium);
+        if (has_media_) enter_beyond(hit, state);
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
     }
 
@@ -166,7 +170,7 @@ private:
         state.flux =
             pass_.emission[choice.index] * static_cast<float>(start.factor / choice.probability);
         if (start.tint) state.flux = pass_.tinted(state.flux, start.tint);
-        if (pass_.scene.has_media()) enter_media(choice.index, start, state);
+        if (has_media_) enter_media(choice.index, start, state);
         state.direction = Vec3(start.direction);
         return start;
     }
@@ -245,6 +249,7 @@ private:
 
     const PassScene& pass_;
     const TransportSettings& transport_;
+    const bool has_media_;
 };
 
 }  // namespace sunfleck
