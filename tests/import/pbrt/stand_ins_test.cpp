@@ -124,12 +124,12 @@ TEST(Measured, is_metal_of_its_roughness_or_diffuse) {
 /// Steeper angles of incidence count by their share of evenly spread light.
 TEST(Measured, mean_is_over_evenly_spread_light) {
     test::TensorFile slanted;
-    slanted.add("theta_i", {2}, {0, kPi / 2});
+    slanted.add("theta_i", {3}, {0, kPi / 6, kPi / 2});
     slanted.add("wavelengths", {1}, {500});
-    slanted.add("spectra", {1, 2, 1, 1, 3}, {0.2F, 0.4F, 0.2F, 0.8F, 1, 0.8F});
+    slanted.add("spectra", {1, 3, 1, 1, 3}, {0.2F, 0.4F, 0.2F, 0.8F, 1, 0.8F, 0, 0, 0});
     slanted.add("ndf", {1, 3}, {1, 1, 1});
     const auto made_of = made<ConductorMaterial>(kMeasured, {{"x.bsdf", slanted.bytes()}});
-    EXPECT_NEAR(at_500(*made_of.reflectance), (0.3F + 0.9F) / 2, 1e-5F);
+    EXPECT_NEAR(at_500(*made_of.reflectance), 0.3F / 8 + 0.9F / 2, 1e-5F);
 }
 
 TEST(Measured, broken_files_are_errors) {
