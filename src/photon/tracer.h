@@ -170,17 +170,9 @@ private:
         state.flux =
             pass_.emission[choice.index] * static_cast<float>(start.factor / choice.probability);
         if (start.tint) state.flux = pass_.tinted(state.flux, start.tint);
-        if (has_media_) enter_media(choice.index, start, state);
+        if (has_media_) state.medium = pass_.start_medium(choice.index, start, state.flux);
         state.direction = Vec3(start.direction);
         return start;
-    }
-
-    /// Around the light; light from afar has come a long way already.
-    void enter_media(std::size_t light, const Emission& start, PhotonState& state) const {
-        const Scene& scene = pass_.scene;
-        state.medium = scene.media().at_lights[light].towards(start.normal, Vec3(start.direction));
-        if (comes_from_afar(scene.lights()[light]))
-            state.flux *= pass_.left_after(state.medium, kInfinity);
     }
 
     static Photon arrive(const Hit& hit, const PhotonState& state) {

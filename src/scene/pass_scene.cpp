@@ -33,6 +33,15 @@ PassScene::PassScene(const Scene& of, PassId pass)
     });
 }
 
+MediumNumber PassScene::start_medium(std::size_t light, const Emission& start,
+                                     Spectrum& flux) const {
+    if (!scene.has_media()) return 0;
+    const MediumNumber medium =
+        scene.media().at_lights[light].towards(start.normal, Vec3(start.direction));
+    if (comes_from_afar(scene.lights()[light])) flux *= left_after(medium, kInfinity);
+    return medium;
+}
+
 Spectrum PassScene::seen_from(const Hit& hit, const Vec3& direction, float distance,
                               MediumNumber medium) const {
     Ray ray = shadow_ray(hit, direction, distance);

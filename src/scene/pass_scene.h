@@ -39,6 +39,9 @@ struct PassScene {
     Spectrum left_after(MediumNumber medium, float distance) const {
         return sunfleck::left_after(absorption[medium], distance);
     }
+    /// The medium in which light leaves a light, and what is left of its flux: that from afar has
+    /// come an endless way already.
+    MediumNumber start_medium(std::size_t light, const Emission& start, Spectrum& flux) const;
     /// Share of the light of a point that arrives at a hit from there: nothing where something is
     /// in the way but surfaces passed straight; less where media are.
     /// @param direction  to the point, unit. @param medium  in which the way there starts.

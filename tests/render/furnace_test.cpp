@@ -37,7 +37,7 @@ std::vector<Row> rows() {
     return {
         {"diffuse", "Material \"diffuse\" " + kWhite},
         {"glass", "Material \"dielectric\" ", 1, true},
-        {"rough_glass", "Material \"dielectric\" \"float roughness\" .1 ", 0.8, true},
+        {"rough_glass", "Material \"dielectric\" \"float roughness\" .1 ", 0.7, true},
         {"pane", "Material \"thindielectric\" "},
         {"silver", "Material \"conductor\" " + kSilver, 0.999},
         {"rough_silver", "Material \"conductor\" \"float roughness\" .1 " + kSilver, 0.82},

@@ -53,6 +53,23 @@ Estimate brightness(const Scene& scene, RenderSettings settings, int renders) {
     });
 }
 
+/// A sphere whose wall of albedo rho emits 1, full of a medium. Of even light from the wall, the
+/// share t = 2 (1 - (1 + a) exp(-a)) / a^2 comes back to it, a = sigma * diameter: chords have
+/// the length diameter * cosine. The wall shows 1 / (1 - rho t).
+void expect_furnace(RenderSettings settings, int renders) {
+    const double a = 2 * 0.6;
+    const double back = 2 * (1 - (1 + a) * std::exp(-a)) / (a * a);
+    const double expected = std::exp(-a / 2) / (1 - 0.8 * back);  // seen from the centre
+    const Scene scene = scene_of(
+        medium("ink", 0.6) + "MediumInterface \"\" \"ink\"\n" + view("0 0 0  0 0 1  0 1 0", 60, 6) +
+        "AreaLightSource \"diffuse\" \"spectrum L\" \"stdillum-D65\"\nReverseOrientation\n" +
+        diffuse("0.8 0.8 0.8") + "Shape \"sphere\"\n");
+    settings.eye.radius = 0.2;
+    settings.photon.paths_per_pass = 10'000;
+    const Estimate value = brightness(scene, settings, renders);
+    EXPECT_LT(worst_ratio(value, {expected, 0}), 0.006) << value.mean / expected;
+}
+
 class Media : public ::testing::TestWithParam<RenderSettings> {
 protected:
     /// The share of the sun's light on the floor that comes to the eye.
@@ -88,23 +105,8 @@ TEST_P(Media, pool_with_something_in_it_around_the_eye) {
                  std::exp(-0.3 * (1.6 + 1.1) - 1.1 * 2 * 0.3));
 }
 
-/// A sphere whose wall of albedo rho emits 1, full of a medium. Of even light from the wall, the
-/// share t = 2 (1 - (1 + a) exp(-a)) / a^2 comes back to it, a = sigma * diameter: chords have
-/// the length diameter * cosine. The wall shows 1 / (1 - rho t).
 TEST_P(Media, furnace_that_is_full) {
-    const double a = 2 * 0.6;
-    const double back = 2 * (1 - (1 + a) * std::exp(-a)) / (a * a);
-    const double expected = std::exp(-a / 2) / (1 - 0.8 * back);  // seen from the centre
-    const Scene scene = scene_of(
-        medium("ink", 0.6) + "MediumInterface \"\" \"ink\"\n" + view("0 0 0  0 0 1  0 1 0", 60, 6) +
-        "AreaLightSource \"diffuse\" \"spectrum L\" \"stdillum-D65\"\nReverseOrientation\n" +
-        diffuse("0.8 0.8 0.8") + "Shape \"sphere\"\n");
-    RenderSettings settings = GetParam();
-    settings.eye.radius = 0.2;
-    settings.photon.paths_per_pass = 10'000;
-    const bool by_paths = settings.integrator == Integrator::path;
-    const Estimate value = brightness(scene, settings, by_paths ? 100 : 8);
-    EXPECT_LT(worst_ratio(value, {expected, 0}), 0.006) << value.mean / expected;
+    expect_furnace(GetParam(), GetParam().integrator == Integrator::path ? 100 : 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(By, Media,
@@ -116,6 +118,10 @@ INSTANTIATE_TEST_SUITE_P(By, Media,
                              return way.param.transport.direct == DirectLight::sampled ? "sampled"
                                                                                        : "photons";
                          });
+
+TEST(MediaLight, furnace_that_is_full) {
+    expect_furnace(settings_for(DirectLight::photons, Integrator::light), 6);
+}
 
 /// A plate of glass that absorbs: T = (1 - R)^2 t / (1 - R^2 t^2), R = 0.04, t = exp(-sigma d).
 /// Photons alone bring the light.
