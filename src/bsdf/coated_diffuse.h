@@ -14,7 +14,7 @@ namespace sunfleck {
 
 /// What comes back from the base; both sides alike.
 struct CoatedBase {
-    Spectrum albedo;  // of the base, per lane, in [0,1]
+    Spectrum albedo;  // of the base, per lane; times returning() below one
     const Coat* coat;
 
     Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport) const {

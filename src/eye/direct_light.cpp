@@ -27,14 +27,15 @@ Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_
     const Spectrum f = eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance);
     if (f.is_zero()) return f;
     ++statistics[Count::eye_rays];
-    if (!scene.is_free(shadow_ray(vertex.hit, light->direction, light->distance)))
-        return Spectrum(0);
+    const MediumNumber medium = scene.medium_beyond(vertex.hit, light->direction, vertex.medium);
+    const Spectrum seen = pass.seen_from(vertex.hit, light->direction, light->distance, medium);
+    if (seen.is_zero()) return seen;
     const auto probability = static_cast<float>(choice->probability);
     float weight = light->factor * std::abs(w_to.z) / probability;
     if (light->pdf)
         weight *= mis_weight(density(pass, vertex.hit.position, *choice, *light),
                              pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance));
-    return f * pass.tinted(pass.emission[choice->index], light->tint) * weight;
+    return f * seen * pass.tinted(pass.emission[choice->index], light->tint) * weight;
 }
 
 Receiver receiver_at(const EyeVertex& vertex) {
@@ -68,23 +69,28 @@ EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& d
 Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
                             Statistics& statistics) {
     const Vec3 direction = vertex.frame.to_world(drawn.w_to);
+    const Scene& scene = pass.scene;
     const Receiver from = receiver_at(vertex);
     Spectrum sum;
+    Spectrum weight = drawn.weight;
     const auto add = [&](const EmitterMet& met) {
         if (!met.radiance.is_zero())
-            sum += drawn.weight * met.radiance * mis_weight(drawn.pdf.value_or(1), met.pdf);
+            sum += weight * met.radiance * mis_weight(drawn.pdf.value_or(1), met.pdf);
     };
     Ray ray = ray_from(vertex.hit, direction);
+    MediumNumber medium = scene.medium_beyond(vertex.hit, direction, vertex.medium);
     while (true) {
         ++statistics[Count::eye_rays];
-        const auto hit = pass.scene.geometry().intersect(ray);
+        const auto hit = scene.geometry().intersect(ray);
+        if (scene.has_media()) weight *= pass.left_after(medium, hit ? hit->distance : kInfinity);
         if (!hit) {
             add(emitter_beyond(pass, vertex.hit.position, direction));
             return sum;
         }
         add(emitter_at(pass, *hit, &from, direction));
-        if (!pass.scene.passes_straight(*hit)) return sum;
+        if (!scene.passes_straight(*hit)) return sum;
         ray = ray_from(*hit, direction);
+        medium = scene.medium_beyond(*hit, direction, medium);
     }
 }
 

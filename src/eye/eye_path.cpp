@@ -29,6 +29,8 @@ void EyePath::trace(std::uint32_t pixel) {
     while (true) {
         ++statistics_[Count::eye_rays];
         auto hit = scene.geometry().intersect(ray);
+        if (scene.has_media())
+            throughput_ *= pass_.scene.left_after(medium_, hit ? hit->distance : kInfinity);
         if (!hit) {
             add_emission(emitter_beyond(pass_.scene, position_, direction_));
             return;
@@ -42,6 +44,7 @@ void EyePath::trace(std::uint32_t pixel) {
             if (!meet(*hit, numbers)) return;
         }
         ray = ray_from(*hit, direction_);
+        medium_ = scene.medium_beyond(*hit, direction_, medium_);
     }
 }
 
@@ -54,6 +57,7 @@ Ray EyePath::start(RoundPoints& numbers) {
     const CameraRay ray = camera_ray(pass_.scene.scene.camera(), film, numbers.next_2d());
     weight_ = filtered.weight * pass_.scene.scene.film().imaging_ratio;
     throughput_ = Spectrum(1);
+    medium_ = pass_.scene.scene.media().at_camera;
     lanes_.chosen = lane_of(numbers.next());
     direction_ = Vec3(ray.direction);
     footprint_ = ray.footprint;
@@ -75,13 +79,13 @@ bool EyePath::meet(Hit& hit, RoundPoints& numbers) {
     }
     const Frame frame(hit.shading_normal, hit.tangent);
     const EyeVertex vertex{hit, frame, frame.to_local(-direction_),
-                           narrowed ? *narrowed : at_surface};
+                           narrowed ? *narrowed : at_surface, medium_};
     if (bounces_ >= transport.max_depth) return false;
     if (const auto* coated = std::get_if<CoatedDiffuse>(&at_surface)) {
         const Bsdf base = coated->base();
         const Bsdf top = coated->top();
-        meet_base({hit, frame, vertex.w_from, base}, numbers);
-        return go_on({hit, frame, vertex.w_from, top}, numbers);
+        meet_base({hit, frame, vertex.w_from, base, medium_}, numbers);
+        return go_on({hit, frame, vertex.w_from, top, medium_}, numbers);
     }
     if (kind == Scattering::diffuse) {
         meet_base(vertex, numbers);

@@ -55,6 +55,7 @@ private:
     LaneChoice lanes_;
     Vec3 position_{0};  // of the last vertex
     Vec3 direction_{0};
+    MediumNumber medium_ = 0;    // of the next ray
     float length_ = 0;           // of the path so far
     float footprint_ = 0;        // width of the pixel here
     float footprint_angle_ = 0;  // its growth per distance

@@ -49,6 +49,11 @@ inline bool is_infinite(const Light& light) {
     return std::visit(has_beyond, light);
 }
 
+/// Is its way to the scene without end?
+inline bool comes_from_afar(const Light& light) {
+    return is_infinite(light) || std::holds_alternative<DistantLight>(light);
+}
+
 /// What comes to the point `from` from `direction` (unit, to the light), were nothing else there;
 /// nothing from lights that are not infinite.
 inline Beyond beyond(const Light& light, const Vec3& from, const Vec3& direction) {

@@ -43,6 +43,15 @@ struct MetalIndex {
     Spectrum k;
 };
 
+/// The albedo below a coat with which the share `whole` of the light that has entered leaves again:
+/// whole = albedo leaving / (1 - albedo returning). Above one where it makes up for what a rough
+/// coat loses; all that is scattered is still no more than what enters.
+Spectrum base_below(const Coat& coat, const Spectrum& whole) {
+    const float leaving = coat.mean_entering() / (coat.eta() * coat.eta());
+    const Spectrum needed = whole / leaving;
+    return needed / (Spectrum(1) + needed * coat.returning());
+}
+
 /// One overload a material.
 struct BsdfOf {
     const Wavelengths& wavelengths;
@@ -71,7 +80,8 @@ struct BsdfOf {
     }
 
     std::optional<Bsdf> operator()(const CoatedDiffuseMaterial& m) const {
-        return CoatedDiffuse{clamped(m.reflectance.at(point, wavelengths), 0, 1), m.coat.get()};
+        const Spectrum given = clamped(m.reflectance.at(point, wavelengths), 0, 1);
+        return CoatedDiffuse{m.whole ? base_below(*m.coat, given) : given, m.coat.get()};
     }
 
     std::optional<Bsdf> operator()(const CoatedConductorMaterial& m) const {

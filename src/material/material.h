@@ -59,6 +59,7 @@ struct ConductorMaterial {
 struct CoatedDiffuseMaterial {
     SpectrumTexture reflectance = SpectralCurve::constant(0.5F);  // of the base, without the coat
     std::shared_ptr<const Coat> coat;                             // not null
+    bool whole = false;  // the reflectance is that of the light which enters the coat, as it leaves
 };
 
 /// Metal under a clear coat.

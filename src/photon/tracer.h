@@ -26,7 +26,7 @@ concept PhotonVisitor = requires(V& visit, const Photon& photon) {
 enum class PathEnd {
     no_light,  // nothing emits, or not from there
     escaped,   // left the scene
-    absorbed,  // by a surface, or by roulette
+    absorbed,  // by a surface or a medium, or by roulette
     too_long,  // the next event would exceed the greatest depth
     stopped    // by the visitor
 };
@@ -45,8 +45,10 @@ struct PhotonState {
     bool lane_read = false;
     std::uint16_t bounces = 0;
     PhotonKind kind = PhotonKind::direct;
-    bool at_light = true;  // about to leave it
-    Vec3d origin{0};       // of the next ray
+    bool at_light = true;     // about to leave it
+    MediumNumber medium = 0;  // of the next ray
+    float faded = 1;          // what media left of the flux since the last roulette
+    Vec3d origin{0};          // of the next ray
     Vec3d first_direction{0};
     float unlit = 0;  // still to go where it lights nothing: Emission
 };
@@ -54,7 +56,7 @@ struct PhotonState {
 class PhotonTracer {
 public:
     PhotonTracer(const PassScene& pass, const TransportSettings& transport)
-        : pass_(pass), transport_(transport) {}
+        : pass_(pass), transport_(transport), has_media_(pass.scene.has_media()) {}
 
     /// One whole path. @param rays  counts the rays traced.
     template <SlotReader Reader, PhotonVisitor Visitor>
@@ -99,6 +101,7 @@ public:
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
         if (state.unlit > 0 && is_stopped(hit, state)) return PathEnd::absorbed;
+        if (has_media_ && !fade(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         if (constant) return meet(read, visit, *constant, hit, state);
         if (!pass_.scene.passes_straight(hit)) return meet_varied(read, visit, hit, state);
@@ -107,9 +110,24 @@ public:
     }
 
 private:
+    /// The medium takes its share on the way to the hit. @return whether anything is left.
+    [[gnu::noinline]] bool fade(const Hit& hit, PhotonState& state) const {
+        const float before = state.flux.sum();
+        state.flux *= pass_.left_after(state.medium, hit.distance);
+        const float after = state.flux.sum();
+        if (!(after > 0)) return false;
+        state.faded *= after / before;
+        return true;
+    }
+
+    [[gnu::noinline]] void enter_beyond(const Hit& hit, PhotonState& state) const {
+        state.medium = pass_.scene.medium_beyond(hit, state.direction, state.medium);
+    }
+
     /// Makes ready for the next ray.
-    static void leave(const Hit& hit, PhotonState& state) {
+    void leave(const Hit& hit, PhotonState& state) const {
         state.at_light = false;
+        if (has_media_) enter_beyond(hit, state);
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
     }
 
@@ -163,6 +181,7 @@ private:
         state.flux =
             pass_.emission[choice.index] * static_cast<float>(start.factor / choice.probability);
         if (start.tint) state.flux = pass_.tinted(state.flux, start.tint);
+        if (has_media_) state.medium = pass_.start_medium(choice.index, start, state.flux);
         state.direction = Vec3(start.direction);
         return start;
     }
@@ -210,7 +229,7 @@ private:
         if (hit.shading_normal != hit.normal)
             flux *= std::abs(w_from.z * w_to.dot(hit.normal)) /
                     std::abs(state.direction.dot(hit.normal) * drawn->w_to.z);
-        const float survival = std::min(1.0F, flux.sum() / state.flux.sum());
+        const float survival = std::min(1.0F, state.faded * (flux.sum() / state.flux.sum()));
         if (!(unit(BounceSlot::roulette) < survival)) return false;
         if (drawn->dispersed) state.lanes.single = true;
         if (drawn->pdf)
@@ -218,6 +237,7 @@ private:
         else if (state.kind == PhotonKind::direct)
             state.kind = PhotonKind::caustic;
         state.flux = flux / survival;
+        state.faded = 1;
         state.direction = w_to;
         ++state.bounces;
         return true;
@@ -232,6 +252,7 @@ private:
 
     const PassScene& pass_;
     const TransportSettings& transport_;
+    const bool has_media_;
 };
 
 }  // namespace sunfleck

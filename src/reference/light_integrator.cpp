@@ -90,11 +90,13 @@ private:
             if (!scene_.geometry().hit_of(met, hit)) return;
             const bool is_lit = !(hit.distance < unlit);
             unlit -= hit.distance;
+            if (scene_.has_media()) flux_ *= pass_.scene.left_after(medium_, hit.distance);
             if (!scene_.passes_straight(hit)) {
                 if (!is_lit) return;
                 if (!scatter(hit, depth)) return;
                 ++depth;
             }
+            medium_ = scene_.medium_beyond(hit, direction_, medium_);
             const Ray ray = ray_from(hit, direction_);
             met = scene_.geometry().meet(ray);
         }
@@ -114,6 +116,7 @@ private:
                                                {place.x, place.y, way.x, way.y}, scene_.sphere());
         flux_ = pass_.scene.tinted(pass_.scene.emission[choice.index], start.tint) *
                 (share * static_cast<float>(start.factor / choice.probability));
+        medium_ = pass_.scene.start_medium(choice.index, start, flux_);
         return start;
     }
 
@@ -155,11 +158,13 @@ private:
         const Spectrum f = eval(bsdf, w_from, frame.to_local(to_camera), Transport::flux);
         if (f.is_zero()) return;
         ++rays_;
-        if (!scene_.is_free(shadow_ray(hit, to_camera, distance))) return;
+        const MediumNumber medium = scene_.medium_beyond(hit, to_camera, medium_);
+        const Spectrum seen = pass_.scene.seen_from(hit, to_camera, distance, medium);
+        if (seen.is_zero()) return;
         const float facing = std::abs(to_camera.dot(hit.normal));
         seen_ = true;
         splatter_.add(sight->film,
-                      flux_ * f * (arrived * facing * static_cast<float>(sight->area)));
+                      flux_ * f * seen * (arrived * facing * static_cast<float>(sight->area)));
     }
 
     bool survives(const Spectrum& before) {
@@ -177,6 +182,7 @@ private:
     std::uint64_t& rays_;
     Spectrum flux_;
     Vec3 direction_{0};
+    MediumNumber medium_ = 0;
     LaneChoice lanes_;
     bool seen_ = false;
 };

@@ -13,7 +13,11 @@ namespace {
 class ReferencePath {
 public:
     ReferencePath(const ReferencePass& pass, RandomStream numbers, std::uint64_t& rays)
-        : pass_(pass), scene_(pass.scene.scene), numbers_(numbers), rays_(rays) {}
+        : pass_(pass),
+          scene_(pass.scene.scene),
+          numbers_(numbers),
+          rays_(rays),
+          medium_(scene_.media().at_camera) {}
 
     /// Radiance along the ray. @return one sample of it.
     Spectrum radiance(Ray ray) {
@@ -41,6 +45,8 @@ private:
         while (true) {
             ++rays_;
             const auto hit = scene_.geometry().intersect(ray);
+            if (scene_.has_media())
+                throughput_ *= pass_.scene.left_after(medium_, hit ? hit->distance : kInfinity);
             if (!hit) {
                 for (const std::uint32_t i : scene_.infinite_lights()) {
                     const Beyond met = beyond(scene_.lights()[i], last_, ray.direction);
@@ -57,6 +63,7 @@ private:
                 }
             }
             if (!scene_.passes_straight(*hit)) return hit;
+            medium_ = scene_.medium_beyond(*hit, ray.direction, medium_);
             ray = ray_from(*hit, ray.direction);
         }
     }
@@ -87,6 +94,7 @@ private:
                             lanes_};
         auto drawn = sample(bsdf, w_from, draw);
         if (drawn) ray = ray_from(hit, frame.to_world(drawn->w_to));
+        if (drawn) medium_ = scene_.medium_beyond(hit, ray.direction, medium_);
         last_ = hit.position;
         return drawn;
     }
@@ -102,8 +110,10 @@ private:
         const Vec3 w_to = frame.to_local(light->direction);
         const Spectrum f = eval(bsdf, w_from, w_to, Transport::radiance);
         ++rays_;
-        if (f.is_zero() || !scene_.is_free(shadow_ray(hit, light->direction, light->distance)))
-            return;
+        if (f.is_zero()) return;
+        const MediumNumber medium = scene_.medium_beyond(hit, light->direction, medium_);
+        const Spectrum seen = pass_.scene.seen_from(hit, light->direction, light->distance, medium);
+        if (seen.is_zero()) return;
         const auto chosen = static_cast<float>(choice->probability);
         float weight = 1;
         if (light->pdf) {
@@ -112,7 +122,8 @@ private:
         }
         const Spectrum emitted =
             pass_.scene.tinted(pass_.scene.emission[choice->index], light->tint);
-        sum_ += throughput_ * f * emitted * (light->factor * std::abs(w_to.z) * weight / chosen);
+        sum_ +=
+            throughput_ * f * seen * emitted * (light->factor * std::abs(w_to.z) * weight / chosen);
     }
 
     bool survives() {
@@ -126,6 +137,7 @@ private:
     const Scene& scene_;
     RandomStream numbers_;
     std::uint64_t& rays_;
+    MediumNumber medium_;
     Spectrum sum_;
     Spectrum throughput_{1};
     LaneChoice lanes_;

@@ -9,6 +9,7 @@
 #include "light/surface_picture.h"
 #include "material/material.h"
 #include "material/relief.h"
+#include "scene/media.h"
 
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@ struct ShapeDescription {
     std::optional<AreaEmission> emission;
     SourceLocation where;
     bool unseen = false;  // it emits, and else it is not there (pbrt-v4's lights of alpha 0)
+    MediumSides media{};
 };
 
 struct InstanceDescription {
@@ -70,6 +72,7 @@ struct SceneDescription {
     std::vector<std::vector<ShapeDescription>> objects;  // each list once, placed by instances
     std::vector<InstanceDescription> instances;
     std::vector<Light> lights;  // all but area lights
+    Media media;                // at_lights: of `lights`
     /// Illuminance lights (pbrt "illuminance" on infinite lights) and spot/point "power" are
     /// already in the curves.
     Warnings warnings;

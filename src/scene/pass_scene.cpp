@@ -36,10 +36,39 @@ PassScene::PassScene(const Scene& of, PassId pass)
             kept_.add(coated->top());
         }
     }
+    for (const SpectralCurve& curve : of.media().absorption)
+        absorption.push_back(curve.at(wavelengths));
     parallel_blocks(emission.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             emission[i] = curve(of.lights()[i]).at(wavelengths);
     });
+}
+
+MediumNumber PassScene::start_medium(std::size_t light, const Emission& start,
+                                     Spectrum& flux) const {
+    if (!scene.has_media()) return 0;
+    const MediumNumber medium =
+        scene.media().at_lights[light].towards(start.normal, Vec3(start.direction));
+    if (comes_from_afar(scene.lights()[light])) flux *= left_after(medium, kInfinity);
+    return medium;
+}
+
+Spectrum PassScene::seen_from(const Hit& hit, const Vec3& direction, float distance,
+                              MediumNumber medium) const {
+    Ray ray = shadow_ray(hit, direction, distance);
+    if (!scene.has_media()) return Spectrum(scene.is_free(ray) ? 1 : 0);
+    Spectrum left(1);
+    const float past_end = distance - ray.length;
+    while (const auto met = scene.geometry().intersect(ray)) {
+        if (!scene.passes_straight(*met)) return Spectrum(0);
+        left *= left_after(medium, met->distance);
+        medium = scene.medium_beyond(*met, direction, medium);
+        const float rest = ray.length - met->distance;
+        if (!(rest > 0)) return left;
+        ray = ray_from(*met, direction);
+        ray.length = rest;
+    }
+    return left * left_after(medium, distance == kInfinity ? kInfinity : ray.length + past_end);
 }
 
 /// Greys exactly, and without asking for the table.

@@ -16,8 +16,9 @@ struct PassScene {
     /// By material; nothing for an interface or a mix, and for one that varies over its surfaces or
     /// bends their shading.
     std::vector<std::optional<Bsdf>> bsdfs;
-    std::vector<Spectrum> emission;  // by light: its curve
-    Spectrum white;                  // D65 of luminance one
+    std::vector<Spectrum> emission;    // by light: its curve
+    std::vector<Spectrum> absorption;  // by medium, per unit of length
+    Spectrum white;                    // D65 of luminance one
 
     PassScene(const Scene& of, PassId pass);
 
@@ -40,6 +41,19 @@ struct PassScene {
         const TexelLight here = light.light_at(hit.uv);
         return tinted(emission[index] * static_cast<float>(here.luminance), here.tint);
     }
+
+    /// Share of the light that is left after a way through a medium; of an endless way, too.
+    Spectrum left_after(MediumNumber medium, float distance) const {
+        return sunfleck::left_after(absorption[medium], distance);
+    }
+    /// The medium in which light leaves a light, and what is left of its flux: that from afar has
+    /// come an endless way already.
+    MediumNumber start_medium(std::size_t light, const Emission& start, Spectrum& flux) const;
+    /// Share of the light of a point that arrives at a hit from there: nothing where something is
+    /// in the way but surfaces passed straight; less where media are.
+    /// @param direction  to the point, unit. @param medium  in which the way there starts.
+    Spectrum seen_from(const Hit& hit, const Vec3& direction, float distance,
+                       MediumNumber medium) const;
 
     /// A number by which kept() finds the Bsdf of a hit, or one of its layers, for as long as the
     /// pass lasts: that of the material, or, where this varies, of a copy. Any number of threads.

@@ -3,6 +3,7 @@
 
 #include "geometry/measure.h"
 #include "scene/area_lights.h"
+#include "scene/outer_medium.h"
 
 #include <algorithm>
 
@@ -19,6 +20,7 @@ double weight_of(const Light& light, const SceneSphere& sphere) {
 Scene::Scene(SceneDescription description, const std::string& isa)
     : materials_(std::move(description.materials)),
       reliefs_(std::move(description.reliefs)),
+      has_media_(description.media.absorb()),
       geometry_(take_shapes(description), isa),
       camera_(description.camera),
       filter_(description.filter),
@@ -30,21 +32,23 @@ Scene::Scene(SceneDescription description, const std::string& isa)
     if (!bounds.is_empty()) sphere_ = {bounds.center(), std::max(bounds.radius(), 1e-6)};
     reliefs_.resize(materials_.size());
     finish_lights(description.lights);
+    if (has_media_) finish_media(std::move(description.media));
 }
 
-/// Interfaces that do not emit are left out: no path can tell that they are there.
+/// Interfaces that neither emit nor part media are left out: no path can tell that they are there.
 GeometryInput Scene::take_shapes(SceneDescription& description) {
     GeometryInput input;
     const auto take = [&](ShapeDescription& shape) -> std::optional<std::uint32_t> {
+        if (!has_media_) shape.media = {};
         if (shape.unseen) {
             if (shape.emission) add_area_lights(shape, kNone);
             return {};
         }
         const bool straight = std::holds_alternative<InterfaceMaterial>(materials_[shape.material]);
-        if (straight && !shape.emission) return {};
+        if (straight && !shape.emission && !shape.media.parts()) return {};
         if (straight) has_straight_hits_ = true;
         const auto index = static_cast<std::uint32_t>(input.shapes.size());
-        shapes_.push_back({shape.material, kNone});
+        shapes_.push_back({shape.material, kNone, shape.media});
         if (shape.emission) add_area_lights(shape, index);
         input.shapes.push_back(std::move(shape.placed));
         return index;
@@ -66,6 +70,7 @@ void Scene::add_area_lights(const ShapeDescription& shape, std::uint32_t index) 
     if (index != kNone) shapes_[index].first_light = static_cast<std::uint32_t>(lights_.size());
     std::vector<AreaLight> made = area_lights_of(shape, index);
     lights_.insert(lights_.end(), made.begin(), made.end());
+    media_.at_lights.insert(media_.at_lights.end(), made.size(), shape.media);
 }
 
 void Scene::finish_lights(const std::vector<Light>& others) {
@@ -82,6 +87,17 @@ void Scene::finish_lights(const std::vector<Light>& others) {
     light_tree_ = LightTree(lights_, weights);
     const bool dark = std::all_of(weights.begin(), weights.end(), [](double w) { return w <= 0; });
     if (dark) warnings_.add({path_}, "the scene has no light; the picture will be black");
+}
+
+/// @param media  as described; those at area lights are known already.
+void Scene::finish_media(Media media) {
+    media.at_lights.resize(lights_.size() - media_.at_lights.size());
+    media_.at_lights.insert(media_.at_lights.end(), media.at_lights.begin(), media.at_lights.end());
+    media_.absorption = std::move(media.absorption);
+    media_.at_camera = media.at_camera;
+    outer_medium_ = outer_medium_of(*this);
+    for (std::size_t i = 0; i < lights_.size(); ++i)
+        if (comes_from_afar(lights_[i])) media_.at_lights[i] = {outer_medium_, outer_medium_};
 }
 
 std::uint32_t Scene::light_of(const Hit& hit) const {

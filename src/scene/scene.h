@@ -15,6 +15,7 @@ namespace sunfleck {
 struct ShapeRecord {
     std::uint32_t material = 0;
     std::uint32_t first_light = kNone;  // light of primitive 0, if it emits; the others follow
+    MediumSides media{};
 };
 
 class Scene {
@@ -54,10 +55,24 @@ public:
     /// Is the way from `from` to the end of the ray free, surfaces passed straight aside?
     bool is_free(const Ray& ray) const;
 
+    /// Is there a medium that absorbs? If not, there are none.
+    bool has_media() const { return has_media_; }
+    /// at_lights: of lights(), each has its own; distant and infinite ones stand in outer_medium().
+    const Media& media() const { return media_; }
+    /// What surrounds everything.
+    MediumNumber outer_medium() const { return outer_medium_; }
+    bool parts_media(const Hit& hit) const { return shapes_[hit.shape].media.parts(); }
+    /// Where a path is that leaves a hit into `direction`. @param before  where it came from.
+    MediumNumber medium_beyond(const Hit& hit, const Vec3& direction, MediumNumber before) const {
+        const MediumSides& sides = shapes_[hit.shape].media;
+        return sides.parts() ? sides.towards(hit.normal, direction) : before;
+    }
+
 private:
     GeometryInput take_shapes(SceneDescription& description);
     void add_area_lights(const ShapeDescription& shape, std::uint32_t index);
     void finish_lights(const std::vector<Light>& others);
+    void finish_media(Media media);
 
     std::vector<Material> materials_;
     std::vector<Relief> reliefs_;
@@ -66,6 +81,9 @@ private:
     std::vector<std::uint32_t> infinite_lights_;
     bool has_lights_to_meet_ = false;
     bool has_straight_hits_ = false;
+    bool has_media_ = false;
+    MediumNumber outer_medium_ = 0;
+    Media media_;
     Geometry geometry_;
     SceneSphere sphere_;
     LightChoice light_choice_;

@@ -46,6 +46,13 @@ struct Coats {
     Coat smooth{1.5F, {}, 0};
     Coat rough{1.5F, Ggx{0.3F, 0.3F}, 0.01F};
     Coat frosted{1.5F, Ggx{0.8F, 0.8F}, 0.01F};
+    Coat oily{1.33F, Ggx{0.4F, 0.4F}, 0};
+
+    /// The albedo under the oily coat that sends back all that enters (material/material.cpp).
+    float whole_below_oil() const {
+        const float leaving = oily.mean_entering() / (oily.eta() * oily.eta());
+        return 1 / (leaving + oily.returning());
+    }
 };
 
 inline const Coats& coats() {
@@ -77,6 +84,9 @@ inline std::vector<BsdfExample> bsdf_examples() {
         {"chalky_gold", RoughConductor{gold_eta(), gold_k(), {1, 0.6F}}},
         {"leaf", DiffuseTransmission{ramp(0.2F, 0.5F), ramp(0.4F, 0.1F)}},
         {"milk_glass", DiffuseTransmission{Spectrum(0.05F), Spectrum(0.9F)}},
+        {"hair", DiffuseTransmission{ramp(0.25F, 0.13F), ramp(0.74F, 0.2F)}},
+        {"skin", CoatedDiffuse{ramp(0.9F, 0.3F), &coats().oily}},
+        {"white_skin", CoatedDiffuse{Spectrum(coats().whole_below_oil()), &coats().oily}},
         {"coated_gold", CoatedConductor(gold_eta(), gold_k(), {}, &coats().smooth)},
         {"coated_rough_gold",
          CoatedConductor(gold_eta(), gold_k(), Ggx{0.3F, 0.2F}, &coats().smooth)},

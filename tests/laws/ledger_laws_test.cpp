@@ -124,6 +124,27 @@ TEST(Ledger, glass_in_the_box_takes_nothing) {
     EXPECT_NEAR(ledger.arrived, 2 * ledger.emitted, noise(ledger) + 1e-5 * ledger.emitted);
 }
 
+/// A lamp in the middle of a sphere full of a medium: exp(-a / 2) of its light comes to the wall,
+/// a = sigma * diameter, and of what the wall scatters the share 2 (1 - (1 + a) exp(-a)) / a^2
+/// comes back to it. What does not arrive, the medium has absorbed.
+TEST(Ledger, a_medium_absorbs_what_does_not_arrive) {
+    SceneDescription scene;
+    scene.materials = {grey(0.8F)};
+    scene.shapes = {shape({Sphere{}, Matrix(), true}, 0)};
+    scene.shapes[0].media = {0, 1};
+    scene.lights = {PointLight{SpectralCurve::constant(3), {0, 0, 0}}};
+    scene.media.absorption.push_back(SpectralCurve::constant(0.45F));
+    scene.media.at_lights = {{1, 1}};
+    const double a = 2 * 0.45;
+    const double back = 2 * (1 - (1 + a) * std::exp(-a)) / (a * a);
+    const Ledger ledger = ledger_of(scene, 1000);
+    const double expected = ledger.emitted * std::exp(-a / 2) / (1 - 0.8 * back);
+    EXPECT_NEAR(ledger.arrived, expected, noise(ledger) + 1e-5 * expected);
+    EXPECT_LT(noise(ledger), 0.02 * expected);
+    EXPECT_NEAR(ledger.absorbed, ledger.emitted, 1e-9 * ledger.emitted);
+    EXPECT_EQ(ledger.escaped + ledger.too_long, 0);
+}
+
 /// Around a ball of albedo a in the sun: the disc's light that misses it escapes, and a of the
 /// rest.
 TEST(Ledger, an_open_scene_lets_the_rest_escape) {

@@ -38,6 +38,21 @@ TEST(Material, diffuse_is_held_in_zero_and_one) {
     EXPECT_EQ(as<Lambert>(DiffuseMaterial{SpectralCurve::constant(-1)}).albedo, Spectrum(0));
 }
 
+/// White below a coat without losses is white; and what is asked for, leaves.
+TEST(Material, coated_diffuse_may_be_told_its_whole_reflectance) {
+    for (const auto& facets : {std::optional<Ggx>(), std::optional<Ggx>({0.3F, 0.3F})}) {
+        const auto coat = std::make_shared<Coat>(1.33F, facets, 0);
+        for (const float whole : {0.0F, 0.3F, 0.9F, 1.0F}) {
+            const auto b = as<CoatedDiffuse>(
+                CoatedDiffuseMaterial{SpectralCurve::constant(whole), coat, true});
+            const Vec3 from(0.6F, 0, 0.8F);
+            const float entered = coat->entering(0.8F);
+            const float left = b.base().reflectance(from)[0] / entered;
+            EXPECT_NEAR(left, whole, 1e-4) << whole;
+        }
+    }
+}
+
 TEST(Material, dielectric_is_smooth_below_the_limit_in_both) {
     const SpectralCurve eta = SpectralCurve::constant(1.5F);
     EXPECT_EQ(as<SmoothDielectric>(DielectricMaterial{eta, {}}).eta(), Spectrum(1.5F));

@@ -113,6 +113,25 @@ TEST(PathEquivalence, rough_metal_lit_through_smooth_glass) {
     expect_equivalent(scene, {40, 30, 30, 0.01, 0.01});
 }
 
+/// A floor below a tank of glass full of ink, in which something clear lies; all stands in haze.
+TEST(PathEquivalence, floor_below_a_tank_of_ink) {
+    const auto medium = [](const char* name, const char* sigma) {
+        return std::string("MakeNamedMedium \"") + name +
+               "\" \"string type\" \"homogeneous\" \"rgb sigma_s\" [0 0 0] \"rgb sigma_a\" [" +
+               sigma + "]\n";
+    };
+    const Scene scene = scene_of(
+        medium("ink", "1 3 5") + medium("haze", ".3 .2 .1") + "MediumInterface \"haze\"\n" +
+        view("0 -1 .6  0 0 0  0 0 1", 20, kSize) + diffuse("0.5 0.5 0.5") +
+        quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0") +
+        "AttributeBegin\nMaterial \"dielectric\"\nMediumInterface \"ink\" \"haze\"\n" +
+        box({-1, -1, 0.8}, {1, 1, 1.2}) + "MediumInterface \"\" \"ink\"\nMaterial \"interface\"\n" +
+        box({-.5, -.5, 0.9}, {0.5, 0.5, 1.1}) + "AttributeEnd\n" +
+        "AreaLightSource \"diffuse\" \"rgb L\" [3 3 3]\nReverseOrientation\n" +
+        diffuse("0.5 0.5 0.5") + quad("-.8 -.8 1.5  .8 -.8 1.5  .8 .8 1.5  -.8 .8 1.5"));
+    expect_equivalent(scene, {40, 30, 30, 0.01, 0.01});
+}
+
 /// Varnished walls, smooth and satin: what lies below the coat is gathered, the coat followed.
 TEST(PathEquivalence, varnish_on_a_diffuse_wall) {
     for (const char* roughness : {"0", "0.3"}) {

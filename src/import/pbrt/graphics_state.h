@@ -18,7 +18,8 @@ struct GraphicsState {
     bool reverse_orientation = false;
     std::uint32_t material = 0;  // slot of the MaterialTable
     std::shared_ptr<const AreaEmission> emission;
-    bool has_medium = false;
+    std::string inside_medium;  // empty: none
+    std::string outside_medium;
     ColourSpace colour_space = ColourSpace::srgb;  // of rgb parameters to come
 
     /// Defaults by the directive Attribute, or null.

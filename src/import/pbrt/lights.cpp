@@ -141,6 +141,9 @@ void add_light(const Statement& statement, Reading& reading) {
                                                 : use_one_of(words_of(kRows), statement.type));
     }
     reading.scene.lights.push_back(row->maker(statement, reading));
+    const MediumNumber around =
+        reading.media.number_of(reading.state.outside_medium, statement.where);
+    reading.scene.media.at_lights.push_back({around, around});
     reading.warn_unused(statement);
 }
 

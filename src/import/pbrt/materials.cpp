@@ -1,8 +1,10 @@
 // Materials by their words, and what stands in for those that we do not have.
 #include "import/pbrt/materials.h"
 
+#include "import/pbrt/coats.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/spectra.h"
+#include "import/pbrt/stand_ins.h"
 #include "import/pbrt/textures.h"
 #include "import/pbrt/words.h"
 #include "texture/kinds.h"
@@ -87,81 +89,14 @@ Material interface(const Statement& statement, Reading&) {
     return InterfaceMaterial{};
 }
 
-void warn_approximation(const Statement& statement, const std::string& instead, Reading& reading) {
-    statement.ignore_all();
-    reading.warn(statement.where,
-                 "material " + in_quotes(statement.type) + " is not simulated: " + instead);
-}
-
-/// One number for a whole surface. @return nothing when not given.
-std::optional<double> even_real(const Statement& statement, const std::string& name,
-                                Reading& reading) {
-    const auto value = find_float_texture(statement, name, reading);
-    if (!value) return {};
-    if (!value->is_constant())
-        reading.warn(statement.find(name)->where,
-                     "the texture of a coat's " + in_quotes(name) +
-                         " counts as what it is at the middle of its square");
-    return static_cast<double>(value->at(TexturePoint()));
-}
-
-/// The index of a coat: one for all wavelengths, the mean as the eye weighs them.
-float coat_index(const Statement& statement, const std::string& name, Reading& reading) {
-    const Parameter* found = statement.find(name);
-    if (!found) return 1.5F;
-    float eta = 0;
-    if (found->type == ParameterType::real) {
-        eta = static_cast<float>(statement.real(name, 1.5));
-    } else {
-        eta = curve_of(*found, SpectrumUse::unbounded, reading).luminance();  // its mean
-        reading.warn(found->where, "a coat bends all wavelengths alike, by their mean index");
-    }
-    if (eta > 0) return eta;
-    throw Error(found->where, "an index of refraction that is not positive",
-                "use 1.5 for varnish, or another number above 0");
-}
-
-/// @param prefix  of the names of the parameters: "" or "interface.".
-std::shared_ptr<const Coat> coat_of(const Statement& statement, const std::string& prefix,
-                                    Reading& reading) {
-    const auto length = [&](const std::string& name, double fallback) {
-        const double value = even_real(statement, name, reading).value_or(fallback);
-        if (value >= 0) return static_cast<float>(value);
-        throw Error(statement.find(name)->where, in_quotes(name) + " is negative", "use 0 or more");
-    };
-    const float both = length(prefix + "roughness", 0);
-    Vec2 alphas(length(prefix + "uroughness", static_cast<double>(both)),
-                length(prefix + "vroughness", static_cast<double>(both)));
-    if (statement.flag("remaproughness", true))
-        alphas = {alpha_from_roughness(alphas.x), alpha_from_roughness(alphas.y)};
-    std::optional<Ggx> facets;
-    if (std::max(alphas.x, alphas.y) >= kSmoothAlpha)
-        facets = Ggx{std::max(alphas.x, 1e-4F), std::max(alphas.y, 1e-4F)};
-    const auto albedo =
-        find_spectrum_texture(statement, "albedo", SpectrumUse::reflectance, reading);
-    if (albedo && !(albedo->is_constant() && albedo->curve().luminance() <= 0))
-        reading.warn(statement.find("albedo")->where,
-                     "a coat scatters no light within it: its \"albedo\" is ignored");
-    statement.ignore({"g", "maxdepth", "nsamples"});
-    return std::make_shared<Coat>(coat_index(statement, prefix + "eta", reading), facets,
-                                  length(prefix + "thickness", 0.01));
-}
-
 Material coated_diffuse(const Statement& statement, Reading& reading) {
     return CoatedDiffuseMaterial{diffuse_by(statement, "reflectance", reading).reflectance,
-                                 coat_of(statement, "", reading)};
+                                 coat_of(statement, {}, reading)};
 }
 
 Material coated_conductor(const Statement& statement, Reading& reading) {
     return CoatedConductorMaterial{conductor_by(statement, "conductor.", reading),
-                                   coat_of(statement, "interface.", reading)};
-}
-
-Material hair_or_skin(const Statement& statement, Reading& reading) {
-    const bool coloured = statement.find("reflectance") != nullptr;
-    warn_approximation(
-        statement, coloured ? "it is diffuse, with its reflectance" : "it is diffuse 0.5", reading);
-    return diffuse(statement, reading);
+                                   coat_of(statement, {"interface."}, reading)};
 }
 
 SpectrumTexture scaled(const SpectrumTexture& texture, float factor) {
@@ -180,11 +115,6 @@ Material diffuse_transmission(const Statement& statement, Reading& reading) {
         return scaled(given.value_or(SpectralCurve::constant(0.25F)), static_cast<float>(scale));
     };
     return DiffuseTransmissionMaterial{part("reflectance"), part("transmittance")};
-}
-
-Material measured(const Statement& statement, Reading& reading) {
-    warn_approximation(statement, "it is diffuse 0.5", reading);
-    return DiffuseMaterial{};
 }
 
 bool is_interface(const std::string& name, const SourceLocation& where, Reading& reading) {
@@ -246,9 +176,9 @@ constexpr std::array<Row, 14> kRows = {{{"diffuse", diffuse},
                                         {"coateddiffuse", coated_diffuse},
                                         {"coatedconductor", coated_conductor},
                                         {"mix", mix},
-                                        {"measured", measured},
-                                        {"hair", hair_or_skin},
-                                        {"subsurface", hair_or_skin},
+                                        {"measured", measured_stand_in},
+                                        {"hair", hair_stand_in},
+                                        {"subsurface", subsurface_stand_in},
                                         {"diffusetransmission", diffuse_transmission}}};
 
 }  // namespace

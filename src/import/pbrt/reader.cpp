@@ -54,6 +54,7 @@ SceneDescription read_all(std::string text, const std::string& path, const FileA
     finish_hints(reading);
     reading.materials.finish(reading);
     finish_emission(reading);
+    reading.media.finish(reading);
     finish_instances(reading);
     reading.images.load(reading);
     return std::move(reading.scene);

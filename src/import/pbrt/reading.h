@@ -7,10 +7,10 @@
 #include "import/pbrt/graphics_state.h"
 #include "import/pbrt/images.h"
 #include "import/pbrt/material_table.h"
+#include "import/pbrt/medium_table.h"
 #include "import/pbrt/textures.h"
 
 #include <map>
-#include <set>
 
 namespace sunfleck {
 
@@ -47,7 +47,7 @@ struct Reading {
     MaterialTable materials;
     TextureTable textures;
     ImageTable images;
-    std::set<std::string> media;
+    MediumTable media;
     std::map<std::string, std::uint32_t> objects;
     std::optional<std::uint32_t> open_object;
     std::vector<InstanceUse> instances;

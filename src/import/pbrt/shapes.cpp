@@ -135,10 +135,10 @@ bool take_alpha(const Statement& statement, Reading& reading, ShapeDescription& 
 bool joined(ShapeDescription& before, ShapeDescription& shape) {
     auto* first = std::get_if<Curves>(&before.placed.shape);
     const auto* second = std::get_if<Curves>(&shape.placed.shape);
-    const bool same = first && second && first->kind == second->kind &&
-                      before.material == shape.material && !before.placed.cover &&
-                      !shape.placed.cover && before.placed.flip == shape.placed.flip &&
-                      before.placed.to_world == shape.placed.to_world;
+    const bool same =
+        first && second && first->kind == second->kind && before.material == shape.material &&
+        !before.placed.cover && !shape.placed.cover && before.media == shape.media &&
+        before.placed.flip == shape.placed.flip && before.placed.to_world == shape.placed.to_world;
     if (same)
         first->segments.insert(first->segments.end(), second->segments.begin(),
                                second->segments.end());
@@ -150,14 +150,14 @@ bool joined(ShapeDescription& before, ShapeDescription& shape) {
 void add_shape(const Statement& statement, Reading& reading) {
     const Row& row = row_of(statement);
     const GraphicsState& state = reading.state;
-    if (state.has_medium)
-        reading.warn(statement.where, "media are not simulated: light passes them unchanged");
     ShapeDescription shape;
     shape.placed = {row.maker(statement, reading), reading.still_matrix(statement.where),
                     state.reverse_orientation};
     shape.emission = emission_here(statement, shape.placed.shape, reading);
     shape.material = state.material;
     shape.where = statement.where;
+    shape.media = {reading.media.number_of(state.inside_medium, statement.where),
+                   reading.media.number_of(state.outside_medium, statement.where)};
     const bool is_there = take_alpha(statement, reading, shape);
     reading.warn_unused(statement);
     if (!is_there) return;

@@ -6,8 +6,6 @@
 #include "import/pbrt/shapes.h"
 #include "import/pbrt/words.h"
 
-#include <algorithm>
-
 namespace sunfleck {
 namespace {
 
@@ -38,28 +36,18 @@ void texture(Reading& reading, TokenStream& tokens, const Token& keyword) {
 }
 
 void make_named_medium(Reading& reading, TokenStream& tokens, const Token& keyword) {
-    const Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
-    const auto type = statement.text("type");
-    static constexpr std::array<std::string_view, 5> kTypes = {"homogeneous", "uniformgrid",
-                                                               "rgbgrid", "cloud", "nanovdb"};
-    if (!type)
-        throw Error(statement.where, "medium " + in_quotes(statement.type) + " has no type",
-                    "add \"string type\" \"homogeneous\"");
-    if (std::find(kTypes.begin(), kTypes.end(), *type) == kTypes.end())
-        throw Error(statement.where, "unknown medium " + in_quotes(*type),
-                    use_one_of(kTypes, *type));
-    if (!reading.media.insert(statement.type).second)
-        throw Error(statement.where, "a second medium " + in_quotes(statement.type),
-                    "give it another name");
+    Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
+    statement.defaults = reading.state.medium_defaults;
+    reading.media.make(std::move(statement));
 }
 
-/// One name for both sides, or two; empty names are air.
+/// One name for both sides, or two; empty names are empty space.
 void medium_interface(Reading& reading, TokenStream& tokens, const Token&) {
-    const std::string inside = tokens.require_string("the name of a medium");
-    std::string outside = inside;
+    GraphicsState& state = reading.state;
+    state.inside_medium = tokens.require_string("the name of a medium");
+    state.outside_medium = state.inside_medium;
     if (tokens.peek() && tokens.peek()->kind == TokenKind::string)
-        outside = tokens.require_string("the name of a medium");
-    reading.state.has_medium = !inside.empty() || !outside.empty();
+        state.outside_medium = tokens.require_string("the name of a medium");
 }
 
 void light_source(Reading& reading, TokenStream& tokens, const Token& keyword) {

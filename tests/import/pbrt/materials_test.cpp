@@ -101,12 +101,6 @@ TEST(Materials, coated_conductor_has_a_coat_over_metal) {
     EXPECT_EQ(coated.coat->eta(), 1.4F);
 }
 
-TEST(Materials, that_are_not_ours_have_stand_ins) {
-    made<DiffuseMaterial>("Material \"measured\" \"string filename\" \"x.bsdf\"");
-    made<DiffuseMaterial>("Material \"hair\"");
-    made<DiffuseMaterial>("Material \"subsurface\" \"rgb mfp\" [ 1 1 1 ]");
-}
-
 TEST(Materials, diffuse_transmission_scales_both_parts) {
     const auto plain = made<DiffuseTransmissionMaterial>("Material \"diffusetransmission\"");
     EXPECT_FLOAT_EQ(plain.reflectance.curve()(500), 0.25F);

@@ -220,13 +220,6 @@ TEST(Shapes, in_objects_stand_once_and_shine_not) {
     EXPECT_FALSE(scene.shapes[0].emission);
 }
 
-TEST(Shapes, of_media_say_that_there_are_none) {
-    const SceneDescription scene = read_world(
-        "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" AttributeBegin MediumInterface "
-        "\"fog\" \"\" Shape \"sphere\" AttributeEnd Shape \"sphere\"");
-    EXPECT_EQ(warnings_with(scene, "media are not simulated"), 1);
-}
-
 TEST(Shapes, that_cannot_be_are_errors) {
     const std::vector<std::string> broken = {
         "Shape \"cube\"",

@@ -1,0 +1,110 @@
+// Media by their names: of homogeneous ones what they absorb.
+#include "import/pbrt/medium_table.h"
+
+#include "import/pbrt/data_substances.h"
+#include "import/pbrt/reading.h"
+#include "import/pbrt/spectra.h"
+#include "import/pbrt/words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::array<std::string_view, 5> kTypes = {"homogeneous", "uniformgrid", "rgbgrid",
+                                                    "cloud", "nanovdb"};
+
+/// What a medium does to light, per unit of length.
+struct Coefficients {
+    SpectralCurve absorption;
+    SpectralCurve scattering;
+};
+
+Coefficients coefficients_of(const Statement& medium, Reading& reading) {
+    if (const auto preset = medium.text("preset"); preset && !preset->empty()) {
+        const Substance& substance = substance_of(*preset, medium.find("preset")->where);
+        return {SpectralCurve::rgb_unbounded(substance.absorption),
+                SpectralCurve::rgb_unbounded(substance.scattering)};
+    }
+    const auto curve = [&](std::string_view name) {
+        return find_curve(medium, name, SpectrumUse::unbounded, reading)
+            .value_or(SpectralCurve::constant(1));  // pbrt-v4's default
+    };
+    return {curve("sigma_a"), curve("sigma_s")};
+}
+
+bool is_dark(const SpectralCurve& curve) {
+    return !(curve.luminance() > 0);
+}
+
+/// What is not simulated is told.
+SpectralCurve absorption_of(const std::string& name, const Statement& medium, Reading& reading) {
+    const auto warn = [&](const std::string& what) {
+        reading.warn(medium.where, "medium " + in_quotes(name) + " " + what);
+    };
+    const std::string type = *medium.text("type");
+    if (type != "homogeneous") {
+        medium.ignore_all();
+        warn("of type " + in_quotes(type) + " is not simulated: light passes it unchanged");
+        return {};
+    }
+    const Coefficients medium_is = coefficients_of(medium, reading);
+    const double scale = medium.real("scale", 1);
+    if (!(scale >= 0))
+        throw Error(medium.find("scale")->where, "\"scale\" is negative", "use 0 or more");
+    const auto glow = find_curve(medium, "Le", SpectrumUse::unbounded, reading);
+    medium.ignore({"g", "Lescale"});
+    reading.warn_unused(medium);
+    if (scale > 0 && !is_dark(medium_is.scattering))
+        warn("scatters, which is not simulated: it takes what it absorbs, the rest goes straight");
+    if (glow && !is_dark(*glow)) warn("glows, which is not simulated: \"Le\" is ignored");
+    return medium_is.absorption.scaled(static_cast<float>(scale));
+}
+
+}  // namespace
+
+const Substance& substance_of(const std::string& name, const SourceLocation& from) {
+    const auto row = std::find_if(kSubstances.begin(), kSubstances.end(),
+                                  [&](const Substance& s) { return s.word == name; });
+    if (row != kSubstances.end()) return *row;
+    static const auto kWords = words_of(kSubstances);
+    throw Error(from, "unknown substance " + in_quotes(name), did_you_mean(kWords, name));
+}
+
+void MediumTable::make(Statement statement) {
+    const auto type = statement.text("type");
+    if (!type)
+        throw Error(statement.where, "medium " + in_quotes(statement.type) + " has no type",
+                    "add \"string type\" \"homogeneous\"");
+    if (std::find(kTypes.begin(), kTypes.end(), *type) == kTypes.end())
+        throw Error(statement.where, "unknown medium " + in_quotes(*type),
+                    use_one_of(kTypes, *type));
+    const SourceLocation where = statement.where;
+    const std::string name = statement.type;
+    if (!made_.try_emplace(name, std::move(statement)).second)
+        throw Error(where, "a second medium " + in_quotes(name), "give it another name");
+}
+
+MediumNumber MediumTable::number_of(const std::string& name, const SourceLocation& from) {
+    if (name.empty()) return 0;
+    const auto next = static_cast<MediumNumber>(uses_.size() + 1);
+    const auto [place, is_new] = numbers_.try_emplace(name, next);
+    if (is_new) uses_.push_back({name, from});
+    return place->second;
+}
+
+void MediumTable::finish(Reading& reading) {
+    for (const Use& use : uses_) {
+        const auto found = made_.find(use.name);
+        if (found == made_.end()) {
+            std::vector<std::string_view> known;
+            for (const auto& [word, statement] : made_) known.push_back(word);
+            throw Error(use.from, "there is no medium " + in_quotes(use.name),
+                        "make it by MakeNamedMedium; " + did_you_mean(known, use.name));
+        }
+        reading.scene.media.absorption.push_back(absorption_of(use.name, found->second, reading));
+    }
+}
+
+}  // namespace sunfleck

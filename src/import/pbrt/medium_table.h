@@ -1,0 +1,38 @@
+// Media of a scene file: numbers that shapes, lights and the camera refer to, filled in when all
+// files have ended.
+#pragma once
+
+#include "import/pbrt/parameters.h"
+#include "scene/media.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace sunfleck {
+
+struct Reading;
+
+class MediumTable {
+public:
+    /// MakeNamedMedium. @throws Error for a name made before, or an unknown type.
+    void make(Statement statement);
+    /// The number of a medium, which may be made later; empty space for an empty name.
+    /// @param from  the statement that uses it.
+    MediumNumber number_of(const std::string& name, const SourceLocation& from);
+    /// All that are used, as the scene's. Tells what is not simulated of them.
+    /// @throws Error for names that were never made, and for parameters that cannot be used.
+    void finish(Reading& reading);
+
+private:
+    struct Use {
+        std::string name;
+        SourceLocation from;
+    };
+
+    std::map<std::string, Statement> made_;
+    std::map<std::string, MediumNumber> numbers_;
+    std::vector<Use> uses_;  // by number, from 1
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,168 @@
+// Stand-ins, each told in one warning.
+#include "import/pbrt/stand_ins.h"
+
+#include "import/pbrt/coats.h"
+#include "import/pbrt/data_substances.h"
+#include "import/pbrt/measured.h"
+#include "import/pbrt/reading.h"
+#include "import/pbrt/spectra.h"
+#include "import/pbrt/textures.h"
+#include "import/pbrt/words.h"
+#include "material/fibre_albedo.h"
+#include "material/subsurface_albedo.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace sunfleck {
+namespace {
+
+constexpr float kGlossyAlpha = 0.5F;  // rougher measured materials are diffuse
+
+void warn_stand_in(const Statement& statement, const std::string& instead, Reading& reading) {
+    reading.warn(statement.where,
+                 "material " + in_quotes(statement.type) + " is not simulated: " + instead);
+}
+
+/// A function of the wavelength as a curve.
+SpectralCurve tabulated(const std::function<float(float)>& value) {
+    std::vector<TableCurve::Point> points;
+    for (float nm = 360; nm <= 830; nm += 5) points.push_back({nm, value(nm)});
+    return SpectralCurve::table(std::move(points));
+}
+
+/// A texture counts as what it is at one point.
+std::optional<SpectralCurve> even_curve(const Statement& statement, std::string_view name,
+                                        SpectrumUse use, Reading& reading) {
+    const auto texture = find_spectrum_texture(statement, name, use, reading);
+    if (!texture) return {};
+    if (texture->is_constant()) return texture->curve();
+    reading.warn(statement.find(name)->where,
+                 "the texture of " + in_quotes(name) + " counts as what it is at its origin");
+    return tabulated([&](float nm) {
+        Wavelengths one;
+        one.nm.fill(nm);
+        return std::max(0.0F, texture->at(TexturePoint(), one)[0]);
+    });
+}
+
+std::optional<float> even_number(const Statement& statement, std::string_view name,
+                                 Reading& reading) {
+    const auto texture = find_float_texture(statement, name, reading);
+    if (!texture) return {};
+    if (!texture->is_constant())
+        reading.warn(statement.find(name)->where,
+                     "the texture of " + in_quotes(name) + " counts as what it is at its origin");
+    return texture->at(TexturePoint());
+}
+
+/// Per radius. Eumelanin and pheomelanin: d'Eon et al., An Energy-Conserving Hair Reflectance Model
+/// (2011), in the numbers of pbrt-v4; of brown hair where nothing is said.
+SpectralCurve hair_absorption(const Statement& statement, float beta, Reading& reading) {
+    const auto given = even_curve(statement, "sigma_a", SpectrumUse::unbounded, reading);
+    auto colour = even_curve(statement, "reflectance", SpectrumUse::reflectance, reading);
+    if (!colour) colour = even_curve(statement, "color", SpectrumUse::reflectance, reading);
+    const auto dark = even_number(statement, "eumelanin", reading);
+    const auto red = even_number(statement, "pheomelanin", reading);
+    if (given) return *given;
+    if (colour)
+        return tabulated([&](float nm) {
+            return absorption_of_hair(std::clamp((*colour)(nm), 1e-4F, 1.0F), beta);
+        });
+    const float some = dark || red ? 0 : 1.3F;
+    return SpectralCurve::rgb_unbounded(
+        Vec3(0.419F, 0.697F, 1.37F) * std::max(0.0F, dark.value_or(some)) +
+        Vec3(0.187F, 0.4F, 1.05F) * std::max(0.0F, red.value_or(0)));
+}
+
+float positive_eta(const Statement& statement, float fallback, Reading& reading) {
+    const float eta = even_number(statement, "eta", reading).value_or(fallback);
+    if (eta > 0) return eta;
+    throw Error(statement.find("eta")->where, "an index of refraction that is not positive",
+                "use 1.55 for hair, 1.33 for skin, or another number above 0");
+}
+
+/// Scattering over extinction, without what is scattered straight on, for one wavelength.
+struct Cloudiness {
+    SpectralCurve scattering;
+    SpectralCurve absorption;
+
+    float albedo(float nm) const {
+        const float scattered = std::max(0.0F, scattering(nm));
+        const float all = scattered + std::max(0.0F, absorption(nm));
+        return all > 0 ? scattered / all : 0;
+    }
+};
+
+Cloudiness cloudiness_of(const Statement& statement, Reading& reading) {
+    const auto absorption = even_curve(statement, "sigma_a", SpectrumUse::unbounded, reading);
+    const auto scattering = even_curve(statement, "sigma_s", SpectrumUse::unbounded, reading);
+    if (const auto name = statement.text("name"); name && !name->empty()) {
+        const Substance& substance = substance_of(*name, statement.find("name")->where);
+        return {SpectralCurve::rgb_unbounded(substance.scattering),
+                SpectralCurve::rgb_unbounded(substance.absorption)};
+    }
+    if (absorption.has_value() != scattering.has_value())
+        throw Error(statement.where, "a \"subsurface\" with one of \"sigma_a\" and \"sigma_s\"",
+                    "give both, or \"reflectance\"");
+    if (absorption) return {*scattering, *absorption};
+    const Substance& milk = substance_of("Wholemilk", statement.where);  // nearly pbrt-v4's
+    return {SpectralCurve::rgb_unbounded(milk.scattering),
+            SpectralCurve::rgb_unbounded({0.0011F, 0.0024F, 0.014F})};
+}
+
+}  // namespace
+
+Material hair_stand_in(const Statement& statement, Reading& reading) {
+    warn_stand_in(statement, "each fibre spreads evenly what it reflects, and what it lets through",
+                  reading);
+    const float eta = positive_eta(statement, 1.55F, reading);
+    const float beta = even_number(statement, "beta_n", reading).value_or(0.3F);
+    statement.ignore({"beta_m", "alpha"});
+    const SpectralCurve absorption =
+        hair_absorption(statement, std::clamp(beta, 0.01F, 1.0F), reading);
+    const auto fibre = [&](float nm) { return fibre_albedo(std::max(0.0F, absorption(nm)), eta); };
+    return DiffuseTransmissionMaterial{tabulated([&](float nm) { return fibre(nm).back; }),
+                                       tabulated([&](float nm) { return fibre(nm).through; })};
+}
+
+Material subsurface_stand_in(const Statement& statement, Reading& reading) {
+    warn_stand_in(statement, "light comes out where it went in, as much as should", reading);
+    const double g = statement.real("g", 0);
+    if (!(g > -1 && g < 1))
+        throw Error(statement.find("g")->where, "\"g\" is not in (-1, 1)",
+                    "use 0 for even scattering");
+    statement.ignore({"mfp", "scale"});
+    const auto coat = coat_of(statement, {"", 1.33F, 0}, reading);
+    const auto reflectance =
+        find_spectrum_texture(statement, "reflectance", SpectrumUse::reflectance, reading);
+    const bool by_name = statement.find("name") != nullptr;
+    const bool by_sigmas = statement.find("sigma_a") != nullptr;
+    if (reflectance && !by_name && !by_sigmas)
+        return CoatedDiffuseMaterial{*reflectance, coat, true};
+    const Cloudiness cloud = cloudiness_of(statement, reading);
+    const SubsurfaceAlbedo whole(coat->eta(), by_name ? 0 : static_cast<float>(g));
+    return CoatedDiffuseMaterial{tabulated([&](float nm) { return whole(cloud.albedo(nm)); }), coat,
+                                 true};
+}
+
+Material measured_stand_in(const Statement& statement, Reading& reading) {
+    const Parameter* file = statement.find("filename", ParameterType::text);
+    if (!file || file->texts.size() != 1)
+        throw Error(statement.where, "a measured material without a file",
+                    "add \"string filename\" \"name.bsdf\"");
+    const MeasuredSummary measured =
+        summary_of_measured(reading.read_file(file->texts[0], file->where), file->where);
+    const bool glossy = measured.alpha < kGlossyAlpha;
+    warn_stand_in(statement,
+                  glossy ? "it is metal of its mean colour and about its roughness"
+                         : "it is diffuse, with its mean reflectance",
+                  reading);
+    if (!glossy) return DiffuseMaterial{measured.albedo};
+    ConductorMaterial metal;
+    metal.reflectance = measured.albedo;
+    metal.roughness = {measured.alpha, measured.alpha, false};
+    return metal;
+}
+
+}  // namespace sunfleck
