@@ -1,6 +1,7 @@
 // `sunfleck info`: what was read, what is approximated, lights, bounds, triangles.
 #include "apps/cli/commands.h"
 #include "import/load.h"
+#include "import/pbrt/vocabulary.h"
 #include "render/pass.h"
 
 #include <fmt/format.h>
@@ -40,15 +41,39 @@ void print_lights(const Scene& scene) {
     if (kinds.empty()) fmt::print("lights      none\n");
 }
 
+/// How each word of the scene is treated; of what is not exact, also what is done instead.
+void print_words(const std::vector<UsedWord>& words) {
+    for (const UsedWord& used : words) {
+        const WordRow* row = find_word(used.directive, used.word);
+        if (row == nullptr) continue;  // all are known: a test
+        const bool plain = used.directive == "Directive";
+        const std::string name =
+            plain ? used.word : fmt::format("{} \"{}\"", used.directive, used.word);
+        const bool exact = row->treatment == Treatment::exact;
+        fmt::print("word        {:<12} {} x {}{}{}\n", name_of(row->treatment), used.count, name,
+                   exact ? "" : ": ", exact ? "" : row->read_as);
+    }
+}
+
+void print_vocabulary() {
+    for (const std::string_view directive : vocabulary_directives())
+        fmt::print("{}\n", vocabulary_table(directive));
+}
+
 }  // namespace
 
 int run_info(const InfoOptions& options) {
+    if (options.words) {
+        print_vocabulary();
+        return 0;
+    }
     SceneDescription description = load_scene(options.scene);
     std::size_t in_objects = 0;
     for (const auto& object : description.objects) in_objects += object.size();
     const std::size_t shapes = description.shapes.size();
     const std::size_t instances = description.instances.size();
     const std::vector<std::string> files = description.files;
+    const std::vector<UsedWord> words = description.words;
     const Scene scene(std::move(description));
     fmt::print("scene       {}\n", options.scene);
     for (const std::string& file : files) fmt::print("file        {}\n", file);
@@ -68,6 +93,7 @@ int run_info(const InfoOptions& options) {
                scene.film().resolution.y, window.width(), window.height());
     if (scene.hints().integrator == "sppm")  // any other one is told by a warning
         fmt::print("integrator  \"sppm\", as here\n");
+    print_words(words);
     for (const auto& warning : scene.warnings().entries()) fmt::print("{}\n", warning.line());
     return 0;
 }

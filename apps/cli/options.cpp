@@ -192,7 +192,9 @@ std::optional<Options> read_options(int count, const char* const* words) {
     CLI::App* const render_app = app.add_subcommand("render", "Render a scene");
     add_render(*render_app, render, texts);
     CLI::App* const info_app = app.add_subcommand("info", "Say what a scene file holds");
-    info_app->add_option("SCENE", info.scene, "Scene file")->required();
+    auto* const info_scene = info_app->add_option("SCENE", info.scene, "Scene file");
+    info_app->add_flag("--words", info.words, "Instead: all words of the language, as Markdown")
+        ->excludes(info_scene);
     CLI::App* const scene_app =
         app.add_subcommand("scene", "Write one of Sunfleck's own scenes; without NAME, list them");
     scene_app->add_option("NAME", scene.name, "Its name");
@@ -230,6 +232,8 @@ std::optional<Options> read_options(int count, const char* const* words) {
         for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
         options.render = render;
     } else if (info_app->parsed()) {
+        if (info.scene.empty() && !info.words)
+            throw Error({"sunfleck info"}, "SCENE is required", "name a scene file, or --words");
         options.info = info;
     } else if (scene_app->parsed()) {
         options.scene = scene;

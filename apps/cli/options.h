@@ -36,6 +36,7 @@ struct RenderOptions {
 
 struct InfoOptions {
     std::string scene;
+    bool words = false;  // no scene: the table of all words
 };
 
 struct SceneOptions {

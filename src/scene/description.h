@@ -61,6 +61,13 @@ struct RenderHints {
     std::optional<int> samples;
 };
 
+/// A word of the scene file's language, such as "Shape" "sphere".
+struct UsedWord {
+    std::string directive;
+    std::string word;
+    std::size_t count = 0;
+};
+
 struct SceneDescription {
     Camera camera;
     FilterSettings filter;
@@ -78,6 +85,7 @@ struct SceneDescription {
     Warnings warnings;
     std::string path;                // of the main file
     std::vector<std::string> files;  // all that were read
+    std::vector<UsedWord> words;     // sorted
 };
 
 }  // namespace sunfleck

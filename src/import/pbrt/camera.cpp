@@ -87,6 +87,7 @@ void finish_camera(Reading& reading) {
     const Statement& camera = reading.options.camera ? *reading.options.camera : none;
     const Motion& motion = reading.options.camera_from_world;
     const Matrix to_world = reading.still({motion[0].inverse(), motion[1].inverse()}, camera.where);
+    if (reading.options.camera) reading.count_word(camera.keyword, camera.type);
     reading.scene.camera = camera_of(camera, to_world, reading.scene.film.resolution);
     camera.ignore({"shutteropen", "shutterclose"});
     reading.warn_unused(camera);

@@ -1,6 +1,7 @@
 // Coats by their parameters.
 #include "import/pbrt/coats.h"
 
+#include "import/pbrt/even_textures.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/spectra.h"
 #include "import/pbrt/textures.h"
@@ -8,18 +9,6 @@
 
 namespace sunfleck {
 namespace {
-
-/// One number for a whole surface. @return nothing when not given.
-std::optional<double> even_real(const Statement& statement, const std::string& name,
-                                Reading& reading) {
-    const auto value = find_float_texture(statement, name, reading);
-    if (!value) return {};
-    if (!value->is_constant())
-        reading.warn(statement.find(name)->where,
-                     "the texture of a coat's " + in_quotes(name) +
-                         " counts as what it is at the middle of its square");
-    return static_cast<double>(value->at(TexturePoint()));
-}
 
 /// The index of a coat: one for all wavelengths, the mean as the eye weighs them.
 float coat_index(const Statement& statement, const CoatWords& words, Reading& reading) {
@@ -43,8 +32,9 @@ float coat_index(const Statement& statement, const CoatWords& words, Reading& re
 std::shared_ptr<const Coat> coat_of(const Statement& statement, const CoatWords& words,
                                     Reading& reading) {
     const auto length = [&](const std::string& name, double fallback) {
-        const double value = even_real(statement, name, reading).value_or(fallback);
-        if (value >= 0) return static_cast<float>(value);
+        const float value =
+            even_number(statement, name, reading).value_or(static_cast<float>(fallback));
+        if (value >= 0) return value;
         throw Error(statement.find(name)->where, in_quotes(name) + " is negative", "use 0 or more");
     };
     const std::string& prefix = words.prefix;

@@ -53,6 +53,7 @@ void read_statements(Reading& reading, TokenStream& tokens) {
             token->kind == TokenKind::word ? table().find(token->text) : table().end();
         if (found == table().end()) unknown(*token);
         check_place(found->second, reading, *token);
+        reading.count_word("Directive", token->text);
         found->second.handler(reading, tokens, *token);
         tokens.release();
     }

@@ -111,6 +111,7 @@ void finish_film(Reading& reading) {
     if (std::find(kTypes.begin(), kTypes.end(), film.type) == kTypes.end())
         throw Error(film.where, "unknown film " + in_quotes(film.type),
                     use_one_of(kTypes, film.type));
+    if (reading.options.film) reading.count_word(film.keyword, film.type);
     result.resolution = resolution_of(film);
     result.crop = crop_of(film, result.resolution);
     result.filename = film.text("filename").value_or("");
@@ -141,6 +142,7 @@ void finish_filter(Reading& reading) {
         throw Error(filter.where, "unknown filter " + in_quotes(filter.type),
                     use_one_of(words_of(kRows), filter.type));
     }
+    reading.count_word(filter.keyword, filter.type);
     FilterSettings& settings = reading.scene.filter;
     settings.kind = row->kind;
     settings.radius = {filter.real("xradius", row->radius), filter.real("yradius", row->radius)};
@@ -163,6 +165,7 @@ void finish_hints(Reading& reading) {
     RenderHints& hints = reading.scene.hints;
     if (reading.options.integrator) {
         const Statement& integrator = *reading.options.integrator;
+        reading.count_word(integrator.keyword, integrator.type);
         hints.integrator = integrator.type;
         hints.max_depth = integrator.integer("maxdepth");
         if (hints.max_depth && *hints.max_depth < 0)
@@ -180,6 +183,7 @@ void finish_hints(Reading& reading) {
     }
     if (!reading.options.sampler) return;
     const Statement& sampler = *reading.options.sampler;
+    reading.count_word(sampler.keyword, sampler.type);
     hints.samples = sampler.integer("pixelsamples");
     const auto x = sampler.integer("xsamples");
     const auto y = sampler.integer("ysamples");

@@ -6,6 +6,7 @@
 #include "import/pbrt/reading.h"
 
 #include <optional>
+#include <utility>
 
 namespace sunfleck {
 
@@ -21,9 +22,10 @@ std::shared_ptr<const Image> ImageTable::enter(const std::string& name, const En
 }
 
 void ImageTable::load(const Reading& reading) {
-    std::vector<std::optional<Error>> faults(slots_.size());
-    parallel_for(slots_.size(), [&](std::size_t i) {
-        const Slot& slot = slots_[i];
+    const std::size_t first = std::exchange(loaded_, slots_.size());
+    std::vector<std::optional<Error>> faults(slots_.size() - first);
+    parallel_for(faults.size(), [&](std::size_t i) {
+        const Slot& slot = slots_[first + i];
         try {
             *slot.image =
                 parse_image(reading.files(slot.path, slot.from), slot.path, slot.encoding);

@@ -20,7 +20,8 @@ public:
     std::shared_ptr<const Image> enter(const std::string& name, const Encoding& encoding,
                                        const SourceLocation& from, Reading& reading);
 
-    /// Reads all files. @throws Error, that of the first one which cannot be read.
+    /// Reads all files that were not read before. @throws Error, that of the first one which cannot
+    /// be read.
     void load(const Reading& reading);
 
 private:
@@ -33,6 +34,7 @@ private:
 
     std::map<std::pair<std::string, Encoding>, std::size_t> numbers_;
     std::vector<Slot> slots_;
+    std::size_t loaded_ = 0;  // the first of them
 };
 
 }  // namespace sunfleck

@@ -140,6 +140,7 @@ void add_light(const Statement& statement, Reading& reading) {
                     statement.type == "diffuse" ? "use AreaLightSource \"diffuse\""
                                                 : use_one_of(words_of(kRows), statement.type));
     }
+    reading.count_word(statement.keyword, statement.type);
     reading.scene.lights.push_back(row->maker(statement, reading));
     const MediumNumber around =
         reading.media.number_of(reading.state.outside_medium, statement.where);
@@ -151,6 +152,7 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
     if (statement.type != "diffuse")
         throw Error(statement.where, "unknown area light " + in_quotes(statement.type),
                     "use \"diffuse\"");
+    reading.count_word(statement.keyword, statement.type);
     AreaEmission emission;
     if (statement.find("filename")) {
         if (const Parameter* both = statement.find("L"))

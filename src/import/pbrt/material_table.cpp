@@ -73,6 +73,7 @@ void MaterialTable::finish(Reading& reading) {
             continue;
         }
         const Statement& statement = slot.statement ? *slot.statement : named(slot.name, slot.from);
+        reading.count_word("Material", statement.type);
         materials.push_back(material_of(statement, reading));
         reliefs.push_back(relief_of(statement, reading));
         reading.warn_unused(statement);

@@ -44,6 +44,7 @@ SpectralCurve absorption_of(const std::string& name, const Statement& medium, Re
         reading.warn(medium.where, "medium " + in_quotes(name) + " " + what);
     };
     const std::string type = *medium.text("type");
+    reading.count_word(medium.keyword, type);
     if (type != "homogeneous") {
         medium.ignore_all();
         warn("of type " + in_quotes(type) + " is not simulated: light passes it unchanged");

@@ -85,6 +85,17 @@ void read_attributes(const Statement& statement, Mesh& mesh) {
     statement.ignore({"faceIndices"});
 }
 
+/// Normals that are no numbers become zero: none. @return how many.
+std::size_t drop_broken_normals(TriangleMesh& mesh) {
+    std::size_t count = 0;
+    for (Vec3& normal : mesh.normals) {
+        if (std::isfinite(normal.x) && std::isfinite(normal.y) && std::isfinite(normal.z)) continue;
+        normal = Vec3(0);
+        ++count;
+    }
+    return count;
+}
+
 }  // namespace
 
 std::vector<Vec3> triples(const Parameter* parameter) {
@@ -148,7 +159,13 @@ TriangleMesh ply_mesh(const Statement& statement, Reading& reading) {
     if (statement.find("displacement"))
         reading.warn(statement.where, "displacement is not simulated: meshes stay as they are");
     statement.ignore({"edgelength"});
-    return parse_ply(reading.read_file(*name, statement.where), resolved(*name, reading.folder));
+    TriangleMesh mesh =
+        parse_ply(reading.read_file(*name, statement.where), resolved(*name, reading.folder));
+    const std::size_t broken = drop_broken_normals(mesh);
+    if (broken > 0)
+        reading.warn(statement.where, std::to_string(broken) + " normals in " + in_quotes(*name) +
+                                          " are no numbers: triangles are flat there");
+    return mesh;
 }
 
 }  // namespace sunfleck

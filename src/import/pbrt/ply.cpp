@@ -125,6 +125,7 @@ private:
         }
     }
 
+    /// Normals may be what is no number: exporters write that where they found none.
     void add_vertex(const VertexRow& row, const VertexLayout& layout) {
         const auto part = [&](std::size_t slot) {
             const double value = row.at(slot);
@@ -134,8 +135,9 @@ private:
             return static_cast<float>(value);
         };
         mesh_.positions.emplace_back(part(slot_x), part(slot_x + 1), part(slot_x + 2));
+        const auto any = [&](std::size_t slot) { return static_cast<float>(row.at(slot)); };
         if (layout.normals)
-            mesh_.normals.emplace_back(part(slot_nx), part(slot_nx + 1), part(slot_nx + 2));
+            mesh_.normals.emplace_back(any(slot_nx), any(slot_nx + 1), any(slot_nx + 2));
         if (layout.uvs) mesh_.uvs.emplace_back(part(slot_u), part(slot_v));
     }
 

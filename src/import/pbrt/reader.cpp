@@ -57,6 +57,8 @@ SceneDescription read_all(std::string text, const std::string& path, const FileA
     reading.media.finish(reading);
     finish_instances(reading);
     reading.images.load(reading);
+    for (const auto& [word, count] : reading.words)
+        reading.scene.words.push_back({word.first, word.second, count});
     return std::move(reading.scene);
 }
 

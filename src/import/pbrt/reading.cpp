@@ -10,6 +10,10 @@ namespace sunfleck {
 constexpr std::size_t kMostWarnings = 500;
 constexpr std::size_t kMostFiles = 100000;
 
+void Reading::count_word(std::string_view directive, std::string_view word) {
+    ++words[{std::string(directive), std::string(word)}];
+}
+
 void Reading::warn(const SourceLocation& where, const std::string& text) {
     const bool full = scene.warnings.entries().size() >= kMostWarnings;
     scene.warnings.add(where, full ? "further warnings are not listed" : text);

@@ -49,9 +49,12 @@ struct Reading {
     ImageTable images;
     MediumTable media;
     std::map<std::string, std::uint32_t> objects;
+    std::map<std::pair<std::string, std::string>, std::size_t> words;  // count by directive, word
     std::optional<std::uint32_t> open_object;
     std::vector<InstanceUse> instances;
 
+    /// Counts a word that the scene uses: of the directive `Shape`, `sphere`.
+    void count_word(std::string_view directive, std::string_view word);
     /// Adds a warning; after some hundred different ones only that there are more.
     void warn(const SourceLocation& where, const std::string& text);
     /// Warns of parameters that nobody asked for.

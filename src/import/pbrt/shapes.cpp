@@ -149,6 +149,7 @@ bool joined(ShapeDescription& before, ShapeDescription& shape) {
 
 void add_shape(const Statement& statement, Reading& reading) {
     const Row& row = row_of(statement);
+    reading.count_word(statement.keyword, statement.type);
     const GraphicsState& state = reading.state;
     ShapeDescription shape;
     shape.placed = {row.maker(statement, reading), reading.still_matrix(statement.where),

@@ -3,6 +3,7 @@
 
 #include "import/pbrt/coats.h"
 #include "import/pbrt/data_substances.h"
+#include "import/pbrt/even_textures.h"
 #include "import/pbrt/measured.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/spectra.h"
@@ -22,38 +23,6 @@ constexpr float kGlossyAlpha = 0.5F;  // rougher measured materials are diffuse
 void warn_stand_in(const Statement& statement, const std::string& instead, Reading& reading) {
     reading.warn(statement.where,
                  "material " + in_quotes(statement.type) + " is not simulated: " + instead);
-}
-
-/// A function of the wavelength as a curve.
-SpectralCurve tabulated(const std::function<float(float)>& value) {
-    std::vector<TableCurve::Point> points;
-    for (float nm = 360; nm <= 830; nm += 5) points.push_back({nm, value(nm)});
-    return SpectralCurve::table(std::move(points));
-}
-
-/// A texture counts as what it is at one point.
-std::optional<SpectralCurve> even_curve(const Statement& statement, std::string_view name,
-                                        SpectrumUse use, Reading& reading) {
-    const auto texture = find_spectrum_texture(statement, name, use, reading);
-    if (!texture) return {};
-    if (texture->is_constant()) return texture->curve();
-    reading.warn(statement.find(name)->where,
-                 "the texture of " + in_quotes(name) + " counts as what it is at its origin");
-    return tabulated([&](float nm) {
-        Wavelengths one;
-        one.nm.fill(nm);
-        return std::max(0.0F, texture->at(TexturePoint(), one)[0]);
-    });
-}
-
-std::optional<float> even_number(const Statement& statement, std::string_view name,
-                                 Reading& reading) {
-    const auto texture = find_float_texture(statement, name, reading);
-    if (!texture) return {};
-    if (!texture->is_constant())
-        reading.warn(statement.find(name)->where,
-                     "the texture of " + in_quotes(name) + " counts as what it is at its origin");
-    return texture->at(TexturePoint());
 }
 
 /// Per radius. Eumelanin and pheomelanin: d'Eon et al., An Energy-Conserving Hair Reflectance Model

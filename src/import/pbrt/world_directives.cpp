@@ -32,6 +32,7 @@ void texture(Reading& reading, TokenStream& tokens, const Token& keyword) {
     const std::string kind = tokens.require_string("\"float\" or \"spectrum\"");
     Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.texture_defaults;
+    reading.count_word(keyword.text, statement.type);
     reading.textures.add(kind, name, std::move(statement), reading.still_matrix(keyword.where()));
 }
 

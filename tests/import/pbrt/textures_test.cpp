@@ -142,6 +142,19 @@ TEST(Textures, images_have_all_parameters) {
     EXPECT_FLOAT_EQ(value(scene.shapes.at(0).placed.cover, Vec3(0)), 0.5F);
 }
 
+/// A coat is one for all of a surface: images are read before they are asked for their mean.
+TEST(Textures, images_on_coats_count_as_their_mean) {
+    const SceneDescription scene = read_world(
+        t("float", "\"imagemap\" \"string filename\" \"grey.pfm\" ") +
+            "Material \"coateddiffuse\" \"texture roughness\" \"t\" \"bool remaproughness\" "
+            "false\nShape \"sphere\"",
+        two_images());
+    EXPECT_EQ(warnings_with(scene, "the texture of \"roughness\" counts as its mean"), 1);
+    const auto& coated = std::get<CoatedDiffuseMaterial>(scene.materials.at(1));
+    ASSERT_TRUE(coated.coat->facets());
+    EXPECT_FLOAT_EQ(coated.coat->facets()->alpha_x, 0.25F);
+}
+
 TEST(Textures, that_are_ptex_are_half) {
     const SceneDescription scene =
         read_world(t("spectrum", "\"ptex\" \"string filename\" \"x.ptx\"") +

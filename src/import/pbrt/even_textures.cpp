@@ -1,0 +1,63 @@
+// Means over a grid of 16 x 16 points.
+#include "import/pbrt/even_textures.h"
+
+#include "import/pbrt/reading.h"
+#include "import/pbrt/textures.h"
+#include "import/pbrt/words.h"
+
+namespace sunfleck {
+namespace {
+
+/// Images are wanted now, not only when all is read.
+void prepare(const Statement& statement, const std::string& name, Reading& reading) {
+    reading.warn(statement.find(name)->where,
+                 "the texture of " + in_quotes(name) + " counts as its mean over its square");
+    reading.images.load(reading);
+}
+
+/// @param value  at a point.
+template <class Value>
+float mean_over_square(const Value& value) {
+    constexpr int kSide = 16;
+    double sum = 0;
+    for (int i = 0; i < kSide; ++i)
+        for (int j = 0; j < kSide; ++j) {
+            const Vec2 uv((static_cast<float>(i) + 0.5F) / kSide,
+                          (static_cast<float>(j) + 0.5F) / kSide);
+            sum += static_cast<double>(value(TexturePoint({uv.x, uv.y, 0}, {0, 0, 1}, uv)));
+        }
+    return static_cast<float>(sum / (kSide * kSide));
+}
+
+}  // namespace
+
+std::optional<float> even_number(const Statement& statement, const std::string& name,
+                                 Reading& reading) {
+    const auto texture = find_float_texture(statement, name, reading);
+    if (!texture) return {};
+    if (texture->is_constant()) return texture->constant();
+    prepare(statement, name, reading);
+    return mean_over_square([&](const TexturePoint& point) { return texture->at(point); });
+}
+
+std::optional<SpectralCurve> even_curve(const Statement& statement, const std::string& name,
+                                        SpectrumUse use, Reading& reading) {
+    const auto texture = find_spectrum_texture(statement, name, use, reading);
+    if (!texture) return {};
+    if (texture->is_constant()) return texture->curve();
+    prepare(statement, name, reading);
+    return tabulated([&](float nm) {
+        Wavelengths one;
+        one.nm.fill(nm);
+        return mean_over_square(
+            [&](const TexturePoint& point) { return std::max(0.0F, texture->at(point, one)[0]); });
+    });
+}
+
+SpectralCurve tabulated(const std::function<float(float)>& value) {
+    std::vector<TableCurve::Point> points;
+    for (float nm = 360; nm <= 830; nm += 5) points.push_back({nm, value(nm)});
+    return SpectralCurve::table(std::move(points));
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,74 @@
+// Looking up words, and the table as Markdown.
+#include "import/pbrt/vocabulary.h"
+
+#include "import/pbrt/data_vocabulary.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+/// Is `word` one of those of a row, which blanks part?
+bool names(const WordRow& row, std::string_view word) {
+    if (row.word == word) return true;
+    for (std::size_t at = row.word.find(word); at != std::string_view::npos && !word.empty();
+         at = row.word.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        const bool begins = at == 0 || row.word[at - 1] == ' ';
+        if (begins && (end == row.word.size() || row.word[end] == ' ')) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::string_view name_of(Treatment treatment) {
+    switch (treatment) {
+        case Treatment::exact:
+            return "exact";
+        case Treatment::approximated:
+            return "approximated";
+        case Treatment::ignored:
+            return "ignored";
+        case Treatment::refused:
+            return "refused";
+    }
+    return "";
+}
+
+std::span<const WordRow> vocabulary() {
+    return kVocabulary;
+}
+
+const WordRow* find_word(std::string_view directive, std::string_view word) {
+    const WordRow* any = nullptr;
+    for (const WordRow& row : kVocabulary) {
+        if (row.directive != directive) continue;
+        if (names(row, word)) return &row;
+        if (row.word.starts_with("any")) any = &row;
+    }
+    return any;
+}
+
+std::string vocabulary_table(std::string_view directive) {
+    std::string text = "| " + std::string(directive) + " | | Read as |\n|---|---|---|\n";
+    for (const WordRow& row : kVocabulary) {
+        if (row.directive != directive) continue;
+        const bool is_plain = row.word.starts_with("any");
+        const std::string word = is_plain           ? std::string(row.word)
+                                 : row.word.empty() ? "`\"\"`"
+                                                    : "`" + std::string(row.word) + "`";
+        text += "| " + word + " | " + std::string(name_of(row.treatment)) + " | " +
+                std::string(row.read_as) + " |\n";
+    }
+    return text;
+}
+
+std::vector<std::string_view> vocabulary_directives() {
+    std::vector<std::string_view> all;
+    for (const WordRow& row : kVocabulary)
+        if (all.empty() || all.back() != row.directive) all.push_back(row.directive);
+    return all;
+}
+
+}  // namespace sunfleck
