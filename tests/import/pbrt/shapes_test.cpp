@@ -261,5 +261,20 @@ TEST(Shapes, that_cannot_be_are_errors) {
     for (const std::string& text : broken) EXPECT_NE(world_error(text), "") << text;
 }
 
+TEST(Shapes, normals_that_are_no_numbers_are_left_out) {
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+        "float "
+        "z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 1\nproperty list "
+        "uchar int vertex_indices\nend_header\n0 0 0 nan nan nan\n1 0 0 0 0 1\n0 1 0 0 inf 1\n3 0 "
+        "1 "
+        "2\n";
+    const SceneDescription scene =
+        read_world("Shape \"plymesh\" \"string filename\" \"a.ply\"", {{"a.ply", text}});
+    const auto& mesh = std::get<TriangleMesh>(scene.shapes.at(0).placed.shape);
+    EXPECT_EQ(mesh.normals, (std::vector<Vec3>{Vec3(0), Vec3(0, 0, 1), Vec3(0)}));
+    EXPECT_EQ(warnings_with(scene, "2 normals in \"a.ply\" are no numbers"), 1);
+}
+
 }  // namespace
 }  // namespace sunfleck
