@@ -47,6 +47,11 @@ std::vector<Row> rows() {
         {"frosted_glass", "Material \"dielectric\" \"float roughness\" .5 ", 0.995, true, true},
         {"kept_silver", "Material \"conductor\" \"float roughness\" .3 " + kSilver, 0.997, false,
          true},
+        {"kept_patchy_silver",
+         "Texture \"patchy\" \"float\" \"wrinkled\" "
+         "Material \"conductor\" \"texture roughness\" \"patchy\" " +
+             kSilver,
+         0.997, false, true},
         {"leaf",
          "Material \"diffusetransmission\" \"rgb reflectance\" [.3 .3 .3] "
          "\"rgb transmittance\" [.7 .7 .7] "},
@@ -99,7 +104,7 @@ Estimate shown(const Row& row, int z, Integrator integrator) {
     settings.photon.paths_per_pass = 64;
     return Estimate::over(12, [&](int i) {
         settings.seed = static_cast<std::uint64_t>(i);
-        return luminance(render_mean(scene, settings, 16).mean());
+        return luminance(render_mean(scene, settings, row.gives_back ? 128 : 16).mean());
     });
 }
 
