@@ -25,6 +25,7 @@ struct RenderTexts {
     std::string sampler = "adaptive";
     PaperTexts paper;
     std::string direct = "sampled";
+    std::string energy_compensation = "off";
     std::string integrator = "sppm";
     std::string seed;
     std::string log_level;
@@ -67,6 +68,9 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     add_paper_flags(app, t.paper);
     app.add_option("--direct", t.direct, "Who brings direct light: sampled, or photons")
         ->check(CLI::IsMember({"sampled", "photons"}));
+    app.add_option("--energy-compensation", t.energy_compensation,
+                   "on: rough metals and glass give back what is lost between their facets")
+        ->check(CLI::IsMember({"on", "off"}));
     app.add_option("--passes,--spp", t.passes, "End after this many passes")
         ->check(CLI::Range(1U, 1U << 30U));
     app.add_option("--time", t.time, "End after this time: 60s, 5m, 2h");
@@ -159,6 +163,7 @@ void finish_render(RenderOptions& o, const RenderTexts& t) {
     o.settings.photon.sampler = *sampler_named(t.sampler);  // one of those names: checked
     o.settings.transport.direct =
         t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
+    o.settings.energy_compensation = t.energy_compensation == "on";
     if (!t.seed.empty()) o.settings.seed = read_seed(t.seed, "--seed");
     if (t.quiet || t.log_level == "quiet") o.log = LogLevel::quiet;
     if (t.log_level == "warning") o.log = LogLevel::warning;

@@ -71,6 +71,7 @@ int run_render(const RenderOptions& options) {
     const std::vector<std::string> outputs = outputs_of(options, description);
     check_outputs(outputs, options.stats);
     if (options.resolution) set_resolution(description, *options.resolution);
+    if (options.settings.energy_compensation) compensate_energy(description);
     if (options.crop) set_crop(description, *options.crop);
     const std::uint64_t hash = hash_of_files(description.files);
     const Scene scene(std::move(description), options.isa);

@@ -1,12 +1,15 @@
-// A metal of many small facets (GGX), lit on both sides; light that meets a second facet is lost.
+// A metal of many small facets (GGX), lit on both sides; light that meets a second facet is lost,
+// or given back in a wide lobe.
 //
-// In:  eta + i k per lane over the index of air, facets. Out: one glossy lobe.
+// In:  eta + i k per lane over the index of air, facets. Out: one glossy lobe, and the wide one.
 // Source: Walter et al. 2007, eq. 20; visible normals, Heitz 2018 (bsdf/ggx.h).
 #pragma once
 
 #include "bsdf/fresnel.h"
 #include "bsdf/ggx.h"
+#include "bsdf/lambert.h"
 #include "bsdf/model.h"
+#include "bsdf/regained_light.h"
 
 namespace sunfleck {
 
@@ -14,6 +17,7 @@ struct RoughConductor {
     Spectrum eta;
     Spectrum k;
     Ggx facets;
+    const FacetLosses* losses = nullptr;  // given back; null: they are lost
 
     /// F D G / (4 |cos| |cos|); the same for both transports, for it is symmetric.
     Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport) const {
@@ -22,18 +26,43 @@ struct RoughConductor {
         if (!gathers(w_from.z, w_to.z) || !(length > 0)) return {};
         const float shape =
             facets.density(sum / length) * facets.shadowing_over_cosines(w_from, w_to) * 0.25F;
-        return conductor_reflectance(std::min(1.0F, 0.5F * length), eta, k) * shape;
+        const Spectrum once = conductor_reflectance(std::min(1.0F, 0.5F * length), eta, k) * shape;
+        if (losses == nullptr) return once;
+        return once + regained().reflectance(eta, k) * regained().eval(w_from.z, w_to.z);
     }
 
     float pdf(const Vec3& w_from, const Vec3& w_to, Transport) const {
         const Vec3 sum = w_from + w_to;
         const float length = sum.length();
         if (!gathers(w_from.z, w_to.z) || !(length > 0)) return 0;
-        return facets.visible_density_over_cosine(w_from, sum / length) * 0.25F;
+        const float once = facets.visible_density_over_cosine(w_from, sum / length) * 0.25F;
+        if (losses == nullptr) return once;
+        const float chance = regained().lost(w_from.z);
+        return (1 - chance) * once + chance * std::abs(w_to.z) / kPi;
     }
 
+    /// With losses given back: the wide lobe, as often as a white metal needs it, or the facets'.
     std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
         if (w_from.z == 0) return {};
+        if (losses == nullptr) return sample_facets(w_from, draw);
+        auto drawn = draw.u.x < regained().lost(w_from.z)
+                         ? Lambert{Spectrum(1)}.sample(w_from, draw)
+                         : sample_facets(w_from, draw);
+        if (!drawn) return {};
+        drawn->pdf = pdf(w_from, drawn->w_to, draw.transport);
+        if (!(*drawn->pdf > 0)) return {};
+        drawn->weight =
+            eval(w_from, drawn->w_to, draw.transport) * (std::abs(drawn->w_to.z) / *drawn->pdf);
+        return drawn;
+    }
+
+    static constexpr Scattering scattering() { return Scattering::glossy; }
+    static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
+
+private:
+    RegainedByMetal regained() const { return {*losses, facets}; }
+
+    std::optional<BsdfSample> sample_facets(const Vec3& w_from, const BsdfDraw& draw) const {
         const float side = std::copysign(1.0F, w_from.z);
         const Vec3 w = w_from * side;
         const Vec3 h = facets.sample_visible(w, draw.u.y, draw.u.z);
@@ -44,9 +73,6 @@ struct RoughConductor {
             conductor_reflectance(cosine, eta, k) * facets.shadowing_given_masking(w, mirrored),
             mirrored * side, facets.visible_density_over_cosine(w, h) * 0.25F};
     }
-
-    static constexpr Scattering scattering() { return Scattering::glossy; }
-    static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
 };
 
 }  // namespace sunfleck

@@ -2,6 +2,7 @@
 #include "bsdf/rough_dielectric.h"
 
 #include "bsdf/fresnel.h"
+#include "bsdf/lambert.h"
 
 namespace sunfleck {
 
@@ -33,15 +34,18 @@ RefractingFacet refracting_facet(const Vec3& a, const Vec3& b, float eta) {
 struct Lane {
     const Ggx& facets;
     float eta;  // inside over outside
+    const FacetLosses* losses;
 
     /// The part of f that both transports share: times the squared index of the side that light
     /// goes out into it is Walter's eq. 21.
     float transmitted(const Vec3& a, const Vec3& b) const {
         const RefractingFacet facet = refracting_facet(a, b, eta);
-        if (facet.cos_out == 0) return 0;
+        if (facet.cos_out == 0) return with_regained(0, a, b);
         const float passed = 1 - dielectric_reflectance(facet.cos_out, facet.cos_in, eta);
-        return passed * facets.density(facet.normal) * facets.shadowing_over_cosines(a, b) *
-               facet.cos_out * facet.cos_in / facet.length2;
+        return with_regained(passed * facets.density(facet.normal) *
+                                 facets.shadowing_over_cosines(a, b) * facet.cos_out *
+                                 facet.cos_in / facet.length2,
+                             a, b);
     }
 
     float transmitted_pdf(const Vec3& w_from, const Vec3& w_to) const {
@@ -58,10 +62,40 @@ struct Lane {
         return dielectric_reflectance(std::min(1.0F, cosine), z > 0 ? eta : 1 / eta);
     }
 
-    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const;
+    RegainedByGlass regained() const { return {*losses, facets, eta}; }
+    /// @param f  of the facets, without the squared index of transmitted().
+    float with_regained(float f, const Vec3& a, const Vec3& b) const {
+        return losses == nullptr ? f : f + regained().eval(a.z, b.z);
+    }
+    /// @param density  by which sample_facets() chooses w_to.
+    float with_regained_pdf(float density, const Vec3& w_from, const Vec3& w_to) const {
+        if (losses == nullptr) return density;
+        const float chance = regained().lost(w_from.z);
+        return (1 - chance) * density + chance * regained().pdf(w_from.z, w_to.z);
+    }
+
+    std::optional<BsdfSample> sample_facets(const Vec3& w_from, const BsdfDraw& draw) const;
+    std::optional<BsdfSample> sample_regained(const Vec3& w_from, const BsdfDraw& draw) const;
 };
 
-std::optional<BsdfSample> Lane::sample(const Vec3& w_from, const BsdfDraw& draw) const {
+/// The wide lobes, as often as all facets together lose, or the facets'.
+/// @return the direction and eta alone.
+std::optional<BsdfSample> Lane::sample_regained(const Vec3& w_from, const BsdfDraw& draw) const {
+    const float chance = regained().lost(w_from.z);
+    BsdfDraw rest = draw;
+    if (!(draw.u.x < chance)) {
+        rest.u.x = (draw.u.x - chance) / (1 - chance);
+        return sample_facets(w_from, rest);
+    }
+    auto drawn = Lambert{Spectrum(1)}.sample(w_from, draw);
+    if (drawn && draw.u.x < chance * regained().passing(w_from.z)) {
+        drawn->w_to.z = -drawn->w_to.z;
+        drawn->eta = w_from.z > 0 ? eta : 1 / eta;
+    }
+    return drawn;
+}
+
+std::optional<BsdfSample> Lane::sample_facets(const Vec3& w_from, const BsdfDraw& draw) const {
     // In a frame turned about the surface so that w_from lies above; GGX looks the same there.
     const float side = std::copysign(1.0F, w_from.z);
     const Vec3 w = w_from * side;
@@ -93,6 +127,8 @@ std::optional<BsdfSample> Lane::sample(const Vec3& w_from, const BsdfDraw& draw)
 
 Spectrum RoughDielectric::eval(const Vec3& w_from, const Vec3& w_to, Transport transport) const {
     if (!gathers(w_from.z, w_to.z)) return {};
+    const auto lane = [&](std::size_t i) { return Lane{facets_, eta_[i], losses_}; };
+    const std::size_t different = dispersive_ ? kLanes : 1;
     Spectrum f;
     if (w_from.z * w_to.z > 0) {
         const Vec3 sum = w_from + w_to;
@@ -101,14 +137,15 @@ Spectrum RoughDielectric::eval(const Vec3& w_from, const Vec3& w_to, Transport t
         const float shape =
             facets_.density(sum / length) * facets_.shadowing_over_cosines(w_from, w_to) * 0.25F;
         for (std::size_t i = 0; i < kLanes; ++i)
-            f[i] = shape * Lane{facets_, eta_[i]}.reflected_share(0.5F * length, w_from.z);
+            f[i] = shape * lane(i).reflected_share(0.5F * length, w_from.z);
+        if (losses_ == nullptr) return f;
+        for (std::size_t i = 0; i < kLanes; ++i)
+            f[i] = i < different ? lane(i).with_regained(f[i], w_from, w_to) : f[0];
         return f;
     }
     // Light goes out into the side of w_from in radiance transport, of w_to in flux transport.
     const bool goes_inside = (transport == Transport::radiance ? w_from.z : w_to.z) < 0;
-    const std::size_t different = dispersive_ ? kLanes : 1;
-    for (std::size_t i = 0; i < different; ++i)
-        f[i] = Lane{facets_, eta_[i]}.transmitted(w_from, w_to);
+    for (std::size_t i = 0; i < different; ++i) f[i] = lane(i).transmitted(w_from, w_to);
     if (!dispersive_) f = Spectrum(f[0]);
     return goes_inside ? f * eta_ * eta_ : f;
 }
@@ -125,9 +162,11 @@ float RoughDielectric::pdf(const Vec3& w_from, const Vec3& w_to, Transport) cons
     const std::size_t different = dispersive_ ? kLanes : 1;
     float total = 0;
     for (std::size_t i = 0; i < different; ++i) {
-        const Lane lane{facets_, eta_[i]};
-        total += reflected ? seen * lane.reflected_share(0.5F * length, w_from.z)
-                           : lane.transmitted_pdf(w_from, w_to);
+        const Lane lane{facets_, eta_[i], losses_};
+        total +=
+            lane.with_regained_pdf(reflected ? seen * lane.reflected_share(0.5F * length, w_from.z)
+                                             : lane.transmitted_pdf(w_from, w_to),
+                                   w_from, w_to);
     }
     return total / static_cast<float>(different);
 }
@@ -135,7 +174,16 @@ float RoughDielectric::pdf(const Vec3& w_from, const Vec3& w_to, Transport) cons
 std::optional<BsdfSample> RoughDielectric::sample(const Vec3& w_from, const BsdfDraw& draw) const {
     if (w_from.z == 0) return {};
     const std::size_t chosen = draw.lanes.chosen;
-    auto drawn = Lane{facets_, eta_[chosen]}.sample(w_from, draw);
+    const Lane lane{facets_, eta_[chosen], losses_};
+    auto drawn =
+        losses_ == nullptr ? lane.sample_facets(w_from, draw) : lane.sample_regained(w_from, draw);
+    if (drawn && losses_ != nullptr) {
+        const RoughDielectric alone = for_lane(chosen);
+        drawn->pdf = alone.pdf(w_from, drawn->w_to, draw.transport);
+        if (!(*drawn->pdf > 0)) return {};
+        drawn->weight = alone.eval(w_from, drawn->w_to, draw.transport) *
+                        (std::abs(drawn->w_to.z) / *drawn->pdf);
+    }
     if (drawn && dispersive_ && !draw.lanes.single) {
         drawn->weight = Spectrum::only(chosen, drawn->weight[chosen] * static_cast<float>(kLanes));
         drawn->dispersed = true;

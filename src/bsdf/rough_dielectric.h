@@ -1,13 +1,15 @@
 // Rough glass: a boundary of small facets (GGX), each of which reflects and refracts.
 //
-// In:  eta per lane, index inside (side -z) over outside (side +z); facets. Out: two glossy lobes.
+// In:  eta per lane, index inside (side -z) over outside (side +z); facets. Out: two glossy lobes,
+// and wide ones where losses are given back.
 // Source: Walter et al., Microfacet Models for Refraction through Rough Surfaces (EGSR 2007),
 // eq. 16, 17, 20, 21; visible normals, Heitz 2018 (bsdf/ggx.h). Light that leaves a facet towards
-// another is lost.
+// another is lost, or given back by bsdf/regained_light.h.
 #pragma once
 
 #include "bsdf/ggx.h"
 #include "bsdf/model.h"
+#include "bsdf/regained_light.h"
 
 namespace sunfleck {
 
@@ -15,8 +17,9 @@ class RoughDielectric {
 public:
     /// @param eta  positive; no lane within kLeastContrast of 1, where nothing is refracted and
     ///             the lobe has no density: that is a SmoothDielectric.
-    RoughDielectric(const Spectrum& eta, const Ggx& facets)
-        : eta_(eta), facets_(facets), dispersive_(eta.min() != eta.max()) {}
+    /// @param losses  given back; null: they are lost. Outlives this.
+    RoughDielectric(const Spectrum& eta, const Ggx& facets, const FacetLosses* losses = nullptr)
+        : eta_(eta), facets_(facets), losses_(losses), dispersive_(eta.min() != eta.max()) {}
 
     static constexpr float kLeastContrast = 1e-3F;
 
@@ -39,11 +42,14 @@ public:
     const Spectrum& eta() const { return eta_; }
     const Ggx& facets() const { return facets_; }
     bool is_dispersive() const { return dispersive_; }
-    RoughDielectric for_lane(std::size_t lane) const { return {Spectrum(eta_[lane]), facets_}; }
+    RoughDielectric for_lane(std::size_t lane) const {
+        return {Spectrum(eta_[lane]), facets_, losses_};
+    }
 
 private:
     Spectrum eta_;
     Ggx facets_;
+    const FacetLosses* losses_;
     bool dispersive_;
 };
 

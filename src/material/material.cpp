@@ -65,7 +65,7 @@ struct BsdfOf {
         const Spectrum eta = index_of(m.eta.at(wavelengths));
         const Vec2 alphas = m.roughness.alphas(point);
         if (is_smooth(alphas) || !bends(eta)) return SmoothDielectric(eta);
-        return RoughDielectric(eta, facets_of(alphas));
+        return RoughDielectric(eta, facets_of(alphas), m.roughness.losses());
     }
 
     std::optional<Bsdf> operator()(const ThinDielectricMaterial& m) const {
@@ -76,7 +76,7 @@ struct BsdfOf {
         const auto [eta, k] = metal_index(m);
         const Vec2 alphas = m.roughness.alphas(point);
         if (is_smooth(alphas)) return SmoothConductor{eta, k};
-        return RoughConductor{eta, k, facets_of(alphas)};
+        return RoughConductor{eta, k, facets_of(alphas), m.roughness.losses()};
     }
 
     std::optional<Bsdf> operator()(const CoatedDiffuseMaterial& m) const {

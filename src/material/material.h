@@ -33,10 +33,13 @@ struct Roughness {
     FloatTexture u;
     FloatTexture v;
     bool remap = false;
+    bool gives_back = false;  // what facets lose (bsdf/facet_losses.h); not beside a coat
 
     /// The alphas; below kSmoothAlpha in both the surface is perfectly smooth.
     Vec2 alphas(const TexturePoint& point) const;
     bool is_constant() const { return u.is_constant() && v.is_constant(); }
+    /// Null where losses stay lost.
+    const FacetLosses* losses() const { return gives_back ? &FacetLosses::table() : nullptr; }
 };
 
 struct DielectricMaterial {

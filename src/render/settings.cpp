@@ -22,6 +22,7 @@ std::string RenderSettings::text() const {
         transport.direct == DirectLight::sampled ? "sampled" : "photons", transport.max_depth,
         optional_number(photon.paths_per_pass), eye.radius_pixels, optional_number(eye.radius),
         alpha);
+    if (energy_compensation) text += "energy_compensation=on\n";
     if (photon.sampler != PhotonSampler::paper) return text;
     const PaperSettings& paper = photon.paper;
     return text + fmt::format("replica_exchange={}\nmutation_size={}\ntarget_acceptance={}\n",

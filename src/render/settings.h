@@ -38,6 +38,7 @@ struct RenderSettings {
     double alpha = 2.0 / 3.0;  // of the radius sequence, in (0,1)
     LayerSet layers{};
     std::uint64_t seed = 0;
+    bool energy_compensation = false;  // of the scene's materials: compensate_energy()
 
     /// One line that two renders share if and only if their passes are the same function:
     /// what film files are compared by.

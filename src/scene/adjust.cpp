@@ -39,4 +39,13 @@ void set_crop(SceneDescription& scene, const std::array<int, 4>& crop) {
     scene.film.crop = cut;
 }
 
+void compensate_energy(SceneDescription& scene) {
+    for (Material& material : scene.materials) {
+        if (auto* metal = std::get_if<ConductorMaterial>(&material))
+            metal->roughness.gives_back = true;
+        if (auto* glass = std::get_if<DielectricMaterial>(&material))
+            glass->roughness.gives_back = true;
+    }
+}
+
 }  // namespace sunfleck

@@ -13,4 +13,7 @@ void set_resolution(SceneDescription& scene, const Vec2i& resolution);
 /// @param crop  x0 x1 y0 y1 in pixels; cut to the film. @throws Error when nothing is left.
 void set_crop(SceneDescription& scene, const std::array<int, 4>& crop);
 
+/// Rough metals and glass give back what their facets lose (bsdf/facet_losses.h); coats do not.
+void compensate_energy(SceneDescription& scene);
+
 }  // namespace sunfleck

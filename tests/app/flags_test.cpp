@@ -67,6 +67,31 @@ TEST_F(Flags, change_the_picture_and_are_recorded) {
     }
 }
 
+/// Rough metal shows it; without one the picture stays, and film files of both do not mix.
+TEST_F(Flags, energy_compensation) {
+    const Words on{"--energy-compensation", "on"};
+    const Rendered plain = rendered({});
+    EXPECT_FALSE(plain.stats["settings"].contains("energy_compensation"));
+    EXPECT_EQ(rendered({"--energy-compensation", "off"}).bytes, plain.bytes);
+    const Rendered kept = rendered(on);
+    EXPECT_EQ(kept.stats["settings"]["energy_compensation"], "on");
+    EXPECT_EQ(kept.picture.find("G")->values, plain.picture.find("G")->values);
+
+    ASSERT_EQ(render({"-o", "a.film", "--pass-range", "0:1"}).code, 0);
+    ASSERT_EQ(render(on + Words{"-o", "b.film", "--pass-range", "1:2"}).code, 0);
+    const Ran merged = run({"merge", "a.film", "b.film", "-o", "x.exr"});
+    EXPECT_EQ(merged.code, 2);
+    EXPECT_NE(merged.err.find("energy_compensation"), std::string::npos) << merged.err;
+
+    const std::string text = room_text("0.6");
+    write_text(path("room.pbrt"), text +
+                                      "Material \"conductor\" \"float roughness\" .5 "
+                                      "Shape \"sphere\" \"float radius\" .7\n");
+    const Rendered lost = rendered({});
+    const Rendered given_back = rendered(on);
+    EXPECT_GT(mean(given_back.picture, "R"), 1.01 * mean(lost.picture, "R"));
+}
+
 TEST_F(Flags, seed) {
     const Rendered plain = rendered({});
     EXPECT_EQ(plain.stats["seed"], 0);
@@ -189,6 +214,7 @@ TEST_F(Flags, bad_values_are_refused_in_one_line) {
         {"--photon-sampler", "none"},
         {"--integrator", "bdpt"},
         {"--direct", "none"},
+        {"--energy-compensation", "yes"},
         {"--camera", "front"},
         {"--checkpoint", "x"},
         {"--resume", "x"},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bsdf/bsdf.h"
+#include "bsdf/facet_losses.h"
 #include "core/random.h"
 #include "math/warp.h"
 
@@ -65,6 +66,7 @@ inline std::vector<BsdfExample> bsdf_examples() {
     const Spectrum glass(1.5F);
     const Spectrum bubble(1 / 1.33F);
     const Spectrum flint = ramp(1.62F, 1.54F);
+    const FacetLosses* const kept = &FacetLosses::table();
     return {
         {"grey", Lambert{ramp(0.2F, 0.8F)}},
         {"white", Lambert{Spectrum(1)}},
@@ -82,6 +84,12 @@ inline std::vector<BsdfExample> bsdf_examples() {
         {"rough_mirror", RoughConductor{Spectrum(1), Spectrum(2000), {0.5F, 0.1F}}},
         {"rough_gold", RoughConductor{gold_eta(), gold_k(), {0.2F, 0.2F}}},
         {"chalky_gold", RoughConductor{gold_eta(), gold_k(), {1, 0.6F}}},
+        {"kept_mirror", RoughConductor{Spectrum(1), Spectrum(2000), {0.5F, 0.5F}, kept}},
+        {"kept_gold", RoughConductor{gold_eta(), gold_k(), {0.2F, 0.2F}, kept}},
+        {"kept_brushed_gold", RoughConductor{gold_eta(), gold_k(), {1, 0.6F}, kept}},
+        {"frosted_glass", RoughDielectric(glass, {0.5F, 0.5F}, kept), glass},
+        {"frosted_bubble", RoughDielectric(bubble, {0.25F, 0.25F}, kept), bubble},
+        {"frosted_prism", RoughDielectric(flint, {0.4F, 0.4F}, kept), flint},
         {"leaf", DiffuseTransmission{ramp(0.2F, 0.5F), ramp(0.4F, 0.1F)}},
         {"milk_glass", DiffuseTransmission{Spectrum(0.05F), Spectrum(0.9F)}},
         {"hair", DiffuseTransmission{ramp(0.25F, 0.13F), ramp(0.74F, 0.2F)}},

@@ -31,6 +31,21 @@ void expect_screen(const SceneDescription& scene, const Vec2d& low, const Vec2d&
     EXPECT_NEAR(camera_of(scene).screen_max.y, high.y, 1e-12);
 }
 
+/// Rough metals and glass, and no coated one.
+TEST(Adjust, energy_compensation_reaches_the_materials) {
+    SceneDescription scene;
+    const auto eta = SpectralCurve::constant(1.5F);
+    const ConductorMaterial metal{eta, eta, {}, {0.2F, 0.2F}};
+    scene.materials = {metal, DielectricMaterial{eta, {0.2F, 0.2F}},
+                       CoatedConductorMaterial{metal, nullptr}};
+    EXPECT_EQ(std::get<ConductorMaterial>(scene.materials[0]).roughness.losses(), nullptr);
+    compensate_energy(scene);
+    EXPECT_NE(std::get<ConductorMaterial>(scene.materials[0]).roughness.losses(), nullptr);
+    EXPECT_NE(std::get<DielectricMaterial>(scene.materials[1]).roughness.losses(), nullptr);
+    EXPECT_EQ(std::get<CoatedConductorMaterial>(scene.materials[2]).metal.roughness.losses(),
+              nullptr);
+}
+
 TEST(Adjust, the_same_shape_of_picture_keeps_the_view) {
     SceneDescription scene = wide_scene();
     set_resolution(scene, {50, 25});
