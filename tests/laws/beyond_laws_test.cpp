@@ -15,17 +15,12 @@ using namespace testing_support;
 
 constexpr double kSignificance = 1e-4;
 
-std::vector<LightExample> infinite_examples() {
-    std::vector<LightExample> all = light_examples();
-    std::erase_if(all, [](const LightExample& e) { return !is_infinite(e.light); });
-    return all;
-}
-
 class BeyondLaws : public testing::TestWithParam<LightExample> {
 protected:
-    const Light& light() const { return GetParam().light; }
+    const Light& light() const { return light_; }
     Vec2 random_2d() { return {random_.next_float(), random_.next_float()}; }
 
+    const Light light_ = GetParam().make();
     RandomStream random_{7, Purpose::test, 0, 0};
 };
 

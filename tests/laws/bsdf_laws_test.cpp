@@ -13,9 +13,10 @@ namespace {
 
 class BsdfLaws : public testing::TestWithParam<BsdfExample> {
 protected:
-    const Bsdf& bsdf() const { return GetParam().bsdf; }
+    const Bsdf& bsdf() const { return bsdf_; }
     float index(float z, std::size_t lane) const { return z > 0 ? 1 : GetParam().inside[lane]; }
 
+    const Bsdf bsdf_ = GetParam().make();
     RandomStream stream_{1, Purpose::test, 0, 0};
 };
 
@@ -27,10 +28,17 @@ TEST(BsdfExamples, cover_every_alternative) {
     std::set<std::size_t> seen;
     std::set<std::string> names;
     for (const BsdfExample& e : bsdf_examples()) {
-        seen.insert(e.bsdf.index());
+        seen.insert(e.make().index());
         EXPECT_TRUE(names.insert(e.name).second) << e.name;
     }
     EXPECT_EQ(seen.size(), std::variant_size_v<Bsdf>);
+}
+
+TEST(BsdfExamples, stand_where_they_belong) {
+    for (const BsdfExample& e : delta_examples())
+        EXPECT_EQ(scattering(e.make()), Scattering::specular) << e.name;
+    for (const BsdfExample& e : spread_examples())
+        EXPECT_NE(scattering(e.make()), Scattering::specular) << e.name;
 }
 
 /// Radiance gathered from b towards a is flux sent from b towards a.

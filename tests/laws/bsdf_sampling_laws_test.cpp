@@ -83,7 +83,7 @@ double chi_square(const std::vector<double>& counts, const std::vector<double>& 
 
 class BsdfSamplingLaws : public testing::TestWithParam<BsdfExample> {
 protected:
-    const Bsdf& bsdf() const { return GetParam().bsdf; }
+    const Bsdf& bsdf() const { return bsdf_; }
 
     RunningMean mean_weight(const Vec3& w_from, std::size_t lane) {
         RunningMean mean;
@@ -94,6 +94,7 @@ protected:
         return mean;
     }
 
+    const Bsdf bsdf_ = GetParam().make();
     RandomStream stream_{2, Purpose::test, 0, 0};
 };
 

@@ -23,22 +23,27 @@ constexpr double kSignificance = 1e-4;
 
 class LightLaws : public testing::TestWithParam<LightExample> {
 protected:
-    const Light& light() const { return GetParam().light; }
+    const Light& light() const { return light_; }
     const AreaLight* area_light() const { return std::get_if<AreaLight>(&light()); }
     Vec2 random_2d() { return {random_.next_float(), random_.next_float()}; }
 
+    const Light light_ = GetParam().make();
     RandomStream random_{6, Purpose::test, 0, 0};
 };
 
 TEST(LightExamples, cover_every_kind_and_surface) {
     std::set<std::size_t> kinds;
     std::set<std::size_t> surfaces;
+    std::size_t infinite = 0;
     for (const LightExample& example : light_examples()) {
-        kinds.insert(example.light.index());
-        if (const auto* area = std::get_if<AreaLight>(&example.light))
+        const Light light = example.make();
+        kinds.insert(light.index());
+        infinite += is_infinite(light) ? 1 : 0;
+        if (const auto* area = std::get_if<AreaLight>(&light))
             surfaces.insert(area->surface.index());
     }
     EXPECT_EQ(kinds.size(), std::variant_size_v<Light>);
+    EXPECT_EQ(infinite, infinite_examples().size());  // BeyondLaws has them all
     EXPECT_EQ(surfaces.size(), std::variant_size_v<decltype(AreaLight::surface)>);
 }
 

@@ -30,10 +30,10 @@ std::vector<Light> many_lights(int count) {
         lights.emplace_back(light);
     }
     for (const LightExample& example : light_examples()) {
-        lights.push_back(example.light);
+        lights.push_back(example.make());
         std::visit([](auto& l) { l.curve = SpectralCurve::constant(1); }, lights.back());
     }
-    lights.emplace_back(PointLight{});
+    lights.emplace_back(PointLight{{}, Vec3d(0)});
     return lights;
 }
 
