@@ -2,17 +2,14 @@
 
 #include "procedural/mesh.h"
 
+#include "procedural/little_endian.h"
+
 #include <bit>
 #include <charconv>
 #include <cstddef>
 
 namespace sunfleck {
 namespace {
-
-void append_word(std::string& bytes, std::uint32_t word) {
-    for (unsigned shift = 0; shift < 32; shift += 8)
-        bytes.push_back(static_cast<char>(static_cast<unsigned char>(word >> shift)));
-}
 
 std::string shortest(float value) {
     std::array<char, 32> buffer{};
@@ -40,7 +37,7 @@ std::string ply_bytes(const Mesh& mesh) {
         "end_header\n";
     bytes.reserve(bytes.size() + 12 * mesh.points.size() + 13 * mesh.triangles.size());
     for (const auto& point : mesh.points)
-        for (const float x : point) append_word(bytes, std::bit_cast<std::uint32_t>(x));
+        for (const float x : point) append_float(bytes, x);
     for (const auto& triangle : mesh.triangles) {
         bytes.push_back(3);
         for (const std::uint32_t index : triangle) append_word(bytes, index);

@@ -52,6 +52,14 @@ inline std::vector<float> pbrt_numbers(const std::vector<std::string>& words, st
     return numbers;
 }
 
+/// The index that was set last before a file of geometry is named. @throws std::runtime_error.
+inline double eta_of(const std::vector<std::string>& words, const std::string& file) {
+    const auto name = std::find(words.begin(), words.end(), "\"" + file);
+    const auto eta = std::find(std::reverse_iterator(name), words.rend(), "\"float eta");
+    if (name == words.end() || eta == words.rend()) throw std::runtime_error("no eta of " + file);
+    return std::stod(*eta.base());
+}
+
 inline Mesh ply_mesh(const std::string& bytes) {
     Mesh mesh;
     std::istringstream header(bytes);
