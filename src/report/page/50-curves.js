@@ -29,9 +29,15 @@ function datasetsOf(picture, metric, axis) {
   ];
 }
 
-function axisOptions(title, style) {
+/** Ends of an axis a little beyond all that is drawn. */
+function axisEnds(datasets, side) {
+  const values = datasets.flatMap((d) => d.data.map((point) => point[side]));
+  return { min: Math.min(...values) / 1.2, max: Math.max(...values) * 1.2 };
+}
+
+function axisOptions(title, ends, style) {
   return {
-    type: "logarithmic",
+    type: "logarithmic", ...ends,
     title: { display: true, text: title, color: style.getPropertyValue("--ink") },
     grid: { color: style.getPropertyValue("--line") },
     ticks: {
@@ -41,14 +47,14 @@ function axisOptions(title, style) {
   };
 }
 
-function chartOptions(metric, axis) {
+function chartOptions(metric, axis, datasets) {
   const style = getComputedStyle(document.documentElement);
   return {
     animation: false, responsive: true, maintainAspectRatio: false,
     interaction: { mode: "nearest", intersect: false },
     scales: {
-      x: axisOptions(axis.selectedOptions[0].text, style),
-      y: axisOptions(metric.selectedOptions[0].text, style),
+      x: axisOptions(axis.selectedOptions[0].text, axisEnds(datasets, "x"), style),
+      y: axisOptions(metric.selectedOptions[0].text, axisEnds(datasets, "y"), style),
     },
     plugins: {
       legend: { labels: { color: style.getPropertyValue("--ink"), usePointStyle: false, boxWidth: 24, boxHeight: 2, filter: (item) => item.text !== "" } },
@@ -65,7 +71,7 @@ function drawCurves() {
   const axis = byId("series-axis");
   const datasets = seriesPictures.flatMap((p) => datasetsOf(p, metric.value, axis.value));
   chart?.destroy();
-  chart = new Chart(byId("chart"), { type: "line", data: { datasets }, options: chartOptions(metric, axis) });
+  chart = new Chart(byId("chart"), { type: "line", data: { datasets }, options: chartOptions(metric, axis, datasets) });
   const what = `${metric.selectedOptions[0].text} against ${axis.selectedOptions[0].text}`;
   byId("chart").setAttribute("aria-label", `${what} of ${seriesPictures.map((p) => p.label).join(", ")}; in numbers below`);
   fillSeriesTable(metric, axis);
