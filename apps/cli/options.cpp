@@ -187,6 +187,15 @@ void finish_render(RenderOptions& o, const RenderTexts& t) {
     }
 }
 
+void add_merge(CLI::App& app, MergeOptions& o) {
+    app.add_option("FILES", o.inputs, ".film files")->required();
+    app.add_option("-o,--output", o.outputs, ".exr, .png, .film; may be repeated")
+        ->allow_extra_args(false)
+        ->required();
+    app.add_option("--exposure", o.exposure, "Stops for PNG")->check(between(-100, 100));
+    app.add_option("--stats", o.stats, "Write statistics as JSON");
+}
+
 void add_compare(CLI::App& app, CompareOptions& o) {
     app.add_option("REF", o.reference, "The reference: a picture, [LABEL=]FILE")->required();
     app.add_option("PICTURES", o.inputs,
@@ -220,12 +229,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
     scene_app->add_option("NAME", scene.name, "Its name");
     scene_app->add_option("-o,--output", scene.folder, "Folder to write to (default .)");
     CLI::App* const merge_app = app.add_subcommand("merge", "Add up pass ranges of one render");
-    merge_app->add_option("FILES", merge.inputs, ".film files")->required();
-    merge_app->add_option("-o,--output", merge.outputs, ".exr, .png, .film; may be repeated")
-        ->allow_extra_args(false)
-        ->required();
-    merge_app->add_option("--exposure", merge.exposure, "Stops for PNG")->check(between(-100, 100));
-    merge_app->add_option("--stats", merge.stats, "Write statistics as JSON");
+    add_merge(*merge_app, merge);
     CLI::App* const compare_app =
         app.add_subcommand("compare", "Measure pictures against a reference, and show them");
     add_compare(*compare_app, compare);
