@@ -39,6 +39,7 @@ function gridOf(count) {
 
 /** Builds the cells of the layout anew. */
 function arrange() {
+  const focused = document.activeElement.id;
   stage.replaceChildren();
   const columns = state.layout === "all" ? gridOf(pictures.length) : 1;
   stage.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
@@ -50,6 +51,7 @@ function arrange() {
     addLayer(cell, pictures[state.left], "left");
     addLayer(cell, pictures[state.right], "right").id = "upper";
     if (state.layout === "split") addDivider(cell);
+    if (focused === "divider") byId("divider")?.focus();
   }
   place();
 }

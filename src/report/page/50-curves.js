@@ -42,7 +42,8 @@ function axisOptions(title, ends, style) {
     grid: { color: style.getPropertyValue("--line") },
     ticks: {
       color: style.getPropertyValue("--quiet"), maxRotation: 0, autoSkipPadding: 12,
-      callback: (value) => (/^[125]/.test(Number(value).toExponential()) ? shortNumber(value) : ""),
+      // Of the ends of the axis, too, only round numbers.
+      callback: (value) => (/^[125](\.0+)?e/.test(Number(value).toExponential(6)) ? shortNumber(value) : ""),
     },
   };
 }

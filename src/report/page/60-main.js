@@ -33,9 +33,9 @@ const setExposure = (stops) => change({ exposure: Math.min(Math.max(stops, -12),
 const swapSides = () => change({ left: state.right, right: state.left });
 
 function flick() {
-  if (state.layout !== "flicker") state.layout = "flicker";
   state.flickerRight = !state.flickerRight;
-  show();
+  if (state.layout === "flicker") place();
+  else change({ layout: "flicker" });
 }
 
 function setTimed(timed) {
