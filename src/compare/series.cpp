@@ -42,12 +42,14 @@ bool is_exr(const fs::path& path) {
 }
 
 Snapshots snapshots_in(const fs::path& folder) {
-    Snapshots found;
+    std::vector<fs::path> pictures;
     for (const auto& entry : fs::directory_iterator(folder))
-        if (is_exr(entry.path())) found.push_back(read_snapshot(entry.path()));
-    std::sort(found.begin(), found.end(), [](const Snapshot& a, const Snapshot& b) {
-        return std::tie(a.passes, a.picture) < std::tie(b.passes, b.picture);
-    });
+        if (is_exr(entry.path())) pictures.push_back(entry.path());
+    std::sort(pictures.begin(), pictures.end());
+    Snapshots found;
+    for (const fs::path& picture : pictures) found.push_back(read_snapshot(picture));
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Snapshot& a, const Snapshot& b) { return a.passes < b.passes; });
     return found;
 }
 
