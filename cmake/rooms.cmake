@@ -52,3 +52,4 @@ add_custom_command(OUTPUT ${assets}
     ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
   VERBATIM)
 target_sources(room_report PRIVATE ${assets})
+set_source_files_properties(${assets} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)

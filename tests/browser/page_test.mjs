@@ -77,9 +77,9 @@ const TESTS = {
     await page.waitForFunction(() => document.getElementById("upper").style.visibility === "hidden");
     await page.keyboard.press("t");
     assert.equal(await page.getAttribute("#timer", "aria-pressed"), "false");
-    const then = await upper();
-    await page.waitForTimeout(1500);
-    assert.equal(await upper(), then);
+    const seen = new Set();
+    for (let i = 0; i < 15; ++i, await page.waitForTimeout(100)) seen.add(await upper());
+    assert.equal(seen.size, 1, "it goes on");
   },
 
   async "exposure works on the light itself, beyond 1, too"(page) {
