@@ -6,7 +6,7 @@ BUILD := build/release
 CTEST := ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure --no-tests=error
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check sanitize nightly bench tidy format clean deps build
+.PHONY: demo test check browser sanitize nightly bench tidy format clean deps build
 
 # Renders the sun through a glass of cognac into out/demo.
 demo: build
@@ -17,15 +17,20 @@ demo: build
 
 # Everything: what the README promises and .ci/run runs.
 test: build-tests
-	$(CTEST) -LE nightly
+	$(CTEST) -LE "nightly|browser"
 
 # The quick ones.
 check: build-tests
-	$(CTEST) -LE "slow|nightly"
+	$(CTEST) -LE "slow|nightly|browser"
+
+# The page of `sunfleck compare` in Debian's Chromium; npm brings the driver from its registry.
+browser: build-tests
+	tools/setup.sh browser
+	$(CTEST) -L browser
 
 # Installs what is missing of Debian for all of this.
 deps:
-	tools/setup.sh build test nightly
+	tools/setup.sh build test browser nightly
 
 build:
 	tools/setup.sh build
@@ -44,11 +49,11 @@ sanitize:
 	tools/sanitize.sh
 
 # What takes hours: everything above, lint, another compiler, long fuzzing.
-nightly: test sanitize tidy
+nightly: test browser sanitize tidy
 	$(CTEST) -L nightly
 	cmake --preset clang
 	cmake --build build/clang -j $(JOBS)
-	ctest --test-dir build/clang -j $(JOBS) --output-on-failure --no-tests=error -LE "check|nightly"
+	ctest --test-dir build/clang -j $(JOBS) --output-on-failure --no-tests=error -LE "check|nightly|browser"
 	tools/fuzz.sh $(FUZZ_SECONDS)
 
 # Ratios of speed, never compared with a fixed time.

@@ -13,5 +13,7 @@ int run_info(const InfoOptions& options);
 int run_scene(const SceneOptions& options);
 /// Adds up pass ranges of one render.
 int run_merge(const MergeOptions& options);
+/// Measures pictures against a reference, and writes the page that shows them.
+int run_compare(const CompareOptions& options);
 
 }  // namespace sunfleck

@@ -102,6 +102,10 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--isa", o.isa, "avx2 (same bytes on every such machine), or native")
         ->check(CLI::IsMember({"avx2", "native"}));
     app.add_option("--stats", o.stats, "Write statistics as JSON");
+    app.add_option(
+        "--snapshots", o.snapshots,
+        "Also write picture and statistics to this folder after 1, 2, 4, 8 ... passes and "
+        "at the end");
     CLI::Option* const level =
         app.add_option("--log-level", t.log_level,
                        "quiet, warning, or info (default: notes and a progress line, too)")
@@ -183,6 +187,25 @@ void finish_render(RenderOptions& o, const RenderTexts& t) {
     }
 }
 
+void add_merge(CLI::App& app, MergeOptions& o) {
+    app.add_option("FILES", o.inputs, ".film files")->required();
+    app.add_option("-o,--output", o.outputs, ".exr, .png, .film; may be repeated")
+        ->allow_extra_args(false)
+        ->required();
+    app.add_option("--exposure", o.exposure, "Stops for PNG")->check(between(-100, 100));
+    app.add_option("--stats", o.stats, "Write statistics as JSON");
+}
+
+void add_compare(CLI::App& app, CompareOptions& o) {
+    app.add_option("REF", o.reference, "The reference: a picture, [LABEL=]FILE")->required();
+    app.add_option("PICTURES", o.inputs,
+                   "Pictures, [LABEL=]FILE, or folders of snapshots, [LABEL=]FOLDER")
+        ->required();
+    app.add_option("--report", o.report,
+                   "Write a page to look at: one .html that needs no network");
+    app.add_option("--json", o.json, "Write the numbers as JSON");
+}
+
 }  // namespace
 
 std::optional<Options> read_options(int count, const char* const* words) {
@@ -194,6 +217,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
     InfoOptions info;
     SceneOptions scene;
     MergeOptions merge;
+    CompareOptions compare;
     CLI::App* const render_app = app.add_subcommand("render", "Render a scene");
     add_render(*render_app, render, texts);
     CLI::App* const info_app = app.add_subcommand("info", "Say what a scene file holds");
@@ -205,12 +229,10 @@ std::optional<Options> read_options(int count, const char* const* words) {
     scene_app->add_option("NAME", scene.name, "Its name");
     scene_app->add_option("-o,--output", scene.folder, "Folder to write to (default .)");
     CLI::App* const merge_app = app.add_subcommand("merge", "Add up pass ranges of one render");
-    merge_app->add_option("FILES", merge.inputs, ".film files")->required();
-    merge_app->add_option("-o,--output", merge.outputs, ".exr, .png, .film; may be repeated")
-        ->allow_extra_args(false)
-        ->required();
-    merge_app->add_option("--exposure", merge.exposure, "Stops for PNG")->check(between(-100, 100));
-    merge_app->add_option("--stats", merge.stats, "Write statistics as JSON");
+    add_merge(*merge_app, merge);
+    CLI::App* const compare_app =
+        app.add_subcommand("compare", "Measure pictures against a reference, and show them");
+    add_compare(*compare_app, compare);
     try {
         app.parse(count, words);
     } catch (const CLI::ExtrasError&) {
@@ -220,7 +242,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
         const std::vector<std::string> rest = app.remaining();
         if (app.get_subcommands().empty() && !rest.empty())
             throw Error({"sunfleck"}, "unknown command \"" + rest.front() + "\"",
-                        "use render, info, scene or merge");
+                        "use render, info, scene, merge or compare");
         throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
     } catch (const CLI::ParseError& fault) {
         if (fault.get_exit_code() == 0) {
@@ -242,8 +264,10 @@ std::optional<Options> read_options(int count, const char* const* words) {
         options.info = info;
     } else if (scene_app->parsed()) {
         options.scene = scene;
-    } else {
+    } else if (merge_app->parsed()) {
         options.merge = merge;
+    } else {
+        options.compare = compare;
     }
     return options;
 }

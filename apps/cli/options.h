@@ -26,7 +26,8 @@ struct RenderOptions {
     std::optional<Vec2i> resolution;
     std::optional<std::array<int, 4>> crop;
     std::string isa = "avx2";
-    std::string stats;  // file, or empty
+    std::string stats;      // file, or empty
+    std::string snapshots;  // folder, or empty
     std::size_t threads = 0;
     double exposure = 0;  // stops, PNG alone
     LogLevel log = LogLevel::info;
@@ -51,12 +52,20 @@ struct MergeOptions {
     double exposure = 0;
 };
 
+struct CompareOptions {
+    std::string reference;
+    std::vector<std::string> inputs;
+    std::string report;  // file, or empty
+    std::string json;    // file, or empty
+};
+
 /// Exactly one of them is set.
 struct Options {
     std::optional<RenderOptions> render;
     std::optional<InfoOptions> info;
     std::optional<SceneOptions> scene;
     std::optional<MergeOptions> merge;
+    std::optional<CompareOptions> compare;
 };
 
 /// Reads the command line. @return nothing when all has been said (--help, --version): exit 0.
