@@ -48,6 +48,13 @@ function axisOptions(title, ends, style) {
   };
 }
 
+/** With a label at every 1, 2, 5 while there is room. */
+function errorAxis(title, ends, style) {
+  const options = axisOptions(title, ends, style);
+  options.ticks.autoSkip = ends.max / ends.min > 1e5;
+  return options;
+}
+
 function chartOptions(metric, axis, datasets) {
   const style = getComputedStyle(document.documentElement);
   return {
@@ -55,7 +62,7 @@ function chartOptions(metric, axis, datasets) {
     interaction: { mode: "nearest", intersect: false },
     scales: {
       x: axisOptions(axis.selectedOptions[0].text, axisEnds(datasets, "x"), style),
-      y: axisOptions(metric.selectedOptions[0].text, axisEnds(datasets, "y"), style),
+      y: errorAxis(metric.selectedOptions[0].text, axisEnds(datasets, "y"), style),
     },
     plugins: {
       legend: { labels: { color: style.getPropertyValue("--ink"), usePointStyle: false, boxWidth: 24, boxHeight: 2, filter: (item) => item.text !== "" } },
