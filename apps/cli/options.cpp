@@ -165,7 +165,7 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     }
 }
 
-void finish_render(RenderOptions& o, const RenderTexts& t) {
+void finish_render(const CLI::App& given, RenderOptions& o, const RenderTexts& t) {
     for (const IntegratorRow& row : kIntegrators)
         if (row.name == t.integrator) o.settings.integrator = row.integrator;
     o.settings.photon.sampler = *sampler_named(t.sampler);  // one of those names: checked
@@ -179,6 +179,9 @@ void finish_render(RenderOptions& o, const RenderTexts& t) {
     if (!t.crop.empty()) o.crop = read_crop(t.crop, "--crop");
     o.settings.layers = read_layers(t.layers);
     if (!t.time.empty()) o.stop.seconds = read_duration(t.time, "--time");
+    for (const char* flag : {"--checkpoint", "--resume"})
+        if (given.count(flag) > 0 && given[flag]->as<std::string>().empty())
+            throw Error({flag}, "the file has no name", "name one");
     if (!t.every.empty()) o.checkpoint_seconds = read_duration(t.every, "--every");
     if (!t.target_error.empty()) o.stop.target_error = read_share(t.target_error, "--target-error");
     if (t.passes) o.stop.end_pass = *t.passes;
@@ -241,7 +244,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
     Options options;
     if (render_app->parsed()) {
         check_fits_integrator(*render_app, texts);
-        finish_render(render, texts);
+        finish_render(*render_app, render, texts);
         finish_paper(*render_app, texts.paper, render);
         for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
         options.render = render;

@@ -111,20 +111,18 @@ int run_render(const RenderOptions& options) {
     if (options.crop) set_crop(description, *options.crop);
     const Origin origin{SUNFLECK_VERSION, options.isa, hashes_of(description.files)};
     const Scene scene(std::move(description), options.isa);
+    const InterruptGuard guard;
+    const RenderSettings settings = settings_of(options, scene.hints());
+    const RenderJob job{scene, settings, options.stop, joined(origin.files)};
+    if (checkpoint) check_same_render(options.resume, *checkpoint, origin, job);
     RunFacts facts{options.scene, options.command, options.isa, thread_count(), 0, 0, {}, 1, {}};
     facts.warnings = warnings_of(options, scene);
     print_lines(facts.warnings, options.log);
     facts.load_seconds = watch.seconds();
 
-    const InterruptGuard guard;
-    const RenderSettings settings = settings_of(options, scene.hints());
-    const RenderJob job{scene, settings, options.stop, joined(origin.files)};
     CheckpointKeeper keeper(options);
     std::optional<RenderState> earlier;
-    if (checkpoint) {
-        check_same_render(options.resume, *checkpoint, origin, job);
-        earlier = std::move(checkpoint->state);
-    }
+    if (checkpoint) earlier = std::move(checkpoint->state);
     const double earlier_seconds = earlier ? earlier->total_seconds : 0;
     const RenderResult result = render_on(options, job, origin, std::move(earlier), keeper);
     InterruptGuard::finish_first([&] { write_outputs(outputs, result.film, options.exposure); });
