@@ -17,6 +17,9 @@ std::optional<Checkpoint> open_checkpoints(const RenderOptions& options) {
     std::error_code code;
     if (!file.empty()) {
         check_writable(file);
+        for (const std::string& output : options.outputs)
+            if (fs::weakly_canonical(output, code) == fs::weakly_canonical(file, code))
+                throw Error({file}, "is an output and the checkpoint, too", "name two files");
         if (fs::exists(file, code) &&
             (options.resume.empty() || !fs::equivalent(file, options.resume, code)))
             throw Error({file}, "stands there already, and --checkpoint would replace it",

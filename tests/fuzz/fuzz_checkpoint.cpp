@@ -1,6 +1,7 @@
 // Fuzz target: any bytes as a checkpoint end in a state that can be written again, or in an Error
 // of one line. They are taken as they stand, and again under a checksum that fits.
 #include "core/error.h"
+#include "film/word_hash.h"
 #include "render/checkpoint.h"
 
 #include <cstdint>
