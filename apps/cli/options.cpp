@@ -17,6 +17,7 @@ namespace {
 /// Flags whose text needs a reader of its own.
 struct RenderTexts {
     std::string time;
+    std::string every;
     std::string target_error;
     std::string resolution;
     std::string crop;
@@ -73,7 +74,9 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
         ->check(CLI::IsMember({"on", "off"}));
     app.add_option("--passes,--spp", t.passes, "End after this many passes")
         ->check(CLI::Range(1U, 1U << 30U));
-    app.add_option("--time", t.time, "End after this time: 60s, 5m, 2h");
+    app.add_option("--time", t.time,
+                   "End after this time of rendering: 60s, 5m, 2h. Reading the scene does not "
+                   "count; all rendering before --resume does");
     app.add_option("--target-error", t.target_error,
                    "End when 95% of the blocks have this relative error: 2%");
     app.add_option("--pass-range", t.pass_range, "Render passes a to b - 1 only: a:b");
@@ -106,6 +109,11 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
         "--snapshots", o.snapshots,
         "Also write picture and statistics to this folder after 1, 2, 4, 8 ... passes and "
         "at the end");
+    auto* const checkpoint = app.add_option(
+        "--checkpoint", o.checkpoint, "Keep the render so far in this file, to --resume from");
+    app.add_option("--every", t.every, "Time between checkpoints (default 60s)")->needs(checkpoint);
+    app.add_option("--resume", o.resume,
+                   "Go on from this checkpoint of the same render; limits may be others");
     CLI::Option* const level =
         app.add_option("--log-level", t.log_level,
                        "quiet, warning, or info (default: notes and a progress line, too)")
@@ -161,7 +169,7 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     }
 }
 
-void finish_render(RenderOptions& o, const RenderTexts& t) {
+void finish_render(const CLI::App& given, RenderOptions& o, const RenderTexts& t) {
     for (const IntegratorRow& row : kIntegrators)
         if (row.name == t.integrator) o.settings.integrator = row.integrator;
     o.settings.photon.sampler = *sampler_named(t.sampler);  // one of those names: checked
@@ -175,6 +183,10 @@ void finish_render(RenderOptions& o, const RenderTexts& t) {
     if (!t.crop.empty()) o.crop = read_crop(t.crop, "--crop");
     o.settings.layers = read_layers(t.layers);
     if (!t.time.empty()) o.stop.seconds = read_duration(t.time, "--time");
+    for (const char* flag : {"--checkpoint", "--resume"})
+        if (given.count(flag) > 0 && given[flag]->as<std::string>().empty())
+            throw Error({flag}, "the file has no name", "name one");
+    if (!t.every.empty()) o.checkpoint_seconds = read_duration(t.every, "--every");
     if (!t.target_error.empty()) o.stop.target_error = read_share(t.target_error, "--target-error");
     if (t.passes) o.stop.end_pass = *t.passes;
     if (!t.pass_range.empty()) {
@@ -254,7 +266,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
     Options options;
     if (render_app->parsed()) {
         check_fits_integrator(*render_app, texts);
-        finish_render(render, texts);
+        finish_render(*render_app, render, texts);
         finish_paper(*render_app, texts.paper, render);
         for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
         options.render = render;

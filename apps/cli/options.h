@@ -29,7 +29,10 @@ struct RenderOptions {
     std::string stats;      // file, or empty
     std::string snapshots;  // folder, or empty
     std::size_t threads = 0;
-    double exposure = 0;  // stops, PNG alone
+    std::string checkpoint;          // file to write, or empty
+    double checkpoint_seconds = 60;  // at least so many between two
+    std::string resume;              // file to go on from, or empty
+    double exposure = 0;             // stops, PNG alone
     LogLevel log = LogLevel::info;
     std::string camera;   // the name of one of the scene's cameras, or empty
     std::string command;  // as typed, for the record

@@ -161,10 +161,12 @@ void Film::close_rounds() {
 
 void Film::merge(const Film& other, const std::string& other_name) {
     const FilmSums& from = other.sums_;
-    const std::string differs = difference(sums_.key, from.key);
-    if (!differs.empty())
-        throw Error({other_name}, "is of another render: " + differs,
+    if (const auto differs = difference(sums_.key, from.key)) {
+        const std::string values =
+            differs->here.empty() ? "" : ": " + differs->here + " and " + differs->there;
+        throw Error({other_name}, "is of another render: " + differs->what + " differs" + values,
                     "merge parts of one render alone");
+    }
     if (key().sequential)
         throw Error({other_name}, "its passes build on one another and are no parts of a render",
                     "render with another --photon-sampler to merge");

@@ -1,154 +1,18 @@
 // Film files, word by word; a reader never allocates more than the file can fill.
 #include "film/film_file.h"
 
-#include "core/error.h"
-#include "film/word_hash.h"
-#include "image/atomic_file.h"
-
-#include <array>
-#include <bit>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <span>
-
 namespace sunfleck {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "words are stored as they stand");
-static_assert(sizeof(FixedPoint) == 16, "sums are stored as two words");
 
 constexpr std::uint64_t kMagic = 0x0A'6D'6C'69'66'6E'75'73;  // "sunfilm\n"
 constexpr std::uint64_t kVersion = 1;
 constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
-constexpr std::size_t kWordsAtOnce = 1U << 15U;
-
-class WordWriter {
-public:
-    explicit WordWriter(const std::string& path) : file_(path) {}
-
-    void put(std::uint64_t word) {
-        hash_.add(word);
-        buffer_.push_back(word);
-        if (buffer_.size() >= kWordsAtOnce) flush();
-    }
-    void put(const std::string& text) {
-        put(text.size());
-        for (std::size_t i = 0; i < text.size(); i += 8) {
-            std::uint64_t word = 0;
-            std::memcpy(&word, text.data() + i, std::min<std::size_t>(8, text.size() - i));
-            put(word);
-        }
-    }
-    void put(const FixedPoint& sum) {
-        put(static_cast<std::uint64_t>(sum.high));
-        put(sum.low);
-    }
-    void put(const FixedPoints& sums) {
-        for (const FixedPoint& sum : sums) put(sum);
-    }
-
-    void finish() {
-        put(hash_.value());
-        flush();
-        file_.commit();
-    }
-
-private:
-    void flush() {
-        file_.write(std::as_bytes(std::span(buffer_)));
-        buffer_.clear();
-    }
-
-    AtomicFile file_;
-    WordHash hash_;
-    std::vector<std::uint64_t> buffer_;
-};
-
-class WordReader {
-public:
-    WordReader(std::istream& stream, std::uint64_t size, const std::string& path)
-        : stream_(stream), path_(path) {
-        if (size % 8 != 0 || size < 16) damaged();
-        left_ = size / 8 - 1;  // the last is the checksum
-    }
-
-    /// Words before the checksum that were not taken yet.
-    std::uint64_t left() const { return left_; }
-
-    std::uint64_t word() {
-        if (left_ == 0) damaged();
-        --left_;
-        const std::uint64_t word = raw_word();
-        hash_.add(word);
-        return word;
-    }
-    /// A word that is at most so large.
-    std::uint64_t word_up_to(std::uint64_t largest) {
-        const std::uint64_t value = word();
-        if (value > largest) damaged();
-        return value;
-    }
-    std::string text() {
-        const std::uint64_t size = word_up_to(left_ * 8);
-        if ((size + 7) / 8 > left_) damaged();
-        std::string text(size, '\0');
-        for (std::size_t i = 0; i < size; i += 8) {
-            const std::uint64_t bytes = word();
-            std::memcpy(text.data() + i, &bytes, std::min<std::size_t>(8, size - i));
-        }
-        return text;
-    }
-    FixedPoint sum() {
-        const std::uint64_t high = word();
-        return {static_cast<std::int64_t>(high), word()};
-    }
-    void fill(FixedPoints& sums) {
-        for (FixedPoint& value : sums) value = sum();
-    }
-
-    /// The end of the file: nothing left, and the checksum agrees.
-    void finish() {
-        if (left_ != 0 || raw_word() != hash_.value()) damaged();
-    }
-
-    [[noreturn]] void damaged() const {
-        throw Error({path_}, "is no film file, or is cut or damaged",
-                    "use another copy, or render its passes again");
-    }
-
-    const std::string& path() const { return path_; }
-
-private:
-    std::uint64_t raw_word() {
-        if (next_ == buffer_.size()) {
-            buffer_.resize(std::min<std::uint64_t>(kWordsAtOnce, left_ + 2));
-            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): streams take char alone
-            stream_.read(reinterpret_cast<char*>(buffer_.data()),
-                         static_cast<std::streamsize>(buffer_.size() * 8));
-            buffer_.resize(static_cast<std::size_t>(stream_.gcount()) / 8);
-            next_ = 0;
-            if (buffer_.empty()) damaged();
-        }
-        return buffer_[next_++];
-    }
-
-    std::istream& stream_;
-    const std::string& path_;
-    WordHash hash_;
-    std::uint64_t left_ = 0;
-    std::vector<std::uint64_t> buffer_;
-    std::size_t next_ = 0;
-};
+constexpr WordFileKind kKind{"film file", "use another copy, or render its passes again"};
 
 FilmKey read_key(WordReader& in) {
-    if (in.word() != kMagic) in.damaged();
-    const std::uint64_t version = in.word();
-    if (version != kVersion)
-        throw Error({in.path()}, "is a film file of version " + std::to_string(version),
-                    "use the program that wrote it; this one reads version 1");
+    in.check_head(kMagic, kVersion);
     FilmKey key;
     key.width = static_cast<int>(in.word_up_to(kMostPixelsAcross));
     key.height = static_cast<int>(in.word_up_to(kMostPixelsAcross));
@@ -205,9 +69,8 @@ bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_round
 
 }  // namespace
 
-void write_film(const std::string& path, const Film& film) {
+void put_film(WordWriter& out, const Film& film) {
     const FilmSums& sums = film.sums();
-    WordWriter out(path);
     std::uint64_t layers = sums.key.sequential ? kSequential : 0;
     for (std::size_t i = 0; i < kLayerCount; ++i)
         if (sums.key.has(i)) layers |= std::uint64_t{1} << i;
@@ -231,11 +94,15 @@ void write_film(const std::string& path, const Film& film) {
     out.put(sums.block_squares);
     out.put(sums.image_square);
     for (const auto& [number, round] : sums.open_rounds) out.put(round);
+}
+
+void write_film(const std::string& path, const Film& film) {
+    WordWriter out(path);
+    put_film(out, film);
     out.finish();
 }
 
-Film read_film(std::istream& stream, std::uint64_t size, const std::string& name) {
-    WordReader in(stream, size, name);
+Film take_film(WordReader& in) {
     const FilmKey key = read_key(in);
     PassSet passes = read_passes(in);
     FilmStatistics statistics = read_statistics(in);
@@ -254,17 +121,19 @@ Film read_film(std::istream& stream, std::uint64_t size, const std::string& name
         round.resize(3 * key.pixels());
         in.fill(round);
     }
-    in.finish();
     return Film(std::move(sums));
 }
 
+Film read_film(std::istream& stream, std::uint64_t size, const std::string& name) {
+    WordReader in(stream, size, name, kKind);
+    Film film = take_film(in);
+    in.finish();
+    return film;
+}
+
 Film read_film(const std::string& path) {
-    std::error_code code;
-    std::ifstream file(path, std::ios::binary);
-    const std::uintmax_t size = std::filesystem::file_size(path, code);
-    if (code || !file)
-        throw Error({path}, "there is no such file, or it cannot be opened", "check the name");
-    return read_film(file, size, path);
+    OpenFile file(path);
+    return read_film(file.stream, file.size, path);
 }
 
 }  // namespace sunfleck

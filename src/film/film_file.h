@@ -4,11 +4,11 @@
 // kLayers; bit 63: sequential), seed, scene hash, settings; count of pass ranges, and each begin
 // and end; count of statistics, and each name, high and low word; the sums (high, low) of each
 // layer, pixel squares, block squares, the picture's square, and for each open round its RGB sums
-// (a sequential film has none); checksum of all before. Texts are their length and their bytes,
-// padded with zeros. One film has one file.
+// (a sequential film has none); checksum of all before. One film has one file.
 #pragma once
 
 #include "film/film.h"
+#include "film/word_file.h"
 
 #include <cstdint>
 #include <istream>
@@ -26,5 +26,10 @@ Film read_film(const std::string& path);
 /// The same from a stream. @param size  bytes of the film, all of the stream's from here on.
 /// @param name  for errors.
 Film read_film(std::istream& stream, std::uint64_t size, const std::string& name);
+
+/// The words of a film file but its checksum, for files that hold a film and more.
+void put_film(WordWriter& out, const Film& film);
+/// The same back: all words that are left.
+Film take_film(WordReader& in);
 
 }  // namespace sunfleck

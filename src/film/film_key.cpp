@@ -7,10 +7,6 @@
 namespace sunfleck {
 namespace {
 
-std::string both(const std::string& what, const std::string& here, const std::string& there) {
-    return what + " differs: " + here + " and " + there;
-}
-
 std::string resolution(const FilmKey& key) {
     return std::to_string(key.width) + "x" + std::to_string(key.height);
 }
@@ -23,7 +19,7 @@ std::string layer_names(const FilmKey& key) {
 }
 
 /// The first lines of two texts that differ.
-std::string differing_lines(const std::string& here, const std::string& there) {
+KeyDifference differing_lines(const std::string& here, const std::string& there) {
     std::istringstream lines(here);
     std::istringstream others(there);
     std::string line;
@@ -33,23 +29,23 @@ std::string differing_lines(const std::string& here, const std::string& there) {
         const bool others_more = static_cast<bool>(std::getline(others, other));
         if (!more) line = "nothing";
         if (!others_more) other = "nothing";
-        if (!more || !others_more || line != other) return both("setting", line, other);
+        if (!more || !others_more || line != other) return {"setting", line, other};
     }
 }
 
 }  // namespace
 
-std::string difference(const FilmKey& here, const FilmKey& there) {
+std::optional<KeyDifference> difference(const FilmKey& here, const FilmKey& there) {
     if (resolution(here) != resolution(there))
-        return both("resolution", resolution(here), resolution(there));
+        return KeyDifference{"resolution", resolution(here), resolution(there)};
     if (layer_names(here) != layer_names(there))
-        return both("set of layers", layer_names(here), layer_names(there));
+        return KeyDifference{"set of layers", layer_names(here), layer_names(there)};
     if (here.seed != there.seed)
-        return both("seed", std::to_string(here.seed), std::to_string(there.seed));
-    if (here.scene_hash != there.scene_hash) return "scene differs";
-    if (here.sequential != there.sequential) return "order of passes differs";
+        return KeyDifference{"seed", std::to_string(here.seed), std::to_string(there.seed)};
+    if (here.scene_hash != there.scene_hash) return KeyDifference{"scene", "", ""};
     if (here.settings != there.settings) return differing_lines(here.settings, there.settings);
-    return "";
+    if (here.sequential != there.sequential) return KeyDifference{"order of passes", "", ""};
+    return {};
 }
 
 }  // namespace sunfleck

@@ -4,6 +4,7 @@
 #include "measurement/pass_image.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -34,7 +35,14 @@ constexpr std::uint64_t hash_text(std::string_view text,
     return before;
 }
 
-/// The first thing in which two keys differ, in words with both values; empty if they are equal.
-std::string difference(const FilmKey& here, const FilmKey& there);
+/// One thing in which two keys differ, and its values, as the user reads them.
+struct KeyDifference {
+    std::string what;
+    std::string here;  // empty where it is no text: of scenes
+    std::string there;
+};
+
+/// The first; nothing if the keys are equal.
+std::optional<KeyDifference> difference(const FilmKey& here, const FilmKey& there);
 
 }  // namespace sunfleck

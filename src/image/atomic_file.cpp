@@ -8,9 +8,12 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <system_error>
+#include <vector>
 
 namespace sunfleck {
 namespace {
@@ -28,6 +31,11 @@ std::string reason(int code) {
                      : "choose a file in a folder that you may write to");
 }
 
+fs::path folder_of(const fs::path& target) {
+    const fs::path folder = target.parent_path();
+    return folder.empty() ? "." : folder;
+}
+
 /// Where the bytes shall stand in the end.
 /// @throws Error if that cannot be a file: a folder, a device, a folder that is missing.
 std::string target_of(const std::string& path) {
@@ -40,7 +48,7 @@ std::string target_of(const std::string& path) {
         throw Error({path}, "is a folder", "name a file in it");
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw Error({path}, "is no regular file", "name a new file, or one to replace");
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const fs::path folder = folder_of(target);
     if (!fs::is_directory(folder, code))
         throw Error({path}, "there is no folder " + folder.string(),
                     "create it, or choose a folder that exists");
@@ -53,10 +61,22 @@ std::string temporary_name(const std::string& target) {
     return target + "." + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".part";
 }
 
+/// The process whose temporary_name() this is; nothing for any other name.
+std::optional<pid_t> writer_of(const std::string& name, const std::string& target) {
+    if (!name.starts_with(target + ".")) return {};
+    pid_t process = 0;
+    unsigned count = 0;
+    int used = 0;
+    const std::string rest = name.substr(target.size());
+    // NOLINTNEXTLINE(cert-err34-c): the conversion is checked by the count and by %n
+    const int read = std::sscanf(rest.c_str(), ".%d-%u.part%n", &process, &count, &used);
+    if (read != 2 || static_cast<std::size_t>(used) != rest.size() || process <= 0) return {};
+    return process;
+}
+
 /// After a rename the folder's entry is brought to the disk, where the file system can do it.
 void sync_folder(const std::string& target) {
-    const fs::path folder = fs::path(target).parent_path();
-    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
+    const int descriptor = ::open(folder_of(target).c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return;
     ::fsync(descriptor);
     ::close(descriptor);
@@ -104,6 +124,17 @@ void AtomicFile::commit() {
 
 void check_writable(const std::string& path) {
     const AtomicFile trial(path);
+}
+
+void remove_leftovers(const std::string& path) {
+    const fs::path target = target_of(path);
+    std::error_code code;
+    std::vector<fs::path> left;
+    for (const auto& entry : fs::directory_iterator(folder_of(target), code)) {
+        const auto writer = writer_of(entry.path().filename(), target.filename());
+        if (writer && ::kill(*writer, 0) != 0 && errno == ESRCH) left.push_back(entry.path());
+    }
+    for (const fs::path& file : left) fs::remove(file, code);
 }
 
 void write_file(const std::string& path, std::span<const std::byte> bytes) {

@@ -42,6 +42,10 @@ private:
 /// if there is one, is not touched, and nothing is left behind.
 void check_writable(const std::string& path);
 
+/// Removes what processes of this machine that were killed while writing `path` have left beside
+/// it: temporary files of processes that live, and all else, stay.
+void remove_leftovers(const std::string& path);
+
 /// Writes a whole file, atomically.
 void write_file(const std::string& path, std::span<const std::byte> bytes);
 

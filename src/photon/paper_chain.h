@@ -70,6 +70,14 @@ public:
         ++floor_held_;
     }
 
+    /// As StoredSample::visit().
+    template <class Self, class Archive>
+    static void visit(Self& self, Archive& archive) {
+        archive(self.fixed_, self.target_, self.theta_, self.mutated_, self.accepted_,
+                self.floor_held_);
+    }
+    bool is_sound() const { return theta_ > 0 && std::isfinite(theta_) && std::isfinite(target_); }
+
 private:
     bool fixed_;
     double target_;
@@ -88,6 +96,14 @@ struct PaperState {
         return uniform == 0 ? 0
                             : static_cast<double>(uniform_visible) / static_cast<double>(uniform);
     }
+
+    template <class Self, class Archive>
+    static void visit(Self& self, Archive& archive) {
+        archive(self.found, self.uniform, self.uniform_visible, self.splatted);
+        StoredSample::visit(self.current, archive);
+        MutationSize::visit(self.size, archive);
+    }
+    bool is_sound() const { return current.is_sound() && size.is_sound(); }
 
     bool found = false;    // a first visible path
     StoredSample current;  // of CurrentPath, once found

@@ -9,6 +9,7 @@
 #include "estimate/counting_deposit.h"
 #include "measurement/visible_point.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -34,6 +35,19 @@ public:
             factors_[i] *= std::sqrt(kept / (photons_[i] + m));
             photons_[i] = kept;
         }
+    }
+
+    /// As StoredSample::visit().
+    template <class Self, class Archive>
+    static void visit(Self& self, Archive& archive) {
+        archive(self.alpha_, self.photons_, self.factors_);
+    }
+    bool is_sound(std::size_t pixels) const {
+        const auto in_range = [](double photons) { return photons >= 0 && std::isfinite(photons); };
+        const auto is_factor = [](double factor) { return factor > 0 && factor <= 1; };
+        return alpha_ > 0 && alpha_ < 1 && photons_.size() == pixels && factors_.size() == pixels &&
+               std::all_of(photons_.begin(), photons_.end(), in_range) &&
+               std::all_of(factors_.begin(), factors_.end(), is_factor);
     }
 
     /// R over the first radius.

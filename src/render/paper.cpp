@@ -15,16 +15,15 @@ constexpr std::uint32_t kPathsPerPass = 200'000;
 
 }  // namespace
 
-PaperRender::PaperRender(const Scene& scene, const RenderSettings& settings)
+PaperRender::PaperRender(const Scene& scene, const RenderSettings& settings, PaperMemory& memory)
     : scene_(scene),
       settings_(settings),
       window_(window_of(scene.film())),
       paths_(settings.photon.paths_per_pass.value_or(kPathsPerPass)),
-      chain_(settings.photon.paper),
-      radii_(window_.pixels(), settings.alpha) {}
+      memory_(memory) {}
 
 PassResult PaperRender::next_pass() {
-    const PassId id{settings_.seed, passes_++};
+    const PassId id{settings_.seed, static_cast<std::uint32_t>(memory_.passes++)};
     const std::size_t pixels = window_.pixels();
     PassResult result{PassImage(pixels, settings_.layers), {}, {}, 1, 0, {}};
     Stopwatch watch;
@@ -32,18 +31,18 @@ PassResult PaperRender::next_pass() {
     result.seconds.build = watch.lap();
     auto points = trace_eye_paths({scene, settings_.transport, settings_.eye, window_, id, 1},
                                   result.image, result.statistics);
-    radii_.shrink(points);
-    result.radius_factor = radii_.mean_factor();
+    memory_.radii.shrink(points);
+    result.radius_factor = memory_.radii.mean_factor();
     result.seconds.eye = watch.lap();
     const VisiblePointIndex index(std::move(points), settings_.transport.max_depth);
     result.seconds.index = watch.lap();
     PassImage photons(pixels, settings_.layers);
     PhotonCounts taken(pixels);
     const CountingDeposit deposit{scene, index, paths_, photons, taken};
-    const Statistics counts =
-        trace_paper_paths({scene, settings_.transport, index},
-                          {id, paths_, settings_.photon.paper.replica_exchange}, chain_, deposit);
-    radii_.add(taken);
+    const Statistics counts = trace_paper_paths(
+        {scene, settings_.transport, index}, {id, paths_, settings_.photon.paper.replica_exchange},
+        memory_.chain, deposit);
+    memory_.radii.add(taken);
     for (std::size_t i = 0; i < pixels; ++i)
         result.image.add_feature(i, Vec3(static_cast<float>(taken[i].load()), 0, 0),
                                  Layer::samples);
@@ -67,20 +66,21 @@ FixedPoint PaperRender::scaled(const FixedPoint& flux, double factor) {
 /// L_P = UniformCount / i times the mean over splatted paths; terms are rounded alike when they are
 /// added and when they are taken back, so nothing is left of them.
 void PaperRender::add_photon_light(const PassImage& photons, PassImage& image) {
-    const double before = shown_;
-    if (chain_.splatted > 0)
-        shown_ =
-            chain_.visible_fraction() * paths_ / static_cast<double>(chain_.splatted) * passes_;
+    const PaperState& chain = memory_.chain;
+    const double before = memory_.shown;
+    if (chain.splatted > 0)
+        memory_.shown = chain.visible_fraction() * paths_ / static_cast<double>(chain.splatted) *
+                        static_cast<double>(memory_.passes);
     for (std::size_t l = 0; l < kLayerCount; ++l) {
         const Layer layer = kLayers.at(l).layer;
         if (!photons.has(layer)) continue;
-        FixedPoints& flux = flux_.at(l);
+        FixedPoints& flux = memory_.flux.at(l);
         flux.resize(3 * photons.pixels());
         parallel_blocks(flux.size(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const FixedPoint shown = scaled(flux[i], before);
                 flux[i] += photons.value(layer, i / 3, i % 3);
-                FixedPoint term = scaled(flux[i], shown_);
+                FixedPoint term = scaled(flux[i], memory_.shown);
                 term += -shown;
                 image.add_term(layer, i / 3, i % 3, term);
             }
@@ -91,10 +91,11 @@ void PaperRender::add_photon_light(const PassImage& photons, PassImage& image) {
 void PaperRender::count(Film& film) {
     film.count("dropped_nonfinite", dropped_);
     film.count("saturated", saturated_.exchange(0));
-    film.sum("mutation_size", chain_.size.theta() - theta_counted_);
-    film.count("theta_floor_held", chain_.size.floor_held() - floor_counted_);
-    theta_counted_ = chain_.size.theta();
-    floor_counted_ = chain_.size.floor_held();
+    const MutationSize& size = memory_.chain.size;
+    film.sum("mutation_size", size.theta() - memory_.theta_counted);
+    film.count("theta_floor_held", size.floor_held() - memory_.floor_counted);
+    memory_.theta_counted = size.theta();
+    memory_.floor_counted = size.floor_held();
 }
 
 }  // namespace sunfleck

@@ -5,19 +5,17 @@
 // passes: the mean over passes, which is what a film shows, is L_P.
 #pragma once
 
-#include "film/film.h"
-#include "photon/paper_chain.h"
-#include "render/local_radii.h"
+#include "render/paper_memory.h"
 #include "render/pass.h"
 
-#include <array>
 #include <atomic>
 
 namespace sunfleck {
 
 class PaperRender {
 public:
-    PaperRender(const Scene& scene, const RenderSettings& settings);
+    /// @param memory  of the same settings and picture; outlives this, which goes on from it.
+    PaperRender(const Scene& scene, const RenderSettings& settings, PaperMemory& memory);
 
     /// The next pass.
     PassResult next_pass();
@@ -34,13 +32,7 @@ private:
     const RenderSettings& settings_;
     PixelWindow window_;
     std::uint32_t paths_;
-    std::uint32_t passes_ = 0;
-    PaperState chain_;
-    LocalRadii radii_;
-    std::array<FixedPoints, kLayerCount> flux_;  // tau / (pi R^2 paths), before normalisation
-    double shown_ = 0;                           // what flux_ was multiplied by after the last pass
-    double theta_counted_ = 0;
-    std::uint64_t floor_counted_ = 0;
+    PaperMemory& memory_;
     std::uint64_t dropped_ = 0;                // of the last pass's photons
     std::atomic<std::uint64_t> saturated_{0};  // the same, and of its differences
 };

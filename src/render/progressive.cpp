@@ -18,22 +18,10 @@ bool is_paper(const RenderSettings& settings) {
 }
 
 /// Photon paths; camera paths of the path tracer.
-double paths_of(const PassResult& pass, Integrator integrator) {
-    if (integrator == Integrator::path) return static_cast<double>(pass.image.pixels());
-    return static_cast<double>(pass.statistics[Count::uniform_paths] +
-                               pass.statistics[Count::mutated_paths]);
-}
-
-FilmKey key_of(const RenderJob& job) {
-    const PixelWindow window = window_of(job.scene.film());
-    const Vec2i whole = job.scene.film().resolution;
-    FilmKey key{window.width(),    window.height(), job.settings.layers,
-                job.settings.seed, job.scene_hash,  job.settings.text()};
-    key.settings += "resolution=" + std::to_string(whole.x) + "x" + std::to_string(whole.y) +
-                    "\nwindow=" + std::to_string(window.x0) + "," + std::to_string(window.y0) +
-                    "\n";
-    key.sequential = is_paper(job.settings);
-    return key;
+double paths_of(const Film& film, Integrator integrator) {
+    if (integrator == Integrator::path)
+        return static_cast<double>(film.key().pixels() * film.pass_count());
+    return film.statistic("uniform_paths") + film.statistic("mutated_paths");
 }
 
 /// Level by level, as sums over passes.
@@ -64,17 +52,6 @@ void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     count_ladder(film, pass.ladder);
 }
 
-void follow(const PassResult& pass, Progress& progress) {
-    progress.visible_fraction +=
-        (pass.visible_fraction - progress.visible_fraction) / progress.passes;
-    if (is_starved(pass)) ++progress.starved;
-    progress.levels = pass.ladder.levels.empty() ? 0 : pass.ladder.levels.size() - 1;
-    const Acceptance mutations = pass.ladder.mutations();
-    progress.acceptance = mutations.proposed == 0 ? 0
-                                                  : static_cast<double>(mutations.accepted) /
-                                                        static_cast<double>(mutations.proposed);
-}
-
 /// The error falls about with the root of the number of passes; the bias of the radius apart.
 std::optional<double> seconds_left(const Progress& p, const StopSettings& stop) {
     std::optional<double> left;
@@ -87,48 +64,119 @@ std::optional<double> seconds_left(const Progress& p, const StopSettings& stop) 
     return left;
 }
 
+/// What the film tells; the rest is of the last pass alone.
+void follow(const RenderState& state, const RenderJob& job, Progress& progress) {
+    const Film& film = state.film;
+    progress.passes = static_cast<std::uint32_t>(film.pass_count());
+    progress.seconds = state.total_seconds;
+    progress.visible_fraction = film.statistic("visible_fraction") / progress.passes;
+    progress.starved = static_cast<std::uint32_t>(film.statistic("starved_passes"));
+    progress.paths_per_second = paths_of(film, job.settings.integrator) / progress.seconds;
+    progress.seconds_left = seconds_left(progress, job.stop);
+}
+
+void follow(const LadderCounts& ladder, Progress& progress) {
+    progress.levels = ladder.levels.empty() ? 0 : ladder.levels.size() - 1;
+    const Acceptance mutations = ladder.mutations();
+    progress.acceptance = mutations.proposed == 0 ? 0
+                                                  : static_cast<double>(mutations.accepted) /
+                                                        static_cast<double>(mutations.proposed);
+}
+
+/// Renders passes in their order and adds them to a state.
+class PassMaker {
+public:
+    PassMaker(const RenderJob& job, RenderState& state) : job_(job), state_(state) {
+        if (!is_paper(job.settings)) return;
+        if (!state.paper) state.paper.emplace(job.settings, state.film.key().pixels());
+        paper_.emplace(job.scene, job.settings, *state.paper);
+    }
+
+    /// @return counts of its ladder.
+    LadderCounts make(std::uint32_t number) {
+        if (!paper_ && (!epoch_ || epoch_->number != epoch_of(number))) {
+            epoch_ = learn_epoch(job_.scene, job_.settings, number);
+            state_.seconds.learn += epoch_->seconds;
+        }
+        PassResult pass =
+            paper_ ? paper_->next_pass() : render_pass(job_.scene, job_.settings, number, *epoch_);
+        add_pass(state_.film, number, pass);
+        if (paper_) paper_->count(state_.film);
+        state_.seconds += pass.seconds;
+        state_.radius_factor = pass.radius_factor;
+        return std::move(pass.ladder);
+    }
+
+private:
+    const RenderJob& job_;
+    RenderState& state_;
+    std::optional<Epoch> epoch_;
+    std::optional<PaperRender> paper_;
+};
+
+/// After one pass or more.
+bool is_over(const Progress& progress, const StopSettings& stop) {
+    return (stop.seconds && progress.seconds >= *stop.seconds) ||
+           (progress.error && progress.target && *progress.error <= *progress.target);
+}
+
 }  // namespace
 
-RenderResult render(const RenderJob& job, const RenderHooks& hooks) {
-    const StopSettings& stop = job.stop;
+FilmKey key_of(const RenderJob& job) {
+    const PixelWindow window = window_of(job.scene.film());
+    const Vec2i whole = job.scene.film().resolution;
+    FilmKey key{window.width(),    window.height(), job.settings.layers,
+                job.settings.seed, job.scene_hash,  job.settings.text()};
+    key.settings += "resolution=" + std::to_string(whole.x) + "x" + std::to_string(whole.y) +
+                    "\nwindow=" + std::to_string(window.x0) + "," + std::to_string(window.y0) +
+                    "\n";
+    key.sequential = is_paper(job.settings);
+    return key;
+}
+
+RenderResult render(const RenderJob& job, const RenderHooks& hooks,
+                    std::optional<RenderState> earlier) {
     WorkClock clock;
-    RenderResult result{Film(key_of(job)), {}, 0, 0, 1, false};
+    const StopSettings& stop = job.stop;
+    RenderState begin =
+        earlier ? std::move(*earlier) : RenderState{Film(key_of(job)), {}, 0, 0, 1, {}};
+    RenderResult result{std::move(begin), false};
+    const auto count_time = [&, wall = result.total_seconds, cpu = result.cpu_seconds] {
+        result.total_seconds = wall + clock.seconds();
+        result.cpu_seconds = cpu + clock.cpu_seconds();
+    };
+    PassMaker passes(job, result);
     Progress progress;
     progress.target = stop.target_error;
     if (stop.end_pass) progress.of = *stop.end_pass - stop.first_pass;
-    double paths = 0;
-    std::optional<Epoch> epoch;
-    std::optional<PaperRender> paper;
-    if (is_paper(job.settings)) paper.emplace(job.scene, job.settings);
-    for (std::uint32_t number = stop.first_pass; !stop.end_pass || number < *stop.end_pass;
-         ++number) {
-        if (!paper && (!epoch || epoch->number != epoch_of(number))) {
-            epoch = learn_epoch(job.scene, job.settings, number);
-            result.seconds.learn += epoch->seconds;
-        }
-        const PassResult pass =
-            paper ? paper->next_pass() : render_pass(job.scene, job.settings, number, *epoch);
-        add_pass(result.film, number, pass);
-        if (paper) paper->count(result.film);
-        result.seconds += pass.seconds;
-        result.radius_factor = pass.radius_factor;
-        progress.passes = ++result.passes;
-        if (pass.statistics[Count::uniform_paths] > 0) follow(pass, progress);
-        progress.seconds = clock.seconds();
-        paths += paths_of(pass, job.settings.integrator);
-        progress.paths_per_second = paths / progress.seconds;
+    progress.passes = static_cast<std::uint32_t>(result.film.pass_count());
+    progress.seconds = result.total_seconds;
+    if (progress.passes > 0) progress.error = target_error(result.film);
+    const auto interrupted = [&] { return hooks.interrupted != nullptr && *hooks.interrupted; };
+    const auto goes_on = [&](std::uint32_t number) {
+        if (stop.end_pass && number >= *stop.end_pass) return false;
+        return progress.passes == 0 || !(interrupted() || is_over(progress, stop));
+    };
+    double saved_at = progress.seconds;
+    bool saved = false;
+    bool shown = false;
+    for (std::uint32_t number = stop.first_pass + progress.passes; goes_on(number); ++number) {
+        follow(passes.make(number), progress);
+        count_time();
         if ((number + 1) % kRoundPasses == 0) progress.error = target_error(result.film);
-        progress.seconds_left = seconds_left(progress, stop);
+        follow(result, job, progress);
         if (hooks.report) hooks.report(progress);
-        result.interrupted = hooks.interrupted != nullptr && hooks.interrupted->load();
-        const bool late = stop.seconds && progress.seconds >= *stop.seconds;
-        const bool good = progress.error && progress.target && *progress.error <= *progress.target;
-        if (hooks.snapshot && std::has_single_bit(result.passes))
-            clock.aside([&] { hooks.snapshot(result); });
-        if (result.interrupted || late || good) break;
+        shown = hooks.snapshot && std::has_single_bit(progress.passes);
+        if (shown) clock.aside([&] { hooks.snapshot(result); });
+        saved = hooks.save && progress.seconds - saved_at >= hooks.save_every;
+        if (!saved) continue;
+        saved_at = progress.seconds;
+        hooks.save(result);
     }
-    result.total_seconds = clock.seconds();
-    if (hooks.snapshot && !std::has_single_bit(result.passes)) hooks.snapshot(result);
+    result.interrupted = interrupted();
+    if (hooks.snapshot && !shown) clock.aside([&] { hooks.snapshot(result); });
+    if (hooks.save && !saved) hooks.save(result);
+    count_time();
     return result;
 }
 

@@ -1,10 +1,11 @@
 // A whole render: passes one after the other until a limit, added up in a film.
 //
-// In:  scene, settings, limits. Out: the film. Between passes nothing is carried but the film's
-// sums: a pass that runs is always finished.
+// In:  scene, settings, limits, and earlier passes to go on from. Out: the film. A pass that runs
+// is always finished.
 #pragma once
 
 #include "film/film.h"
+#include "render/paper_memory.h"
 #include "render/pass.h"
 
 #include <atomic>
@@ -28,12 +29,18 @@ struct Progress {
     std::uint32_t starved = 0;           // passes that found no visible photon path
 };
 
-struct RenderResult {
+/// All that goes from one pass to the next. What adaptive sampling has learned is no part of it: an
+/// epoch's plan is learned again, to the same bits, from the number of the pass (render/epoch.h).
+struct RenderState {
     Film film;
     PassTimes seconds;
-    double total_seconds = 0;
-    std::uint32_t passes = 0;
-    double radius_factor = 1;  // of the last pass
+    double total_seconds = 0;          // of rendering, on the wall
+    double cpu_seconds = 0;            // of all threads, since the program began
+    double radius_factor = 1;          // of the last pass
+    std::optional<PaperMemory> paper;  // of the sampler `paper` alone
+};
+
+struct RenderResult : RenderState {
     bool interrupted = false;
 };
 
@@ -42,6 +49,9 @@ struct RenderHooks {
     /// After 1, 2, 4, 8 ... passes and at the end; its time does not count.
     std::function<void(const RenderResult&)> snapshot;
     const std::atomic<bool>* interrupted = nullptr;  // asked after each pass
+    /// After a pass when `save_every` seconds have gone since the last call began, and at the end.
+    std::function<void(const RenderState&)> save;
+    double save_every = 60;
 };
 
 /// What a render is to be compared by: scene_hash is of all that the scene's files hold.
@@ -52,6 +62,12 @@ struct RenderJob {
     std::uint64_t scene_hash = 0;
 };
 
-RenderResult render(const RenderJob& job, const RenderHooks& hooks);
+/// What parts of one render have in common.
+FilmKey key_of(const RenderJob& job);
+
+/// @param earlier  passes of this job to go on from, the job's first pass to some other without a
+///                 gap: the result is as if they were rendered now. Their seconds count.
+RenderResult render(const RenderJob& job, const RenderHooks& hooks,
+                    std::optional<RenderState> earlier = {});
 
 }  // namespace sunfleck

@@ -36,6 +36,15 @@ public:
 
     friend bool operator==(const StoredSample&, const StoredSample&) = default;
 
+    /// Hands all that it holds to archive(...), to be written or to be filled
+    /// (render/checkpoint.h).
+    template <class Self, class Archive>
+    static void visit(Self& self, Archive& archive) {
+        archive(self.values_, self.read_);
+    }
+    /// Is what an archive filled in a sample?
+    bool is_sound() const { return read_.size() == (values_.size() + 63) / 64; }
+
 private:
     std::vector<std::uint64_t> values_;
     std::vector<std::uint64_t> read_;  // one bit a slot

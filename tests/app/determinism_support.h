@@ -21,11 +21,26 @@ protected:
     }
 
     /// Renders passes "a:b" into NAME.film and NAME.exr.
-    void part(const std::string& name, const std::string& range, int threads) const {
-        const Ran ran =
-            run(render_words_ + Words{"--pass-range", range, "--nthreads", std::to_string(threads),
-                                      "-o", name + ".film", "-o", name + ".exr"});
+    void part(const std::string& name, const std::string& range, int threads,
+              const Words& more = {}) const {
+        const Ran ran = run(render_words_ + more +
+                            Words{"--pass-range", range, "--nthreads", std::to_string(threads),
+                                  "-o", name + ".film", "-o", name + ".exr"});
         ASSERT_EQ(ran.code, 0) << ran.err;
+    }
+
+    /// The same, stopped at each of `ends` and resumed by another number of threads.
+    void resumed(const std::string& name, const std::string& first, const std::vector<int>& ends,
+                 int threads) const {
+        const std::string file = path(name + ".ckpt");
+        Words resume;
+        for (const int end : ends) {
+            part(name, first + ":" + std::to_string(end), threads,
+                 Words{"--checkpoint", file} + resume);
+            resume = {"--resume", file};
+            threads = threads == 1 ? 8 : threads - 1;
+        }
+        std::filesystem::remove(file);
     }
 
     /// Merges NAMES.film, in this order, into NAME.film and NAME.exr.
@@ -50,6 +65,11 @@ protected:
         EXPECT_TRUE(bytes("sum") == expected) << "0:5 + 5:16, threads " << threads;
         merge("sum", {"high", "low"});
         EXPECT_TRUE(bytes("sum") == expected) << "5:16 + 0:5, threads " << threads;
+        resumed("resumed", "0", {3, 16}, threads);
+        EXPECT_TRUE(bytes("resumed") == expected) << "0:3, then to 16, threads " << threads;
+        resumed("high", "5", {6, 11, 16}, threads);
+        merge("sum", {"high", "low"});
+        EXPECT_TRUE(bytes("sum") == expected) << "0:5 + resumed 5:16, threads " << threads;
         Words single;
         for (int i = 0; i < 16; ++i) {
             const int pass = (11 * i + 3) % 16;  // every pass once, not in order

@@ -61,6 +61,7 @@ public:
     }
 
     void send(int signal) const { ::kill(pid_, signal); }
+    ::pid_t id() const { return pid_; }
 
     /// Waits until the process catches SIGINT: the render has begun. False when it never does.
     bool wait_for_handler() const {

@@ -102,7 +102,8 @@ TEST(Paper, a_plain_chain_agrees_on_one_island) {
 TEST(Paper, images_of_passes_are_differences_of_estimates) {
     const Scene scene = one_island();
     const RenderSettings settings = paper(200);
-    PaperRender paper(scene, settings);
+    PaperMemory memory(settings, 64);
+    PaperRender paper(scene, settings, memory);
     std::vector<double> sums(64, 0);
     double lowest_term = 0;
     double radius = 1;

@@ -1,0 +1,52 @@
+// Checkpoints of `sunfleck render`: tried before the work, written while it goes on.
+#include "apps/cli/checkpoints.h"
+
+#include "apps/cli/interrupt.h"
+#include "image/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace sunfleck {
+
+std::optional<Checkpoint> open_checkpoints(const RenderOptions& options) {
+    namespace fs = std::filesystem;
+    const std::string& file = options.checkpoint;
+    std::error_code code;
+    if (!file.empty()) {
+        check_writable(file);
+        for (const std::string& output : options.outputs)
+            if (fs::weakly_canonical(fs::absolute(output)) ==
+                fs::weakly_canonical(fs::absolute(file)))
+                throw Error({file}, "is an output and the checkpoint, too", "name two files");
+        if (fs::exists(file, code) &&
+            (options.resume.empty() || !fs::equivalent(file, options.resume, code)))
+            throw Error({file}, "stands there already, and --checkpoint would replace it",
+                        "go on from it with --resume " + file + ", or remove it");
+        remove_leftovers(file);
+    }
+    if (options.resume.empty()) return {};
+    return read_checkpoint(options.resume);
+}
+
+void CheckpointKeeper::save(const Origin& origin, const RenderState& state) {
+    InterruptGuard::finish_first([&] {
+        const bool first_fault = !fault_;
+        try {
+            fault_.reset();
+            write_checkpoint(options_.checkpoint, origin, state);
+        } catch (const Error& error) {
+            fault_ = error;
+            if (first_fault && options_.log != LogLevel::quiet)
+                fmt::print(stderr, "warning: {} (the render goes on)\n", error.what());
+        }
+    });
+}
+
+void CheckpointKeeper::finish() const {
+    if (fault_) throw Error(*fault_);
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,278 @@
+// --checkpoint and --resume: a render that goes on has the bytes of one that was never stopped, and
+// goes on as nothing but itself.
+#include "render/checkpoint.h"
+
+#include "app/program.h"
+
+#include <sys/resource.h>
+
+namespace sunfleck {
+namespace {
+
+using testing_support::operator+;
+using testing_support::Process;
+using testing_support::ProgramTest;
+using testing_support::Ran;
+using testing_support::read_text;
+using testing_support::Words;
+using testing_support::write_text;
+using namespace std::chrono_literals;
+
+class Resume : public ProgramTest {
+protected:
+    /// All that a render writes; of the statistics all that is neither time nor of the run.
+    struct Files {
+        std::string exr, png, film;
+        nlohmann::json stats;
+        friend bool operator==(const Files&, const Files&) = default;
+    };
+
+    Files files_of(const Words& words) const {
+        const Ran ran = run(words + Words{"-o", "x.exr", "-o", "x.png", "-o", "x.film", "--stats",
+                                          "x.json", "--quiet"});
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        nlohmann::json stats = json("x.json");
+        for (const char* name : {"seconds", "command", "threads"}) stats.erase(name);
+        return {read_text(path("x.exr")), read_text(path("x.png")), read_text(path("x.film")),
+                stats};
+    }
+
+    /// Two passes of the room, kept.
+    void keep(const std::string& file, const Words& words = {}) const {
+        const Ran ran = render(
+            Words{"-o", "kept.exr", "--quiet", "--passes", "2", "--checkpoint", file} + words);
+        ASSERT_EQ(ran.code, 0) << ran.err;
+    }
+
+    /// Refused in one line that begins with the place and has these words; no file changes.
+    void expect_refused(const Words& words, const std::string& place,
+                        const std::vector<std::string>& named) const {
+        const std::string before = names();
+        const Ran ran = render(words + Words{"-o", "refused.exr"});
+        EXPECT_EQ(ran.code, 2) << named[0];
+        EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+        EXPECT_TRUE(ran.err.starts_with(place + ": ")) << ran.err;
+        for (const std::string& word : named)
+            EXPECT_NE(ran.err.find(word), std::string::npos) << word << " in " << ran.err;
+        EXPECT_EQ(names(), before);
+    }
+
+    std::uint64_t passes_in(const std::string& file) const {
+        return read_checkpoint(path(file)).state.film.pass_count();
+    }
+
+    /// The room, for days; checkpoints after each pass.
+    static Words endless(const std::string& every) {
+        return {"render",    "room.pbrt",          "--quiet", "-o",           "x.exr",  "--passes",
+                "100000000", "--photons-per-pass", "2000",    "--checkpoint", "x.ckpt", "--every",
+                every};
+    }
+    void wait_for(const std::string& name) const {
+        for (int i = 0; i < 6000 && !exists(name); ++i) std::this_thread::sleep_for(10ms);
+        ASSERT_TRUE(exists(name));
+    }
+};
+
+/// Every sampler and integrator, stopped in two epochs of what adaptive sampling learns.
+TEST_F(Resume, has_the_bytes_of_a_whole_render) {
+    ASSERT_EQ(run({"scene", "cognac-4", "-o", "."}).code, 0);
+    const std::vector<Words> ways = {
+        {"--photon-sampler", "adaptive", "--photons-per-pass", "6000", "--layers", "caustic,depth"},
+        {"--photon-sampler", "uniform", "--photons-per-pass", "2000"},
+        {"--photon-sampler", "random", "--photons-per-pass", "2000"},
+        {"--photon-sampler", "paper", "--photons-per-pass", "2000"},
+        {"--integrator", "path"},
+        {"--integrator", "light", "--photons-per-pass", "2000"},
+    };
+    for (const Words& way : ways) {
+        const Words words =
+            Words{"render", "cognac-4.pbrt", "--resolution", "12x10", "--seed", "3"} + way;
+        const Words keep{"--checkpoint", "x.ckpt"};
+        const Words resume{"--resume", "x.ckpt"};
+        const Files whole = files_of(words + Words{"--passes", "21", "--nthreads", "1"});
+        files_of(words + keep + Words{"--passes", "5", "--nthreads", "8"});
+        EXPECT_FALSE(files_of(words + keep + resume + Words{"--passes", "18", "--nthreads", "2"}) ==
+                     whole);
+        EXPECT_EQ(passes_in("x.ckpt"), 18U);
+        for (const char* threads : {"1", "2", "8"}) {
+            const Files files =
+                files_of(words + resume + Words{"--passes", "21", "--nthreads", threads});
+            EXPECT_TRUE(files == whole) << way[1] << " threads " << threads;
+            EXPECT_EQ(files.stats, whole.stats) << way[1];
+        }
+        if (way[1] == "adaptive") {
+            EXPECT_GT(whole.stats["ladder"]["levels"], 0) << "nothing to learn";
+        }
+        std::filesystem::remove(path("x.ckpt"));
+    }
+}
+
+TEST_F(Resume, another_setting_is_refused_by_name) {
+    keep("x.ckpt");
+    const std::vector<std::pair<Words, std::vector<std::string>>> rows = {
+        {{"--seed", "7"}, {"seed differs: 0 in the file, 7 asked for"}},
+        {{"--photons-per-pass", "300"}, {"photons_per_pass=2000 in the file", "300 asked for"}},
+        {{"--direct", "photons"}, {"direct=sampled in the file", "direct=photons asked for"}},
+        {{"--photon-sampler", "random"}, {"photon_sampler=adaptive", "photon_sampler=random"}},
+        {{"--mode", "paper"}, {"photon_sampler=adaptive", "photon_sampler=paper"}},
+        {{"--integrator", "path"}, {"integrator=sppm", "integrator=path"}},
+        {{"--max-depth", "3"}, {"max_depth=10", "max_depth=3"}},
+        {{"--alpha", "0.5"}, {"alpha=0.66", "alpha=0.5"}},
+        {{"--radius-pixels", "4"}, {"radius_pixels=2", "radius_pixels=4"}},
+        {{"--radius", "0.5"}, {"radius=default", "radius=0.5"}},
+        {{"--energy-compensation", "on"}, {"energy_compensation=on"}},
+        {{"--resolution", "8x8"}, {"resolution differs: 16x12 in the file, 8x8 asked for"}},
+        {{"--crop", "0,4,0,4"}, {"resolution differs: 16x12 in the file, 4x4 asked for"}},
+        {{"--layers", "albedo"}, {"layers differs: RGB in the file, RGB albedo asked for"}},
+        {{"--isa", "native"}, {"isa differs: avx2 in the file, native asked for"}},
+        {{"--pass-range", "1:9"}, {"first pass differs: 0 in the file, 1 asked for"}},
+        {{"--passes", "1"}, {"holds passes up to 2, and 1 are asked for"}},
+    };
+    for (const auto& [words, named] : rows)
+        expect_refused(words + Words{"--resume", "x.ckpt"}, "x.ckpt", named);
+    EXPECT_EQ(passes_in("x.ckpt"), 2U);
+}
+
+TEST_F(Resume, another_scene_is_refused_by_file) {
+    const std::string scene = room_text("0.6") + "Include \"more.pbrt\"\n";
+    write_text(path("room.pbrt"), scene);
+    write_text(path("more.pbrt"), "# nothing\n");
+    keep("x.ckpt");
+    std::filesystem::create_directory(path("other"));
+    write_text(path("other/more.pbrt"), "# nothing\n");
+    write_text(path("other/copy.pbrt"), scene);
+    EXPECT_EQ(run({"render", "other/copy.pbrt", "--photons-per-pass", "2000", "--passes", "3", "-o",
+                   "kept.exr", "--resume", "x.ckpt"})
+                  .code,
+              0)
+        << "the same files elsewhere are the same scene";
+    std::filesystem::remove_all(path("other"));
+    write_text(path("more.pbrt"), "# something\n");
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"scene file", "more.pbrt is not as it was"});
+    write_text(path("room.pbrt"), room_text("0.6"));
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"of 2 files", "of 1"});
+}
+
+TEST_F(Resume, files_that_cannot_be_used) {
+    keep("x.ckpt");
+    expect_refused({"--resume", "none.ckpt"}, "none.ckpt", {"no such file"});
+    expect_refused({"--resume", "none.ckpt", "--checkpoint", "none.ckpt"}, "none.ckpt",
+                   {"no such"});
+    expect_refused({"--resume", "kept.exr"}, "kept.exr", {"no checkpoint, or is cut or damaged"});
+    expect_refused({"--resume", "."}, ".", {""});
+    const std::string bytes = read_text(path("x.ckpt"));
+    write_text(path("x.ckpt"), bytes.substr(0, bytes.size() - 8));
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"cut or damaged"});
+    std::string broken = bytes;
+    broken[bytes.size() / 2] = static_cast<char>(broken[bytes.size() / 2] ^ 1);
+    write_text(path("x.ckpt"), broken);
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"cut or damaged"});
+    broken = bytes;
+    broken[8] = 2;
+    write_text(path("x.ckpt"), broken);
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"version 2", "reads version 1"});
+}
+
+/// The same command once more by mistake does not cost the render.
+TEST_F(Resume, a_checkpoint_is_not_replaced_unasked) {
+    keep("x.ckpt");
+    keep("y.ckpt");
+    expect_refused({"--checkpoint", "x.ckpt"}, "x.ckpt",
+                   {"stands there already", "--resume x.ckpt"});
+    expect_refused({"--checkpoint", "x.ckpt", "--resume", "y.ckpt"}, "x.ckpt", {"stands there"});
+    expect_refused({"--checkpoint", "z.film", "-o", "./z.film"}, "z.film", {"an output"});
+    EXPECT_EQ(passes_in("x.ckpt"), 2U);
+    EXPECT_EQ(render({"-o", "kept.exr", "--passes", "3", "--checkpoint", "./x.ckpt", "--resume",
+                      path("x.ckpt")})
+                  .code,
+              0);
+    EXPECT_EQ(passes_in("x.ckpt"), 3U);
+}
+
+TEST_F(Resume, pass_ranges_go_on_and_merge) {
+    const Words keep{"-o", "b.film", "--checkpoint", "x.ckpt", "--quiet"};
+    ASSERT_EQ(render(Words{"-o", "a.film", "--pass-range", "0:9"}).code, 0);
+    ASSERT_EQ(render(keep + Words{"--pass-range", "9:11"}).code, 0);
+    ASSERT_EQ(render(keep + Words{"--pass-range", "9:20", "--resume", "x.ckpt"}).code, 0);
+    expect_refused({"--passes", "20", "--resume", "x.ckpt"}, "x.ckpt",
+                   {"first pass differs: 9 in the file, 0 asked for"});
+    ASSERT_EQ(run({"merge", "b.film", "a.film", "-o", "x.exr"}).code, 0);
+    ASSERT_EQ(render({"-o", "whole.exr", "--passes", "20"}).code, 0);
+    EXPECT_TRUE(read_text(path("x.exr")) == read_text(path("whole.exr")));
+}
+
+/// Seconds add up, and a time limit counts them all.
+TEST_F(Resume, time_already_spent_counts) {
+    const Words words{"-o", "x.exr", "--stats", "x.json", "--checkpoint", "x.ckpt", "--quiet"};
+    ASSERT_EQ(render(words + Words{"--time", "0.3"}).code, 0);
+    const auto first = json("x.json");
+    const double spent = read_checkpoint(path("x.ckpt")).state.total_seconds;
+    EXPECT_GE(spent, 0.3);
+    ASSERT_EQ(render(words + Words{"--time", "0.3", "--resume", "x.ckpt"}).code, 0);
+    auto again = json("x.json");
+    EXPECT_EQ(again["passes"], first["passes"]) << "no pass more";
+    EXPECT_GE(again["seconds"]["total"], spent);
+    EXPECT_EQ(again["seconds"]["photon"], first["seconds"]["photon"]);
+    ASSERT_EQ(render(words + Words{"--time", "0.5", "--resume", "x.ckpt"}).code, 0);
+    EXPECT_GT(json("x.json")["passes"], first["passes"]);
+    EXPECT_GE(read_checkpoint(path("x.ckpt")).state.total_seconds, 0.5);
+}
+
+TEST_F(Resume, after_an_interrupt) {
+    Process process(path(""), endless("1h"));
+    ASSERT_TRUE(process.wait_for_handler());
+    std::this_thread::sleep_for(100ms);
+    process.send(SIGINT);
+    EXPECT_EQ(process.wait().code, 130);
+    EXPECT_EQ(names(), "x.ckpt x.exr");
+    const std::uint64_t held = passes_in("x.ckpt");
+    EXPECT_GE(held, 1U);
+    const std::string more = std::to_string(held + 3);
+    ASSERT_EQ(render({"-o", "x.exr", "--passes", more, "--resume", "x.ckpt"}).code, 0);
+    ASSERT_EQ(render({"-o", "whole.exr", "--passes", more}).code, 0);
+    EXPECT_TRUE(read_text(path("x.exr")) == read_text(path("whole.exr")));
+}
+
+/// A limit on the size of files kills the program in the middle of a write: before the rename.
+TEST_F(Resume, a_kill_while_writing_leaves_the_former_one) {
+    Process process(path(""), endless("0.000001"));
+    wait_for("x.ckpt");
+    const rlimit small{1000, 1000};
+    ASSERT_EQ(::prlimit(process.id(), RLIMIT_FSIZE, &small, nullptr), 0);
+    EXPECT_EQ(process.wait().code, 1000 + SIGXFSZ);
+    const std::uint64_t held = passes_in("x.ckpt");
+    EXPECT_GE(held, 1U);
+    EXPECT_NE(names().find(".part"), std::string::npos) << "it died while writing";
+    const std::string more = std::to_string(held + 3);
+    const Words words{"-o", "x.exr", "--passes", more, "--quiet"};
+    ASSERT_EQ(render(words + Words{"--resume", "x.ckpt", "--checkpoint", "x.ckpt"}).code, 0);
+    EXPECT_EQ(names(), "x.ckpt x.exr") << "what the killed one left is gone";
+    ASSERT_EQ(render(words + Words{"-o", "whole.exr"}).code, 0);
+    EXPECT_TRUE(read_text(path("x.exr")) == read_text(path("whole.exr")));
+}
+
+/// The disk is full for checkpoints, not for the small picture: the render goes on to its end, says
+/// so once, and ends with code 2.
+TEST_F(Resume, a_full_disk_is_said_and_does_not_end_the_render) {
+    keep("x.ckpt");
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);  // inherited
+    Words words = endless("0.000001") + Words{"--resume", "x.ckpt"};
+    words.erase(words.begin() + 2);  // --quiet
+    Process process(path(""), words);
+    std::signal(SIGXFSZ, handler);
+    ASSERT_TRUE(process.wait_for_handler());
+    const rlimit small{4000, 4000};
+    ASSERT_EQ(::prlimit(process.id(), RLIMIT_FSIZE, &small, nullptr), 0);
+    std::this_thread::sleep_for(100ms);
+    process.send(SIGINT);
+    const Ran ran = process.wait();
+    EXPECT_EQ(ran.code, 2);
+    const std::string fault =
+        "x.ckpt: cannot write: File too large; make room on the disk, or write to another one";
+    EXPECT_EQ(ran.err, "warning: " + fault + " (the render goes on)\n" + fault + "\n");
+    EXPECT_EQ(names(), "kept.exr x.ckpt x.exr");
+    EXPECT_GE(passes_in("x.ckpt"), 2U);
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,14 @@
+// Killed five hundred times at random moments.
+#include "app/kills_support.h"
+
+namespace sunfleck {
+namespace {
+
+using Kills = testing_support::KillTest;
+
+TEST_F(Kills, five_hundred_lose_nothing_but_time) {
+    expect_survives(500, 30000, {"0.000001", "0.02"});
+}
+
+}  // namespace
+}  // namespace sunfleck
