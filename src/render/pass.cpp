@@ -5,6 +5,7 @@
 #include "estimate/deposit.h"
 #include "photon/adaptive_paths.h"
 #include "photon/uniform_paths.h"
+#include "reference/bidirectional_integrator.h"
 #include "reference/light_integrator.h"
 #include "render/radius.h"
 
@@ -76,6 +77,10 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
             break;
         case Integrator::path:
             trace_reference_paths(reference, result.image, result.statistics);
+            result.seconds.eye = watch.lap();
+            break;
+        case Integrator::bdpt:
+            trace_bidirectional_paths(reference, result.image, result.statistics);
             result.seconds.eye = watch.lap();
             break;
         case Integrator::light: {

@@ -16,9 +16,10 @@ bool is_paper(const RenderSettings& settings) {
            settings.photon.sampler == PhotonSampler::paper;
 }
 
-/// Photon paths; camera paths of the path tracer.
+/// Photon paths; camera paths where there are none.
 double paths_of(const PassResult& pass, Integrator integrator) {
-    if (integrator == Integrator::path) return static_cast<double>(pass.image.pixels());
+    if (integrator == Integrator::path || integrator == Integrator::bdpt)
+        return static_cast<double>(pass.image.pixels());
     return static_cast<double>(pass.statistics[Count::uniform_paths] +
                                pass.statistics[Count::mutated_paths]);
 }

@@ -1,0 +1,77 @@
+// The reference integrators on pictures whose values are known in closed form.
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+class ReferenceClosedForms : public ::testing::TestWithParam<Integrator> {
+protected:
+    RenderSettings settings() const {
+        RenderSettings settings;
+        settings.integrator = GetParam();
+        settings.photon.paths_per_pass = 1000;
+        return settings;
+    }
+
+    Estimate brightness(const Scene& scene, std::uint32_t passes) const {
+        RenderSettings with = settings();
+        return Estimate::over(16, [&](int i) {
+            with.seed = static_cast<std::uint64_t>(i);
+            return luminance(render_mean(scene, with, passes).mean());
+        });
+    }
+};
+
+std::string room() {
+    return "ReverseOrientation\n" + box({-1, -1, -1}, {1, 1, 1});
+}
+
+/// A floor of albedo 0.5 under a point light: radiance = rho / pi * I cos(theta) / d^2.
+TEST_P(ReferenceClosedForms, inverse_square_and_cosine) {
+    const Scene scene =
+        scene_of(view("0 0 4  0 0 0  0 1 0", 20, 8) +
+                 "LightSource \"point\" \"point3 from\" [0 0 2] \"rgb I\" [8 8 8]\n" +
+                 diffuse("0.5 0.5 0.5") + quad("-3 -3 0  3 -3 0  3 3 0  -3 3 0"));
+    const double half = 4 * std::tan(10 * kPiDouble / 180);
+    double expected = 0;
+    constexpr int kSide = 200;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            const double px = (2 * (x + 0.5) / kSide - 1) * half;
+            const double py = (2 * (y + 0.5) / kSide - 1) * half;
+            const double d2 = px * px + py * py + 4;
+            expected += 0.5 / kPiDouble * 8 * (2 / std::sqrt(d2)) / d2 / (kSide * kSide);
+        }
+    EXPECT_LT(worst_ratio(brightness(scene, 64), {expected, 0}), 0.015);
+}
+
+/// Inside a closed box of albedo rho whose walls emit Le, radiance is Le / (1 - rho) everywhere.
+TEST_P(ReferenceClosedForms, furnace_box) {
+    const Scene scene = scene_of(view("0 0 -0.9  0 0.1 1  0 1 0", 70, 8) +
+                                 "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\n" +
+                                 diffuse("0.5 0.5 0.5") + room());
+    EXPECT_LT(worst_ratio(brightness(scene, 64), {2, 0}), 0.01);
+}
+
+/// A closed box in the sun is black inside.
+TEST_P(ReferenceClosedForms, no_light_in_a_closed_box) {
+    const Scene scene = scene_of(view("0 0 -0.9  0 0.1 1  0 1 0", 70, 12) + R"(
+LightSource "distant" "point3 from" [1 2 3] "point3 to" [0 0 0] "float scale" 1000
+LightSource "infinite" "rgb L" [5 5 5]
+)" + diffuse("0.5 0.5 0.5") + room());
+    EXPECT_EQ(render_mean(scene, settings(), 8).mean(), Vec3d(0));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ReferenceClosedForms,
+                         ::testing::Values(Integrator::path, Integrator::light, Integrator::bdpt),
+                         [](const auto& info) {
+                             return std::string(
+                                 kIntegrators.at(static_cast<std::size_t>(info.param)).name);
+                         });
+
+}  // namespace
+}  // namespace sunfleck
