@@ -15,7 +15,7 @@
 
 namespace sunfleck {
 
-enum class Integrator { sppm, path, light, bdpt };
+enum class Integrator { sppm, path, light, bdpt, mlt };
 
 struct IntegratorRow {
     Integrator integrator;
@@ -23,11 +23,12 @@ struct IntegratorRow {
     std::string_view what;
 };
 
-inline constexpr std::array<IntegratorRow, 4> kIntegrators = {{
+inline constexpr std::array<IntegratorRow, 5> kIntegrators = {{
     {Integrator::sppm, "sppm", "stochastic progressive photon mapping"},
     {Integrator::path, "path", "reference path tracer"},
     {Integrator::light, "light", "reference light tracer"},
     {Integrator::bdpt, "bdpt", "reference bidirectional path tracer"},
+    {Integrator::mlt, "mlt", "reference Metropolis light transport"},
 }};
 
 /// Nothing for a word that names none.

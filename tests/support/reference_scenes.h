@@ -13,6 +13,7 @@ struct ReferenceScene {
     Integrator other = Integrator::path;  // what finds all its light
     int rounds = 12;                      // of each integrator
     double tolerance = 0.01;
+    bool by_chains = false;  // Metropolis light transport is tested, too
 
     friend void PrintTo(const ReferenceScene& scene, std::ostream* out) { *out << scene.name; }
 };
@@ -59,12 +60,14 @@ inline std::vector<ReferenceScene> reference_scenes() {
         "\"rgb sigma_a\" [.3 .2 .1]\nMakeNamedMedium \"ink\" \"string type\" \"homogeneous\" \"rgb "
         "sigma_s\" [0 0 0] \"rgb sigma_a\" [1 3 5]\nMediumInterface \"haze\"\n";
     return {
-        {"diffuse_room", front + corner() + lamp_above("10 9 7")},
+        {"diffuse_room", front + corner() + lamp_above("10 9 7"), Integrator::path, 12, 0.01, true},
         {"metal", front + corner() + metal_block() + lamp_above("10 9 7")},
         {"wide_filter", filtered + corner() + metal_block() + lamp_above("10 9 7")},
-        {"lens", camera_with("Camera \"perspective\" \"float fov\" 20 \"float lensradius\" 0.2 "
-                             "\"float focaldistance\" 1.5") +
-                     corner() + metal_block() + lamp_above("10 9 7")},
+        {"lens",
+         camera_with("Camera \"perspective\" \"float fov\" 20 \"float lensradius\" 0.2 "
+                     "\"float focaldistance\" 1.5") +
+             corner() + metal_block() + lamp_above("10 9 7"),
+         Integrator::path, 12, 0.01, true},
         {"in_parallel",
          camera_with("Camera \"orthographic\" \"float screenwindow\" [-.9 .9 -.9 .9]") + corner() +
              lamp_above("10 9 7")},
@@ -85,7 +88,7 @@ inline std::vector<ReferenceScene> reference_scenes() {
              glass_ball("\"dielectric\" \"spectrum eta\" \"glass-F11\" \"float roughness\" .3 "
                         "\"bool remaproughness\" false") +
              lamp_above("10 9 7"),
-         Integrator::path, 24, 0.02},
+         Integrator::path, 24, 0.02, true},
         {"varnish", front + corner() +
                         glass_ball("\"coateddiffuse\" \"rgb reflectance\" [.7 .3 .2] \"float "
                                    "roughness\" 0") +
@@ -107,9 +110,11 @@ inline std::vector<ReferenceScene> reference_scenes() {
              quad("-2 -2 0  2 -2 0  2 2 0  -2 2 0") +
              "Material \"dielectric\" \"spectrum eta\" \"glass-F11\"\nTranslate -.1 -.2 .8\n"
              "Shape \"sphere\" \"float radius\" 0.4\n",
-         Integrator::light, 40, 0.05},
-        {"point", front + "LightSource \"point\" \"point3 from\" [0 -.5 1.6] \"rgb I\" [3 3 2]\n" +
-                      corner() + metal_block()},
+         Integrator::light, 40, 0.05, true},
+        {"point",
+         front + "LightSource \"point\" \"point3 from\" [0 -.5 1.6] \"rgb I\" [3 3 2]\n" +
+             corner() + metal_block(),
+         Integrator::path, 12, 0.01, true},
         {"spot", front +
                      "LightSource \"spot\" \"point3 from\" [0 -.5 1.8] \"point3 to\" [0 .3 0] "
                      "\"rgb I\" [3 3 2] \"float coneangle\" 50\n" +
@@ -117,13 +122,15 @@ inline std::vector<ReferenceScene> reference_scenes() {
         {"sun",
          front + "LightSource \"distant\" \"point3 from\" [1 -1 2]\n" + corner() + metal_block()},
         {"sky",
-         front + "LightSource \"infinite\" \"rgb L\" [.5 .6 .8]\n" + corner() + metal_block()},
+         front + "LightSource \"infinite\" \"rgb L\" [.5 .6 .8]\n" + corner() + metal_block(),
+         Integrator::path, 12, 0.01, true},
         {"many_lights",
          front + "LightSource \"infinite\" \"rgb L\" [.1 .2 .3]\n" +
              "LightSource \"point\" \"point3 from\" [0 -.5 1.6] \"rgb I\" [1 1 1]\n" + corner() +
              metal_block() + lamp_above("3 3 3") +
              "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [5 2 1]\n" +
-             "Translate -.5 .2 .3\nShape \"sphere\" \"float radius\" .15\n" + "AttributeEnd\n"},
+             "Translate -.5 .2 .3\nShape \"sphere\" \"float radius\" .15\n" + "AttributeEnd\n",
+         Integrator::path, 12, 0.01},
         {"egg_lamp",
          front + corner() + "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [9 9 5]\n" +
              "Translate 0 .2 .9\nScale .3 .2 .5\nShape \"sphere\" \"float radius\" 1\n" +
