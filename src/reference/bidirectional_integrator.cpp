@@ -27,7 +27,8 @@ void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image,
             const FilterSample filtered = filter.sample(numbers.eye.next_two());
             const Vec2d film(x + static_cast<double>(pixel % width) + 0.5 + filtered.offset.x,
                              y + static_cast<double>(pixel / width) + 0.5 + filtered.offset.y);
-            const Spectrum radiance = pair.trace(film, numbers) *
+            const Spectrum scattered = pair.trace(film, numbers);
+            const Spectrum radiance = (scattered + pair.unscattered()) *
                                       (filtered.weight * pass.scene.scene.film().imaging_ratio);
             image.add_light(pixel, pass.scene.wavelengths.to_rgb(radiance), Layer::total);
             for (const FilmLight& splat : pair.splats())

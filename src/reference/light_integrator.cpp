@@ -142,9 +142,7 @@ private:
 
 void trace_light_paths(const ReferencePass& pass, std::uint32_t paths, PassImage& image,
                        Statistics& statistics) {
-    TransportSettings emitters_alone = pass.transport;
-    emitters_alone.max_depth = 0;
-    trace_reference_paths({pass.scene, emitters_alone, pass.window, pass.id}, image, statistics);
+    trace_emitters(pass, image, statistics);
     if (pass.scene.scene.light_choice().empty()) return;
     statistics[Count::uniform_paths] += paths;
     const Projection camera(pass.scene.scene.camera());

@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "reference/path_pair.h"
+#include "sampler/sobol.h"
 
 #include <cmath>
 #include <mutex>
@@ -31,13 +32,32 @@ struct State {
 /// Makes states; one for each thread.
 class StateMaker {
 public:
-    StateMaker(const ReferencePass& pass, const Projection& camera, const Splatter& splatter)
+    /// @param shift  of the bootstrap's points of the film.
+    StateMaker(const ReferencePass& pass, const Projection& camera, const Splatter& splatter,
+               const Vec2d& shift)
         : id_(pass.id),
+          shift_(shift),
           reach_(splatter.reach()),
           area_((reach_[1] - reach_[0]) * (reach_[3] - reach_[2])),
           pair_(pass, camera, splatter, area_) {}
 
-    /// @param purpose, index  name the numbers. @param near  null for a state of its own.
+    /// Pair `index` of the bootstrap: independent, but for the spread of their points of the film.
+    void make(std::size_t index, State& state) {
+        make(Purpose::metropolis_bootstrap, index, nullptr, state);
+    }
+    /// A step. @param index  of the step, in the pass. @param near  null for one that starts
+    /// afresh.
+    void make(std::size_t index, const State* near, State& state) {
+        make(Purpose::metropolis_step, index, near, state);
+    }
+
+    void count(Statistics& statistics) const {
+        statistics[Count::eye_rays] += pair_.eye_rays();
+        statistics[Count::photon_rays] += pair_.light_rays();
+        statistics[Count::dropped_nonfinite] += not_finite_;
+    }
+
+private:
     void make(Purpose purpose, std::size_t index, const State* near, State& state) {
         state.clear();
         const auto stream = [&](std::size_t which) {
@@ -46,7 +66,11 @@ public:
                                &state.numbers.at(which));
         };
         PathPair::Numbers numbers{stream(0), stream(1), stream(2)};
-        const Vec2d u = numbers.eye.next_two();
+        Vec2d u = numbers.eye.next_two();
+        if (purpose == Purpose::metropolis_bootstrap) {
+            u = spread(index);
+            state.numbers[0] = {u.x, u.y};
+        }
         const Vec2d film(reach_[0] + u.x * (reach_[1] - reach_[0]),
                          reach_[2] + u.y * (reach_[3] - reach_[2]));
         const Spectrum radiance = pair_.trace(film, numbers);
@@ -59,14 +83,18 @@ public:
         state.target = 0;
     }
 
-    void count(Statistics& statistics) const {
-        statistics[Count::eye_rays] += pair_.eye_rays();
-        statistics[Count::photon_rays] += pair_.light_rays();
-        statistics[Count::dropped_nonfinite] += not_finite_;
+    /// Sobol' points, shifted anew in each pass.
+    Vec2d spread(std::size_t index) const {
+        const auto along = [&](std::size_t dimension, double shift) {
+            const std::uint32_t point = sobol(static_cast<std::uint32_t>(index), dimension);
+            const double sum = (static_cast<double>(point) + 0.5) * 0x1p-32 + shift;
+            return sum < 1 ? sum : sum - 1;
+        };
+        return {along(0, shift_.x), along(1, shift_.y)};
     }
 
-private:
     PassId id_;
+    Vec2d shift_;
     std::array<double, 4> reach_;
     double area_;  // of the film that pixels see
     PathPair pair_;
@@ -110,13 +138,12 @@ public:
     /// @param numbers  of the choices alone. @return the proposals accepted.
     std::uint64_t walk(std::size_t seed, std::size_t chain, std::size_t steps,
                        RandomStream numbers) {
-        maker_.make(Purpose::metropolis_bootstrap, seed, nullptr, state_);
+        maker_.make(seed, state_);
         double stay = 0;
         std::uint64_t accepted = 0;
         for (std::size_t step = 0; step < steps; ++step) {
             const bool is_large = numbers.next() < kLargeSteps;
-            maker_.make(Purpose::metropolis_step, chain * steps + step,
-                        is_large ? nullptr : &state_, proposal_);
+            maker_.make(chain * steps + step, is_large ? nullptr : &state_, proposal_);
             const double acceptance = std::min(1.0, proposal_.target / state_.target);
             stay += 1 - acceptance;
             if (numbers.next() < acceptance) {
@@ -156,30 +183,33 @@ MetropolisPlan metropolis_plan(std::size_t pixels) {
 
 double trace_metropolis_chains(const ReferencePass& pass, PassImage& image,
                                Statistics& statistics) {
+    trace_emitters(pass, image, statistics);
     const auto [x0, x1, y0, y1] = pass.window;
     const MetropolisPlan plan =
         metropolis_plan(static_cast<std::size_t>(x1 - x0) * static_cast<std::size_t>(y1 - y0));
     const Projection camera(pass.scene.scene.camera());
     const Splatter splatter(pass, image);
+    RandomStream offsets = pass.id.stream(Purpose::metropolis_choice, plan.chains);
+    const double across = offsets.next();
+    const Vec2d shift(across, offsets.next());
     std::mutex guard;
     std::vector<double> targets(plan.bootstrap);
     parallel_blocks(plan.bootstrap, 256, [&](std::size_t begin, std::size_t end) {
-        StateMaker maker(pass, camera, splatter);
+        StateMaker maker(pass, camera, splatter, shift);
         State state;
         for (std::size_t i = begin; i < end; ++i) {
-            maker.make(Purpose::metropolis_bootstrap, i, nullptr, state);
+            maker.make(i, state);
             targets[i] = state.target;
         }
         const std::lock_guard lock(guard);
         maker.count(statistics);
     });
-    RandomStream offset = pass.id.stream(Purpose::metropolis_choice, plan.chains);
-    const Start start = resample(targets, plan.chains, offset.next());
+    const Start start = resample(targets, plan.chains, offsets.next());
     statistics[Count::uniform_paths] += plan.bootstrap;
     statistics[Count::uniform_visible] += start.visible;
     const auto steps = static_cast<double>(plan.chains * plan.steps);
     parallel_for(start.seeds.size(), [&](std::size_t chain) {
-        StateMaker maker(pass, camera, splatter);
+        StateMaker maker(pass, camera, splatter, shift);
         Chain states(maker, splatter, start.mean / steps);
         const std::uint64_t accepted =
             states.walk(start.seeds[chain], chain, plan.steps,

@@ -1,7 +1,8 @@
 // Metropolis light transport over bidirectional path tracing, in the space of its numbers.
 //
 // The state of a chain is the numbers of a whole pair of subpaths (reference/path_pair.h); its
-// target is what the pair brings to the film, over all points and wavelengths. A pass by itself:
+// target is what the pair brings to the film, over all points and wavelengths, but for emitters as
+// the camera sees them: these are left to a ray a pixel. A pass by itself:
 // a bootstrap of independent pairs, whose mean is the normalisation; short chains from some of
 // them, drawn by what they bring. So drawn, each state of a chain has the right mean, the first one
 // too: there is no start-up bias.

@@ -173,4 +173,10 @@ void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statisti
         });
 }
 
+void trace_emitters(const ReferencePass& pass, PassImage& image, Statistics& statistics) {
+    TransportSettings alone = pass.transport;
+    alone.max_depth = 0;
+    trace_reference_paths({pass.scene, alone, pass.window, pass.id}, image, statistics);
+}
+
 }  // namespace sunfleck

@@ -32,14 +32,18 @@ Spectrum PathPair::trace(const Vec2d& film, Numbers& numbers) {
 Spectrum PathPair::met_lights() const {
     Spectrum sum;
     for (const MetLight& met : eye_.lights) {
-        if (met.vertices == 0) {
-            sum += met.seen;
-            continue;
-        }
+        if (met.vertices == 0) continue;
         const SubpathVertex& last = eye_.vertices[met.vertices - 1];
         const EndDensities end = end_densities(pass_.scene.scene, met.light, met.ray, last.hit);
         sum += met.seen * static_cast<float>(end_weights(end, last.weighing, last.leaving).met);
     }
+    return sum;
+}
+
+Spectrum PathPair::unscattered() const {
+    Spectrum sum;
+    for (const MetLight& met : eye_.lights)
+        if (met.vertices == 0) sum += met.seen;
     return sum;
 }
 

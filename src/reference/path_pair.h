@@ -35,8 +35,11 @@ public:
         PathNumbers joints;
     };
 
-    /// @return radiance along a camera ray through the point, but for what splats() brings.
+    /// @return radiance along a camera ray through the point, but for what splats() brings and
+    /// what lights send straight to the camera.
     Spectrum trace(const Vec2d& film, Numbers& numbers);
+    /// Of the last pair: radiance of lights that nothing scatters, along the camera ray.
+    Spectrum unscattered() const;
     /// Of the last pair: light times film area, as if the light's subpath were all there is.
     const std::vector<FilmLight>& splats() const { return splats_; }
 

@@ -22,7 +22,7 @@ protected:
 
     Estimate brightness(const Scene& scene) const {
         RenderSettings with = settings();
-        const std::uint32_t passes = GetParam() == Integrator::mlt ? 2 : 64;
+        const std::uint32_t passes = GetParam() == Integrator::mlt ? 1 : 32;
         return Estimate::over(16, [&](int i) {
             with.seed = static_cast<std::uint64_t>(i);
             return luminance(render_mean(scene, with, passes).mean());
@@ -50,7 +50,7 @@ TEST_P(ReferenceClosedForms, inverse_square_and_cosine) {
             const double d2 = px * px + py * py + 4;
             expected += 0.5 / kPiDouble * 8 * (2 / std::sqrt(d2)) / d2 / (kSide * kSide);
         }
-    EXPECT_LT(worst_ratio(brightness(scene), {expected, 0}), 0.015);
+    EXPECT_LT(worst_ratio(brightness(scene), {expected, 0}), 0.02);
 }
 
 /// Inside a closed box of albedo rho whose walls emit 1, radiance is 1 / (1 - rho) everywhere, but
@@ -60,7 +60,7 @@ TEST_P(ReferenceClosedForms, furnace_box) {
                                  "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\n" +
                                  diffuse("0.5 0.5 0.5") + room());
     depth_ = 6;
-    EXPECT_LT(worst_ratio(brightness(scene), {2 - 1.0 / 64, 0}), 0.015);
+    EXPECT_LT(worst_ratio(brightness(scene), {2 - 1.0 / 64, 0}), 0.02);
 }
 
 /// The same, where the cut is seen.
@@ -69,7 +69,7 @@ TEST_P(ReferenceClosedForms, cut_at_the_greatest_depth) {
                                  "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\n" +
                                  diffuse("0.8 0.8 0.8") + room());
     depth_ = 2;
-    EXPECT_LT(worst_ratio(brightness(scene), {1 + 0.8 + 0.64, 0}), 0.015);
+    EXPECT_LT(worst_ratio(brightness(scene), {1 + 0.8 + 0.64, 0}), 0.02);
 }
 
 /// A closed box in the sun is black inside.
