@@ -9,19 +9,10 @@ Splatter::Splatter(const ReferencePass& pass, PassImage& image)
     : filter_(pass.scene.scene.filter()),
       scale_(pass.scene.scene.film().imaging_ratio / filter_integral(filter_)),
       window_(pass.window),
+      reach_{window_[0] - filter_.radius.x, window_[1] + filter_.radius.x,
+             window_[2] - filter_.radius.y, window_[3] + filter_.radius.y},
       wavelengths_(pass.scene.wavelengths),
       image_(image) {}
-
-std::array<double, 4> Splatter::reach() const {
-    const auto [x0, x1, y0, y1] = window_;
-    return {x0 - filter_.radius.x, x1 + filter_.radius.x, y0 - filter_.radius.y,
-            y1 + filter_.radius.y};
-}
-
-bool Splatter::reaches(const Vec2d& film) const {
-    const auto [x0, x1, y0, y1] = reach();
-    return film.x > x0 && film.x < x1 && film.y > y0 && film.y < y1;
-}
 
 void Splatter::add(const Vec2d& film, const Spectrum& light) const {
     const auto [x0, x1, y0, y1] = window_;
