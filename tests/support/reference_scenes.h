@@ -110,7 +110,7 @@ inline std::vector<ReferenceScene> reference_scenes() {
              quad("-2 -2 0  2 -2 0  2 2 0  -2 2 0") +
              "Material \"dielectric\" \"spectrum eta\" \"glass-F11\"\nTranslate -.1 -.2 .8\n"
              "Shape \"sphere\" \"float radius\" 0.4\n",
-         Integrator::light, 40, 0.05, true},
+         Integrator::light, 40, 0.06, true},
         {"point",
          front + "LightSource \"point\" \"point3 from\" [0 -.5 1.6] \"rgb I\" [3 3 2]\n" +
              corner() + metal_block(),
