@@ -1,4 +1,5 @@
-// bench_gain: what a photon sampler is worth: error times processor time of one over another's.
+// bench_gain: what a photon sampler or another integrator is worth: error times processor time of
+// one over another's.
 //
 // usage: bench_gain SCENE [--samplers random,adaptive] [--passes N] [--seeds N] [--references N]
 // Renders of the samplers are interleaved, seed by seed; the last sampler, with other seeds, is the
@@ -45,7 +46,10 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     RenderJob job{scene, {}, {}, 0};
     job.settings.seed = seed;
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
-    job.settings.photon.sampler = sampler_named(sampler).value();
+    if (const auto integrator = integrator_named(sampler))
+        job.settings.integrator = *integrator;
+    else
+        job.settings.photon.sampler = sampler_named(sampler).value();
     if (sampler == "paper") use_paper_mode(job.settings);
     if (settings.photons_only) job.settings.transport.direct = DirectLight::photons;
     job.stop.end_pass = settings.passes;
@@ -227,9 +231,11 @@ int main(int count, char** words) {
     CLI::App app("Error times processor time of photon samplers, over that of the last one");
     app.add_option("SCENE", settings.scene, "Scene file")->required();
     const auto is_sampler = [](const std::string& name) {
-        return sunfleck::sampler_named(name) ? std::string() : "there is no sampler " + name;
+        return sunfleck::sampler_named(name) || sunfleck::integrator_named(name)
+                   ? std::string()
+                   : "there is no sampler or integrator " + name;
     };
-    app.add_option("--samplers", settings.samplers, "Default random,adaptive")
+    app.add_option("--samplers", settings.samplers, "Or integrators (default random,adaptive)")
         ->delimiter(',')
         ->check(is_sampler);
     app.add_option("--passes", settings.passes, "Of each render (default 16)");

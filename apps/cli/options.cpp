@@ -170,9 +170,8 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
 }
 
 void finish_render(const CLI::App& given, RenderOptions& o, const RenderTexts& t) {
-    for (const IntegratorRow& row : kIntegrators)
-        if (row.name == t.integrator) o.settings.integrator = row.integrator;
-    o.settings.photon.sampler = *sampler_named(t.sampler);  // one of those names: checked
+    o.settings.integrator = *integrator_named(t.integrator);  // one of those names: checked
+    o.settings.photon.sampler = *sampler_named(t.sampler);    // one of those names: checked
     o.settings.transport.direct =
         t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
     o.settings.energy_compensation = t.energy_compensation == "on";

@@ -40,7 +40,13 @@ enum class Purpose : std::uint32_t {
     reference_path,
     test,
     ladder,
-    light_path
+    light_path,
+    pair_eye,
+    pair_light,
+    pair_joints,
+    metropolis_bootstrap,
+    metropolis_step,
+    metropolis_choice
 };
 
 /// A 64-bit fraction of one turn as a double of the open interval (0,1): an odd multiple of 2^-53.

@@ -17,8 +17,11 @@ DirectSample sample_cap(const VisibleCap& cap, const Vec2d& u) {
     const double across2 = cap.distance * cap.distance * versine * (2 - versine);
     const double half_chord = std::sqrt(std::max(0.0, cap.radius * cap.radius - across2));
     const double solid_angle = 2 * kPiDouble * cap.versine;
-    return {Vec3(direction), static_cast<float>(cap.distance * (1 - versine) - half_chord),
-            static_cast<float>(solid_angle), static_cast<float>(1 / solid_angle)};
+    const double distance = cap.distance * (1 - versine) - half_chord;
+    DirectSample drawn{Vec3(direction), static_cast<float>(distance),
+                       static_cast<float>(solid_angle), static_cast<float>(1 / solid_angle)};
+    drawn.normal = Vec3((direction * distance - cap.axis * cap.distance) / cap.radius);
+    return drawn;
 }
 
 /// A direction to a point of the whole surface; nothing if that does not emit towards us.
@@ -34,8 +37,12 @@ std::optional<DirectSample> sample_by_area(const SurfaceSample& on, const Vec3d&
     const double solid_angle = on.spread * facing / distance2;
     const auto pdf = static_cast<float>(1 / solid_angle);
     if (!std::isfinite(pdf)) return {};
-    return DirectSample{Vec3(to_light / distance), static_cast<float>(distance),
-                        static_cast<float>(solid_angle), pdf};
+    return DirectSample{Vec3(to_light / distance),
+                        static_cast<float>(distance),
+                        static_cast<float>(solid_angle),
+                        pdf,
+                        {},
+                        Vec3(on.normal)};
 }
 
 }  // namespace
@@ -64,13 +71,25 @@ Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneS
     return emission;
 }
 
+double AreaLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
+    const Vec3d n(ray.normal);
+    const double cosine = n.dot(ray.direction);
+    if (!(two_sided ? cosine != 0 : cosine > 0)) return 0;
+    const auto spread_of = [&](const auto& s) { return surface_spread(s, ray.origin, n); };
+    const double spread = std::visit(spread_of, surface);
+    const double by_area = picture ? picture->density(surface, ray.origin, n, spread) : 1 / spread;
+    return by_area * std::abs(cosine) / (kPiDouble * (two_sided ? 2 : 1));
+}
+
 std::optional<DirectSample> AreaLight::sample_direct(const Vec3& point, const Vec2& u,
                                                      const SceneSphere&) const {
     const Vec3d from(point);
     const auto sample = [&](const auto& s) -> std::optional<DirectSample> {
         if (const auto cap = visible_cap(s, from)) {
             if (is_flipped(s) && !two_sided) return {};
-            return sample_cap(*cap, Vec2d(u));
+            DirectSample drawn = sample_cap(*cap, Vec2d(u));
+            if (is_flipped(s)) drawn.normal = -drawn.normal;
+            return drawn;
         }
         return sample_by_area(sample_surface(s, Vec2d(u)), from, two_sided);
     };

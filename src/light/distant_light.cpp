@@ -11,6 +11,10 @@ Emission DistantLight::sample_emission(const std::array<double, 4>& u,
             Vec3(0), 0};
 }
 
+double DistantLight::emission_pdf(const LightRay&, const SceneSphere& sphere) const {
+    return 1 / scene_disc_area(sphere);
+}
+
 std::optional<DirectSample> DistantLight::sample_direct(const Vec3&, const Vec2&,
                                                         const SceneSphere&) const {
     return DirectSample{Vec3(-direction), kInfinity, 1, std::nullopt};

@@ -17,6 +17,11 @@ Emission ImageInfiniteLight::sample_emission(const std::array<double, 4>& u,
             drawn.light.tint};
 }
 
+double ImageInfiniteLight::emission_pdf(const LightRay& ray, const SceneSphere& sphere) const {
+    const Vec3 back(-ray.direction);
+    return static_cast<double>(beyond(back, back).pdf) / scene_disc_area(sphere);
+}
+
 std::optional<DirectSample> ImageInfiniteLight::sample_direct(const Vec3&, const Vec2& u,
                                                               const SceneSphere&) const {
     if (!(picture->mean() > 0)) return {};

@@ -12,6 +12,10 @@ Emission InfiniteLight::sample_emission(const std::array<double, 4>& u,
             0};
 }
 
+double InfiniteLight::emission_pdf(const LightRay&, const SceneSphere& sphere) const {
+    return 1 / power(sphere);
+}
+
 std::optional<DirectSample> InfiniteLight::sample_direct(const Vec3& point, const Vec2& u,
                                                          const SceneSphere&) const {
     const Vec3 direction(uniform_sphere(Vec2d(u)));

@@ -26,6 +26,11 @@ inline Emission sample_emission(const Light& light, const std::array<double, 4>&
     return std::visit([&](const auto& l) { return l.sample_emission(u, sphere); }, light);
 }
 
+/// Density of sample_emission() (light/model.h).
+inline double emission_pdf(const Light& light, const LightRay& ray, const SceneSphere& sphere) {
+    return std::visit([&](const auto& l) { return l.emission_pdf(ray, sphere); }, light);
+}
+
 inline std::optional<DirectSample> sample_direct(const Light& light, const Vec3& point,
                                                  const Vec2& u, const SceneSphere& sphere) {
     return std::visit([&](const auto& l) { return l.sample_direct(point, u, sphere); }, light);

@@ -78,12 +78,28 @@ void LightPicture::sum_row(int y, const Share& share) {
     normalise(row, width);
 }
 
-TexelLight LightPicture::at(const Vec2d& place) const {
-    const Vec2i size = image_.resolution();
-    const auto cell = [](double along, int count) {
-        return std::clamp(static_cast<int>(along * count), 0, count - 1);
+Vec2i LightPicture::cell(const Vec2d& place) const {
+    const auto along = [](double x, int count) {
+        return std::clamp(static_cast<int>(x * count), 0, count - 1);
     };
-    return texel(cell(place.x, size.x), cell(place.y, size.y));
+    const Vec2i size = image_.resolution();
+    return {along(place.x, size.x), along(place.y, size.y)};
+}
+
+TexelLight LightPicture::at(const Vec2d& place) const {
+    const Vec2i at = cell(place);
+    return texel(at.x, at.y);
+}
+
+double LightPicture::density(const Vec2d& place) const {
+    const Vec2i size = image_.resolution();
+    const Vec2i at = cell(place);
+    const auto share = [](const double* ends, int i) {
+        return ends[i] - (i > 0 ? ends[i - 1] : 0);
+    };
+    const double* row =
+        &columns_[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(size.x)];
+    return share(rows_.data(), at.y) * size.y * share(row, at.x) * size.x;
 }
 
 LightPicture::Drawn LightPicture::draw(const Vec2d& u) const {

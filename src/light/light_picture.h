@@ -49,8 +49,11 @@ public:
     TexelLight at(const Vec2d& place) const;
     /// Not to be asked of a black picture. @param u  in (0,1)^2.
     Drawn draw(const Vec2d& u) const;
+    /// Of draw(), at a place of the closed unit square; not to be asked of a black picture.
+    double density(const Vec2d& place) const;
 
 private:
+    Vec2i cell(const Vec2d& place) const;
     void sum_row(int y, const Share& share);
 
     Image image_;

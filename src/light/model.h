@@ -36,6 +36,14 @@ struct Emission {
     double unlit = 0;
 };
 
+/// A place of a light, and a way that light goes from there. Of lights that come from afar the
+/// origin is any point of that way; the way through a portal does go through it.
+struct LightRay {
+    Vec3d origin;
+    Vec3 normal{0};   // as Emission::normal
+    Vec3d direction;  // unit, away from the light
+};
+
 /// One sample of the light that arrives straight at a point.
 struct DirectSample {
     Vec3 direction;  // unit, from the point to the light
@@ -43,6 +51,7 @@ struct DirectSample {
     float factor = 0;  // radiance (or irradiance, for delta lights) per unit of the curve, / pdf
     std::optional<float> pdf;  // per steradian at the point; none for delta lights
     std::optional<Vec3> tint{};
+    Vec3 normal{0};  // as Emission::normal: of the place on an area light
 };
 
 /// What an infinite light sends to a point from one direction.
@@ -53,6 +62,9 @@ struct Beyond {
 };
 
 /// emission:   u in (0,1)^4: position (2), direction (2). Continuous and gentle in u.
+/// emission_pdf: density of sample_emission() at a ray that it may give, per m^2 and sr (m^2 across
+///             the ray for lights from afar); per sr alone for points, per m^2 for distant lights.
+///             Exact, but for pictures on surfaces: there as if their table had no cells.
 /// direct:     a direction to the light from `point`, u in (0,1)^2; nothing if it cannot be seen
 ///             (behind a one-sided emitter, outside a spot).
 /// power:      total emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).
@@ -61,8 +73,9 @@ struct Beyond {
 template <class L>
 concept LightModel = std::copyable<L> &&
     requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,
-             const SceneSphere& sphere) {
+             const LightRay& ray, const SceneSphere& sphere) {
     { light.sample_emission(u4, sphere) } -> std::same_as<Emission>;
+    { light.emission_pdf(ray, sphere) } -> std::same_as<double>;
     { light.sample_direct(p, u2, sphere) } -> std::same_as<std::optional<DirectSample>>;
     { light.power(sphere) } -> std::same_as<double>;
     { light.curve } -> std::convertible_to<SpectralCurve>;

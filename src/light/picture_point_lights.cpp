@@ -36,6 +36,11 @@ Emission GoniometricLight::sample_emission(const std::array<double, 4>& u,
         drawn.light.tint};
 }
 
+double GoniometricLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
+    const TexelLight light = picture->at(sphere_to_square(to_local(to_world, ray.direction)));
+    return light.luminance / (4 * kPiDouble * picture->mean());
+}
+
 std::optional<DirectSample> GoniometricLight::sample_direct(const Vec3& point, const Vec2&,
                                                             const SceneSphere&) const {
     const auto way = towards_point(position, point);
@@ -61,14 +66,27 @@ Emission ProjectionLight::sample_emission(const std::array<double, 4>& u,
             drawn.light.tint};
 }
 
+/// Where on the picture, in the unit square; nothing beside it.
+std::optional<Vec2d> ProjectionLight::place_of(const Vec3d& direction) const {
+    const Vec3d w = to_local(to_world, direction);
+    if (!(std::abs(w.x) <= half.x * w.z && std::abs(w.y) <= half.y * w.z)) return {};
+    return (Vec2d(w.x / (half.x * w.z), w.y / (half.y * w.z)) + Vec2d(1)) / 2;
+}
+
+double ProjectionLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
+    const auto place = place_of(ray.direction);
+    if (!place) return 0;
+    const double solid_angle = cosine3((2 * place->x - 1) * half.x, (2 * place->y - 1) * half.y);
+    return picture->density(*place) / (4 * half.x * half.y * solid_angle);
+}
+
 std::optional<DirectSample> ProjectionLight::sample_direct(const Vec3& point, const Vec2&,
                                                            const SceneSphere&) const {
     const auto way = towards_point(position, point);
     if (!way) return {};
-    const Vec3d w = to_local(to_world, -way->direction);
-    if (!(std::abs(w.x) <= half.x * w.z && std::abs(w.y) <= half.y * w.z)) return {};
-    const Vec2d place(w.x / (half.x * w.z), w.y / (half.y * w.z));
-    return sample_at(*way, picture->at((place + Vec2d(1)) / 2));
+    const auto place = place_of(-way->direction);
+    if (!place) return {};
+    return sample_at(*way, picture->at(*place));
 }
 
 double ProjectionLight::power(const SceneSphere&) const {

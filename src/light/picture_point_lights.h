@@ -20,6 +20,7 @@ struct GoniometricLight {
     Affine to_world;  // a rotation, or one with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;
     double power(const SceneSphere&) const;
@@ -35,9 +36,13 @@ struct ProjectionLight {
     Affine to_world;                              // as above
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;
     double power(const SceneSphere&) const;
+
+private:
+    std::optional<Vec2d> place_of(const Vec3d& direction) const;
 };
 
 /// A picture for a projector, texels weighed by their solid angles.

@@ -10,6 +10,10 @@ Emission PointLight::sample_emission(const std::array<double, 4>& u, const Scene
     return {position, uniform_sphere({u[2], u[3]}), 4 * kPiDouble, Vec3(0), 0};
 }
 
+double PointLight::emission_pdf(const LightRay&, const SceneSphere&) const {
+    return 1 / (4 * kPiDouble);
+}
+
 std::optional<DirectSample> PointLight::sample_direct(const Vec3& point, const Vec2&,
                                                       const SceneSphere&) const {
     const auto way = towards_point(position, point);

@@ -33,6 +33,14 @@ Emission PortalLight::sample_emission(const std::array<double, 4>& u,
     return emission;
 }
 
+double PortalLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
+    const Vec3d out = to_local(-ray.direction);
+    if (!(out.z > 0)) return 0;
+    const Vec2d uv = portal_place(out);
+    return picture->through().density(uv) /
+           (portal_direction(uv).solid_angle * out.z * extent.x * extent.y);
+}
+
 std::optional<DirectSample> PortalLight::sample_direct(const Vec3& point, const Vec2& u,
                                                        const SceneSphere&) const {
     const auto seen = window(point);

@@ -52,6 +52,10 @@ Emission SpotLight::sample_emission(const std::array<double, 4>& u, const SceneS
     return {position, direction, 2 * kPiDouble * flux.total(), Vec3(0), 0};
 }
 
+double SpotLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
+    return falloff(axis.dot(ray.direction)) / (2 * kPiDouble * SpotFlux(*this).total());
+}
+
 std::optional<DirectSample> SpotLight::sample_direct(const Vec3& point, const Vec2&,
                                                      const SceneSphere&) const {
     const auto way = towards_point(position, point);

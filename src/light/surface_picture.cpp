@@ -97,6 +97,12 @@ LaidPicture::Drawn LaidPicture::draw(const EmittingSurface& surface, const Vec2d
     return {on, at(surface, on.position, on.normal), slot.density};
 }
 
+double LaidPicture::density(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal,
+                            double spread) const {
+    const double luminance = at(surface, on, normal).luminance;
+    return (luminance / flux_ + kEverywhere / spread) / (1 + kEverywhere);
+}
+
 TexelLight LaidPicture::at(const EmittingSurface& surface, const Vec3d& on,
                            const Vec3d& normal) const {
     const auto uv = [&](const auto& s) { return uv_of(s, uvs_, on, normal); };

@@ -47,6 +47,11 @@ public:
     /// @param u  in (0,1)^2.
     Drawn draw(const EmittingSurface& surface, const Vec2d& u) const;
 
+    /// About the density of draw(), per m^2, at a point of the surface: as at() takes it.
+    /// @param spread  of surface_spread() there.
+    double density(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal,
+                   double spread) const;
+
     TexelLight at(const Vec2& uv) const { return picture_->at(uv); }
     /// At a point of the surface, whose unit normal (either side) is `normal`.
     TexelLight at(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal) const;

@@ -2,59 +2,15 @@
 // reaches there.
 #include "reference/light_integrator.h"
 
-#include "camera/filter.h"
 #include "camera/projection.h"
 #include "core/parallel.h"
+#include "reference/splatter.h"
+#include "reference/surface.h"
 
-#include <cmath>
 #include <mutex>
 
 namespace sunfleck {
 namespace {
-
-/// Adds light at points of the film to pixels.
-class Splatter {
-public:
-    Splatter(const ReferencePass& pass, PassImage& image)
-        : filter_(pass.scene.scene.filter()),
-          scale_(pass.scene.scene.film().imaging_ratio / filter_integral(filter_)),
-          window_(pass.window),
-          wavelengths_(pass.scene.wavelengths),
-          image_(image) {}
-
-    bool reaches(const Vec2d& film) const {
-        const auto [x0, x1, y0, y1] = window_;
-        return film.x > x0 - filter_.radius.x && film.x < x1 + filter_.radius.x &&
-               film.y > y0 - filter_.radius.y && film.y < y1 + filter_.radius.y;
-    }
-
-    void add(const Vec2d& film, const Spectrum& light) const {
-        const auto [x0, x1, y0, y1] = window_;
-        const auto first = [](double at, double radius, int least) {
-            return std::max(least, static_cast<int>(std::ceil(at - radius - 0.5)));
-        };
-        const auto last = [](double at, double radius, int most) {
-            return std::min(most - 1, static_cast<int>(std::floor(at + radius - 0.5)));
-        };
-        const Vec3 rgb = wavelengths_.to_rgb(light);
-        for (int y = first(film.y, filter_.radius.y, y0); y <= last(film.y, filter_.radius.y, y1);
-             ++y)
-            for (int x = first(film.x, filter_.radius.x, x0);
-                 x <= last(film.x, filter_.radius.x, x1); ++x) {
-                const double weight =
-                    filter_value(filter_, film - Vec2d(x + 0.5, y + 0.5)) * scale_;
-                image_.add_light(static_cast<std::size_t>((y - y0) * (x1 - x0) + x - x0),
-                                 rgb * static_cast<float>(weight), Layer::total);
-            }
-    }
-
-private:
-    const FilterSettings& filter_;
-    double scale_;
-    std::array<int, 4> window_;
-    const Wavelengths& wavelengths_;
-    PassImage& image_;
-};
 
 class LightPath {
 public:
@@ -122,12 +78,7 @@ private:
 
     /// The look from the camera, then a direction to go on in. @return whether the path goes on.
     bool scatter(Hit& hit, int depth) {
-        std::optional<Bsdf> room;
-        Bsdf bsdf = pass_.scene.bsdf_at(hit, room);
-        if (is_dispersive(bsdf)) {
-            if (scattering(bsdf) != Scattering::specular) keep_lane(flux_, lanes_);
-            if (lanes_.single) bsdf = for_lane(bsdf, lanes_.chosen);
-        }
+        const Bsdf bsdf = met_bsdf(pass_.scene, hit, flux_, lanes_);
         const Frame frame(hit.shading_normal, hit.tangent);
         const Vec3 w_from = frame.to_local(-direction_);
         // Flux by unit of area is that on the geometric surface; bsdfs count by the shading one.
@@ -191,9 +142,7 @@ private:
 
 void trace_light_paths(const ReferencePass& pass, std::uint32_t paths, PassImage& image,
                        Statistics& statistics) {
-    TransportSettings emitters_alone = pass.transport;
-    emitters_alone.max_depth = 0;
-    trace_reference_paths({pass.scene, emitters_alone, pass.window, pass.id}, image, statistics);
+    trace_emitters(pass, image, statistics);
     if (pass.scene.scene.light_choice().empty()) return;
     statistics[Count::uniform_paths] += paths;
     const Projection camera(pass.scene.scene.camera());

@@ -3,6 +3,7 @@
 
 #include "camera/filter.h"
 #include "core/parallel.h"
+#include "reference/surface.h"
 
 #include <mutex>
 #include <optional>
@@ -79,12 +80,7 @@ private:
 
     /// Direct light, then a direction to go on in: `ray` becomes the next one.
     std::optional<BsdfSample> scatter(Hit& hit, Ray& ray) {
-        std::optional<Bsdf> room;
-        Bsdf bsdf = pass_.scene.bsdf_at(hit, room);
-        if (is_dispersive(bsdf)) {
-            if (scattering(bsdf) != Scattering::specular) keep_lane(throughput_, lanes_);
-            if (lanes_.single) bsdf = for_lane(bsdf, lanes_.chosen);
-        }
+        const Bsdf bsdf = met_bsdf(pass_.scene, hit, throughput_, lanes_);
         const Frame frame(hit.shading_normal, hit.tangent);
         const Vec3 w_from = frame.to_local(-ray.direction);
         if (scattering(bsdf) != Scattering::specular) add_light_sample(hit, frame, bsdf, w_from);
@@ -175,6 +171,12 @@ void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statisti
             const std::lock_guard lock(guard);
             statistics[Count::eye_rays] += rays;
         });
+}
+
+void trace_emitters(const ReferencePass& pass, PassImage& image, Statistics& statistics) {
+    TransportSettings alone = pass.transport;
+    alone.max_depth = 0;
+    trace_reference_paths({pass.scene, alone, pass.window, pass.id}, image, statistics);
 }
 
 }  // namespace sunfleck

@@ -22,5 +22,7 @@ struct ReferencePass {
 
 /// Adds one path a pixel to the total of the image, pixels row by row.
 void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statistics& statistics);
+/// The same, of light that nothing scatters: emitters as the camera sees them.
+void trace_emitters(const ReferencePass& pass, PassImage& image, Statistics& statistics);
 
 }  // namespace sunfleck

@@ -5,7 +5,9 @@
 #include "estimate/deposit.h"
 #include "photon/adaptive_paths.h"
 #include "photon/uniform_paths.h"
+#include "reference/bidirectional_integrator.h"
 #include "reference/light_integrator.h"
+#include "reference/metropolis_integrator.h"
 #include "render/radius.h"
 
 namespace sunfleck {
@@ -77,6 +79,15 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
         case Integrator::path:
             trace_reference_paths(reference, result.image, result.statistics);
             result.seconds.eye = watch.lap();
+            break;
+        case Integrator::bdpt:
+            trace_bidirectional_paths(reference, result.image, result.statistics);
+            result.seconds.eye = watch.lap();
+            break;
+        case Integrator::mlt:
+            result.visible_fraction =
+                trace_metropolis_chains(reference, result.image, result.statistics);
+            result.seconds.photon = watch.lap();
             break;
         case Integrator::light: {
             Statistics counts;

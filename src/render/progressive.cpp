@@ -17,9 +17,9 @@ bool is_paper(const RenderSettings& settings) {
            settings.photon.sampler == PhotonSampler::paper;
 }
 
-/// Photon paths; camera paths of the path tracer.
+/// Photon paths; camera paths where there are none.
 double paths_of(const Film& film, Integrator integrator) {
-    if (integrator == Integrator::path)
+    if (integrator == Integrator::path || integrator == Integrator::bdpt)
         return static_cast<double>(film.key().pixels() * film.pass_count());
     return film.statistic("uniform_paths") + film.statistic("mutated_paths");
 }

@@ -15,7 +15,7 @@
 
 namespace sunfleck {
 
-enum class Integrator { sppm, path, light };
+enum class Integrator { sppm, path, light, bdpt, mlt };
 
 struct IntegratorRow {
     Integrator integrator;
@@ -23,11 +23,20 @@ struct IntegratorRow {
     std::string_view what;
 };
 
-inline constexpr std::array<IntegratorRow, 3> kIntegrators = {{
+inline constexpr std::array<IntegratorRow, 5> kIntegrators = {{
     {Integrator::sppm, "sppm", "stochastic progressive photon mapping"},
     {Integrator::path, "path", "reference path tracer"},
     {Integrator::light, "light", "reference light tracer"},
+    {Integrator::bdpt, "bdpt", "reference bidirectional path tracer"},
+    {Integrator::mlt, "mlt", "reference Metropolis light transport"},
 }};
+
+/// Nothing for a word that names none.
+inline std::optional<Integrator> integrator_named(std::string_view name) {
+    for (const IntegratorRow& row : kIntegrators)
+        if (row.name == name) return row.integrator;
+    return {};
+}
 
 /// What a pass is a function of, beside the scene.
 struct RenderSettings {

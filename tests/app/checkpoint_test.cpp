@@ -32,7 +32,7 @@ protected:
                                           "x.json", "--quiet"});
         EXPECT_EQ(ran.code, 0) << ran.err;
         nlohmann::json stats = json("x.json");
-        for (const char* name : {"seconds", "command", "threads"}) stats.erase(name);
+        for (const char* name : {"seconds", "cpu_seconds", "command", "threads"}) stats.erase(name);
         return {read_text(path("x.exr")), read_text(path("x.png")), read_text(path("x.film")),
                 stats};
     }

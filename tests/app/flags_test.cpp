@@ -212,7 +212,7 @@ TEST_F(Flags, without_output_the_scene_names_the_file) {
 TEST_F(Flags, bad_values_are_refused_in_one_line) {
     const std::vector<Words> bad = {
         {"--photon-sampler", "none"},
-        {"--integrator", "bdpt"},
+        {"--integrator", "vcm"},
         {"--direct", "none"},
         {"--energy-compensation", "yes"},
         {"--camera", "front"},

@@ -105,7 +105,8 @@ protected:
     /// A render of room.pbrt with these words, of few photons if they do not say how many.
     Ran render(const Words& words) const {
         const bool no_count = std::any_of(words.begin(), words.end(), [](const std::string& word) {
-            return word == "--photons-per-pass" || word == "path";
+            return word == "--photons-per-pass" || word == "path" || word == "bdpt" ||
+                   word == "mlt";
         });
         const Words count = no_count ? Words{} : Words{"--photons-per-pass", "2000"};
         return run(Words{"render", "room.pbrt"} + count + words);

@@ -96,6 +96,7 @@ TEST_P(LightLaws, only_lights_of_some_width_give_a_pdf) {
         ASSERT_NEAR(s->direction.length(), 1, 1e-6F);
         ASSERT_EQ(s->pdf.has_value(), area_light() != nullptr || is_infinite(light()));
         if (area_light() == nullptr) continue;
+        ASSERT_NEAR(s->normal.length(), 1, 1e-5F);
         ASSERT_EQ(s->tint.has_value(), area_light()->picture != nullptr);
         if (area_light()->picture) continue;
         ASSERT_NEAR(s->factor * *s->pdf, 1, 1e-5F);
@@ -127,6 +128,7 @@ TEST_P(LightLaws, direct_pdf_is_that_of_the_sample) {
         ++tested;
         const float pdf = area_light()->direct_pdf(point, Vec3(on->position), Vec3(on->normal));
         ASSERT_NEAR(pdf / *s->pdf, 1, 2e-4F) << s->direction;
+        ASSERT_NEAR((Vec3(on->normal) - s->normal).length(), 0, 1e-3F) << s->direction;
     }
     EXPECT_GT(tested, 2000);
     EXPECT_LE(lost, 10);

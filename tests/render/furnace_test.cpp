@@ -110,7 +110,7 @@ Estimate shown(const Row& row, int z, Integrator integrator) {
 
 TEST_P(Furnace, gains_nothing_on_either_side) {
     for (const int z : {1, -1})
-        for (const Integrator integrator : {Integrator::sppm, Integrator::path}) {
+        for (const Integrator integrator : {Integrator::sppm, Integrator::path, Integrator::bdpt}) {
             const Estimate value = shown(GetParam(), z, integrator);
             const double noise = 4 * value.error + 1e-4;
             EXPECT_LT(value.error, 0.01);

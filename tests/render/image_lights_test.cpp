@@ -1,5 +1,5 @@
 // Skies and projectors with pictures in whole renders, by photons, by sampling and by the reference
-// path tracer.
+// path tracers.
 #include "core/parallel.h"
 #include "image/image_files.h"
 #include "import/pbrt/scene_text.h"
@@ -11,11 +11,13 @@ namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
-enum class Way { photons, sampled, path };
+enum class Way { photons, sampled, path, bdpt };
 
 RenderSettings settings_for(Way way) {
     RenderSettings settings;
-    settings.integrator = way == Way::path ? Integrator::path : Integrator::sppm;
+    settings.integrator = way == Way::path   ? Integrator::path
+                          : way == Way::bdpt ? Integrator::bdpt
+                                             : Integrator::sppm;
     settings.transport.direct = way == Way::photons ? DirectLight::photons : DirectLight::sampled;
     settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = way == Way::photons ? 20'000 : 100;
@@ -150,10 +152,11 @@ TEST_P(ImageLights, of_black_are_no_light) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Skies, ImageLights,
-                         ::testing::Values(Way::photons, Way::sampled, Way::path),
+                         ::testing::Values(Way::photons, Way::sampled, Way::path, Way::bdpt),
                          [](const auto& way) {
                              return way.param == Way::photons   ? "photons"
                                     : way.param == Way::sampled ? "sampled"
+                                    : way.param == Way::bdpt    ? "bdpt"
                                                                 : "path";
                          });
 

@@ -46,6 +46,8 @@ TEST(PortalRoom, is_as_bright_as_without_the_portal) {
             << ' ' << expected.error / expected.mean;
     };
     expect("path", 30);
+    settings.integrator = Integrator::bdpt;
+    expect("bdpt", 30);
     settings.integrator = Integrator::sppm;
     settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = 10'000;

@@ -22,8 +22,9 @@ std::string scene_text(const std::string& object_material) {
            "\nTranslate 0 0 0.8\nShape \"sphere\" \"float radius\" 0.7\n";
 }
 
-RenderSettings settings() {
+RenderSettings settings(Integrator integrator) {
     RenderSettings settings;
+    settings.integrator = integrator;
     settings.photon.paths_per_pass = 3'000;
     settings.layers.fill(true);
     settings.seed = 17;
@@ -34,16 +35,17 @@ FilmKey key() {
     FilmKey key;
     key.width = kSize;
     key.height = kSize;
-    key.layers = settings().layers;
+    key.layers = settings(Integrator::sppm).layers;
     key.seed = 17;
     return key;
 }
 
 /// The film of these passes, in this order.
-Film film_of(const Scene& scene, const std::vector<std::uint32_t>& passes) {
+Film film_of(const Scene& scene, const std::vector<std::uint32_t>& passes,
+             Integrator integrator = Integrator::sppm) {
     Film film(key());
     for (const std::uint32_t p : passes) {
-        const PassResult pass = render_pass(scene, settings(), p);
+        const PassResult pass = render_pass(scene, settings(integrator), p);
         film.add_pass(p, pass.image);
         for (const CountRow& row : kCountRows) film.count(row.name, pass.statistics[row.count]);
     }
@@ -82,6 +84,30 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& scene) {
         return std::string(scene.index == 0 ? "diffuse" : scene.index == 1 ? "glass" : "glossy");
     });
+
+class ReferenceSameBytes : public ::testing::TestWithParam<Integrator> {};
+
+TEST_P(ReferenceSameBytes, with_any_number_of_threads_and_merged) {
+    const Scene scene = scene_of(scene_text("\"dielectric\" \"spectrum eta\" \"glass-F11\""));
+    const auto film = [&](std::size_t threads, const std::vector<std::uint32_t>& passes) {
+        const ThreadLimit limit(threads);
+        return film_of(scene, passes, GetParam());
+    };
+    const Film whole = film(1, {0, 1, 2, 3});
+    EXPECT_FALSE(film(1, {0, 1, 2, 4}).sums() == whole.sums());
+    EXPECT_TRUE(film(2, {2, 0, 3, 1}).sums() == whole.sums());
+    Film merged = film(3, {2, 3});
+    merge(merged, film(2, {0, 1}));
+    EXPECT_TRUE(merged.sums() == whole.sums());
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ReferenceSameBytes,
+                         ::testing::Values(Integrator::path, Integrator::light, Integrator::bdpt,
+                                           Integrator::mlt),
+                         [](const auto& info) {
+                             return std::string(
+                                 kIntegrators.at(static_cast<std::size_t>(info.param)).name);
+                         });
 
 }  // namespace
 }  // namespace sunfleck

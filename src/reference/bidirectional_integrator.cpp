@@ -1,0 +1,43 @@
+// One pair of paths a pixel.
+#include "reference/bidirectional_integrator.h"
+
+#include "core/parallel.h"
+#include "reference/path_pair.h"
+
+#include <mutex>
+
+namespace sunfleck {
+
+void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image,
+                               Statistics& statistics) {
+    const auto [x0, x1, y0, y1] = pass.window;
+    const auto width = static_cast<std::size_t>(x1 - x0);
+    const std::size_t pixels = width * static_cast<std::size_t>(y1 - y0);
+    const Projection camera(pass.scene.scene.camera());
+    const FilterSampler filter(pass.scene.scene.filter());
+    const Splatter splatter(pass, image);
+    const auto share = 1 / static_cast<float>(pixels);
+    std::mutex guard;
+    parallel_blocks(pixels, 256, [&, x = x0, y = y0](std::size_t begin, std::size_t end) {
+        PathPair pair(pass, camera, splatter, static_cast<double>(pixels));
+        for (std::size_t pixel = begin; pixel < end; ++pixel) {
+            PathPair::Numbers numbers{PathNumbers(pass.id.stream(Purpose::pair_eye, pixel)),
+                                      PathNumbers(pass.id.stream(Purpose::pair_light, pixel)),
+                                      PathNumbers(pass.id.stream(Purpose::pair_joints, pixel))};
+            const FilterSample filtered = filter.sample(numbers.eye.next_two());
+            const Vec2d film(x + static_cast<double>(pixel % width) + 0.5 + filtered.offset.x,
+                             y + static_cast<double>(pixel / width) + 0.5 + filtered.offset.y);
+            const Spectrum scattered = pair.trace(film, numbers);
+            const Spectrum radiance = (scattered + pair.unscattered()) *
+                                      (filtered.weight * pass.scene.scene.film().imaging_ratio);
+            image.add_light(pixel, pass.scene.wavelengths.to_rgb(radiance), Layer::total);
+            for (const FilmLight& splat : pair.splats())
+                splatter.add(splat.film, splat.light * share);
+        }
+        const std::lock_guard lock(guard);
+        statistics[Count::eye_rays] += pair.eye_rays();
+        statistics[Count::photon_rays] += pair.light_rays();
+    });
+}
+
+}  // namespace sunfleck
