@@ -1,4 +1,6 @@
 # The outside libraries, all from Debian 12.
+find_file(SUNFLECK_CHART_JS chart.min.js HINTS /usr /usr/local
+  PATH_SUFFIXES share/javascript/chart.js REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(Imath REQUIRED)

@@ -40,3 +40,18 @@ sunfleck_room(render NEEDS room_eye room_photon room_estimate room_film room_ref
 file(GLOB figures CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/experiment/figures/*.cpp)
 sunfleck_room(experiment NEEDS room_import room_procedural room_image nlohmann_json::nlohmann_json)
 target_sources(room_experiment PRIVATE ${figures})
+sunfleck_room(report NEEDS room_compare)
+
+# The page's own files and the chart library, inside the program.
+set(page ${PROJECT_SOURCE_DIR}/src/report/page)
+file(GLOB scripts CONFIGURE_DEPENDS ${page}/*.js)
+string(REPLACE ";" "," scripts_joined "${scripts}")
+set(assets ${PROJECT_BINARY_DIR}/report_assets.cpp)
+add_custom_command(OUTPUT ${assets}
+  COMMAND ${CMAKE_COMMAND} -DOUT=${assets} -DHEADER=report/assets.h
+    "-DPARTS=kPage=${page}/page.html|kPageStyle=${page}/page.css|kPageScript=${scripts_joined}|kChartLibrary=${SUNFLECK_CHART_JS}"
+    -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+  DEPENDS ${page}/page.html ${page}/page.css ${scripts} ${SUNFLECK_CHART_JS}
+    ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+  VERBATIM)
+target_sources(room_report PRIVATE ${assets})

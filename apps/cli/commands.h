@@ -15,5 +15,7 @@ int run_scene(const SceneOptions& options);
 int run_experiment(const ExperimentOptions& options);
 /// Adds up pass ranges of one render.
 int run_merge(const MergeOptions& options);
+/// Measures pictures against a reference, and writes the page that shows them.
+int run_compare(const CompareOptions& options);
 
 }  // namespace sunfleck

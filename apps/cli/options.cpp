@@ -1,6 +1,7 @@
 // The flags of every command, row by row.
 #include "apps/cli/options.h"
 
+#include "apps/cli/experiment_options.h"
 #include "apps/cli/paper_options.h"
 #include "core/error.h"
 
@@ -102,6 +103,10 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--isa", o.isa, "avx2 (same bytes on every such machine), or native")
         ->check(CLI::IsMember({"avx2", "native"}));
     app.add_option("--stats", o.stats, "Write statistics as JSON");
+    app.add_option(
+        "--snapshots", o.snapshots,
+        "Also write picture and statistics to this folder after 1, 2, 4, 8 ... passes and "
+        "at the end");
     CLI::Option* const level =
         app.add_option("--log-level", t.log_level,
                        "quiet, warning, or info (default: notes and a progress line, too)")
@@ -183,6 +188,16 @@ void finish_render(RenderOptions& o, const RenderTexts& t) {
     }
 }
 
+void add_compare(CLI::App& app, CompareOptions& o) {
+    app.add_option("REF", o.reference, "The reference: a picture, [LABEL=]FILE")->required();
+    app.add_option("PICTURES", o.inputs,
+                   "Pictures, [LABEL=]FILE, or folders of snapshots, [LABEL=]FOLDER")
+        ->required();
+    app.add_option("--report", o.report,
+                   "Write a page to look at: one .html that needs no network");
+    app.add_option("--json", o.json, "Write the numbers as JSON");
+}
+
 }  // namespace
 
 std::optional<Options> read_options(int count, const char* const* words) {
@@ -194,6 +209,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
     InfoOptions info;
     SceneOptions scene;
     MergeOptions merge;
+    CompareOptions compare;
     CLI::App* const render_app = app.add_subcommand("render", "Render a scene");
     add_render(*render_app, render, texts);
     CLI::App* const info_app = app.add_subcommand("info", "Say what a scene file holds");
@@ -211,6 +227,14 @@ std::optional<Options> read_options(int count, const char* const* words) {
         ->required();
     merge_app->add_option("--exposure", merge.exposure, "Stops for PNG")->check(between(-100, 100));
     merge_app->add_option("--stats", merge.stats, "Write statistics as JSON");
+    CLI::App* const compare_app =
+        app.add_subcommand("compare", "Measure pictures against a reference, and show them");
+    add_compare(*compare_app, compare);
+    ExperimentOptions experiment;
+    ExperimentTexts experiment_texts;
+    CLI::App* const experiment_app = app.add_subcommand(
+        "experiment", "Make the paper's figures and tables; without NAMES, list them");
+    add_experiment_flags(*experiment_app, experiment, experiment_texts);
     try {
         app.parse(count, words);
     } catch (const CLI::ExtrasError&) {
@@ -220,7 +244,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
         const std::vector<std::string> rest = app.remaining();
         if (app.get_subcommands().empty() && !rest.empty())
             throw Error({"sunfleck"}, "unknown command \"" + rest.front() + "\"",
-                        "use render, info, scene or merge");
+                        "use render, info, scene, merge, compare or experiment");
         throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
     } catch (const CLI::ParseError& fault) {
         if (fault.get_exit_code() == 0) {
@@ -242,8 +266,13 @@ std::optional<Options> read_options(int count, const char* const* words) {
         options.info = info;
     } else if (scene_app->parsed()) {
         options.scene = scene;
-    } else {
+    } else if (merge_app->parsed()) {
         options.merge = merge;
+    } else if (experiment_app->parsed()) {
+        finish_experiment(experiment_texts, experiment);
+        options.experiment = experiment;
+    } else {
+        options.compare = compare;
     }
     return options;
 }

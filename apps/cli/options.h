@@ -27,7 +27,8 @@ struct RenderOptions {
     std::optional<Vec2i> resolution;
     std::optional<std::array<int, 4>> crop;
     std::string isa = "avx2";
-    std::string stats;  // file, or empty
+    std::string stats;      // file, or empty
+    std::string snapshots;  // folder, or empty
     std::size_t threads = 0;
     double exposure = 0;  // stops, PNG alone
     LogLevel log = LogLevel::info;
@@ -57,6 +58,13 @@ struct MergeOptions {
     double exposure = 0;
 };
 
+struct CompareOptions {
+    std::string reference;
+    std::vector<std::string> inputs;
+    std::string report;  // file, or empty
+    std::string json;    // file, or empty
+};
+
 /// Exactly one of them is set.
 struct Options {
     std::optional<RenderOptions> render;
@@ -64,6 +72,7 @@ struct Options {
     std::optional<SceneOptions> scene;
     std::optional<MergeOptions> merge;
     std::optional<ExperimentOptions> experiment;
+    std::optional<CompareOptions> compare;
 };
 
 /// Reads the command line. @return nothing when all has been said (--help, --version): exit 0.

@@ -3,6 +3,7 @@
 #include "apps/cli/interrupt.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/snapshots.h"
 #include "apps/cli/stats.h"
 #include "core/parallel.h"
 #include "core/stopwatch.h"
@@ -57,10 +58,33 @@ void print_lines(const std::vector<std::string>& lines, LogLevel log) {
     for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
 }
 
+void set_times(RunFacts& facts, const RenderResult& result, const WorkClock& clock) {
+    facts.seconds = result.seconds;
+    facts.radius_factor = result.radius_factor;
+    facts.total_seconds = clock.seconds();
+    facts.cpu_seconds = clock.cpu_seconds();
+}
+
+/// Renders with a progress line, and with snapshots if they are wanted.
+RenderResult render_watched(const RenderJob& job, const RenderOptions& options, RunFacts& facts,
+                            WorkClock& clock) {
+    ProgressLine line(options.log == LogLevel::info);
+    RenderHooks hooks;
+    hooks.report = [&](const Progress& p) { line.show(p); };
+    hooks.interrupted = &InterruptGuard::interrupted();
+    if (!options.snapshots.empty())
+        hooks.snapshot = [&](const RenderResult& so_far) {
+            set_times(facts, so_far, clock);
+            const auto write = [&] { write_snapshot(options.snapshots, so_far.film, facts); };
+            clock.aside([&] { InterruptGuard::finish_first(write); });
+        };
+    return render(job, hooks);
+}
+
 }  // namespace
 
 int run_render(const RenderOptions& options) {
-    const Stopwatch watch;
+    WorkClock clock;
     const ThreadLimit limit(options.threads);
     if (!options.outputs.empty()) check_outputs(options.outputs, options.stats);
     SceneDescription description = load_scene(options.scene);
@@ -70,12 +94,13 @@ int run_render(const RenderOptions& options) {
                     "leave --camera out");
     const std::vector<std::string> outputs = outputs_of(options, description);
     check_outputs(outputs, options.stats);
+    if (!options.snapshots.empty()) prepare_snapshots(options.snapshots);
     if (options.resolution) set_resolution(description, *options.resolution);
     if (options.settings.energy_compensation) compensate_energy(description);
     if (options.crop) set_crop(description, *options.crop);
     const std::uint64_t hash = hash_of_files(description.files);
     const Scene scene(std::move(description), options.isa);
-    RunFacts facts{options.scene, options.command, options.isa, thread_count(), 0, 0, {}, 1, {}};
+    RunFacts facts{options.scene, options.command, options.isa, thread_count(), 0, 0, 0, {}, 1, {}};
     for (const auto& entry : scene.warnings().entries()) facts.warnings.push_back(entry.line());
     if (options.isa == "avx2" && !cpu_has_avx2())
         facts.warnings.emplace_back(
@@ -85,24 +110,19 @@ int run_render(const RenderOptions& options) {
             "sampler paper: its counts are pooled while the view and the radii change, so the "
             "picture is biased until it has converged, and has no error bars; adaptive is not");
     print_lines(facts.warnings, options.log);
-    facts.load_seconds = watch.seconds();
+    facts.load_seconds = clock.seconds();
 
     const InterruptGuard guard;
     const RenderSettings settings = settings_of(options, scene.hints());
-    RenderResult result = [&] {
-        ProgressLine line(options.log == LogLevel::info);
-        return render({scene, settings, options.stop, hash},
-                      {[&](const Progress& p) { line.show(p); }, &InterruptGuard::interrupted()});
-    }();
+    const RenderResult result =
+        render_watched({scene, settings, options.stop, hash}, options, facts, clock);
     InterruptGuard::finish_first([&] { write_outputs(outputs, result.film, options.exposure); });
     // Without a light the picture is black for sure, and that has been said.
     const auto doubts =
         scene.lights().empty() ? std::vector<std::string>() : reliability_warnings(result.film);
     print_lines(doubts, options.log);
     facts.warnings.insert(facts.warnings.end(), doubts.begin(), doubts.end());
-    facts.seconds = result.seconds;
-    facts.radius_factor = result.radius_factor;
-    facts.total_seconds = watch.seconds();
+    set_times(facts, result, clock);
     if (!options.stats.empty()) {
         const std::string json = stats_json(result.film, facts);
         InterruptGuard::finish_first(

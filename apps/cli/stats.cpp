@@ -109,6 +109,7 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
                        {"learn", facts.seconds.learn},
                        {"estimate", 0.0},
                        {"total", facts.total_seconds}};
+    json["cpu_seconds"] = facts.cpu_seconds;
     json["rays"] = {{"eye", count("eye_rays")}, {"photon", count("photon_rays")}};
     json["visible_points"] = count("visible_points");
     json["photon_paths"] = {{"uniform", count("uniform_paths")},

@@ -17,6 +17,7 @@ struct RunFacts {
     std::size_t threads = 0;
     double load_seconds = 0;
     double total_seconds = 0;
+    double cpu_seconds = 0;  // of all threads
     PassTimes seconds;
     double radius_factor = 1;
     std::vector<std::string> warnings;

@@ -6,6 +6,7 @@
 #include "render/paper.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace sunfleck {
@@ -90,7 +91,7 @@ std::optional<double> seconds_left(const Progress& p, const StopSettings& stop) 
 
 RenderResult render(const RenderJob& job, const RenderHooks& hooks) {
     const StopSettings& stop = job.stop;
-    const Stopwatch clock;
+    WorkClock clock;
     RenderResult result{Film(key_of(job)), {}, 0, 0, 1, false};
     Progress progress;
     progress.target = stop.target_error;
@@ -122,9 +123,12 @@ RenderResult render(const RenderJob& job, const RenderHooks& hooks) {
         result.interrupted = hooks.interrupted != nullptr && hooks.interrupted->load();
         const bool late = stop.seconds && progress.seconds >= *stop.seconds;
         const bool good = progress.error && progress.target && *progress.error <= *progress.target;
+        if (hooks.snapshot && std::has_single_bit(result.passes))
+            clock.aside([&] { hooks.snapshot(result); });
         if (result.interrupted || late || good) break;
     }
     result.total_seconds = clock.seconds();
+    if (hooks.snapshot && !std::has_single_bit(result.passes)) hooks.snapshot(result);
     return result;
 }
 

@@ -38,7 +38,9 @@ struct RenderResult {
 };
 
 struct RenderHooks {
-    std::function<void(const Progress&)> report;     // after each pass
+    std::function<void(const Progress&)> report;  // after each pass
+    /// After 1, 2, 4, 8 ... passes and at the end; its time does not count.
+    std::function<void(const RenderResult&)> snapshot;
     const std::atomic<bool>* interrupted = nullptr;  // asked after each pass
 };
 

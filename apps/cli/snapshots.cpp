@@ -1,0 +1,37 @@
+// Snapshots: picture and statistics of a render under way, a pair of files each.
+#include "apps/cli/snapshots.h"
+
+#include "core/error.h"
+#include "film/film_picture.h"
+#include "image/atomic_file.h"
+#include "image/picture_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <span>
+
+namespace sunfleck {
+
+namespace fs = std::filesystem;
+
+void prepare_snapshots(const std::string& folder) {
+    std::error_code code;
+    fs::create_directories(folder, code);
+    if (!fs::is_directory(folder))
+        throw Error({folder}, "cannot be made a folder",
+                    "name one in a folder that you may write to");
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".exr")
+            throw Error({folder}, "holds pictures already", "name a new folder");
+    check_writable(folder + "/passes.json");
+}
+
+void write_snapshot(const std::string& folder, const Film& film, const RunFacts& facts) {
+    const std::string name = fmt::format("{}/passes-{:06}", folder, film.pass_count());
+    const std::string json = stats_json(film, facts);
+    write_file(name + ".json", std::as_bytes(std::span(json)));
+    write_picture(name + ".exr", film_picture(film));
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,130 @@
+// From pixels to what is on the screen: exposure, false colour, error maps.
+"use strict";
+
+// Points of colour maps, evenly spaced. Viridis and magma: S. van der Walt and N. Smith (CC0);
+// red-blue: C. Brewer, colorbrewer2 (Apache 2.0).
+const VIRIDIS = mapOf("440154 482878 3e4989 31688e 26828e 1f9e89 35b779 6ece58 b5de2b fde725");
+const MAGMA = mapOf("000004 180f3d 440f76 721f81 9e2f7f cd4071 f1605d fd9668 feca8d fcfdbf");
+const BLUE_RED = mapOf("053061 2166ac 4393c3 92c5de d1e5f0 f7f7f7 fddbc7 f4a582 d6604d b2182b 67001f");
+
+/** 256 colours as one array of r, g, b. */
+function mapOf(hexes) {
+  const points = hexes.split(" ").map((h) => [0, 2, 4].map((i) => parseInt(h.slice(i, i + 2), 16)));
+  const table = new Uint8Array(768);
+  for (let i = 0; i < 256; ++i) {
+    const place = (i / 255) * (points.length - 1);
+    const before = Math.min(Math.floor(place), points.length - 2);
+    for (let c = 0; c < 3; ++c)
+      table[3 * i + c] = points[before][c] + (place - before) * (points[before + 1][c] - points[before][c]);
+  }
+  return table;
+}
+
+const EPSILON = 0.01; // of the relative errors, as in the table
+const DECADES = [-3, 1]; // of luminance, at exposure 0
+
+/** What each way of showing needs: the colours, and where in [0,1] a pixel lies in them. */
+const SHOWS = {
+  luminance: {
+    name: "luminance",
+    map: VIRIDIS,
+    place: (p, r, exposure) =>
+      (Math.log10(Math.max(p, 1e-30)) + exposure * Math.log10(2) - DECADES[0]) / (DECADES[1] - DECADES[0]),
+    range: (exposure) => DECADES.map((d) => shortNumber(10 ** d / 2 ** exposure)),
+  },
+  relative: {
+    name: "relative error of luminance",
+    map: MAGMA,
+    place: (p, r, exposure) => (Math.abs(p - r) / (r + EPSILON)) * 2 ** exposure,
+    range: (exposure) => ["0", shortNumber(2 ** -exposure)],
+  },
+  signed: {
+    name: "signed relative error of luminance",
+    map: BLUE_RED,
+    place: (p, r, exposure) => 0.5 + (0.5 * (p - r) * 2 ** exposure) / (r + EPSILON),
+    range: (exposure) => [-1, 1].map((s) => (s > 0 ? "+" : "−") + shortNumber(2 ** -exposure)),
+  },
+  flip: { name: "FLIP", map: MAGMA, range: () => ["0", "1"] },
+};
+
+/** The byte on the screen of each half float: linear light to sRGB (IEC 61966-2-1). */
+function screenBytes(exposure, scale) {
+  const factor = 2 ** exposure / scale;
+  return Uint8Array.from(HALF_VALUES, (value) => {
+    const light = Math.min(Math.max(value * factor, 0), 1) || 0;
+    return Math.round(255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055));
+  });
+}
+
+function paintPicture(picture, exposure, out) {
+  const bytes = screenBytes(exposure, picture.scale);
+  const { halves } = picture;
+  for (let i = 0, o = 0; i < halves.length; i += 3, o += 4) {
+    out[o] = bytes[halves[i]];
+    out[o + 1] = bytes[halves[i + 1]];
+    out[o + 2] = bytes[halves[i + 2]];
+  }
+}
+
+function luminances(picture) {
+  if (!picture.luminance) {
+    picture.luminance = new Float32Array(picture.halves.length / 3);
+    for (let i = 0; i < picture.luminance.length; ++i) picture.luminance[i] = luminanceOf(valueAt(picture, i));
+  }
+  return picture.luminance;
+}
+
+function paintMapped(picture, show, exposure, out) {
+  const { map, place } = SHOWS[show];
+  const here = luminances(picture);
+  const reference = luminances(pictures[0]);
+  for (let i = 0, o = 0; i < here.length; ++i, o += 4) {
+    const byte = show === "flip" ? picture.flip[i] : Math.round(255 * place(here[i], reference[i], exposure));
+    const at = 3 * Math.min(Math.max(byte, 0), 255);
+    out[o] = map[at];
+    out[o + 1] = map[at + 1];
+    out[o + 2] = map[at + 2];
+  }
+}
+
+/** Pixels of which a channel is no number or infinite: bits of the exponent all set. */
+function markBroken(picture, out) {
+  const { halves } = picture;
+  for (let i = 0, o = 0; i < halves.length; i += 3, o += 4) {
+    const broken = [0, 1, 2].some((c) => (halves[i + c] & 0x7c00) === 0x7c00);
+    if (broken) [out[o], out[o + 1], out[o + 2]] = [255, 0, 255];
+    out[o + 3] = 255;
+  }
+}
+
+/** The picture's canvas, painted. The reference has no error, and stays a picture. */
+function paint(picture, show, exposure) {
+  if (!picture.canvas) {
+    picture.canvas = Object.assign(document.createElement("canvas"), size);
+    picture.canvas.setAttribute("role", "img");
+    picture.canvas.setAttribute("aria-label", picture.label);
+  }
+  const key = `${show} ${exposure}`;
+  if (picture.painted === key) return picture.canvas;
+  picture.painted = key;
+  const context = picture.canvas.getContext("2d");
+  const image = context.createImageData(size.width, size.height);
+  const plain = show === "picture" || (picture.number === 0 && show !== "luminance");
+  if (plain) paintPicture(picture, show === "picture" ? exposure : 0, image.data);
+  else paintMapped(picture, show, exposure, image.data);
+  markBroken(picture, image.data);
+  context.putImageData(image, 0, 0);
+  return picture.canvas;
+}
+
+function paintLegend(show, exposure) {
+  byId("legend").hidden = show === "picture";
+  if (show === "picture") return;
+  const { name, map, range } = SHOWS[show];
+  [byId("legend-low").textContent, byId("legend-high").textContent] = range(exposure);
+  byId("legend-name").textContent = name;
+  const context = byId("legend-bar").getContext("2d");
+  const image = context.createImageData(256, 1);
+  for (let i = 0; i < 256; ++i) image.data.set([map[3 * i], map[3 * i + 1], map[3 * i + 2], 255], 4 * i);
+  context.putImageData(image, 0, 0);
+}
