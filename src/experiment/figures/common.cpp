@@ -43,6 +43,34 @@ void add_others(const Results& results, const std::string& scene, Table& table) 
     }
 }
 
+/// Median, lowest and highest of one snapshot a seed.
+ChartPoint error_point(const Results& results, const std::string& scene,
+                       const std::vector<const CellFacts*>& seeds) {
+    std::vector<double> errors;
+    std::vector<double> seconds;
+    for (const CellFacts* facts : seeds) {
+        errors.push_back(results.error(scene, facts->picture).rel_mse);
+        seconds.push_back(facts->cpu_seconds);
+    }
+    std::sort(errors.begin(), errors.end());
+    std::sort(seconds.begin(), seconds.end());
+    return {seconds[seconds.size() / 2], errors[errors.size() / 2], errors.front(), errors.back()};
+}
+
+/// @param seeds  snapshots after 1, 2, 4 ... passes and at the end, of each seed.
+std::vector<ChartPoint> error_points(const Results& results, const std::string& scene,
+                                     const std::vector<std::vector<CellFacts>>& seeds) {
+    std::size_t shared = seeds[0].size();
+    for (const auto& seed : seeds) shared = std::min(shared, seed.size());
+    std::vector<ChartPoint> points;
+    for (std::size_t i = 0; i < shared; ++i) {
+        std::vector<const CellFacts*> column;
+        for (const auto& seed : seeds) column.push_back(i + 1 < shared ? &seed[i] : &seed.back());
+        points.push_back(error_point(results, scene, column));
+    }
+    return points;
+}
+
 }  // namespace
 
 std::vector<Cell> seed_cells(const RunSettings& settings, const std::vector<std::string>& scenes,
@@ -78,26 +106,9 @@ Chart error_chart(const Results& results, const std::string& name, const std::st
     Chart chart{name, "Error over time: " + scene, "processor seconds", "relMSE", {}, true};
     for (const Method& method : methods) {
         std::vector<std::vector<CellFacts>> seeds;
-        std::size_t length = 0;
-        for (const Cell& cell : results.cells(scene, method)) {
+        for (const Cell& cell : results.cells(scene, method))
             seeds.push_back(results.snapshots(cell));
-            length = std::max(length, seeds.back().size());
-        }
-        ChartLine line{method.name, {}};
-        for (std::size_t i = 0; i < length; ++i) {
-            std::vector<double> errors;
-            std::vector<double> seconds;
-            for (const auto& seed : seeds) {
-                if (i >= seed.size()) continue;
-                errors.push_back(results.error(scene, seed[i].picture).rel_mse);
-                seconds.push_back(seed[i].cpu_seconds);
-            }
-            std::sort(errors.begin(), errors.end());
-            std::sort(seconds.begin(), seconds.end());
-            line.points.push_back({seconds[seconds.size() / 2], errors[errors.size() / 2],
-                                   errors.front(), errors.back()});
-        }
-        chart.lines.push_back(line);
+        chart.lines.push_back({method.name, error_points(results, scene, seeds)});
     }
     return chart;
 }

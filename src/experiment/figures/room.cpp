@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace sunfleck {
 namespace {
@@ -38,16 +39,32 @@ Section fig5_section(const Results& results) {
     return section;
 }
 
-/// Where two lines of a chart change places: "never", or the times.
+/// The line at x, straight between points on logarithmic axes; nothing beyond its ends.
+std::optional<double> value_at(const ChartLine& line, double x) {
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const ChartPoint& a = line.points[i - 1];
+        const ChartPoint& b = line.points[i];
+        if (x < a.x || x > b.x || !(a.y > 0) || !(b.y > 0)) continue;
+        const double t = b.x > a.x ? std::log(x / a.x) / std::log(b.x / a.x) : 0;
+        return a.y * std::pow(b.y / a.y, t);
+    }
+    return {};
+}
+
+/// When `a` comes to lie below or above `b`: "never", or between which of its points.
 std::string crossings(const ChartLine& a, const ChartLine& b) {
     std::string found;
-    const std::size_t count = std::min(a.points.size(), b.points.size());
-    for (std::size_t i = 1; i < count; ++i) {
-        const bool before = a.points[i - 1].y < b.points[i - 1].y;
-        const bool after = a.points[i].y < b.points[i].y;
-        if (before != after)
-            found += fmt::format("{}between {:.2g} and {:.2g} s", found.empty() ? "" : ", ",
-                                 a.points[i - 1].x, a.points[i].x);
+    std::optional<bool> below;
+    double last = 0;
+    for (const ChartPoint& p : a.points) {
+        const auto other = value_at(b, p.x);
+        if (!other) continue;
+        const bool now = p.y < *other;
+        if (below && *below != now)
+            found +=
+                fmt::format("{}between {:.2g} and {:.2g} s", found.empty() ? "" : ", ", last, p.x);
+        below = now;
+        last = p.x;
     }
     return found.empty() ? "never" : found;
 }
