@@ -142,7 +142,7 @@ Mesh leaves() {
             const double reach = length * (0.04 + along * (0.5 + 0.5 * along));
             const double wide = 0.004 + 0.06 * swell.sin * along;
             const double up = 0.27 + rise * along * (1.35 - 0.75 * along);
-            return Vec3d(reach, wide * t.sin * swell.sin, up + 0.004 * t.cos * swell.sin);
+            return Vec3d(reach, -wide * t.sin * swell.sin, up + 0.004 * t.cos * swell.sin);
         };
         leaves.append(placed(ball_grid(12, 24, blade), turned(turn, Vec3d(0))));
     }

@@ -10,7 +10,7 @@ namespace sunfleck {
 namespace {
 
 constexpr SceneHead kHead = {"Unit: millimetres; z is up",
-                             R"(LookAt -8 -112 86  -3 -3 14  0 0 1
+                             R"(LookAt -8 -112 86  -3 -3 16.5  0 0 1
 Camera "perspective" "float fov" 37 "float lensradius" 1.6 "float focaldistance" 132
 )",
                              512, 512, 32};

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace sunfleck {
@@ -26,7 +27,8 @@ struct Sky {
     }
     std::array<float, 3> towards(const Vec3d& w) const {
         const Vec2d u = sphere_to_square(w.normalized());
-        return texel(static_cast<int>(u.x * kSide), static_cast<int>(u.y * kSide));
+        const auto cell = [](double x) { return std::min(kSide - 1, static_cast<int>(x * kSide)); };
+        return texel(cell(u.x), cell(u.y));
     }
 };
 
