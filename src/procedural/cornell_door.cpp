@@ -27,7 +27,7 @@ MakeNamedMaterial "brass" "string type" "conductor" "spectrum eta" "metal-CuZn-e
 # The lamp under the ceiling of the other room, its only light, facing down.
 AttributeBegin
 NamedMaterial "white"
-AreaLightSource "diffuse" "rgb L" [ 1 0.9 0.75 ] "float scale" 600
+AreaLightSource "diffuse" "rgb L" [ 1 0.9 0.75 ] "float scale" 450
 Shape "trianglemesh" "integer indices" [ 0 1 2  0 2 3 ]
     "point3 P" [ 240 100 274  240 180 274  340 180 274  340 100 274 ]
 AttributeEnd

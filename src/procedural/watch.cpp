@@ -11,7 +11,7 @@ namespace {
 
 constexpr SceneHead kHead = {"Unit: millimetres; z is up",
                              R"(LookAt -8 -112 86  -3 -3 16.5  0 0 1
-Camera "perspective" "float fov" 37 "float lensradius" 1.6 "float focaldistance" 132
+Camera "perspective" "float fov" 39 "float lensradius" 1.6 "float focaldistance" 132
 )",
                              512, 512, 32};
 
