@@ -18,7 +18,7 @@ float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
                        const Vec2d& u, Statistics& statistics) {
     const Scene& scene = pass.scene;
-    const auto choice = scene.light_tree().choose(receiver_at(vertex), u_choice);
+    const auto choice = scene.light_tree().choose(receiver_at(scene, vertex), u_choice);
     if (!choice) return Spectrum(0);
     const auto light =
         sample_direct(scene.lights()[choice->index], vertex.hit.position, Vec2(u), scene.sphere());
@@ -38,8 +38,9 @@ Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_
     return f * seen * pass.tinted(pass.emission[choice->index], light->tint) * weight;
 }
 
-Receiver receiver_at(const EyeVertex& vertex) {
-    if (gathers(vertex.bsdf, 1, -1)) return {vertex.hit.position, Vec3(0)};
+Receiver receiver_at(const Scene& scene, const EyeVertex& vertex) {
+    if (!scene.light_tree().is_grown() || gathers(vertex.bsdf, 1, -1))
+        return {vertex.hit.position, Vec3(0)};
     return {vertex.hit.position, vertex.w_from.z < 0 ? -vertex.frame.z : vertex.frame.z};
 }
 
@@ -70,7 +71,7 @@ Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, cons
                             Statistics& statistics) {
     const Vec3 direction = vertex.frame.to_world(drawn.w_to);
     const Scene& scene = pass.scene;
-    const Receiver from = receiver_at(vertex);
+    const Receiver from = receiver_at(scene, vertex);
     Spectrum sum;
     Spectrum weight = drawn.weight;
     const auto add = [&](const EmitterMet& met) {

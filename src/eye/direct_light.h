@@ -30,8 +30,8 @@ struct EmitterMet {
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
                        const Vec2d& u, Statistics& statistics);
 
-/// Where light is wanted: what cannot come through the surface is not chosen.
-Receiver receiver_at(const EyeVertex& vertex);
+/// Where light is wanted: what cannot come through the surface is not chosen from the tree.
+Receiver receiver_at(const Scene& scene, const EyeVertex& vertex);
 
 /// The emitter at a hit, seen along `direction` (unit, of the ray); zero if it shows its dark side
 /// or is none. @param from  the vertex that the ray comes from; null: without a density.

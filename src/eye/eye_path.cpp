@@ -182,7 +182,7 @@ bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {
     if (drawn->pdf) {
         emitters_ = Emitters::weighted;
         bsdf_pdf_ = *drawn->pdf;
-        glossy_ = receiver_at(vertex);
+        glossy_ = receiver_at(pass_.scene.scene, vertex);
         ++rough_;
     } else if (emitters_ == Emitters::weighted) {
         emitters_ = Emitters::none;

@@ -23,6 +23,8 @@ public:
     /// is never chosen.
     LightTree(const std::vector<Light>& lights, const std::vector<double>& weights);
 
+    /// Is there more than weights: does it matter where light is wanted?
+    bool is_grown() const { return !nodes_.empty(); }
     /// Nothing where no light can come from any that is chosen. @param u  in (0,1).
     std::optional<LightChoice::Chosen> choose(const Receiver& at, double u) const;
     /// With which choose() gives `index`, for u uniform in (0,1).

@@ -32,6 +32,18 @@ inline Rows inverse(const Rows& m) {
     return cofactor;
 }
 
+/// The look of a colour in another white: cones (Bradford) scaled one by one. All in XYZ.
+/// Source: Lam, Metamerism and Colour Constancy (1985); what pbrt-v4 uses.
+inline Triple adapted(const Triple& xyz, const Triple& from_white, const Triple& to_white) {
+    constexpr Rows kBradford = {Triple{0.8951, 0.2664, -0.1614}, Triple{-0.7502, 1.7135, 0.0367},
+                                Triple{0.0389, -0.0685, 1.0296}};
+    const Triple from = kBradford * from_white;
+    const Triple to = kBradford * to_white;
+    Triple cones = kBradford * xyz;
+    for (std::size_t i = 0; i < 3; ++i) cones[i] *= to[i] / from[i];
+    return inverse(kBradford) * cones;
+}
+
 /// XYZ of rgb. @param primaries  x, y, 1 - x - y in columns. @param white  XYZ of (1, 1, 1).
 inline Rows xyz_of_primaries(const Rows& primaries, const Triple& white) {
     const Triple amount = inverse(primaries) * white;

@@ -24,9 +24,6 @@ constexpr std::array<Space, 4> kSpaces = {
 
 constexpr std::array<double, 2> kAcesWhite = {0.32168, 0.33767};
 
-constexpr Rows kBradford = {Triple{0.8951, 0.2664, -0.1614}, Triple{-0.7502, 1.7135, 0.0367},
-                            Triple{0.0389, -0.0685, 1.0296}};
-
 Triple white_of(const Space& space) {
     if (space.has_d65) return xyz_of_rgb({1, 1, 1});
     const auto [x, y] = kAcesWhite;
@@ -67,11 +64,8 @@ Triple srgb_of_light(ColourSpace space, const Triple& rgb) {
 
 Triple srgb_of_surface(ColourSpace space, const Triple& rgb) {
     if (entry(space).has_d65) return srgb_of_light(space, rgb);
-    const Triple from = kBradford * white_of(entry(space));
-    const Triple to = kBradford * xyz_of_rgb({1, 1, 1});
-    Triple cones = kBradford * xyz_of(entry(space), rgb);
-    for (std::size_t i = 0; i < 3; ++i) cones.at(i) *= to.at(i) / from.at(i);
-    return rgb_of_xyz(inverse(kBradford) * cones);
+    const Space& own = entry(space);
+    return rgb_of_xyz(adapted(xyz_of(own, rgb), white_of(own), xyz_of_rgb({1, 1, 1})));
 }
 
 }  // namespace sunfleck

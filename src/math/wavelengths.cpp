@@ -88,7 +88,7 @@ Wavelengths Wavelengths::of_pass(PassId pass) {
     return drawn;
 }
 
-void Wavelengths::turn_rgb(const std::array<Triple, 3>& rows) {
+void Wavelengths::turn_rgb(const Rows& rows) {
     const std::array<Spectrum, 3> before = rgb_weight;
     for (std::size_t i = 0; i < 3; ++i)
         rgb_weight[i] = before[0] * static_cast<float>(rows[i][0]) +

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/random.h"
+#include "math/colour_matrix.h"
 #include "math/spectrum.h"
 #include "math/vector.h"
 
@@ -24,7 +25,7 @@ struct Wavelengths {
     static Wavelengths of_pass(PassId pass);
 
     /// Turns what to_rgb() gives by a matrix on linear sRGB, given by its rows.
-    void turn_rgb(const std::array<std::array<double, 3>, 3>& rows);
+    void turn_rgb(const Rows& rows);
 
     /// Linear sRGB of a radiance spectrum, in pbrt-v4's scale: the D65 illuminant scaled to
     /// luminance one gives (1,1,1) in expectation.

@@ -1,7 +1,7 @@
 // White balance: what makes an illuminant of a given temperature white.
 #pragma once
 
-#include "math/colour.h"
+#include "math/colour_matrix.h"
 
 namespace sunfleck {
 
@@ -17,8 +17,7 @@ struct Chromaticity {
 Chromaticity daylight(double kelvin);
 
 /// A matrix on linear sRGB, by rows, that takes the colour of daylight(kelvin) to white (D65), by
-/// scaling responses of cones. Source: Lam, Metamerism and Colour Constancy (1985; "Bradford"), the
-/// transform that pbrt-v4 uses for "whitebalance".
-std::array<Triple, 3> white_balance(double kelvin);
+/// adapted(), as pbrt-v4 does for "whitebalance".
+Rows white_balance(double kelvin);
 
 }  // namespace sunfleck

@@ -2,13 +2,13 @@
 
 #include "procedural/sky.h"
 
+#include "math/colour.h"
 #include "math/warp.h"
+#include "procedural/little_endian.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 namespace sunfleck {
@@ -64,12 +64,10 @@ double perez(const Perez& p, double height, double to_sun) {
 }
 
 /// Linear sRGB (D65) of chromaticities and luminance, without negative parts.
-std::array<double, 3> srgb(double x, double y, double luminance) {
-    const double big_x = x / y * luminance;
-    const double big_z = (1 - x - y) / y * luminance;
-    return {std::max(0.0, 3.2406 * big_x - 1.5372 * luminance - 0.4986 * big_z),
-            std::max(0.0, -0.9689 * big_x + 1.8758 * luminance + 0.0415 * big_z),
-            std::max(0.0, 0.0557 * big_x - 0.2040 * luminance + 1.0570 * big_z)};
+Triple srgb(double x, double y, double luminance) {
+    Triple rgb = rgb_of_xyz({x / y * luminance, luminance, (1 - x - y) / y * luminance});
+    for (double& channel : rgb) channel = std::max(0.0, channel);
+    return rgb;
 }
 
 }  // namespace
@@ -79,7 +77,7 @@ std::string clear_sky_pfm(const Vec3d& sun, int side) {
     const auto value = [&](const Perez& p, const Vec3d& w) {
         return perez(p, w.z, w.dot(sun)) / perez(p, 1, sun.z);
     };
-    std::vector<std::array<double, 3>> texels;
+    std::vector<Triple> texels;
     double illuminance = 0;
     for (int row = side - 1; row >= 0; --row)  // PFM has the lowest row first
         for (int column = 0; column < side; ++column) {
@@ -97,9 +95,7 @@ std::string clear_sky_pfm(const Vec3d& sun, int side) {
     for (const auto& texel : texels)
         for (const double channel : texel) {
             const double scaled = channel < 0 ? kGround : channel / illuminance;
-            const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(scaled));
-            for (unsigned shift = 0; shift < 32; shift += 8)
-                bytes.push_back(static_cast<char>(static_cast<unsigned char>(bits >> shift)));
+            append_float(bytes, static_cast<float>(scaled));
         }
     return bytes;
 }

@@ -64,6 +64,7 @@ public:
     bool parts_media(const Hit& hit) const { return shapes_[hit.shape].media.parts(); }
     /// Where a path is that leaves a hit into `direction`. @param before  where it came from.
     MediumNumber medium_beyond(const Hit& hit, const Vec3& direction, MediumNumber before) const {
+        if (!has_media_) return before;
         const MediumSides& sides = shapes_[hit.shape].media;
         return sides.parts() ? sides.towards(hit.normal, direction) : before;
     }

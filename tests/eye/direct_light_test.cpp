@@ -159,7 +159,7 @@ void expect_weights_sum_to_one(const LitPoint& point, double u_choice, const Vec
     if (by_light.is_zero()) return;
     const PassScene& pass = point.pass();
     const EyeVertex& vertex = point.vertex();
-    const Receiver from = receiver_at(vertex);
+    const Receiver from = receiver_at(pass.scene, vertex);
     const auto choice = pass.scene.light_tree().choose(from, u_choice).value();
     const auto light = sample_direct(pass.scene.lights()[choice.index], vertex.hit.position,
                                      Vec2(u), pass.scene.sphere());

@@ -31,15 +31,6 @@ TEST(Cognac, the_views_close_in) {
 }
 
 /// The "float eta" that holds for the shape of this file.
-double eta_of(const std::vector<std::string>& words, const std::string& file) {
-    double eta = 0;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (words[i] == "\"float eta") eta = std::stod(words.at(i + 1));
-        if (words[i] == "\"" + file) return eta;
-    }
-    return 0;
-}
-
 TEST(Cognac, each_surface_has_the_ratio_of_its_two_media) {
     const std::vector<std::string> words = pbrt_words(cognac_scene(kCognacViews[0]).at(0).bytes);
     EXPECT_NEAR(eta_of(words, "geometry/glass-air.ply"), kGlassIndex, 1e-7);

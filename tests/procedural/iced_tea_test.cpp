@@ -116,13 +116,6 @@ TEST(IcedTea, media_agree_along_any_line) {
 }
 
 /// The number after the last "float eta" before a file's name.
-double eta_of(const std::vector<std::string>& words, const std::string& file) {
-    const auto name = std::find(words.begin(), words.end(), "\"" + file);
-    auto eta = name;
-    while (*eta != "\"float eta") --eta;
-    return std::stod(*(eta + 1));
-}
-
 TEST(IcedTea, each_surface_has_the_ratio_of_its_two_media) {
     const std::vector<std::string> words = pbrt_words(iced_tea_scene().at(0).bytes);
     EXPECT_NEAR(eta_of(words, "geometry/glass-air.ply"), kTumblerIndex, 1e-7);
