@@ -23,7 +23,7 @@ constexpr std::array<ReferenceRow, 9> kReferences = {{
     {"cornell-door", "uniform"},
     {"room", "uniform"},
     {"two-windows", "uniform"},
-    {"sds", "uniform"},
+    {"magnifier", "uniform"},
 }};
 
 }  // namespace

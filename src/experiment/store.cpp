@@ -23,13 +23,13 @@ using Json = nlohmann::ordered_json;
 
 /// Of these scenes errors are shown over time, so the pictures on the way are kept.
 bool keeps_series(const std::string& scene) {
-    return scene == "room" || scene == "two-windows" || scene == "sds";
+    return scene == "room" || scene == "two-windows" || scene == "magnifier";
 }
 
 /// Pictures of scenes that have a size of their own in the paper.
 std::string resolution(const std::string& scene, double scale) {
     const auto side = [&](double pixels) { return std::max(1L, std::lround(pixels * scale)); };
-    return scene == "sds" ? fmt::format("{}x{}", side(640), side(480))
+    return scene == "magnifier" ? fmt::format("{}x{}", side(640), side(480))
                           : fmt::format("{0}x{0}", side(512));
 }
 

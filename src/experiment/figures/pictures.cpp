@@ -58,11 +58,11 @@ Figure fig13() {
                    "Specular-diffuse-specular light is beyond path tracing and bidirectional path "
                    "tracing, and hard for Metropolis light transport; photon mapping finds it, and "
                    "the paper's sampling keeps that robustness.",
-                   {"sds"}, methods);
+                   {"magnifier"}, methods);
     const auto plain = figure.section;
     figure.section = [=](const Results& results) {
         Section section = plain(results);
-        section.charts.push_back(error_chart(results, "fig13", "sds", methods));
+        section.charts.push_back(error_chart(results, "fig13", "magnifier", methods));
         return section;
     };
     return figure;

@@ -27,7 +27,11 @@ std::vector<Method> methods() {
     return {with_exchange(), without_exchange()};
 }
 
-/// The share of the picture's light that is in its left half: that of one window, mostly.
+/// What lies left of this share of the width is lit by the one window, mostly: the patches of sun
+/// of the two lie on both sides.
+constexpr double kBetween = 0.66;
+
+/// The share of the picture's light that lies there.
 double left_share(const std::vector<double>& luminance) {
     const auto side = static_cast<std::size_t>(
         std::lround(std::sqrt(static_cast<double>(luminance.size()))));  // pictures are square
@@ -35,7 +39,8 @@ double left_share(const std::vector<double>& luminance) {
     double all = 0;
     for (std::size_t i = 0; i < luminance.size(); ++i) {
         all += luminance[i];
-        if (i % side < side / 2) left += luminance[i];
+        if (static_cast<double>(i % side) < kBetween * static_cast<double>(side))
+            left += luminance[i];
     }
     return left / all;
 }
@@ -63,13 +68,13 @@ Section fig11_section(const Results& results) {
     Section section;
     const double truth = left_share(results.reference(kScene).luminance);
     Chart chart{"fig11",
-                "Light of the left half of the picture, lowest to highest of all seeds",
+                "Light of the left window, lowest to highest of all seeds",
                 "processor seconds",
                 "share",
                 {},
                 false};
     Table table{"fig11-shares",
-                "Share of the light in the left half, over seeds",
+                "Share of the left window's light, over seeds",
                 {"method", "share at the end", "spread over seeds", "truth"},
                 {}};
     for (const Method& method : methods()) {
