@@ -11,6 +11,8 @@ int run_render(const RenderOptions& options);
 int run_info(const InfoOptions& options);
 /// Writes one of our own scenes, or lists them.
 int run_scene(const SceneOptions& options);
+/// Makes figures and tables of the paper, or lists them. @return 0, or 130 when interrupted.
+int run_experiment(const ExperimentOptions& options);
 /// Adds up pass ranges of one render.
 int run_merge(const MergeOptions& options);
 /// Measures pictures against a reference, and writes the page that shows them.

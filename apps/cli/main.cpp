@@ -18,6 +18,7 @@ int run(int count, char** words) {
     if (options->info) return sunfleck::run_info(*options->info);
     if (options->scene) return sunfleck::run_scene(*options->scene);
     if (options->merge) return sunfleck::run_merge(*options->merge);
+    if (options->experiment) return sunfleck::run_experiment(*options->experiment);
     return sunfleck::run_compare(*options->compare);
 }
 

@@ -1,6 +1,7 @@
 // The flags of every command, row by row.
 #include "apps/cli/options.h"
 
+#include "apps/cli/experiment_options.h"
 #include "apps/cli/paper_options.h"
 #include "core/error.h"
 
@@ -244,6 +245,11 @@ std::optional<Options> read_options(int count, const char* const* words) {
     CLI::App* const compare_app =
         app.add_subcommand("compare", "Measure pictures against a reference, and show them");
     add_compare(*compare_app, compare);
+    ExperimentOptions experiment;
+    ExperimentTexts experiment_texts;
+    CLI::App* const experiment_app = app.add_subcommand(
+        "experiment", "Make the paper's figures and tables; without NAMES, list them");
+    add_experiment_flags(*experiment_app, experiment, experiment_texts);
     try {
         app.parse(count, words);
     } catch (const CLI::ExtrasError&) {
@@ -253,7 +259,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
         const std::vector<std::string> rest = app.remaining();
         if (app.get_subcommands().empty() && !rest.empty())
             throw Error({"sunfleck"}, "unknown command \"" + rest.front() + "\"",
-                        "use render, info, scene, merge or compare");
+                        "use render, info, scene, merge, compare or experiment");
         throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
     } catch (const CLI::ParseError& fault) {
         if (fault.get_exit_code() == 0) {
@@ -277,6 +283,9 @@ std::optional<Options> read_options(int count, const char* const* words) {
         options.scene = scene;
     } else if (merge_app->parsed()) {
         options.merge = merge;
+    } else if (experiment_app->parsed()) {
+        finish_experiment(experiment_texts, experiment);
+        options.experiment = experiment;
     } else {
         options.compare = compare;
     }

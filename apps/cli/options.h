@@ -1,6 +1,7 @@
 // The command line, read: every flag has its place here and its row in options.cpp.
 #pragma once
 
+#include "experiment/cell.h"
 #include "render/settings.h"
 
 #include <array>
@@ -48,6 +49,11 @@ struct SceneOptions {
     std::string folder = ".";
 };
 
+struct ExperimentOptions {
+    std::vector<std::string> names;  // of figures; empty: list them
+    RunSettings run;
+};
+
 struct MergeOptions {
     std::vector<std::string> inputs;
     std::vector<std::string> outputs;
@@ -68,6 +74,7 @@ struct Options {
     std::optional<InfoOptions> info;
     std::optional<SceneOptions> scene;
     std::optional<MergeOptions> merge;
+    std::optional<ExperimentOptions> experiment;
     std::optional<CompareOptions> compare;
 };
 

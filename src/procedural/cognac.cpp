@@ -3,6 +3,7 @@
 #include "procedural/cognac.h"
 
 #include "procedural/cognac_glass.h"
+#include "procedural/scene_folder.h"
 
 namespace sunfleck {
 namespace {
@@ -43,12 +44,6 @@ Shape "plymesh" "string filename" "geometry/brandy-glass.ply"
 Material "dielectric" "float eta" 1.36
 Shape "plymesh" "string filename" "geometry/brandy-air.ply"
 )";
-
-std::string replaced(std::string text, std::string_view mark, std::string_view by) {
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
-        text.replace(at, mark.size(), by);
-    return text;
-}
 
 }  // namespace
 

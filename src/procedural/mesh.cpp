@@ -17,7 +17,22 @@ std::string shortest(float value) {
     return {buffer.data(), end.ptr};
 }
 
+std::string triples_text(const std::vector<std::array<float, 3>>& triples) {
+    std::string text;
+    for (const auto& p : triples)
+        text += "\n        " + shortest(p[0]) + ' ' + shortest(p[1]) + ' ' + shortest(p[2]);
+    return text + " ]\n";
+}
+
 }  // namespace
+
+void Mesh::append(const Mesh& other) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    points.insert(points.end(), other.points.begin(), other.points.end());
+    normals.insert(normals.end(), other.normals.begin(), other.normals.end());
+    for (const auto& t : other.triangles)
+        triangles.push_back({first + t[0], first + t[1], first + t[2]});
+}
 
 std::string ply_bytes(const Mesh& mesh) {
     std::string bytes =
@@ -29,15 +44,18 @@ std::string ply_bytes(const Mesh& mesh) {
         "\n"
         "property float x\n"
         "property float y\n"
-        "property float z\n"
-        "element face " +
-        std::to_string(mesh.triangles.size()) +
+        "property float z\n" +
+        (mesh.normals.empty() ? "" : "property float nx\nproperty float ny\nproperty float nz\n") +
+        "element face " + std::to_string(mesh.triangles.size()) +
         "\n"
         "property list uchar int vertex_indices\n"
         "end_header\n";
-    bytes.reserve(bytes.size() + 12 * mesh.points.size() + 13 * mesh.triangles.size());
-    for (const auto& point : mesh.points)
-        for (const float x : point) append_float(bytes, x);
+    bytes.reserve(bytes.size() + 24 * mesh.points.size() + 13 * mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        for (const float x : mesh.points[i]) append_float(bytes, x);
+        if (!mesh.normals.empty())
+            for (const float x : mesh.normals[i]) append_float(bytes, x);
+    }
     for (const auto& triangle : mesh.triangles) {
         bytes.push_back(3);
         for (const std::uint32_t index : triangle) append_word(bytes, index);
@@ -46,10 +64,9 @@ std::string ply_bytes(const Mesh& mesh) {
 }
 
 std::string shape_text(const Mesh& mesh) {
-    std::string text = "Shape \"trianglemesh\"\n    \"point3 P\" [";
-    for (const auto& p : mesh.points)
-        text += "\n        " + shortest(p[0]) + ' ' + shortest(p[1]) + ' ' + shortest(p[2]);
-    text += " ]\n    \"integer indices\" [";
+    std::string text = "Shape \"trianglemesh\"\n    \"point3 P\" [" + triples_text(mesh.points);
+    if (!mesh.normals.empty()) text += "    \"normal N\" [" + triples_text(mesh.normals);
+    text += "    \"integer indices\" [";
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto& t = mesh.triangles[i];
         text += i % 4 == 0 ? "\n        " : "   ";

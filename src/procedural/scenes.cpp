@@ -3,34 +3,79 @@
 #include "procedural/scenes.h"
 
 #include "core/error.h"
+#include "procedural/box.h"
 #include "procedural/cognac.h"
 #include "procedural/cornell.h"
+#include "procedural/cornell_door.h"
 #include "procedural/diamond.h"
 #include "procedural/iced_tea.h"
+#include "procedural/magnifier.h"
+#include "procedural/room.h"
+#include "procedural/statue.h"
+#include "procedural/two_windows.h"
+#include "procedural/watch.h"
 #include "procedural/window_room.h"
 
+#include <algorithm>
+
 namespace sunfleck {
+namespace {
+
+struct Entry {
+    ProceduralScene scene;
+    std::vector<SceneFile> (*make)(const ProceduralScene&);
+};
+
+template <std::vector<SceneFile> (*Make)()>
+std::vector<SceneFile> nameless(const ProceduralScene& /*scene*/) {
+    return Make();
+}
+
+std::vector<SceneFile> cognac(const ProceduralScene& scene) {
+    return cognac_scene(*std::find_if(kCognacViews.begin(), kCognacViews.end(),
+                                      [&](const auto& view) { return view.name == scene.name; }));
+}
+
+std::vector<Entry> entries() {
+    std::vector<Entry> all = {
+        {{"cornell", "the Cornell box, 36 triangles"}, nameless<cornell_scene>}};
+    for (const CognacView& view : kCognacViews)
+        all.push_back({{std::string(view.name), std::string(view.what)}, cognac});
+    const std::vector<Entry> others = {
+        {{"window-room", "the sun through one pane into a closed room"},
+         nameless<window_room_scene>},
+        {{"diamond", "a brilliant in the sun, and the colours that it throws"},
+         nameless<diamond_scene>},
+        {{"iced-tea", "a tumbler of tea with ice under a clear sky"}, nameless<iced_tea_scene>},
+        {{"cornell-door", "a Cornell box lit through a door ajar"}, cornell_door_scene},
+        {{"two-windows", "a hall that the sun enters through two windows far apart"},
+         two_windows_scene},
+        {{"box", "mirrored and glass balls lit by two lamps behind lenses"}, box_scene},
+        {{"watch", "a pocket watch, its dial lit through glass and by its lid"}, watch_scene},
+        {{"room", "a furnished room in the sun behind its windows"}, room_scene},
+        {{"statue-far", "a polished knot of bronze on a pedestal"}, statue_scene},
+        {{"statue-near", "a part of it, its highlights close up"}, statue_scene},
+        {{"magnifier", "print under a reading glass, lit by a lamp in a globe of glass"},
+         magnifier_scene},
+    };
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
+}  // namespace
 
 std::vector<ProceduralScene> procedural_scenes() {
-    std::vector<ProceduralScene> scenes = {{"cornell", "the Cornell box, 36 triangles"}};
-    for (const CognacView& view : kCognacViews)
-        scenes.push_back({std::string(view.name), std::string(view.what)});
-    scenes.push_back({"window-room", "the sun through one pane into a closed room"});
-    scenes.push_back({"diamond", "a brilliant in the sun, and the colours that it throws"});
-    scenes.push_back({"iced-tea", "a tumbler of tea with ice under a clear sky"});
+    std::vector<ProceduralScene> scenes;
+    for (const Entry& entry : entries()) scenes.push_back(entry.scene);
     return scenes;
 }
 
 std::vector<SceneFile> make_scene(const std::string& name) {
-    if (name == "cornell") return cornell_scene();
-    if (name == "window-room") return window_room_scene();
-    if (name == "diamond") return diamond_scene();
-    if (name == "iced-tea") return iced_tea_scene();
-    for (const CognacView& view : kCognacViews)
-        if (view.name == name) return cognac_scene(view);
     std::string known;
-    for (const ProceduralScene& scene : procedural_scenes())
-        known += (known.empty() ? "" : ", ") + scene.name;
+    for (const Entry& entry : entries()) {
+        if (entry.scene.name == name) return entry.make(entry.scene);
+        known += (known.empty() ? "" : ", ") + entry.scene.name;
+    }
     throw Error({"sunfleck scene"}, "there is no scene \"" + name + "\"", "use one of: " + known);
 }
 

@@ -39,6 +39,23 @@ TEST(Mesh, text_reads_back_as_the_same_floats) {
     EXPECT_EQ(read.triangles, example().triangles);
 }
 
+TEST(Mesh, normals_are_written_where_there_are_some) {
+    Mesh mesh = example();
+    EXPECT_EQ(shape_text(mesh).find("normal"), std::string::npos);
+    mesh.normals = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0.6F, 0.8F, 0}};
+    EXPECT_EQ(ply_mesh(ply_bytes(mesh)).normals, mesh.normals);
+    EXPECT_EQ(ply_mesh(ply_bytes(mesh)).points, mesh.points);
+    const std::string text = shape_text(mesh);
+    EXPECT_NE(text.find("\"normal N\" [\n        0 0 1\n"), std::string::npos) << text;
+}
+
+TEST(Mesh, a_mesh_is_appended_with_its_own_points) {
+    Mesh both = example();
+    both.append(example());
+    ASSERT_EQ(both.points.size(), 8);
+    EXPECT_EQ(both.triangles[3], (std::array<std::uint32_t, 3>{7, 6, 5}));
+}
+
 TEST(Mesh, a_box_is_closed_and_faces_out) {
     const Mesh box = box_mesh({-1, 2, 3}, {1, 5, 4});
     EXPECT_EQ(box.triangles.size(), 12);

@@ -66,13 +66,16 @@ inline Mesh ply_mesh(const std::string& bytes) {
     std::string line;
     std::size_t points = 0;
     std::size_t faces = 0;
+    std::size_t floats = 3;  // a vertex
     for (std::getline(header, line); line != "end_header"; std::getline(header, line)) {
         if (!header) throw std::runtime_error("no end_header");
         if (line.starts_with("element vertex ")) points = std::stoul(line.substr(15));
+        if (line == "property float nx") floats = 6;
         if (line.starts_with("element face ")) faces = std::stoul(line.substr(13));
     }
     const auto begin = static_cast<std::size_t>(header.tellg());
-    if (bytes.size() != begin + points * 12 + faces * 13) throw std::runtime_error("wrong size");
+    const std::size_t vertices = points * floats * 4;
+    if (bytes.size() != begin + vertices + faces * 13) throw std::runtime_error("wrong size");
     const auto word = [&](std::size_t at) {
         std::uint32_t value = 0;
         for (std::size_t i = 4; i-- > 0;)
@@ -80,9 +83,14 @@ inline Mesh ply_mesh(const std::string& bytes) {
         return value;
     };
     const auto number = [&](std::size_t at) { return std::bit_cast<float>(word(at)); };
-    for (std::size_t i = 0; i < points; ++i)
-        mesh.points.push_back({number(12 * i), number(12 * i + 4), number(12 * i + 8)});
-    for (std::size_t at = 12 * points; at < 12 * points + 13 * faces; at += 13) {
+    const auto triple = [&](std::size_t at) {
+        return std::array<float, 3>{number(at), number(at + 4), number(at + 8)};
+    };
+    for (std::size_t at = 0; at < vertices; at += floats * 4) {
+        mesh.points.push_back(triple(at));
+        if (floats == 6) mesh.normals.push_back(triple(at + 12));
+    }
+    for (std::size_t at = vertices; at < vertices + 13 * faces; at += 13) {
         if (bytes[begin + at] != 3) throw std::runtime_error("not a triangle");
         mesh.triangles.push_back({word(at + 1), word(at + 5), word(at + 9)});
     }

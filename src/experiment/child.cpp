@@ -1,0 +1,47 @@
+// posix_spawn, and waiting with an eye on interruptions.
+#include "experiment/child.h"
+
+#include "core/error.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): glibc has it for GNU alone
+
+namespace sunfleck {
+
+int run_child(const std::vector<std::string>& words, const std::string& log,
+              const std::atomic<bool>* interrupted) {
+    std::vector<std::string> copies = words;
+    std::vector<char*> argv;
+    for (std::string& word : copies) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_adddup2(&files, 1, 2);
+    pid_t child = 0;
+    const int fault = posix_spawn(&child, argv[0], &files, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (fault != 0)
+        throw Error({words[0]}, std::string("cannot be started: ") + std::strerror(fault),
+                    "check that you may write to " + log);
+    int status = 0;
+    bool told = false;
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        if (interrupted != nullptr && interrupted->load() && !told) {
+            kill(child, SIGINT);
+            told = true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace sunfleck

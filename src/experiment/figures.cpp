@@ -1,0 +1,23 @@
+// The list of figures.
+#include "core/error.h"
+#include "experiment/figure.h"
+
+namespace sunfleck {
+
+const std::vector<Figure>& figures() {
+    static const std::vector<Figure> all = {table1(), fig1(),  fig5(),  fig6(),  fig7(), fig8(),
+                                            fig9(),   fig10(), fig11(), fig12(), fig13()};
+    return all;
+}
+
+const Figure& figure_named(const std::string& name) {
+    std::string known;
+    for (const Figure& figure : figures()) {
+        if (figure.name == name) return figure;
+        known += (known.empty() ? "" : ", ") + figure.name;
+    }
+    throw Error({"sunfleck experiment"}, "there is no figure \"" + name + "\"",
+                "use some of: " + known + ", or all");
+}
+
+}  // namespace sunfleck

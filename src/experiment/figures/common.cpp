@@ -1,0 +1,141 @@
+// Tables, charts and rows that figures share.
+#include "experiment/figures/common.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+double mean_of(const Results& results, const std::vector<Cell>& cells, double CellFacts::*fact) {
+    double sum = 0;
+    for (const Cell& cell : cells) sum += results.facts(cell).*fact;
+    return sum / static_cast<double>(cells.size());
+}
+
+std::vector<double> mses(const Results& results, const std::vector<Cell>& cells) {
+    std::vector<double> all;
+    for (const Cell& cell : cells) all.push_back(results.error(cell).mse);
+    return all;
+}
+
+std::vector<std::string> method_row(const Results& results, const std::string& scene,
+                                    const Method& method, const Method& base) {
+    const std::vector<Cell> cells = results.cells(scene, method);
+    return {scene,
+            method.name,
+            number_text(mean_of(results, cells, &CellFacts::passes)),
+            number_text(mean_of(results, cells, &CellFacts::cpu_seconds)),
+            interval_text(mean_interval(mses(results, cells))),
+            interval_text(mean_interval(results.rel_mses(scene, method))),
+            method.name == base.name ? "1"
+                                     : interval_text(ratio_interval(results.costs(scene, method),
+                                                                    results.costs(scene, base)))};
+}
+
+void add_others(const Results& results, const std::string& scene, Table& table) {
+    for (const OtherPicture& other : results.settings().others) {
+        if (other.scene != scene) continue;
+        const PictureError error = results.error(scene, other.file);
+        table.rows.push_back({scene, other.label, "-", "-", number_text(error.mse),
+                              number_text(error.rel_mse), "-"});
+    }
+}
+
+/// Median, lowest and highest of one snapshot a seed.
+ChartPoint error_point(const Results& results, const std::string& scene,
+                       const std::vector<const CellFacts*>& seeds) {
+    std::vector<double> errors;
+    std::vector<double> seconds;
+    for (const CellFacts* facts : seeds) {
+        errors.push_back(results.error(scene, facts->picture).rel_mse);
+        seconds.push_back(facts->cpu_seconds);
+    }
+    std::sort(errors.begin(), errors.end());
+    std::sort(seconds.begin(), seconds.end());
+    return {seconds[seconds.size() / 2], errors[errors.size() / 2], errors.front(), errors.back()};
+}
+
+/// @param seeds  snapshots after 1, 2, 4 ... passes and at the end, of each seed.
+std::vector<ChartPoint> error_points(const Results& results, const std::string& scene,
+                                     const std::vector<std::vector<CellFacts>>& seeds) {
+    std::size_t shared = seeds[0].size();
+    for (const auto& seed : seeds) shared = std::min(shared, seed.size());
+    std::vector<ChartPoint> points;
+    for (std::size_t i = 0; i < shared; ++i) {
+        std::vector<const CellFacts*> column;
+        for (const auto& seed : seeds) column.push_back(i + 1 < shared ? &seed[i] : &seed.back());
+        points.push_back(error_point(results, scene, column));
+    }
+    return points;
+}
+
+}  // namespace
+
+std::vector<Cell> seed_cells(const RunSettings& settings, const std::vector<std::string>& scenes,
+                             const std::vector<Method>& methods) {
+    std::vector<Cell> cells;
+    for (std::uint64_t seed = 1; seed <= settings.seeds; ++seed)  // interleaved
+        for (const std::string& scene : scenes)
+            for (const Method& method : methods) cells.push_back({scene, method, seed});
+    return cells;
+}
+
+Table error_table(const Results& results, const std::string& name,
+                  const std::vector<std::string>& scenes, const std::vector<Method>& methods) {
+    Table table{name,
+                fmt::format("Errors after equal time, {} seeds: mean and 95% interval",
+                            results.settings().seeds),
+                {"scene", "method", "passes", "cpu s", "MSE", "relMSE",
+                 "relMSE x cpu s over " + methods[0].name},
+                {}};
+    for (const std::string& scene : scenes) {
+        for (const Method& method : methods)
+            table.rows.push_back(method_row(results, scene, method, methods[0]));
+        add_others(results, scene, table);
+        const Reference& r = results.reference(scene);
+        table.rows.push_back(
+            {scene, r.method + " (its own error)", "-", "-", "-", number_text(r.own_rel_mse), "-"});
+    }
+    return table;
+}
+
+Chart error_chart(const Results& results, const std::string& name, const std::string& scene,
+                  const std::vector<Method>& methods) {
+    Chart chart{name, "Error over time: " + scene, "processor seconds", "relMSE", {}, true};
+    for (const Method& method : methods) {
+        std::vector<std::vector<CellFacts>> seeds;
+        for (const Cell& cell : results.cells(scene, method))
+            seeds.push_back(results.snapshots(cell));
+        chart.lines.push_back({method.name, error_points(results, scene, seeds)});
+    }
+    return chart;
+}
+
+std::vector<ShownPicture> picture_row(const Results& results, const std::string& name,
+                                      const std::string& scene,
+                                      const std::vector<Method>& methods) {
+    std::vector<ShownPicture> row;
+    const auto add = [&](const Cell& cell) {
+        const CellFacts facts = results.facts(cell);
+        row.push_back({scene, facts.picture, fmt::format("{}-{}-{}", name, scene, cell.method.name),
+                       fmt::format("{}, {}, {:.0f} s", scene, cell.method.name, facts.seconds)});
+    };
+    for (const Method& method : methods) add({scene, method, 1});
+    for (const OtherPicture& other : results.settings().others)
+        if (other.scene == scene)
+            row.push_back({scene, other.file, fmt::format("{}-{}-{}", name, scene, other.label),
+                           scene + ", " + other.label});
+    add(reference_cell(scene, results.settings()));
+    return row;
+}
+
+std::string ratio_sentence(const Results& results, const std::string& scene, const Method& a,
+                           const Method& b) {
+    return fmt::format(
+        "relMSE x processor time of {} over {} in {}: {}.", a.name, b.name, scene,
+        interval_text(ratio_interval(results.costs(scene, a), results.costs(scene, b))));
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,30 @@
+// What several figures show alike: tables of errors, errors over time, rows of pictures.
+#pragma once
+
+#include "experiment/figure.h"
+#include "experiment/methods.h"
+
+namespace sunfleck {
+
+/// All methods in all scenes, one cell a seed.
+std::vector<Cell> seed_cells(const RunSettings& settings, const std::vector<std::string>& scenes,
+                             const std::vector<Method>& methods);
+
+/// A row for each method and scene: work done, errors over seeds, and relMSE x processor seconds
+/// over that of methods[0]; then other renderers' pictures, and the reference with its own error.
+Table error_table(const Results& results, const std::string& name,
+                  const std::vector<std::string>& scenes, const std::vector<Method>& methods);
+
+/// relMSE against processor seconds: the median of the seeds, its band from lowest to highest.
+Chart error_chart(const Results& results, const std::string& name, const std::string& scene,
+                  const std::vector<Method>& methods);
+
+/// The first seed's pictures of one scene, and the reference last.
+std::vector<ShownPicture> picture_row(const Results& results, const std::string& name,
+                                      const std::string& scene, const std::vector<Method>& methods);
+
+/// "relMSE x time of A over B in SCENE: 3.1 [2.8, 3.4]".
+std::string ratio_sentence(const Results& results, const std::string& scene, const Method& a,
+                           const Method& b);
+
+}  // namespace sunfleck

@@ -1,0 +1,122 @@
+// Figures 7 and 8: mutation sizes, fixed and adapted, and target acceptances.
+#include "experiment/figures/common.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+const std::vector<std::string> kFig7Scenes = {"watch", "room", "cognac-2"};
+constexpr std::array<double, 7> kSizes = {0.01, 0.03, 0.1, 0.3, 1, 2, 4};
+constexpr std::array<double, 4> kTargets = {0.05, 0.234, 0.4, 0.9};
+
+Method fixed_size(double theta) {
+    return paper_method(fmt::format("theta-{}", theta),
+                        {"--mutation-size", fmt::format("{}", theta)});
+}
+
+Method target(double acceptance) {
+    return paper_method(fmt::format("target-{}", acceptance),
+                        {"--target-acceptance", fmt::format("{}", acceptance)});
+}
+
+std::vector<Method> sizes() {
+    std::vector<Method> methods = {sampler_method("paper")};
+    for (const double theta : kSizes) methods.push_back(fixed_size(theta));
+    methods.push_back(sampler_method("random"));
+    return methods;
+}
+
+double mean_of(const std::vector<double>& values) {
+    return mean_interval(values).value;
+}
+
+Section fig7_section(const Results& results) {
+    Section section;
+    section.tables.push_back(error_table(results, "fig7-errors", kFig7Scenes, sizes()));
+    Chart chart{"fig7", "Error by mutation size", "mutation size", "relMSE", {}, true};
+    for (const std::string& scene : kFig7Scenes) {
+        ChartLine line{scene, {}};
+        double best = kSizes[0];
+        const auto cost = [&](double theta) {
+            return mean_of(results.costs(scene, fixed_size(theta)));
+        };
+        for (const double theta : kSizes) {
+            const Interval error = mean_interval(results.rel_mses(scene, fixed_size(theta)));
+            line.points.push_back({theta, error.value, error.low, error.high});
+            if (cost(theta) < cost(best)) best = theta;
+        }
+        chart.lines.push_back(line);
+        const Interval adapted = mean_interval(results.rel_mses(scene, sampler_method("paper")));
+        const double theta = results.facts({scene, sampler_method("paper")}).mutation_size;
+        chart.lines.push_back(
+            {scene + ", adapted", {{theta, adapted.value, adapted.low, adapted.high}}});
+        section.findings.push_back(
+            ratio_sentence(results, scene, sampler_method("paper"), fixed_size(best)) +
+            " (The best of the fixed sizes, chosen after the fact.)");
+    }
+    section.charts.push_back(chart);
+    section.pictures.push_back(picture_row(
+        results, "fig7", "watch",
+        {sampler_method("random"), fixed_size(0.01), sampler_method("paper"), fixed_size(4)}));
+    return section;
+}
+
+std::vector<Method> targets() {
+    std::vector<Method> methods;
+    for (const double t : {kTargets[1], kTargets[0], kTargets[2], kTargets[3]})
+        methods.push_back(target(t));
+    return methods;
+}
+
+Section fig8_section(const Results& results) {
+    Section section;
+    Table reached{"fig8-acceptance",
+                  "Acceptance reached, by target",
+                  {"target", "acceptance", "furthest seed off", "mutation size"},
+                  {}};
+    for (const double t : kTargets) {
+        std::vector<double> acceptance;
+        std::vector<double> size;
+        double furthest = 0;
+        for (const Cell& cell : results.cells("cornell-door", target(t))) {
+            acceptance.push_back(results.facts(cell).acceptance);
+            size.push_back(results.facts(cell).mutation_size);
+            furthest = std::max(furthest, std::abs(acceptance.back() - t));
+        }
+        reached.rows.push_back({number_text(t), interval_text(mean_interval(acceptance)),
+                                number_text(furthest), interval_text(mean_interval(size))});
+    }
+    section.tables.push_back(reached);
+    section.tables.push_back(error_table(results, "fig8-errors", {"cornell-door"}, targets()));
+    section.pictures.push_back(picture_row(results, "fig8", "cornell-door", targets()));
+    return section;
+}
+
+}  // namespace
+
+Figure fig7() {
+    return {"fig7",
+            "Figure 7: fixed and adapted mutation sizes",
+            "Too small a mutation (0.01) and too large a one (4) are noisier than the adapted one, "
+            "which nobody tuned.",
+            kFig7Scenes,
+            [](const RunSettings& s) { return seed_cells(s, kFig7Scenes, sizes()); },
+            fig7_section};
+}
+
+Figure fig8() {
+    return {"fig8",
+            "Figure 8: target acceptances",
+            "Each target is reached; 5% and 90% are slightly noisier than 23.4% and 40%, between "
+            "which there is little difference.",
+            {"cornell-door"},
+            [](const RunSettings& s) { return seed_cells(s, {"cornell-door"}, targets()); },
+            fig8_section};
+}
+
+}  // namespace sunfleck

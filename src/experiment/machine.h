@@ -1,0 +1,11 @@
+// What the figures were measured on.
+#pragma once
+
+#include <string>
+
+namespace sunfleck {
+
+/// The processor's name and how many of its threads this process may use.
+std::string machine_text();
+
+}  // namespace sunfleck

@@ -1,0 +1,87 @@
+// Student's t, Welch's ratio, Spearman's ranks.
+#include "experiment/numbers.h"
+
+#include "math/statistics.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace sunfleck {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::array<double, 30> kStudent = {
+    12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
+    2.201,  2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,
+    2.080,  2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042};
+
+RunningMean logarithms(const std::vector<double>& values) {
+    RunningMean logs;
+    for (const double v : values) logs.add(std::log(v));
+    return logs;
+}
+
+std::vector<double> ranks(const std::vector<double>& values) {
+    std::vector<double> rank;
+    for (const double v : values) {
+        double below = 0;
+        double same = 0;
+        for (const double other : values) {
+            below += other < v ? 1 : 0;
+            same += other == v ? 1 : 0;
+        }
+        rank.push_back(below + (same + 1) / 2);
+    }
+    return rank;
+}
+
+}  // namespace
+
+double student_t(std::size_t freedom) {
+    if (freedom <= kStudent.size()) return kStudent.at(freedom - 1);
+    const double inverse = 1 / static_cast<double>(freedom);
+    return 1.959964 + (2.37228 + 2.8226 * inverse) * inverse;
+}
+
+Interval mean_interval(const std::vector<double>& values) {
+    RunningMean mean;
+    for (const double v : values) mean.add(v);
+    if (values.size() < 2) return {mean.mean(), mean.mean(), mean.mean()};
+    const double half = student_t(values.size() - 1) * mean.standard_error();
+    return {mean.mean(), mean.mean() - half, mean.mean() + half};
+}
+
+Interval ratio_interval(const std::vector<double>& a, const std::vector<double>& b) {
+    if (a.size() < 2 || b.size() < 2) return {kNone, kNone, kNone};
+    const RunningMean x = logarithms(a);
+    const RunningMean y = logarithms(b);
+    const double u = x.standard_error() * x.standard_error();
+    const double v = y.standard_error() * y.standard_error();
+    const double difference = x.mean() - y.mean();
+    if (!std::isfinite(difference)) return {kNone, kNone, kNone};
+    if (u + v == 0) return {std::exp(difference), std::exp(difference), std::exp(difference)};
+    const double freedom =
+        (u + v) * (u + v) /
+        (u * u / static_cast<double>(a.size() - 1) + v * v / static_cast<double>(b.size() - 1));
+    const double half = student_t(static_cast<std::size_t>(freedom)) * std::sqrt(u + v);
+    return {std::exp(difference), std::exp(difference - half), std::exp(difference + half)};
+}
+
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    const std::vector<double> x = ranks(a);
+    const std::vector<double> y = ranks(b);
+    const double mean = (static_cast<double>(a.size()) + 1) / 2;
+    double xy = 0;
+    double xx = 0;
+    double yy = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        xy += (x[i] - mean) * (y[i] - mean);
+        xx += (x[i] - mean) * (x[i] - mean);
+        yy += (y[i] - mean) * (y[i] - mean);
+    }
+    return xy / std::sqrt(xx * yy);
+}
+
+}  // namespace sunfleck

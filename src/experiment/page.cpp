@@ -1,0 +1,130 @@
+// The page and the files beside it.
+#include "experiment/page.h"
+
+#include "experiment/machine.h"
+#include "experiment/record.h"
+#include "image/atomic_file.h"
+#include "image/exr.h"
+#include "image/png.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <span>
+
+namespace sunfleck {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStyle = R"(
+:root { color-scheme: light dark; }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 76rem; margin: 0 auto; padding: 1rem; }
+h2 { margin-top: 3rem; border-top: 1px solid #8886; padding-top: 1rem; }
+nav a { margin-right: .8em; }
+blockquote { border-left: 4px solid #e69f00; margin: 1em 0; padding: .1em 1em; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
+caption { text-align: left; font-weight: 600; padding: .5em 0; }
+th, td { padding: .25em .7em; border-bottom: 1px solid #8884; text-align: right; }
+th:first-child, td:first-child, th:nth-child(2), td:nth-child(2) { text-align: left; }
+.row { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: .6rem; }
+figure { margin: 0 0 1rem; } figure img { width: 100%; }
+figcaption { font-size: .8rem; }
+svg { max-width: 100%; height: auto; }
+)";
+
+void write_text(const fs::path& path, const std::string& text) {
+    fs::create_directories(path.parent_path());
+    write_file(path.string(), std::as_bytes(std::span(text)));
+}
+
+/// Stops that bring the light that 97% of the pixels stay below to 0.85.
+float exposure_of(const Reference& reference) {
+    std::vector<double> sorted = reference.luminance;
+    std::sort(sorted.begin(), sorted.end());
+    const double bright = sorted[sorted.size() * 97 / 100];
+    return bright > 0 ? static_cast<float>(std::log2(0.85 / bright)) : 0;
+}
+
+std::string pictures_html(const Results& results, const Section& section) {
+    std::string html;
+    for (const auto& row : section.pictures) {
+        html += "<div class=\"row\">\n";
+        for (const ShownPicture& shown : row) {
+            const std::string name = "pictures/" + shown.name + ".png";
+            const fs::path path = fs::path(results.settings().folder) / name;
+            fs::create_directories(path.parent_path());
+            write_png(path.string(), read_exr(shown.file),
+                      exposure_of(results.reference(shown.scene)));
+            html += fmt::format(
+                "<figure><img src=\"{0}\" alt=\"{1}\" loading=\"lazy\">"
+                "<figcaption>{1}</figcaption></figure>\n",
+                escaped(name), escaped(shown.caption));
+        }
+        html += "</div>\n";
+    }
+    return html;
+}
+
+std::string section_html(const Results& results, const FinishedFigure& f) {
+    const fs::path folder = results.settings().folder;
+    std::string html =
+        fmt::format("<h2 id=\"{}\">{}</h2>\n<blockquote>The paper: {}</blockquote>\n",
+                    f.figure->name, escaped(f.figure->title), escaped(f.figure->claim));
+    for (const std::string& finding : f.section.findings)
+        html += "<p>" + escaped(finding) + "</p>\n";
+    for (const Table& table : f.section.tables) {
+        write_text(folder / "tables" / (table.name + ".csv"), table_csv(table));
+        html +=
+            fmt::format("<div class=\"wide\">{}</div><p><a href=\"tables/{}.csv\">CSV</a></p>\n",
+                        table_html(table), table.name);
+    }
+    for (const Chart& chart : f.section.charts) {
+        const std::string svg = chart_svg(chart);
+        write_text(folder / "charts" / (chart.name + ".svg"), svg);
+        html += svg;
+    }
+    return html + pictures_html(results, f.section);
+}
+
+std::string intro_html(const Results& results, const std::vector<FinishedFigure>& finished) {
+    const RunSettings& s = results.settings();
+    const std::string budget = s.passes > 0 ? fmt::format("{} passes", s.passes)
+                                            : fmt::format("{:.3g} minutes", s.seconds / 60);
+    std::string html = fmt::format(
+        "<h1>Robust Adaptive Photon Tracing, reproduced</h1>\n"
+        "<p>Hachisuka and Jensen, ACM Transactions on Graphics 30(5), 2011, beside Sunfleck {}: "
+        "{} a render, {} seeds, pictures at {:.3g} of their full size. {}</p>\n"
+        "<p>The scenes are our own, built after the paper's text and triangle counts, as its "
+        "models "
+        "are not public; radii are local footprints instead of numbers chosen by hand. The "
+        "samplers "
+        "random, uniform, paper and adaptive differ in the photon paths alone: all light by "
+        "photons, 200,000 paths a pass, alpha 0.7. Errors are against references of {:.3g} times "
+        "the budget; intervals are of 95%, over seeds; ratios are geometric means.</p>\n<nav>",
+        SUNFLECK_VERSION, budget, s.seeds, s.scale, escaped(machine_text()), s.reference_budget);
+    for (const FinishedFigure& f : finished)
+        html += fmt::format("<a href=\"#{0}\">{0}</a>", f.figure->name);
+    return html + "<a href=\"results.json\">results.json</a></nav>\n";
+}
+
+}  // namespace
+
+void write_results(const Results& results, const std::vector<FinishedFigure>& finished) {
+    std::string html = fmt::format(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+        "<title>Robust Adaptive Photon Tracing, reproduced</title><style>{}</style>"
+        "</head><body>\n",
+        kStyle);
+    html += intro_html(results, finished);
+    for (const FinishedFigure& f : finished) html += section_html(results, f);
+    write_text(fs::path(results.settings().folder) / "index.html", html + "</body></html>\n");
+    write_text(fs::path(results.settings().folder) / "results.json",
+               results_json(results, finished));
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,13 @@
+// results.json: everything that the page shows, and every cell, for programs.
+#pragma once
+
+#include "experiment/page.h"
+
+#include <string>
+
+namespace sunfleck {
+
+/// @return JSON text, ending in a new line (docs/experiments.md).
+std::string results_json(const Results& results, const std::vector<FinishedFigure>& finished);
+
+}  // namespace sunfleck

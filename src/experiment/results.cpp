@@ -1,0 +1,158 @@
+// Statistics from JSON, errors from pictures.
+#include "experiment/results.h"
+
+#include "core/error.h"
+#include "experiment/methods.h"
+#include "image/exr.h"
+#include "image/read_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace sunfleck {
+namespace {
+
+namespace fs = std::filesystem;
+
+double number(const nlohmann::json& json, const char* name) {
+    return json.contains(name) && json[name].is_number() ? json[name].get<double>()
+                                                         : CellFacts::kNone;
+}
+
+CellFacts read_facts(const fs::path& picture) {
+    const auto path = fs::path(picture).replace_extension(".json").string();
+    const auto json = nlohmann::json::parse(read_file(path), nullptr, false);
+    if (!json.is_object())
+        throw Error({path}, "holds no statistics of a render",
+                    "remove its folder, to render again");
+    CellFacts facts;
+    facts.picture = picture.string();
+    facts.passes = number(json, "passes");
+    facts.seconds = number(json["seconds"], "total");
+    facts.cpu_seconds = number(json, "cpu_seconds");
+    facts.visible_fraction = number(json["visible_fraction"], "value");
+    facts.visible_ratio = number(json, "visible_photon_ratio");
+    facts.visible_ratio_with_repeats = number(json, "visible_photon_ratio_with_repeats");
+    facts.mutation_size = number(json, "mutation_size");
+    facts.acceptance = number(json, "acceptance");
+    facts.mean = number(json["image"], "mean");
+    return facts;
+}
+
+double mean_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double v : values) sum += v;
+    return sum / static_cast<double>(values.size());
+}
+
+double own_error(const Reference& r) {
+    if (r.variance.empty()) return CellFacts::kNone;
+    double sum = 0;
+    for (std::size_t i = 0; i < r.variance.size(); ++i)
+        sum += r.variance[i] / (r.luminance[i] * r.luminance[i] + 0.01 * r.mean * r.mean);
+    return sum / static_cast<double>(r.variance.size());
+}
+
+std::vector<double> square_of_errors(const Picture& picture) {
+    std::vector<double> squares;
+    if (const Channel* error = picture.find("error.Y"))
+        for (const float e : error->values) squares.push_back(static_cast<double>(e) * e);
+    return squares;
+}
+
+std::vector<double> luminance_of(const Picture& picture, const std::string& name) {
+    const Channel* const r = picture.find("R");
+    const Channel* const g = picture.find("G");
+    const Channel* const b = picture.find("B");
+    if (r == nullptr || g == nullptr || b == nullptr)
+        throw Error({name}, "has no channels R, G and B", "give a picture in colour");
+    std::vector<double> luminance(picture.pixels());
+    for (std::size_t i = 0; i < luminance.size(); ++i)
+        luminance[i] = 0.2126 * static_cast<double>(r->values[i]) +
+                       0.7152 * static_cast<double>(g->values[i]) +
+                       0.0722 * static_cast<double>(b->values[i]);
+    return luminance;
+}
+
+}  // namespace
+
+std::vector<double> read_luminance(const std::string& exr) {
+    return luminance_of(read_exr(exr), exr);
+}
+
+std::vector<CellFacts> Results::snapshots(const Cell& cell) const {
+    std::vector<fs::path> pictures;
+    for (const auto& entry : fs::directory_iterator(store_.folder(cell)))
+        if (entry.path().extension() == ".exr") pictures.push_back(entry.path());
+    std::sort(pictures.begin(), pictures.end());
+    if (pictures.empty())
+        throw Error({store_.folder(cell)}, "holds no picture", "remove it, to render again");
+    std::vector<CellFacts> all;
+    for (const fs::path& picture : pictures) all.push_back(read_facts(picture));
+    return all;
+}
+
+const Reference& Results::reference(const std::string& scene) const {
+    const auto found = references_.find(scene);
+    if (found != references_.end()) return found->second;
+    const Cell cell = reference_cell(scene, settings());
+    const std::string file = facts(cell).picture;
+    const Picture picture = read_exr(file);
+    Reference r{cell.method.name, luminance_of(picture, file), square_of_errors(picture), 0, 0};
+    r.mean = mean_of(r.luminance);
+    r.own_rel_mse = own_error(r);
+    return references_.emplace(scene, std::move(r)).first->second;
+}
+
+bool Results::has_reference(const std::string& scene) const {
+    return store_.has(reference_cell(scene, settings()));
+}
+
+PictureError Results::error(const std::string& scene, const std::string& picture) const {
+    const auto found = errors_.find(picture);
+    if (found != errors_.end()) return found->second;
+    return errors_.emplace(picture, measured(scene, picture)).first->second;
+}
+
+PictureError Results::measured(const std::string& scene, const std::string& picture) const {
+    const Reference& r = reference(scene);
+    const std::vector<double> luminance = read_luminance(picture);
+    if (luminance.size() != r.luminance.size())
+        throw Error({picture}, "has another size than the reference of " + scene,
+                    "render it at the size of this run");
+    PictureError error{0, 0};
+    for (std::size_t i = 0; i < luminance.size(); ++i) {
+        const double difference = luminance[i] - r.luminance[i];
+        const double square = difference * difference - (r.variance.empty() ? 0 : r.variance[i]);
+        error.mse += square / (r.mean * r.mean);
+        error.rel_mse += square / (r.luminance[i] * r.luminance[i] + 0.01 * r.mean * r.mean);
+    }
+    error.mse /= static_cast<double>(luminance.size());
+    error.rel_mse /= static_cast<double>(luminance.size());
+    return error;
+}
+
+std::vector<Cell> Results::cells(const std::string& scene, const Method& method) const {
+    std::vector<Cell> all;
+    for (std::uint64_t seed = 1; seed <= settings().seeds; ++seed)
+        all.push_back({scene, method, seed});
+    return all;
+}
+
+std::vector<double> Results::rel_mses(const std::string& scene, const Method& method) const {
+    std::vector<double> all;
+    for (const Cell& cell : cells(scene, method)) all.push_back(error(cell).rel_mse);
+    return all;
+}
+
+std::vector<double> Results::costs(const std::string& scene, const Method& method) const {
+    std::vector<double> all;
+    for (const Cell& cell : cells(scene, method))
+        all.push_back(error(cell).rel_mse * facts(cell).cpu_seconds);
+    return all;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,159 @@
+// Cells on the disk.
+#include "experiment/store.h"
+
+#include "core/error.h"
+#include "experiment/child.h"
+#include "image/atomic_file.h"
+#include "image/read_file.h"
+#include "procedural/scenes.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <span>
+
+namespace sunfleck {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Of these scenes errors are shown over time, so the pictures on the way are kept.
+bool keeps_series(const std::string& scene) {
+    return scene == "room" || scene == "two-windows" || scene == "magnifier";
+}
+
+/// Pictures of scenes that have a size of their own in the paper.
+std::string resolution(const std::string& scene, double scale) {
+    const auto side = [&](double pixels) { return std::max(1L, std::lround(pixels * scale)); };
+    return scene == "magnifier" ? fmt::format("{}x{}", side(640), side(480))
+                                : fmt::format("{0}x{0}", side(512));
+}
+
+void write_text(const std::string& path, const std::string& text) {
+    write_file(path, std::as_bytes(std::span(text)));
+}
+
+/// What must be the same when a run goes on. Seeds and figures may be added.
+Json record(const RunSettings& s) {
+    return {{"version", SUNFLECK_VERSION},
+            {"seconds", s.passes > 0 ? 0.0 : s.seconds},
+            {"passes", s.passes},
+            {"reference_budget", s.reference_budget},
+            {"scale", s.scale},
+            {"threads", s.threads}};
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code fault;
+    fs::create_directories(folder, fault);
+    if (fault)
+        throw Error({folder.string()}, "cannot make this folder: " + fault.message(),
+                    "give another folder with -o");
+}
+
+/// All pictures but the last go.
+void drop_pictures_on_the_way(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".exr") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (std::size_t i = 0; i + 1 < files.size(); ++i) {
+        fs::remove(files[i]);
+        fs::remove(fs::path(files[i]).replace_extension(".json"));
+    }
+}
+
+std::string last_line(const std::string& path) {
+    std::string text = read_file(path);
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text.substr(text.find_last_of('\n') + 1);
+}
+
+}  // namespace
+
+CellStore::CellStore(RunSettings settings) : settings_(std::move(settings)) {
+    make_folder(settings_.folder);
+    const std::string path = settings_.folder + "/run.json";
+    const Json wanted = record(settings_);
+    if (!fs::exists(path)) {
+        write_text(path, wanted.dump(2) + "\n");
+        return;
+    }
+    const Json found = Json::parse(read_file(path), nullptr, false);
+    for (const auto& [name, value] : wanted.items()) {
+        const Json before = found.is_object() && found.contains(name) ? found[name] : Json();
+        if (before != value)
+            throw Error({path},
+                        fmt::format("was begun with {} {}, and is asked to go on with {}", name,
+                                    before.dump(), value.dump()),
+                        "give the same, or another folder with -o");
+    }
+}
+
+std::string CellStore::folder(const Cell& cell) const {
+    return settings_.folder + "/cells/" + cell.key();
+}
+
+bool CellStore::has(const Cell& cell) const {
+    return fs::is_directory(folder(cell));
+}
+
+double CellStore::expected_seconds(const Cell& cell) const {
+    return settings_.passes > 0 ? 0 : settings_.seconds * cell.budget;
+}
+
+std::string CellStore::scene_file(const std::string& scene) const {
+    const fs::path base = fs::path(settings_.folder) / "scenes" / scene;
+    const fs::path main = base / (scene + ".pbrt");
+    if (fs::exists(main)) return main.string();
+    const std::vector<SceneFile> files = make_scene(scene);
+    for (std::size_t i = files.size(); i-- > 0;) {  // the main file last: then all are there
+        const fs::path path = base / files[i].name;
+        make_folder(path.parent_path());
+        write_text(path.string(), files[i].bytes);
+    }
+    return main.string();
+}
+
+std::vector<std::string> CellStore::command(const Cell& cell, const std::string& target) const {
+    std::vector<std::string> words = {settings_.program, "render", scene_file(cell.scene)};
+    words.insert(words.end(), cell.method.flags.begin(), cell.method.flags.end());
+    const auto add = [&](const char* flag, const std::string& value) {
+        words.insert(words.end(), {flag, value});
+    };
+    add("--seed", std::to_string(cell.seed));
+    add("--resolution", resolution(cell.scene, settings_.scale));
+    if (settings_.passes > 0)
+        add("--passes", std::to_string(std::lround(std::ceil(settings_.passes * cell.budget))));
+    else
+        add("--time", fmt::format("{:.3f}s", settings_.seconds * cell.budget));
+    if (settings_.threads > 0) add("--nthreads", std::to_string(settings_.threads));
+    add("--log-level", "warning");
+    add("--snapshots", target);
+    add("-o", target + "/last.png");
+    return words;
+}
+
+void CellStore::run(const Cell& cell, const std::atomic<bool>* interrupted) const {
+    const fs::path done = folder(cell);
+    const fs::path part = done.string() + ".part";
+    fs::remove_all(part);
+    make_folder(part);
+    const std::string log = (part / "log.txt").string();
+    const int code = run_child(command(cell, part.string()), log, interrupted);
+    if (interrupted != nullptr && interrupted->load()) {
+        fs::remove_all(part);
+        throw Interrupted{};
+    }
+    if (code != 0)
+        throw Error({log}, fmt::format("the render ended with code {}: {}", code, last_line(log)),
+                    "run its command by hand to see more");
+    if (!keeps_series(cell.scene)) drop_pictures_on_the_way(part);
+    fs::rename(part, done);
+}
+
+}  // namespace sunfleck

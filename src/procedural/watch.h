@@ -1,0 +1,17 @@
+// The scene watch: a pocket watch with an open lid, lit by sun and sky.
+#pragma once
+
+#include "procedural/scenes.h"
+
+#include <vector>
+
+namespace sunfleck {
+
+/// Half the side of the square table, mm: it sets which share of the photon paths is visible
+/// (3.7e-3 in the paper), for sun and sky send photons towards the whole table.
+inline constexpr double kWatchTableHalfWidth = 180;
+
+/// About as many triangles as in Table I of Hachisuka and Jensen (2011). Millimetres, z up.
+std::vector<SceneFile> watch_scene(const ProceduralScene& scene);
+
+}  // namespace sunfleck
