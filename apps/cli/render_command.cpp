@@ -121,7 +121,7 @@ int run_render(const RenderOptions& options) {
                     "leave --camera out");
     const std::vector<std::string> outputs = outputs_of(options, description);
     check_outputs(outputs, options.stats);
-    if (!options.snapshots.empty()) prepare_snapshots(options.snapshots);
+    if (!options.snapshots.empty()) prepare_snapshots(options.snapshots, checkpoint.has_value());
     if (options.resolution) set_resolution(description, *options.resolution);
     if (options.settings.energy_compensation) compensate_energy(description);
     if (options.crop) set_crop(description, *options.crop);

@@ -15,14 +15,14 @@ namespace sunfleck {
 
 namespace fs = std::filesystem;
 
-void prepare_snapshots(const std::string& folder) {
+void prepare_snapshots(const std::string& folder, bool resumed) {
     std::error_code code;
     fs::create_directories(folder, code);
     if (!fs::is_directory(folder))
         throw Error({folder}, "cannot be made a folder",
                     "name one in a folder that you may write to");
     for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".exr")
+        if (!resumed && entry.path().extension() == ".exr")
             throw Error({folder}, "holds pictures already", "name a new folder");
     check_writable(folder + "/passes.json");
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <span>
@@ -20,6 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+/// Seconds of a cell from which on it is kept while it runs.
+constexpr double kWorthKeeping = 120;
+constexpr const char* kCheckpoint = "/render.ckpt";
 
 /// Of these scenes errors are shown over time, so the pictures on the way are kept.
 bool keeps_series(const std::string& scene) {
@@ -55,13 +60,19 @@ void make_folder(const fs::path& folder) {
                     "give another folder with -o");
 }
 
-/// All pictures but the last go.
-void drop_pictures_on_the_way(const fs::path& folder) {
+/// passes-000064.exr and other powers of two; elsewhere a part of the render ended.
+bool is_on_the_way(const fs::path& picture) {
+    return std::has_single_bit(std::stoul(picture.stem().string().substr(7)));
+}
+
+/// Of the pictures the last stays, and those on the way if they are kept.
+void drop_pictures(const fs::path& folder, bool keep_series) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder))
         if (entry.path().extension() == ".exr") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (std::size_t i = 0; i + 1 < files.size(); ++i) {
+        if (keep_series && is_on_the_way(files[i])) continue;
         fs::remove(files[i]);
         fs::remove(fs::path(files[i]).replace_extension(".json"));
     }
@@ -135,24 +146,29 @@ std::vector<std::string> CellStore::command(const Cell& cell, const std::string&
     add("--log-level", "warning");
     add("--snapshots", target);
     add("-o", target + "/last.png");
+    if (settings_.passes == 0 && expected_seconds(cell) < kWorthKeeping) return words;
+    add("--checkpoint", target + kCheckpoint);
+    if (fs::exists(target + kCheckpoint)) add("--resume", target + kCheckpoint);
     return words;
 }
 
 void CellStore::run(const Cell& cell, const std::atomic<bool>* interrupted) const {
     const fs::path done = folder(cell);
     const fs::path part = done.string() + ".part";
-    fs::remove_all(part);
+    const fs::path checkpoint = part.string() + kCheckpoint;
+    if (!fs::exists(checkpoint)) fs::remove_all(part);
     make_folder(part);
     const std::string log = (part / "log.txt").string();
     const int code = run_child(command(cell, part.string()), log, interrupted);
     if (interrupted != nullptr && interrupted->load()) {
-        fs::remove_all(part);
+        if (!fs::exists(checkpoint)) fs::remove_all(part);
         throw Interrupted{};
     }
     if (code != 0)
         throw Error({log}, fmt::format("the render ended with code {}: {}", code, last_line(log)),
                     "run its command by hand to see more");
-    if (!keeps_series(cell.scene)) drop_pictures_on_the_way(part);
+    drop_pictures(part, keeps_series(cell.scene));
+    fs::remove(checkpoint);
     fs::rename(part, done);
 }
 

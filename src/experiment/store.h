@@ -6,7 +6,7 @@
 //     log.txt
 //
 // A cell's folder gets its name when the cell is finished: what has its name is never rendered
-// again.
+// again. Before it is called seed-N.part; a long cell has a checkpoint there, and goes on from it.
 #pragma once
 
 #include "experiment/cell.h"

@@ -30,9 +30,7 @@ struct PaperMemory {
     bool is_sound(const Film& film) const {
         const std::size_t pixels = film.key().pixels();
         for (const FixedPoints& sums : flux)
-            if ((!sums.empty() && sums.size() != 3 * pixels) ||
-                std::any_of(sums.begin(), sums.end(), [](const auto& sum) { return sum.high < 0; }))
-                return false;
+            if (!sums.empty() && sums.size() != 3 * pixels) return false;
         return passes == film.pass_count() && shown >= 0 && std::isfinite(shown) &&
                std::isfinite(theta_counted) && chain.is_sound() && radii.is_sound(pixels);
     }
