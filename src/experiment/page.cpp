@@ -28,8 +28,8 @@ blockquote { border-left: 4px solid #e69f00; margin: 1em 0; padding: .1em 1em; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; padding: .5em 0; }
-th, td { padding: .25em .7em; border-bottom: 1px solid #8884; text-align: right; }
-th:first-child, td:first-child, th:nth-child(2), td:nth-child(2) { text-align: left; }
+th, td { padding: .25em .7em; border-bottom: 1px solid #8884; text-align: left; }
+.number { text-align: right; } td:first-child { white-space: nowrap; }
 .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: .6rem; }
 figure { margin: 0 0 1rem; } figure img { width: 100%; }
 figcaption { font-size: .8rem; }

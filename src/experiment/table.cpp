@@ -22,10 +22,14 @@ std::string csv_line(const std::vector<std::string>& fields) {
     return line;
 }
 
+/// Numbers stand to the right.
 std::string html_row(const std::vector<std::string>& fields, const char* tag) {
     std::string row = "<tr>";
-    for (const std::string& field : fields)
-        row += fmt::format("<{0}>{1}</{0}>", tag, escaped(field));
+    for (const std::string& field : fields) {
+        const bool is_number = field.find_first_of("0123456789-") == 0;
+        row += fmt::format("<{0}{1}>{2}</{0}>", tag, is_number ? " class=\"number\"" : "",
+                           escaped(field));
+    }
     return row + "</tr>\n";
 }
 
