@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <span>
 
 namespace sunfleck {
 
@@ -18,7 +17,7 @@ int run_compare(const CompareOptions& options) {
     for (const std::string& text : options.inputs) inputs.push_back(compare_input(text));
     const Comparison comparison = compare(compare_input(options.reference), inputs);
     const auto write = [](const std::string& path, const std::string& text) {
-        if (!path.empty()) write_file(path, std::as_bytes(std::span(text)));
+        if (!path.empty()) write_file(path, text);
     };
     if (!options.report.empty()) write(options.report, report_page(comparison));
     write(options.json, comparison_json(comparison));

@@ -5,8 +5,6 @@
 #include "film/film_file.h"
 #include "image/atomic_file.h"
 
-#include <span>
-
 namespace sunfleck {
 
 int run_merge(const MergeOptions& options) {
@@ -20,7 +18,7 @@ int run_merge(const MergeOptions& options) {
         facts.command = "merge";
         facts.warnings = reliability_warnings(film);
         const std::string json = stats_json(film, facts);
-        write_file(options.stats, std::as_bytes(std::span(json)));
+        write_file(options.stats, json);
     }
     return 0;
 }

@@ -19,7 +19,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <span>
 
 namespace sunfleck {
 namespace {
@@ -151,8 +150,7 @@ int run_render(const RenderOptions& options) {
     set_times(facts, result);
     if (!options.stats.empty()) {
         const std::string json = stats_json(result.film, facts);
-        InterruptGuard::finish_first(
-            [&] { write_file(options.stats, std::as_bytes(std::span(json))); });
+        InterruptGuard::finish_first([&] { write_file(options.stats, json); });
     }
     keeper.finish();
     return result.interrupted ? 130 : 0;

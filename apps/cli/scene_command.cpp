@@ -25,7 +25,7 @@ int run_scene(const SceneOptions& options) {
             throw Error({path.parent_path().string()},
                         "cannot make this folder: " + fault.message(),
                         "give another folder with -o");
-        write_file(path.string(), std::as_bytes(std::span(file.bytes)));
+        write_file(path.string(), file.bytes);
     }
     fmt::print("{}\n", (std::filesystem::path(options.folder) / files.front().name).string());
     return 0;

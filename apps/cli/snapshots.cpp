@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <span>
 
 namespace sunfleck {
 
@@ -30,7 +29,7 @@ void prepare_snapshots(const std::string& folder, bool resumed) {
 void write_snapshot(const std::string& folder, const Film& film, const RunFacts& facts) {
     const std::string name = fmt::format("{}/passes-{:06}", folder, film.pass_count());
     const std::string json = stats_json(film, facts);
-    write_file(name + ".json", std::as_bytes(std::span(json)));
+    write_file(name + ".json", json);
     write_picture(name + ".exr", film_picture(film));
 }
 

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <span>
 
 namespace sunfleck {
 namespace {
@@ -38,7 +37,7 @@ svg { max-width: 100%; height: auto; }
 
 void write_text(const fs::path& path, const std::string& text) {
     fs::create_directories(path.parent_path());
-    write_file(path.string(), std::as_bytes(std::span(text)));
+    write_file(path.string(), text);
 }
 
 /// Stops that bring the light that 97% of the pixels stay below to 0.85.
@@ -69,25 +68,25 @@ std::string pictures_html(const Results& results, const Section& section) {
     return html;
 }
 
-std::string section_html(const Results& results, const FinishedFigure& f) {
+/// Writes tables, charts and pictures, too.
+std::string section_html(const Results& results, const Figure& figure, const Section& section) {
     const fs::path folder = results.settings().folder;
     std::string html =
-        fmt::format("<h2 id=\"{}\">{}</h2>\n<blockquote>The paper: {}</blockquote>\n",
-                    f.figure->name, escaped(f.figure->title), escaped(f.figure->claim));
-    for (const std::string& finding : f.section.findings)
-        html += "<p>" + escaped(finding) + "</p>\n";
-    for (const Table& table : f.section.tables) {
+        fmt::format("<h2 id=\"{}\">{}</h2>\n<blockquote>The paper: {}</blockquote>\n", figure.name,
+                    escaped(figure.title), escaped(figure.claim));
+    for (const std::string& finding : section.findings) html += "<p>" + escaped(finding) + "</p>\n";
+    for (const Table& table : section.tables) {
         write_text(folder / "tables" / (table.name + ".csv"), table_csv(table));
         html +=
             fmt::format("<div class=\"wide\">{}</div><p><a href=\"tables/{}.csv\">CSV</a></p>\n",
                         table_html(table), table.name);
     }
-    for (const Chart& chart : f.section.charts) {
+    for (const Chart& chart : section.charts) {
         const std::string svg = chart_svg(chart);
         write_text(folder / "charts" / (chart.name + ".svg"), svg);
         html += svg;
     }
-    return html + pictures_html(results, f.section);
+    return html + pictures_html(results, section);
 }
 
 std::string intro_html(const Results& results, const std::vector<FinishedFigure>& finished) {
@@ -113,6 +112,12 @@ std::string intro_html(const Results& results, const std::vector<FinishedFigure>
 
 }  // namespace
 
+FinishedFigure finish_figure(const Results& results, const Figure& figure) {
+    Section section = figure.section(results);
+    std::string html = section_html(results, figure, section);
+    return {&figure, std::move(section), std::move(html)};
+}
+
 void write_results(const Results& results, const std::vector<FinishedFigure>& finished) {
     std::string html = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
@@ -121,7 +126,7 @@ void write_results(const Results& results, const std::vector<FinishedFigure>& fi
         "</head><body>\n",
         kStyle);
     html += intro_html(results, finished);
-    for (const FinishedFigure& f : finished) html += section_html(results, f);
+    for (const FinishedFigure& f : finished) html += f.html;
     write_text(fs::path(results.settings().folder) / "index.html", html + "</body></html>\n");
     write_text(fs::path(results.settings().folder) / "results.json",
                results_json(results, finished));

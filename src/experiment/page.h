@@ -11,9 +11,14 @@ namespace sunfleck {
 struct FinishedFigure {
     const Figure* figure = nullptr;
     Section section;
+    std::string html;
 };
 
-/// Writes all of it to the folder of the run.
+/// Makes what the page shows of a figure, and writes its tables, charts and pictures to the folder
+/// of the run: once, however often the page is written.
+FinishedFigure finish_figure(const Results& results, const Figure& figure);
+
+/// Writes index.html and results.json of the figures so far.
 void write_results(const Results& results, const std::vector<FinishedFigure>& finished);
 
 }  // namespace sunfleck

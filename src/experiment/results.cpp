@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "experiment/methods.h"
+#include "film/luminance.h"
 #include "image/exr.h"
 #include "image/read_file.h"
 
@@ -69,12 +70,12 @@ std::vector<double> luminance_of(const Picture& picture, const std::string& name
     const Channel* const b = picture.find("B");
     if (r == nullptr || g == nullptr || b == nullptr)
         throw Error({name}, "has no channels R, G and B", "give a picture in colour");
-    std::vector<double> luminance(picture.pixels());
-    for (std::size_t i = 0; i < luminance.size(); ++i)
-        luminance[i] = 0.2126 * static_cast<double>(r->values[i]) +
-                       0.7152 * static_cast<double>(g->values[i]) +
-                       0.0722 * static_cast<double>(b->values[i]);
-    return luminance;
+    std::vector<double> by_pixel(picture.pixels());
+    for (std::size_t i = 0; i < by_pixel.size(); ++i)
+        by_pixel[i] =
+            luminance({static_cast<double>(r->values[i]), static_cast<double>(g->values[i]),
+                       static_cast<double>(b->values[i])});
+    return by_pixel;
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ void run_figures(const CellStore& store, const std::vector<Figure>& figures,
             ++progress.done;
             progress.seconds_left -= store.expected_seconds(cell);
         }
-        finished.push_back({&figure, figure.section(results)});
+        finished.push_back(finish_figure(results, figure));
         write_results(results, finished);
     }
 }

@@ -14,7 +14,6 @@
 #include <bit>
 #include <cmath>
 #include <filesystem>
-#include <span>
 
 namespace sunfleck {
 namespace {
@@ -36,10 +35,6 @@ std::string resolution(const std::string& scene, double scale) {
     const auto side = [&](double pixels) { return std::max(1L, std::lround(pixels * scale)); };
     return scene == "magnifier" ? fmt::format("{}x{}", side(640), side(480))
                                 : fmt::format("{0}x{0}", side(512));
-}
-
-void write_text(const std::string& path, const std::string& text) {
-    write_file(path, std::as_bytes(std::span(text)));
 }
 
 /// What must be the same when a run goes on. Seeds and figures may be added.
@@ -91,7 +86,7 @@ CellStore::CellStore(RunSettings settings) : settings_(std::move(settings)) {
     const std::string path = settings_.folder + "/run.json";
     const Json wanted = record(settings_);
     if (!fs::exists(path)) {
-        write_text(path, wanted.dump(2) + "\n");
+        write_file(path, wanted.dump(2) + "\n");
         return;
     }
     const Json found = Json::parse(read_file(path), nullptr, false);
@@ -125,7 +120,7 @@ std::string CellStore::scene_file(const std::string& scene) const {
     for (std::size_t i = files.size(); i-- > 0;) {  // the main file last: then all are there
         const fs::path path = base / files[i].name;
         make_folder(path.parent_path());
-        write_text(path.string(), files[i].bytes);
+        write_file(path.string(), files[i].bytes);
     }
     return main.string();
 }

@@ -48,5 +48,9 @@ void remove_leftovers(const std::string& path);
 
 /// Writes a whole file, atomically.
 void write_file(const std::string& path, std::span<const std::byte> bytes);
+/// The same of text.
+inline void write_file(const std::string& path, const std::string& text) {
+    write_file(path, std::as_bytes(std::span(text)));
+}
 
 }  // namespace sunfleck
