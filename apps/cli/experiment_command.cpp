@@ -30,8 +30,9 @@ std::string duration_text(double seconds) {
 }
 
 void say(const RunProgress& p) {
-    const std::string left =
-        p.seconds_left > 0 ? ", " + duration_text(p.seconds_left) + " left" : "";
+    const std::string left = p.cpu_seconds_left > 0 ? ", " + duration_text(p.cpu_seconds_left) +
+                                                          " of processor time left"
+                                                    : "";
     if (p.cell.empty())
         fmt::print("{} renders, {} of them done{}\n", p.of, p.done, left);
     else

@@ -25,7 +25,9 @@ void add_experiment_flags(CLI::App& app, ExperimentOptions& o, ExperimentTexts& 
     app.add_option("NAMES", o.names, "Figures: table1, fig1 ... fig13, or all; none: list them");
     app.add_option("-o,--output", o.run.folder, "Folder of the run; one begun before goes on")
         ->capture_default_str();
-    app.add_option("--minutes", t.minutes, "Minutes of each render (default 1), or 30s, 2h");
+    app.add_option(
+        "--minutes", t.minutes,
+        "Processor minutes of each render, of all threads together (default 1); or 30s, 2h");
     app.add_option("--passes", o.run.passes, "Passes of each render, instead of minutes")
         ->check(CLI::Range(1U, 1U << 20U));
     app.add_option("--seeds", o.run.seeds, "Renders of each method (default 5)")
@@ -48,7 +50,7 @@ void finish_experiment(const ExperimentTexts& t, ExperimentOptions& o) {
         if (o.run.passes > 0)
             throw Error({"--minutes"}, "given together with --passes", "give one");
         const bool plain = t.minutes.find_first_not_of("0123456789.") == std::string::npos;
-        o.run.seconds = read_duration(plain ? t.minutes + "m" : t.minutes, "--minutes");
+        o.run.cpu_seconds = read_duration(plain ? t.minutes + "m" : t.minutes, "--minutes");
     }
     for (const std::string& other : t.others) o.run.others.push_back(read_other(other));
 }

@@ -18,6 +18,7 @@ namespace {
 /// Flags whose text needs a reader of its own.
 struct RenderTexts {
     std::string time;
+    std::string cpu_time;
     std::string every;
     std::string target_error;
     std::string resolution;
@@ -78,6 +79,8 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--time", t.time,
                    "End after this time of rendering: 60s, 5m, 2h. Reading the scene does not "
                    "count; all rendering before --resume does");
+    app.add_option("--cpu-time", t.cpu_time,
+                   "The same of processor time, all threads together: for comparisons");
     app.add_option("--target-error", t.target_error,
                    "End when 95% of the blocks have this relative error: 2%");
     app.add_option("--pass-range", t.pass_range, "Render passes a to b - 1 only: a:b");
@@ -186,6 +189,7 @@ void finish_render(const CLI::App& given, RenderOptions& o, const RenderTexts& t
     for (const char* flag : {"--checkpoint", "--resume"})
         if (given.count(flag) > 0 && given[flag]->as<std::string>().empty())
             throw Error({flag}, "the file has no name", "name one");
+    if (!t.cpu_time.empty()) o.stop.cpu_seconds = read_duration(t.cpu_time, "--cpu-time");
     if (!t.every.empty()) o.checkpoint_seconds = read_duration(t.every, "--every");
     if (!t.target_error.empty()) o.stop.target_error = read_share(t.target_error, "--target-error");
     if (t.passes) o.stop.end_pass = *t.passes;
@@ -193,7 +197,7 @@ void finish_render(const CLI::App& given, RenderOptions& o, const RenderTexts& t
         if (t.passes) throw Error({"--pass-range"}, "given together with --passes", "give one");
         read_pass_range(t.pass_range, o.stop);
     }
-    if (!o.stop.end_pass && !o.stop.seconds && !o.stop.target_error) {
+    if (!o.stop.end_pass && !o.stop.seconds && !o.stop.cpu_seconds && !o.stop.target_error) {
         o.stop.target_error = 0.02;
         o.stop.seconds = 600;
     }

@@ -43,7 +43,7 @@ class WorkClock {
 public:
     double seconds() const { return watch_.seconds() - aside_; }
     /// Of all threads of this process.
-    double cpu_seconds() const { return process_cpu_seconds() - aside_cpu_; }
+    double cpu_seconds() const { return process_cpu_seconds() - start_cpu_ - aside_cpu_; }
 
     /// Runs task() while the clock stands.
     template <class Task>
@@ -57,6 +57,7 @@ public:
 
 private:
     Stopwatch watch_;
+    double start_cpu_ = process_cpu_seconds();
     double aside_ = 0;
     double aside_cpu_ = 0;
 };

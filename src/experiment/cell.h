@@ -36,7 +36,7 @@ struct OtherPicture {
 /// What the user chose about a run of experiments.
 struct RunSettings {
     std::string folder = "experiment";
-    double seconds = 60;           // of a cell, all threads together taken once; or
+    double cpu_seconds = 60;       // of a cell, all threads together; or
     std::uint32_t passes = 0;      // if not zero: passes of a cell instead
     double reference_budget = 10;  // of a reference, in cells
     std::uint64_t seeds = 5;

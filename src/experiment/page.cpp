@@ -42,7 +42,7 @@ void write_text(const fs::path& path, const std::string& text) {
 
 /// Stops that bring the light that 97% of the pixels stay below to 0.85.
 float exposure_of(const Reference& reference) {
-    std::vector<double> sorted = reference.luminance;
+    std::vector<double> sorted = reference.picture.luminance;
     std::sort(sorted.begin(), sorted.end());
     const double bright = sorted[sorted.size() * 97 / 100];
     return bright > 0 ? static_cast<float>(std::log2(0.85 / bright)) : 0;
@@ -91,8 +91,9 @@ std::string section_html(const Results& results, const Figure& figure, const Sec
 
 std::string intro_html(const Results& results, const std::vector<FinishedFigure>& finished) {
     const RunSettings& s = results.settings();
-    const std::string budget = s.passes > 0 ? fmt::format("{} passes", s.passes)
-                                            : fmt::format("{:.3g} minutes", s.seconds / 60);
+    const std::string budget = s.passes > 0
+                                   ? fmt::format("{} passes", s.passes)
+                                   : fmt::format("{:.3g} processor minutes", s.cpu_seconds / 60);
     std::string html = fmt::format(
         "<h1>Robust Adaptive Photon Tracing, reproduced</h1>\n"
         "<p>Hachisuka and Jensen, ACM Transactions on Graphics 30(5), 2011, beside Sunfleck {}: "

@@ -64,7 +64,7 @@ std::string results_json(const Results& results, const std::vector<FinishedFigur
     Json json = {{"version", SUNFLECK_VERSION},
                  {"machine", machine_text()},
                  {"settings",
-                  {{"seconds", s.passes > 0 ? Json() : Json(s.seconds)},
+                  {{"cpu_seconds", s.passes > 0 ? Json() : Json(s.cpu_seconds)},
                    {"passes", s.passes > 0 ? Json(s.passes) : Json()},
                    {"reference_budget", s.reference_budget},
                    {"seeds", s.seeds},

@@ -49,12 +49,21 @@ double mean_of(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
+bool sees_lamp(const MeasuredPicture& picture, std::size_t pixel) {
+    return !picture.sees_lamp.empty() && picture.sees_lamp[pixel];
+}
+
 double own_error(const Reference& r) {
     if (r.variance.empty()) return CellFacts::kNone;
     double sum = 0;
-    for (std::size_t i = 0; i < r.variance.size(); ++i)
-        sum += r.variance[i] / (r.luminance[i] * r.luminance[i] + 0.01 * r.mean * r.mean);
-    return sum / static_cast<double>(r.variance.size());
+    std::size_t counted = 0;
+    for (std::size_t i = 0; i < r.variance.size(); ++i) {
+        if (sees_lamp(r.picture, i)) continue;
+        const double value = r.picture.luminance[i];
+        sum += r.variance[i] / (value * value + 0.01 * r.mean * r.mean);
+        ++counted;
+    }
+    return sum / static_cast<double>(counted);
 }
 
 std::vector<double> square_of_errors(const Picture& picture) {
@@ -78,10 +87,25 @@ std::vector<double> luminance_of(const Picture& picture, const std::string& name
     return by_pixel;
 }
 
+std::vector<bool> lamps_of(const Picture& picture) {
+    const Channel* const red = picture.find("emission.R");
+    const Channel* const green = picture.find("emission.G");
+    const Channel* const blue = picture.find("emission.B");
+    if (red == nullptr || green == nullptr || blue == nullptr) return {};
+    std::vector<bool> seen(picture.pixels());
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        seen[i] = red->values[i] != 0 || green->values[i] != 0 || blue->values[i] != 0;
+    return seen;
+}
+
+MeasuredPicture measured_of(const Picture& picture, const std::string& name) {
+    return {luminance_of(picture, name), lamps_of(picture)};
+}
+
 }  // namespace
 
-std::vector<double> read_luminance(const std::string& exr) {
-    return luminance_of(read_exr(exr), exr);
+MeasuredPicture read_measured(const std::string& exr) {
+    return measured_of(read_exr(exr), exr);
 }
 
 std::vector<CellFacts> Results::snapshots(const Cell& cell) const {
@@ -102,8 +126,8 @@ const Reference& Results::reference(const std::string& scene) const {
     const Cell cell = reference_cell(scene, settings());
     const std::string file = facts(cell).picture;
     const Picture picture = read_exr(file);
-    Reference r{cell.method.name, luminance_of(picture, file), square_of_errors(picture), 0, 0};
-    r.mean = mean_of(r.luminance);
+    Reference r{cell.method.name, measured_of(picture, file), square_of_errors(picture), 0, 0};
+    r.mean = mean_of(r.picture.luminance);
     r.own_rel_mse = own_error(r);
     return references_.emplace(scene, std::move(r)).first->second;
 }
@@ -120,19 +144,23 @@ PictureError Results::error(const std::string& scene, const std::string& picture
 
 PictureError Results::measured(const std::string& scene, const std::string& picture) const {
     const Reference& r = reference(scene);
-    const std::vector<double> luminance = read_luminance(picture);
-    if (luminance.size() != r.luminance.size())
+    const MeasuredPicture measured = read_measured(picture);
+    if (measured.luminance.size() != r.picture.luminance.size())
         throw Error({picture}, "has another size than the reference of " + scene,
                     "render it at the size of this run");
     PictureError error{0, 0};
-    for (std::size_t i = 0; i < luminance.size(); ++i) {
-        const double difference = luminance[i] - r.luminance[i];
+    std::size_t counted = 0;
+    for (std::size_t i = 0; i < measured.luminance.size(); ++i) {
+        if (sees_lamp(measured, i) || sees_lamp(r.picture, i)) continue;
+        const double truth = r.picture.luminance[i];
+        const double difference = measured.luminance[i] - truth;
         const double square = difference * difference - (r.variance.empty() ? 0 : r.variance[i]);
         error.mse += square / (r.mean * r.mean);
-        error.rel_mse += square / (r.luminance[i] * r.luminance[i] + 0.01 * r.mean * r.mean);
+        error.rel_mse += square / (truth * truth + 0.01 * r.mean * r.mean);
+        ++counted;
     }
-    error.mse /= static_cast<double>(luminance.size());
-    error.rel_mse /= static_cast<double>(luminance.size());
+    error.mse /= static_cast<double>(counted);
+    error.rel_mse /= static_cast<double>(counted);
     return error;
 }
 

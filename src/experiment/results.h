@@ -3,7 +3,7 @@
 // Errors are of luminance, by pixel: MSE is the mean square over the reference's mean squared,
 // relMSE the mean of squares over (reference^2 + 0.01 mean^2). The reference's own variance, where
 // its error is known (layer error.Y), is taken out of both: an error below it can come out
-// negative.
+// negative. Where a picture has the layer emission, pixels that see a lamp are left out.
 #pragma once
 
 #include "experiment/store.h"
@@ -37,11 +37,17 @@ struct PictureError {
     double rel_mse = CellFacts::kNone;
 };
 
+/// What errors are measured on.
+struct MeasuredPicture {
+    std::vector<double> luminance;  // by pixel
+    std::vector<bool> sees_lamp;    // empty: nothing is known of that
+};
+
 /// What a scene's errors are measured by.
 struct Reference {
     std::string method;
-    std::vector<double> luminance;  // by pixel
-    std::vector<double> variance;   // of that, by pixel; empty where it is not known
+    MeasuredPicture picture;
+    std::vector<double> variance;  // of that, by pixel; empty where it is not known
     double mean = 0;
     double own_rel_mse = CellFacts::kNone;
 };
@@ -77,7 +83,7 @@ private:
     mutable std::map<std::string, PictureError> errors_;  // by file
 };
 
-/// Luminance by pixel. @throws Error for what is no picture of R, G and B.
-std::vector<double> read_luminance(const std::string& exr);
+/// @throws Error for what is no picture of R, G and B.
+MeasuredPicture read_measured(const std::string& exr);
 
 }  // namespace sunfleck

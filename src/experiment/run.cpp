@@ -36,7 +36,7 @@ void run_figures(const CellStore& store, const std::vector<Figure>& figures,
         if (store.has(cell))
             ++progress.done;
         else
-            progress.seconds_left += store.expected_seconds(cell);
+            progress.cpu_seconds_left += store.expected_seconds(cell);
     }
     say(progress);
     const Results results(store);
@@ -48,7 +48,7 @@ void run_figures(const CellStore& store, const std::vector<Figure>& figures,
             say(progress);
             store.run(cell, interrupted);
             ++progress.done;
-            progress.seconds_left -= store.expected_seconds(cell);
+            progress.cpu_seconds_left -= store.expected_seconds(cell);
         }
         finished.push_back(finish_figure(results, figure));
         write_results(results, finished);

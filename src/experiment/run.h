@@ -14,8 +14,8 @@ namespace sunfleck {
 struct RunProgress {
     std::size_t done = 0;  // cells, of
     std::size_t of = 0;
-    std::string cell;         // empty: all are done
-    double seconds_left = 0;  // of those that are not; zero when the budget is in passes
+    std::string cell;             // empty: all are done
+    double cpu_seconds_left = 0;  // of those that are not; zero when the budget is in passes
 };
 
 /// Cells of these figures and references of their scenes, each once, in the order of rendering.

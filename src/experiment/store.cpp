@@ -21,13 +21,18 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Seconds of a cell from which on it is kept while it runs.
+/// Processor seconds of a cell from which on it is kept while it runs.
 constexpr double kWorthKeeping = 120;
 constexpr const char* kCheckpoint = "/render.ckpt";
 
 /// Of these scenes errors are shown over time, so the pictures on the way are kept.
 bool keeps_series(const std::string& scene) {
     return scene == "room" || scene == "two-windows" || scene == "magnifier";
+}
+
+/// Of these scenes errors leave out the pixels that see a lamp (results.h).
+bool marks_lamps(const std::string& scene) {
+    return scene == "box";
 }
 
 /// Pictures of scenes that have a size of their own in the paper.
@@ -40,7 +45,7 @@ std::string resolution(const std::string& scene, double scale) {
 /// What must be the same when a run goes on. Seeds and figures may be added.
 Json record(const RunSettings& s) {
     return {{"version", SUNFLECK_VERSION},
-            {"seconds", s.passes > 0 ? 0.0 : s.seconds},
+            {"cpu_seconds", s.passes > 0 ? 0.0 : s.cpu_seconds},
             {"passes", s.passes},
             {"reference_budget", s.reference_budget},
             {"scale", s.scale},
@@ -109,7 +114,7 @@ bool CellStore::has(const Cell& cell) const {
 }
 
 double CellStore::expected_seconds(const Cell& cell) const {
-    return settings_.passes > 0 ? 0 : settings_.seconds * cell.budget;
+    return settings_.passes > 0 ? 0 : settings_.cpu_seconds * cell.budget;
 }
 
 std::string CellStore::scene_file(const std::string& scene) const {
@@ -136,8 +141,9 @@ std::vector<std::string> CellStore::command(const Cell& cell, const std::string&
     if (settings_.passes > 0)
         add("--passes", std::to_string(std::lround(std::ceil(settings_.passes * cell.budget))));
     else
-        add("--time", fmt::format("{:.3f}s", settings_.seconds * cell.budget));
+        add("--cpu-time", fmt::format("{:.3f}s", settings_.cpu_seconds * cell.budget));
     if (settings_.threads > 0) add("--nthreads", std::to_string(settings_.threads));
+    if (marks_lamps(cell.scene)) add("--layers", "emission");
     add("--log-level", "warning");
     add("--snapshots", target);
     add("-o", target + "/last.png");

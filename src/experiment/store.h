@@ -27,7 +27,7 @@ public:
 
     const RunSettings& settings() const { return settings_; }
     bool has(const Cell& cell) const;
-    /// Seconds that a cell takes, about; zero when the budget is in passes.
+    /// Processor seconds that a cell takes, about; zero when the budget is in passes.
     double expected_seconds(const Cell& cell) const;
     /// Renders the cell.
     /// @throws Error with the renderer's own last words if that fails; Interrupted.

@@ -12,8 +12,9 @@ namespace sunfleck {
 /// share of the photon paths is visible from far (0.15 in the paper).
 inline constexpr double kStudioHalfWidth = 205;
 
-/// Width of the close-up, degrees: it sets the share of statue-near (1.8e-2 in the paper).
-inline constexpr double kNearFieldOfView = 8;
+/// Width of the close-up, degrees: it sets the share of statue-near (1.8e-2 in the paper,
+/// all light by photons).
+inline constexpr double kNearFieldOfView = 15;
 
 /// About as many triangles as in Table I of Hachisuka and Jensen (2011). Centimetres, z up. The two
 /// differ in the camera alone. @param scene  its name ends in "near" for the close-up.

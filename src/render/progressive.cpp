@@ -60,6 +60,7 @@ std::optional<double> seconds_left(const Progress& p, const StopSettings& stop) 
     };
     if (p.of) at_most(p.seconds / p.passes * (*p.of - p.passes));
     if (stop.seconds) at_most(*stop.seconds - p.seconds);
+    if (stop.cpu_seconds) at_most(p.seconds * (*stop.cpu_seconds / p.cpu_seconds - 1));
     if (p.error && p.target) at_most(p.seconds * (std::pow(*p.error / *p.target, 2) - 1));
     return left;
 }
@@ -69,6 +70,7 @@ void follow(const RenderState& state, const RenderJob& job, Progress& progress) 
     const Film& film = state.film;
     progress.passes = static_cast<std::uint32_t>(film.pass_count());
     progress.seconds = state.total_seconds;
+    progress.cpu_seconds = state.cpu_seconds;
     progress.visible_fraction = film.statistic("visible_fraction") / progress.passes;
     progress.starved = static_cast<std::uint32_t>(film.statistic("starved_passes"));
     progress.paths_per_second = paths_of(film, job.settings.integrator) / progress.seconds;
@@ -117,6 +119,7 @@ private:
 /// After one pass or more.
 bool is_over(const Progress& progress, const StopSettings& stop) {
     return (stop.seconds && progress.seconds >= *stop.seconds) ||
+           (stop.cpu_seconds && progress.cpu_seconds >= *stop.cpu_seconds) ||
            (progress.error && progress.target && *progress.error <= *progress.target);
 }
 
@@ -151,6 +154,7 @@ RenderResult render(const RenderJob& job, const RenderHooks& hooks,
     if (stop.end_pass) progress.of = *stop.end_pass - stop.first_pass;
     progress.passes = static_cast<std::uint32_t>(result.film.pass_count());
     progress.seconds = result.total_seconds;
+    progress.cpu_seconds = result.cpu_seconds;
     if (progress.passes > 0) progress.error = target_error(result.film);
     const auto interrupted = [&] { return hooks.interrupted != nullptr && *hooks.interrupted; };
     const auto goes_on = [&](std::uint32_t number) {

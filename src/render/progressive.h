@@ -19,6 +19,7 @@ struct Progress {
     std::uint32_t passes = 0;  // rendered so far
     std::optional<std::uint32_t> of;
     double seconds = 0;
+    double cpu_seconds = 0;       // of all threads
     double paths_per_second = 0;  // photon paths (camera paths of the reference)
     std::optional<double> error;  // as the target error is meant; from complete rounds
     std::optional<double> target;
@@ -35,7 +36,7 @@ struct RenderState {
     Film film;
     PassTimes seconds;
     double total_seconds = 0;          // of rendering, on the wall
-    double cpu_seconds = 0;            // of all threads, since the program began
+    double cpu_seconds = 0;            // the same of all threads together
     double radius_factor = 1;          // of the last pass
     std::optional<PaperMemory> paper;  // of the sampler `paper` alone
 };

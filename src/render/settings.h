@@ -61,8 +61,9 @@ void use_paper_mode(RenderSettings& settings);
 struct StopSettings {
     std::uint32_t first_pass = 0;
     std::optional<std::uint32_t> end_pass;  // not rendered any more
-    std::optional<double> seconds;
-    std::optional<double> target_error;  // relative, of blocks; see Film
+    std::optional<double> seconds;          // on the wall
+    std::optional<double> cpu_seconds;      // of all threads together
+    std::optional<double> target_error;     // relative, of blocks; see Film
 };
 
 }  // namespace sunfleck

@@ -234,6 +234,7 @@ TEST_F(Flags, bad_values_are_refused_in_one_line) {
         {"--pass-range", "-1:4"},
         {"--pass-range", "1:2x"},
         {"--time", "0"},
+        {"--cpu-time", "0"},
         {"--time", "nan"},
         {"--time", "5x"},
         {"--target-error", "0"},

@@ -30,6 +30,19 @@ TEST_F(Stops, time_ends_at_a_finished_pass) {
     EXPECT_EQ(read_text(path("x.exr")), by_time);
 }
 
+/// Of all threads together: sooner than as much time on the wall where two are at work.
+TEST_F(Stops, processor_time_ends_at_a_finished_pass) {
+    const auto stats = stats_of({"--cpu-time", "0.3s"});
+    const double seconds = stats["cpu_seconds"];
+    EXPECT_GE(seconds, 0.3);
+    EXPECT_LT(seconds, 30);
+    const int passes = stats["passes"];
+    ASSERT_GT(passes, 1);
+    const auto before = stats_of({"--passes", std::to_string(passes)});
+    EXPECT_EQ(before["image"]["mean"], stats["image"]["mean"]);
+    EXPECT_EQ(stats_of({"--cpu-time", "0.000001"})["passes"], 1);
+}
+
 TEST_F(Stops, time_shorter_than_a_pass_gives_one_pass) {
     EXPECT_EQ(stats_of({"--time", "0.000001"})["passes"], 1);
 }

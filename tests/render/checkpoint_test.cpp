@@ -134,10 +134,11 @@ TEST_F(Checkpoints, limits_that_are_reached_end_without_another_pass) {
         more.stop = stop;
         return render(more, {}, std::move(earlier)).film.pass_count();
     };
-    EXPECT_EQ(passes_after({0, 70, {}, {}}), 70U);
-    EXPECT_EQ(passes_after({0, {}, 1e-9, {}}), 70U);
-    EXPECT_EQ(passes_after({0, {}, {}, 0.9}), 70U);
-    EXPECT_EQ(passes_after({0, 75, 1000, 1e-9}), 75U);
+    EXPECT_EQ(passes_after({0, 70, {}, {}, {}}), 70U);
+    EXPECT_EQ(passes_after({0, {}, 1e-9, {}, {}}), 70U);
+    EXPECT_EQ(passes_after({0, {}, {}, 1e-9, {}}), 70U);
+    EXPECT_EQ(passes_after({0, {}, {}, {}, 0.9}), 70U);
+    EXPECT_EQ(passes_after({0, 75, 1000, 1000, 1e-9}), 75U);
 }
 
 TEST_F(Checkpoints, every_flipped_byte_and_every_cut_is_an_error) {

@@ -119,8 +119,9 @@ std::vector<ShownPicture> picture_row(const Results& results, const std::string&
     std::vector<ShownPicture> row;
     const auto add = [&](const Cell& cell) {
         const CellFacts facts = results.facts(cell);
-        row.push_back({scene, facts.picture, fmt::format("{}-{}-{}", name, scene, cell.method.name),
-                       fmt::format("{}, {}, {:.0f} s", scene, cell.method.name, facts.seconds)});
+        row.push_back(
+            {scene, facts.picture, fmt::format("{}-{}-{}", name, scene, cell.method.name),
+             fmt::format("{}, {}, {:.0f} s", scene, cell.method.name, facts.cpu_seconds)});
     };
     for (const Method& method : methods) add({scene, method, 1});
     for (const OtherPicture& other : results.settings().others)

@@ -16,8 +16,8 @@ std::vector<Cell> room_cells(const RunSettings& settings) {
 
 /// The snapshot nearest to a share of the whole time, by the ratio of times.
 const CellFacts& nearest(const std::vector<CellFacts>& all, double share) {
-    const double wanted = share * all.back().seconds;
-    const auto off = [&](const CellFacts& f) { return std::abs(std::log(f.seconds / wanted)); };
+    const double wanted = share * all.back().cpu_seconds;
+    const auto off = [&](const CellFacts& f) { return std::abs(std::log(f.cpu_seconds / wanted)); };
     return *std::min_element(all.begin(), all.end(), [&](const CellFacts& a, const CellFacts& b) {
         return off(a) < off(b);
     });
@@ -32,7 +32,7 @@ Section fig5_section(const Results& results) {
             const CellFacts& facts = nearest(all, share);
             row.push_back({"room", facts.picture,
                            fmt::format("fig5-{}-{:.0f}", method.name, 1000 * share),
-                           fmt::format("{}, {:.1f} s", method.name, facts.seconds)});
+                           fmt::format("{}, {:.1f} s", method.name, facts.cpu_seconds)});
         }
         section.pictures.push_back(row);
     }
@@ -76,7 +76,8 @@ Section fig6_section(const Results& results) {
     const auto& lines = section.charts[0].lines;
     double total = 0;
     for (const Method& method : sampler_methods())
-        for (const Cell& cell : results.cells("room", method)) total += results.facts(cell).seconds;
+        for (const Cell& cell : results.cells("room", method))
+            total += results.facts(cell).cpu_seconds;
     section.findings.push_back(
         fmt::format("{} renders, {:.0f} s in all. The curve of paper crosses "
                     "that of random {}; that of adaptive {}.",

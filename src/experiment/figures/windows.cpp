@@ -53,7 +53,7 @@ ChartLine share_line(const Results& results, const Method& method) {
         const auto all = results.snapshots(cell);
         if (shares.size() < all.size()) shares.resize(all.size());
         for (std::size_t i = 0; i < all.size(); ++i) {
-            shares[i].push_back(left_share(read_luminance(all[i].picture)));
+            shares[i].push_back(left_share(read_measured(all[i].picture).luminance));
             if (seconds.size() <= i) seconds.push_back(all[i].cpu_seconds);
         }
     }
@@ -66,7 +66,7 @@ ChartLine share_line(const Results& results, const Method& method) {
 
 Section fig11_section(const Results& results) {
     Section section;
-    const double truth = left_share(results.reference(kScene).luminance);
+    const double truth = left_share(results.reference(kScene).picture.luminance);
     Chart chart{"fig11",
                 "Light of the left window, lowest to highest of all seeds",
                 "processor seconds",
