@@ -165,10 +165,16 @@ struct Maps {
         const auto splat = [&](const WholePaths::Path& path, std::uint32_t steps) {
             for (const Vec3& place : path.places) map.add(place, steps);
         };
+        StoredSample read;
         WholePaths::Path path;
+        const auto take = [&](StoredSample& sample, WholePaths::Path& to) {
+            std::swap(sample, read);
+            std::swap(to, path);
+        };
         for (std::uint32_t i = 0; i < settings.paths; ++i) {
-            space.trace(points.path(i), path, counts);
-            chain.step(points.path(i), space.height(path) == kVisible, splat, counts);
+            read.clear();
+            space.trace(RecordingReader(points.path(i), read), path, counts);
+            chain.step(space.height(path) == kVisible, take, splat, counts);
         }
         chain.finish(splat);
         return map;

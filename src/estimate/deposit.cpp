@@ -38,6 +38,7 @@ struct Gathering {
     const VisiblePointIndex& index;
     PassImage& image;
     std::uint32_t paths;
+    PhotonCounts* counts;  // or none
     const SortedPhotons& photons;
     Marks& taken;
 };
@@ -90,6 +91,7 @@ private:
         for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
             for (unsigned rest = met[kind]; rest != 0; rest &= rest - 1)
                 finish(static_cast<unsigned>(__builtin_ctz(rest)), kKinds[kind]);
+        if (all_.counts != nullptr) count(*all_.counts);
         return deposits;
     }
 
@@ -149,6 +151,18 @@ private:
         }
     }
 
+    /// Adds what the points have taken to the counts of their pixels.
+    void count(PhotonCounts& counts) const {
+        std::array<std::uint64_t, kWidth> taken{};
+        for (std::size_t t = 0; t < count_; ++t)
+            for (unsigned rest = taken_[t].takers; rest != 0; rest &= rest - 1)
+                taken[static_cast<unsigned>(__builtin_ctz(rest))] +=
+                    all_.photons[taken_[t].photon].copies;
+        for (std::size_t i = 0; i < points_here(); ++i)
+            if (taken[i] != 0)
+                counts[point(i).pixel].fetch_add(taken[i], std::memory_order_relaxed);
+    }
+
     const Gathering& all_;
     SortedPhotons::Places places_;
     std::vector<Taken> taken_;  // the first count_
@@ -165,7 +179,7 @@ Statistics Depositor::operator()(std::vector<PhotonBatch>& batches) const {
     constexpr std::size_t kNeighbours = 8;
     const SortedPhotons photons(batches, index_.grid());
     Marks taken(photons.size());
-    const Gathering all{pass_, index_, image_, paths_, photons, taken};
+    const Gathering all{pass_, index_, image_, paths_, counts_, photons, taken};
     std::atomic<std::uint64_t> deposits{0};
     parallel_blocks(index_.block_count(), kBlocks, [&](std::size_t begin, std::size_t end) {
         std::uint64_t sum = 0;

@@ -5,6 +5,7 @@
 // with one radius a pass; shading normals: photon density measures |n_g.w|, a bsdf |n_s.w|.
 #pragma once
 
+#include "estimate/photon_counts.h"
 #include "measurement/pass_image.h"
 #include "measurement/photon_batch.h"
 #include "measurement/statistics.h"
@@ -51,10 +52,11 @@ inline Layer owner_of(const VisiblePoint& point, PhotonKind kind) {
 
 class Depositor {
 public:
-    /// @param paths  photon paths of the pass: N of the estimate.
+    /// @param paths   photon paths of the pass: N of the estimate.
+    /// @param counts  one of each pixel, to be added to; or none.
     Depositor(const PassScene& pass, const VisiblePointIndex& index, PassImage& image,
-              std::uint32_t paths)
-        : pass_(pass), index_(index), image_(image), paths_(paths) {}
+              std::uint32_t paths, PhotonCounts* counts = nullptr)
+        : pass_(pass), index_(index), image_(image), paths_(paths), counts_(counts) {}
 
     /// Adds to every visible point the photons that it takes, and marks in the batches which were
     /// taken. Each point sums in floats, in an order that depends on the batches alone (not on the
@@ -67,6 +69,7 @@ private:
     const VisiblePointIndex& index_;
     PassImage& image_;
     std::uint32_t paths_;
+    PhotonCounts* counts_;
 };
 
 }  // namespace sunfleck

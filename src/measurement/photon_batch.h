@@ -15,6 +15,13 @@ struct PhotonBatch {
     std::vector<std::uint8_t> taken;
     Statistics statistics;  // of tracing these paths
 
+    /// No photons; the memory is kept.
+    void clear() {
+        photons.clear();
+        paths.clear();
+        taken.clear();
+    }
+
     void reserve(std::size_t count) {
         photons.reserve(count);
         paths.reserve(count);
@@ -25,6 +32,13 @@ struct PhotonBatch {
         photons.push_back(photon);
         paths.push_back(path);
         taken.push_back(0);
+    }
+
+    /// Adds so many alike as one.
+    void add_copies(const Photon& photon, std::uint32_t path, std::uint32_t copies) {
+        add(photon, path);
+        photons.back().copies = copies;
+        photons.back().flux *= static_cast<float>(copies);
     }
 };
 

@@ -19,14 +19,15 @@ enum class PhotonKind : std::uint8_t {
     indirect = 4  // scattered by a rough surface at least once
 };
 
-/// A photon at a surface that can gather.
+/// A photon at a surface that can gather; or several alike, as states of a chain bring them.
 struct Photon {
     Vec3 position{0};
     Vec3 normal{0};             // geometric, on the side that the photon arrives at
     Vec3 w{0};                  // unit, back along the photon
     std::uint16_t bounces = 0;  // scattering events so far
     PhotonKind kind = PhotonKind::direct;
-    Spectrum flux;
+    std::uint32_t copies = 1;  // so many alike
+    Spectrum flux;             // of all copies
 };
 
 /// The part of a visible point that decides which photons it takes. 40 bytes.

@@ -46,9 +46,9 @@ private:
 /// from A* after 10^6 mutations (docs/method.md).
 class MutationSize {
 public:
-    /// As printed theta can fall below zero. Below this more than half of all steps are smaller
-    /// than the last bit of a slot.
-    static constexpr double kFloor = 1.0 / 64;
+    /// As printed theta can fall below zero. Here 4% of all steps are as large as the last bit of a
+    /// slot, so of the slots of most paths none or one moves (docs/decisions.md).
+    static constexpr double kFloor = 1.0 / 1024;
 
     explicit MutationSize(const PaperSettings& settings)
         : fixed_(settings.mutation_size.has_value()),
@@ -131,20 +131,21 @@ public:
 
     /// One iteration of Fig. 3. Without replica exchange a uniform path is taken over only as the
     /// first path of the chain; all of them are counted.
-    /// @param uniform  the slots of a uniform path. @param visible  V of that path.
+    /// @param visible  V of a uniform path.
+    /// @param take     take(sample, path) puts that path there, and the slots that it has read:
+    ///                 called if the chain takes it over.
     /// @param splat    called with a path that is left and the number of iterations it stood.
-    template <SlotReader Uniform, class Splat>
-    PaperStep step(const Uniform& uniform, bool visible, const Splat& splat, Tally& tally) {
+    template <class Take, class Splat>
+    PaperStep step(bool visible, const Take& take, const Splat& splat, Tally& tally) {
         ++state_.uniform;
         state_.uniform_visible += visible ? 1 : 0;
         const bool exchange = visible && (replica_exchange_ || !state_.found);
         if (!exchange && !state_.found) return PaperStep::searching;
-        candidate_.clear();
         const bool moves = exchange || mutate(tally);
-        if (exchange) space_.trace(RecordingReader(uniform, candidate_), candidate_path_, tally);
         if (moves) {
             finish(splat);
             state_.found = true;
+            if (exchange) take(candidate_, candidate_path_);
             std::swap(state_.current, candidate_);
             std::swap(path_, candidate_path_);
         }
@@ -164,6 +165,7 @@ public:
 private:
     /// Eq. 10: accepted if visible.
     bool mutate(Tally& tally) {
+        candidate_.clear();
         space_.trace(MutatingReader(state_.current, candidate_, stream_,
                                     PaperMove(state_.size.theta(), stream_)),
                      candidate_path_, tally);

@@ -2,7 +2,7 @@
 #include "photon/paper_paths.h"
 
 #include "core/parallel.h"
-#include "photon/tracer.h"
+#include "photon/interleaved.h"
 
 #include <algorithm>
 
@@ -11,63 +11,117 @@ namespace {
 
 /// Iterations whose photons are splatted together.
 constexpr std::uint32_t kAtOnce = 1U << 16U;
+/// Uniform paths that are traced before the chain asks for them, and in one task of these: few
+/// enough to be in the cache when it does.
+constexpr std::uint32_t kAhead = 1024;
+constexpr std::uint32_t kBlock = 256;
 
-/// Paths are the photons that a visible point may take; they are visible, or not.
+/// The photons of a path that a visible point may take.
+struct SeenPath {
+    std::vector<Photon> photons;
+    bool visible = false;  // V: one is taken
+
+    void clear() {
+        photons.clear();
+        visible = false;
+    }
+};
+
 class SeenPhotons {
 public:
-    using Path = std::vector<Photon>;
+    using Path = SeenPath;
     using Tally = Statistics;
 
-    SeenPhotons(const PhotonTracer& tracer, const VisiblePointIndex& index)
-        : tracer_(tracer), index_(index) {}
+    explicit SeenPhotons(const PhotonView& view)
+        : tracer_(view.scene, view.transport), index_(view.index) {}
 
     template <SlotReader Reader>
-    void trace(Reader&& read, Path& path, Statistics& counts) const {
+    void trace(Reader&& read, SeenPath& path, Statistics& counts) const {
         path.clear();
         const auto visit = [&](const Photon& photon) {
-            if (index_.may_take(photon)) path.push_back(photon);
+            if (index_.may_take(photon)) path.photons.push_back(photon);
             return true;
         };
         count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
+        path.visible = index_.any(path.photons);
     }
 
-    int height(const Path& path) const { return index_.any(path) ? kVisible : 0; }
+    int height(const SeenPath& path) const { return path.visible ? kVisible : 0; }
 
-    /// Of a path that ends at the first photon that is seen.
-    template <SlotReader Reader>
-    bool is_visible(Reader&& read, Statistics& counts) const {
-        const auto visit = [&](const Photon& photon) { return !index_.any(photon); };
-        const PathEnd end = tracer_.trace(read, visit, counts[Count::photon_rays]);
-        count_end(end, counts);
-        return end == PathEnd::stopped;
+    /// trace(), of many paths side by side.
+    /// @param points  of paths of these numbers. @param path_of  where path i goes to.
+    template <class Points, class PathOf>
+    void trace(const Points& points, const PathRange& range, const PathOf& path_of,
+               Statistics& counts) const {
+        for (std::size_t i = range.begin; i < range.end; ++i) path_of(i).clear();
+        const auto visit = [&](const Photon& photon, std::uint32_t i) {
+            if (index_.may_take(photon)) path_of(i).photons.push_back(photon);
+            return true;
+        };
+        const auto ended = [&](PathEnd end) { count_end(end, counts); };
+        InterleavedPaths paths(tracer_, points, visit, ended);
+        counts[Count::photon_rays] += paths.trace(range);
+        for (std::size_t i = range.begin; i < range.end; ++i)
+            path_of(i).visible = index_.any(path_of(i).photons);
     }
 
 private:
-    const PhotonTracer& tracer_;
+    PhotonTracer tracer_;
     const VisiblePointIndex& index_;
 };
 
 static_assert(PathSpace<SeenPhotons>);
 
-/// V of the uniform paths first .. first + count - 1.
-std::vector<std::uint8_t> visibility(const SeenPhotons& space, const IndependentPoints& points,
-                                     std::uint32_t first, std::uint32_t count, Statistics& counts) {
-    constexpr std::size_t kBlock = 512;
-    std::vector<std::uint8_t> visible(count);
-    std::vector<Statistics> counted((count + kBlock - 1) / kBlock);
-    parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            visible[i] = space.is_visible(points.path(first + static_cast<std::uint32_t>(i)),
-                                          counted[begin / kBlock])
-                             ? 1
-                             : 0;
-    });
-    for (const Statistics& block : counted) counts += block;
-    counts[Count::uniform_paths] += count;
-    counts[Count::uniform_visible] +=
-        static_cast<std::uint64_t>(std::count(visible.begin(), visible.end(), 1));
-    return visible;
-}
+/// Uniform paths ahead of the chain, each with the slots that it has read.
+class UniformPathsAhead {
+public:
+    UniformPathsAhead(const SeenPhotons& space, PassId pass) : space_(space), points_(pass) {}
+
+    /// Traces paths first .. first + count - 1, on all threads, in place of those before.
+    void trace(std::uint32_t first, std::uint32_t count, Statistics& counts) {
+        first_ = first;
+        if (places_.size() < count) places_.resize(count);
+        std::vector<Statistics> counted((count + kBlock - 1) / kBlock);
+        parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) places_[i].sample.clear();
+            Statistics& here = counted[begin / kBlock];
+            const auto path_of = [&](std::size_t i) -> SeenPath& { return at(i).path; };
+            space_.trace(Recorded{*this}, {first + begin, first + end}, path_of, here);
+            here[Count::uniform_paths] += end - begin;
+            for (std::size_t i = begin; i < end; ++i)
+                here[Count::uniform_visible] += places_[i].path.visible ? 1 : 0;
+        });
+        for (const Statistics& block : counted) counts += block;
+    }
+
+    bool visible(std::uint32_t i) const { return places_[i - first_].path.visible; }
+
+    /// Gives path i away.
+    void take(std::uint32_t i, StoredSample& sample, SeenPath& path) {
+        std::swap(sample, at(i).sample);
+        std::swap(path, at(i).path);
+    }
+
+private:
+    struct Place {
+        StoredSample sample;
+        SeenPath path;
+    };
+    /// Points that keep what is read of them.
+    struct Recorded {
+        UniformPathsAhead& paths;
+        RecordingReader<IndependentReader> path(std::uint32_t i) const {
+            return {paths.points_.path(i), paths.at(i).sample};
+        }
+    };
+
+    Place& at(std::size_t i) { return places_[i - first_]; }
+
+    const SeenPhotons& space_;
+    IndependentPoints points_;
+    std::uint32_t first_ = 0;
+    std::vector<Place> places_;
+};
 
 void count_step(Statistics& counts, PaperStep step) {
     const bool accepted = step == PaperStep::accepted;
@@ -79,25 +133,30 @@ void count_step(Statistics& counts, PaperStep step) {
 }  // namespace
 
 Statistics trace_paper_paths(const PhotonView& view, const PaperPass& pass, PaperState& state,
-                             const SplatPhotons& splat) {
-    const PhotonTracer tracer(view.scene, view.transport);
-    const SeenPhotons space(tracer, view.index);
-    const IndependentPoints points(pass.id);
+                             const DepositBatches& deposit) {
+    const SeenPhotons space(view);
+    UniformPathsAhead uniform(space, pass.id);
     Statistics counts;
+    std::vector<PhotonBatch> batches(1);
     for (std::uint32_t begin = 0; begin < pass.paths; begin += kAtOnce) {
-        const std::uint32_t some = std::min(kAtOnce, pass.paths - begin);
-        const auto visible = visibility(space, points, begin, some, counts);
+        const std::uint32_t end = begin + std::min(kAtOnce, pass.paths - begin);
         PaperChain<SeenPhotons> chain(space, pass.replica_exchange, state,
                                       pass.id.stream(Purpose::chain, begin / kAtOnce), counts);
-        RepeatedPhotons photons;
-        const auto leave = [&](const std::vector<Photon>& path, std::uint32_t steps) {
-            for (const Photon& photon : path) photons.add(photon, steps);
-            counts[Count::visible_states] += space.height(path) == kVisible ? steps : 0;
+        std::uint32_t left = 0;
+        batches[0].clear();
+        const auto leave = [&](const SeenPath& path, std::uint32_t steps) {
+            if (!path.visible) return;
+            counts[Count::visible_states] += steps;
+            for (const Photon& photon : path.photons) batches[0].add_copies(photon, left, steps);
+            ++left;
         };
-        for (std::uint32_t i = 0; i < some; ++i)
-            count_step(counts, chain.step(points.path(begin + i), visible[i] != 0, leave, counts));
+        for (std::uint32_t i = begin; i < end; ++i) {
+            if ((i - begin) % kAhead == 0) uniform.trace(i, std::min(kAhead, end - i), counts);
+            const auto take = [&](auto& sample, auto& path) { uniform.take(i, sample, path); };
+            count_step(counts, chain.step(uniform.visible(i), take, leave, counts));
+        }
         chain.finish(leave);
-        counts += splat(photons);
+        counts += deposit(batches);
     }
     return counts;
 }

@@ -188,7 +188,7 @@ private:
 
     static Photon arrive(const Hit& hit, const PhotonState& state) {
         const Vec3 normal = hit.normal.dot(state.direction) > 0 ? -hit.normal : hit.normal;
-        return {hit.position, normal, -state.direction, state.bounces, state.kind, state.flux};
+        return {hit.position, normal, -state.direction, state.bounces, state.kind, 1, state.flux};
     }
 
     /// One scattering event. @return false when the photon is absorbed.

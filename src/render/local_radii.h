@@ -6,7 +6,7 @@
 // Source: Hachisuka and Jensen 2009, "Stochastic Progressive Photon Mapping", section 4.
 #pragma once
 
-#include "estimate/counting_deposit.h"
+#include "estimate/photon_counts.h"
 #include "measurement/visible_point.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "core/stopwatch.h"
+#include "estimate/deposit.h"
 #include "photon/paper_paths.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ PassResult PaperRender::next_pass() {
     result.seconds.index = watch.lap();
     PassImage photons(pixels, settings_.layers);
     PhotonCounts taken(pixels);
-    const CountingDeposit deposit{scene, index, paths_, photons, taken};
+    const Depositor deposit(scene, index, photons, paths_, &taken);
     const Statistics counts = trace_paper_paths(
         {scene, settings_.transport, index}, {id, paths_, settings_.photon.paper.replica_exchange},
         memory_.chain, deposit);

@@ -48,11 +48,17 @@ void go_on(Walk& walk, const Islands& islands, const PaperSettings& settings, Pa
         walk.splatted += steps;
         walk.not_visible += islands.height(path) == kVisible ? 0 : steps;
     };
+    StoredSample read;
+    ToyPath path;
+    const auto take = [&](StoredSample& sample, ToyPath& to) {
+        std::swap(sample, read);
+        std::swap(to, path);
+    };
     for (std::uint32_t i = 0; i < iterations; ++i) {
-        ToyPath path;
-        islands.trace(points.path(i), path, tally);
+        read.clear();
+        islands.trace(RecordingReader(points.path(i), read), path, tally);
         const bool visible = islands.height(path) == kVisible;
-        walk.steps.push_back(chain.step(points.path(i), visible, splat, tally));
+        walk.steps.push_back(chain.step(visible, take, splat, tally));
     }
     chain.finish(splat);
 }
@@ -171,6 +177,34 @@ TEST(PaperStep, has_the_law_of_equation_9) {
         const double half = kSteps / 2.0;
         EXPECT_GT(chi_square_p(2 * (up - half) * (up - half) / half, 1), 1e-3) << theta;
     }
+}
+
+// 200,000 steps at the floor of theta; chi-square at 0.1% with 20 degrees of freedom. The first bin
+// has the steps below 2^-52 of a turn, of which most are no step at all.
+TEST(PaperStep, has_the_law_of_equation_9_at_the_floor) {
+    constexpr int kSteps = 200'000;
+    constexpr std::uint64_t kFrom = 0x0123456789ABCDEF;
+    const auto exponent = static_cast<float>(1 / MutationSize::kFloor + 1);
+    const double smallest = std::pow(0x1p-52, 1 / double{exponent});
+    RandomStream stream(1, Purpose::test, 1, 0);
+    std::array<double, 21> bins{};
+    double still = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const std::uint64_t random = stream.next_fraction() | 1U;
+        const std::uint64_t step = paper_step(kFrom, exponent, random) - kFrom;
+        EXPECT_EQ(paper_step(kFrom, exponent, random ^ 1U), kFrom - step) << "symmetric";
+        still += step == 0 ? 1 : 0;
+        const double xi = std::pow(to_unit(step), 1 / double{exponent});
+        const double place = 20 * (xi - smallest) / (1 - smallest);
+        ++bins.at(place < 0 ? 0 : 1 + static_cast<std::size_t>(place));
+    }
+    double chi_square = 0;
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+        const double expected = kSteps * (i == 0 ? smallest : (1 - smallest) / 20);
+        chi_square += (bins[i] - expected) * (bins[i] - expected) / expected;
+    }
+    EXPECT_GT(chi_square_p(chi_square, 20), 1e-3);
+    EXPECT_NEAR(still / kSteps, std::pow(0x1p-64, 1 / double{exponent}), 0.002);
 }
 
 TEST(PaperStep, wraps_around_at_both_ends) {
