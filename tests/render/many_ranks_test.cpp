@@ -28,7 +28,7 @@ protected:
         return stop;
     }
 
-    RenderState alone(const StopSettings& stop) const { return render(job(stop), {}); }
+    RenderResult alone(const StopSettings& stop) const { return render(job(stop), {}); }
 
     RenderResult among(int size, const StopSettings& stop, const RenderHooks& hooks = {},
                        std::optional<RenderState> earlier = {}) const {
@@ -56,13 +56,13 @@ protected:
 
 TEST_F(ManyRanks, make_the_film_of_one) {
     for (const auto& stop : {passes(0, 1), passes(0, 16), passes(0, 37), passes(5, 61)}) {
-        const RenderState expected = alone(stop);
+        const RenderResult expected = alone(stop);
         for (const int size : {2, 3, 4, 7, 20}) expect_same(among(size, stop), expected);
     }
 }
 
 TEST_F(ManyRanks, go_on_from_what_one_has_rendered) {
-    const RenderState expected = alone(passes(0, 50));
+    const RenderResult expected = alone(passes(0, 50));
     for (const std::uint32_t begun : {3U, 16U, 21U})
         expect_same(among(3, passes(0, 50), {}, alone(passes(0, begun))), expected);
     expect_same(render(job(passes(0, 50)), {}, among(5, passes(0, 23))), expected);
@@ -72,7 +72,7 @@ TEST_F(ManyRanks, go_on_from_what_one_has_rendered) {
 TEST_F(ManyRanks, end_at_the_same_target_error) {
     StopSettings stop = passes(0, 2000);
     stop.target_error = 0.3;
-    const RenderState expected = alone(stop);
+    const RenderResult expected = alone(stop);
     const std::uint64_t count = expected.film.pass_count();
     ASSERT_GT(count, 64U) << "or any error would do";
     ASSERT_LT(count, 2000U);
@@ -84,7 +84,7 @@ TEST_F(ManyRanks, end_in_time_without_a_hole) {
     StopSettings stop;
     stop.seconds = 0.3;
     for (const int size : {2, 5}) {
-        const RenderState state = among(size, stop);
+        const RenderResult state = among(size, stop);
         EXPECT_GE(state.total_seconds, 0.3);
         expect_same(state, alone(passes(0, static_cast<std::uint32_t>(state.film.pass_count()))));
     }

@@ -70,22 +70,42 @@ TEST(FilmTransfer, a_film_arrives_as_it_is) {
     });
 }
 
-TEST(Turns, blocks_are_neighbours_of_even_length) {
-    for (const int size : {1, 2, 3, 16, 17, 1000}) {
-        for (const std::uint64_t passes : {1U, 16U, 999U, 1000U, 1001U}) {
-            const PassRange turn{37, 37 + passes};
-            std::uint64_t next = turn.begin;
-            for (int rank = 0; rank < size; ++rank) {
-                const PassRange block = block_of(turn, rank, size);
-                EXPECT_EQ(block.begin, next);
-                const std::uint64_t least = passes / static_cast<std::uint64_t>(size);
-                EXPECT_GE(block.size(), least);
-                EXPECT_LE(block.size(), least + 1);
-                next = block.end;
-            }
-            EXPECT_EQ(next, turn.end);
-        }
+/// docs/clusters.md: 64.25 bytes a pixel, 48 for an open round, some hundreds for the head.
+TEST(FilmTransfer, sends_the_sums_and_little_more) {
+    FilmKey key = small_key(64, 64);
+    key.layers = {};
+    const auto sent = [&](std::uint32_t begin, std::uint32_t end) {
+        const Film film = film_of(key, numbers(begin, end));
+        return on_ranks(2, [&](const Ranks& ranks) {
+            if (ranks.is_first())
+                receive_film(ranks, 1);
+            else
+                send_film(ranks, 0, film);
+        });
+    };
+    constexpr double kPixels = 64.0 * 64;
+    EXPECT_NEAR(static_cast<double>(sent(0, 16)), 64.25 * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(0, 20)), (64.25 + 48) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(5, 20)), (64.25 + 96) * kPixels + 300, 200);
+}
+
+void expect_even_blocks(const PassRange& turn, int size) {
+    std::uint64_t next = turn.begin;
+    const std::uint64_t least = turn.size() / static_cast<std::uint64_t>(size);
+    for (int rank = 0; rank < size; ++rank) {
+        const PassRange block = block_of(turn, rank, size);
+        EXPECT_EQ(block.begin, next);
+        EXPECT_GE(block.size(), least);
+        EXPECT_LE(block.size(), least + 1);
+        next = block.end;
     }
+    EXPECT_EQ(next, turn.end);
+}
+
+TEST(Turns, blocks_are_neighbours_of_even_length) {
+    for (const int size : {1, 2, 3, 16, 17, 1000})
+        for (const std::uint64_t passes : {1U, 16U, 999U, 1000U, 1001U})
+            expect_even_blocks({37, 37 + passes}, size);
 }
 
 TEST(Turns, are_cut_where_rounds_end) {

@@ -3,6 +3,7 @@
 
 #include "render/ranks.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstring>
@@ -40,9 +41,8 @@ public:
     std::size_t sent() const { return sent_; }
     /// Has all that was sent been received?
     bool is_empty() const {
-        for (const auto& [way, letters] : letters_)
-            if (!letters.empty()) return false;
-        return true;
+        return std::all_of(letters_.begin(), letters_.end(),
+                           [](const auto& way) { return way.second.empty(); });
     }
 
 private:
@@ -52,25 +52,27 @@ private:
     std::size_t sent_ = 0;
 };
 
+inline Ranks rank_of(Post& post, int rank, int size) {
+    return {rank, size, [&post, rank](int to, auto bytes) { post.send(rank, to, bytes); },
+            [&post, rank](int from, auto bytes) { post.receive(from, rank, bytes); }};
+}
+
 /// Runs task(ranks) on `size` ranks at once; rethrows the fault of the lowest one that had any.
 /// @return bytes sent by all.
 template <class Task>
 std::size_t on_ranks(int size, const Task& task) {
     Post post;
     std::vector<std::exception_ptr> faults(static_cast<std::size_t>(size));
+    const auto run = [&](int rank) {
+        try {
+            task(rank_of(post, rank, size));
+        } catch (const std::exception&) {
+            faults[static_cast<std::size_t>(rank)] = std::current_exception();
+        }
+    };
     std::vector<std::thread> threads;
-    for (int rank = 0; rank < size; ++rank) {
-        threads.emplace_back([&, rank] {
-            const Ranks ranks{
-                rank, size, [&post, rank](int to, auto bytes) { post.send(rank, to, bytes); },
-                [&post, rank](int from, auto bytes) { post.receive(from, rank, bytes); }};
-            try {
-                task(ranks);
-            } catch (const std::exception&) {
-                faults[static_cast<std::size_t>(rank)] = std::current_exception();
-            }
-        });
-    }
+    threads.reserve(faults.size());
+    for (int rank = 0; rank < size; ++rank) threads.emplace_back(run, rank);
     for (std::thread& thread : threads) thread.join();
     for (const std::exception_ptr& fault : faults)
         if (fault) std::rethrow_exception(fault);
