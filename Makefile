@@ -6,7 +6,7 @@ BUILD := build/release
 CTEST := ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure --no-tests=error
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check browser sanitize nightly bench tidy format clean deps build
+.PHONY: demo test check browser mpi sanitize nightly bench tidy format clean deps build
 
 # Renders the sun through a glass of cognac into out/demo.
 demo: build
@@ -17,20 +17,27 @@ demo: build
 
 # Everything: what the README promises and .ci/run runs.
 test: build-tests
-	$(CTEST) -LE "nightly|browser"
+	$(CTEST) -LE "nightly|browser|mpi"
 
 # The quick ones.
 check: build-tests
-	$(CTEST) -LE "slow|nightly|browser"
+	$(CTEST) -LE "slow|nightly|browser|mpi"
 
 # The page of `sunfleck compare` in Debian's Chromium; npm brings the driver from its registry.
 browser: build-tests
 	tools/setup.sh browser
 	$(CTEST) -L browser
 
+# Several ranks under Open MPI, in a build of their own.
+mpi:
+	tools/setup.sh build test mpi
+	cmake --preset mpi -DSUNFLECK_TESTS=ON
+	cmake --build build/mpi -j $(JOBS) --target sunfleck tests_mpi
+	ctest --test-dir build/mpi -L mpi --output-on-failure --no-tests=error
+
 # Installs what is missing of Debian for all of this.
 deps:
-	tools/setup.sh build test browser nightly
+	tools/setup.sh build test browser mpi nightly
 
 build:
 	tools/setup.sh build
@@ -49,11 +56,11 @@ sanitize:
 	tools/sanitize.sh
 
 # What takes hours: everything above, lint, another compiler, long fuzzing.
-nightly: test browser sanitize tidy
+nightly: test browser mpi sanitize tidy
 	$(CTEST) -L nightly
 	cmake --preset clang
 	cmake --build build/clang -j $(JOBS)
-	ctest --test-dir build/clang -j $(JOBS) --output-on-failure --no-tests=error -LE "check|nightly|browser"
+	ctest --test-dir build/clang -j $(JOBS) --output-on-failure --no-tests=error -LE "check|nightly|browser|mpi"
 	tools/fuzz.sh $(FUZZ_SECONDS)
 
 # Ratios of speed, never compared with a fixed time.

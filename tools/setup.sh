@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the missing ones of the Debian packages that tools/packages.txt lists.
-# Usage: setup.sh GROUP... (build, test, nightly). As root it installs; at a terminal it asks, then
+# Usage: setup.sh GROUP... (build, test, browser, mpi, nightly). As root it installs; at a terminal it asks, then
 # calls sudo; otherwise it prints the command and fails.
 set -euo pipefail
 list=$(dirname "$0")/packages.txt

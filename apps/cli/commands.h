@@ -2,11 +2,14 @@
 #pragma once
 
 #include "apps/cli/options.h"
+#include "render/ranks.h"
 
 namespace sunfleck {
 
-/// Renders and writes the outputs. @return 0, or 130 when interrupted.
-int run_render(const RenderOptions& options);
+/// Renders, together with all other ranks; rank 0 writes the outputs.
+/// @return 0, or on rank 0 130 when interrupted.
+/// @throws FaultOfAll as together() does.
+int run_render(const RenderOptions& asked, const Ranks& ranks);
 /// Says what was read, what is approximated, lights, bounds, triangles.
 int run_info(const InfoOptions& options);
 /// Writes one of our own scenes, or lists them.

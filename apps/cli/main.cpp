@@ -1,20 +1,26 @@
 // The program `sunfleck`: reads the command line, runs one command, turns faults into exit codes.
 //
 // 0 done; 1 a fault of ours or of the machine; 2 bad input or usage; 130 interrupted (with the
-// picture so far written).
+// picture so far written). Of several ranks rank 0 has the code of all; others that go well 0.
 #include "apps/cli/commands.h"
+#include "apps/cli/together.h"
+#include "apps/mpi/job.h"
 #include "core/error.h"
 
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
 
 namespace {
 
-int run(int count, char** words) {
-    const auto options = sunfleck::read_options(count, words);
+using sunfleck::Ranks;
+
+int run(int count, char** words, const Ranks& ranks) {
+    const auto options =
+        sunfleck::together(ranks, [&] { return sunfleck::read_options(count, words); });
     if (!options) return 0;
-    if (options->render) return sunfleck::run_render(*options->render);
+    if (options->render) return sunfleck::run_render(*options->render, ranks);
     if (options->info) return sunfleck::run_info(*options->info);
     if (options->scene) return sunfleck::run_scene(*options->scene);
     if (options->merge) return sunfleck::run_merge(*options->merge);
@@ -22,19 +28,27 @@ int run(int count, char** words) {
     return sunfleck::run_compare(*options->compare);
 }
 
+/// @return code, where it returns.
+int fail(const sunfleck::Job& job, int code, const std::string& line) {
+    std::fprintf(stderr, "%s\n", line.c_str());
+    job.abort(code);
+    return code;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
+    const sunfleck::Job job(count > 1 && std::string_view(words[1]) == "render");
     try {
-        return run(count, words);
-    } catch (const sunfleck::Error& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        return run(count, words, job.ranks());
+    } catch (const sunfleck::FaultOfAll& fault) {
+        if (job.ranks().is_first()) std::fprintf(stderr, "%s\n", fault.what());
         return 2;
+    } catch (const sunfleck::Error& error) {
+        return fail(job, 2, error.what());
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "sunfleck: not enough memory\n");
-        return 1;
+        return fail(job, 1, "sunfleck: not enough memory");
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "sunfleck: %s\n", error.what());
-        return 1;
+        return fail(job, 1, std::string("sunfleck: ") + error.what());
     }
 }

@@ -94,6 +94,7 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
     json["settings"] = settings_json(film.key());
     json["seed"] = film.key().seed;
     json["threads"] = facts.threads;
+    json["ranks"] = facts.ranks;
     json["isa"] = facts.isa;
     json["resolution"] = {film.key().width, film.key().height};
     json["passes"] = film.pass_count();

@@ -21,6 +21,7 @@ struct RunFacts {
     PassTimes seconds;
     double radius_factor = 1;
     std::vector<std::string> warnings;
+    int ranks = 1;
 };
 
 /// @return JSON text, ending in a new line.

@@ -1,126 +1,64 @@
-// The loop over passes, and when it ends.
+// The loop over turns.
 #include "render/progressive.h"
 
-#include "core/stopwatch.h"
-#include "film/error_bars.h"
-#include "render/paper.h"
+#include "core/error.h"
+#include "render/overseer.h"
+#include "render/pass_maker.h"
+#include "render/shared_turn.h"
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
+#include <array>
+#include <utility>
 
 namespace sunfleck {
 namespace {
 
-bool is_paper(const RenderSettings& settings) {
-    return settings.integrator == Integrator::sppm &&
-           settings.photon.sampler == PhotonSampler::paper;
+RenderResult begin_of(const RenderJob& job, std::optional<RenderState> earlier) {
+    RenderState state =
+        earlier ? std::move(*earlier) : RenderState{Film(key_of(job)), {}, 0, 0, 1, {}};
+    return {std::move(state), false};
 }
 
-/// Photon paths; camera paths where there are none.
-double paths_of(const Film& film, Integrator integrator) {
-    if (integrator == Integrator::path || integrator == Integrator::bdpt)
-        return static_cast<double>(film.key().pixels() * film.pass_count());
-    return film.statistic("uniform_paths") + film.statistic("mutated_paths");
-}
-
-/// Level by level, as sums over passes.
-void count_ladder(Film& film, const LadderCounts& ladder) {
-    for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
-        const std::string level = "ladder." + std::to_string(k) + ".";
-        const Acceptance mutations = ladder.levels[k].mutations();
-        film.count(level + "states", ladder.levels[k].states);
-        film.count(level + "survivors", k < ladder.survivors.size() ? ladder.survivors[k] : 0);
-        film.count(level + "proposed", mutations.proposed);
-        film.count(level + "accepted", mutations.accepted);
+/// A turn is a pass, and goes into the film at once.
+RenderResult render_alone(const RenderJob& job, const RenderHooks& hooks, RenderResult result) {
+    Overseer overseer(job, hooks, result, 1);
+    PassMaker passes(job, result);
+    for (PassRange turn = overseer.next_turn(); turn.size() > 0; turn = overseer.next_turn()) {
+        const PassNote pass = passes.make(static_cast<std::uint32_t>(turn.begin), result.film);
+        result.radius_factor = pass.radius_factor;
+        overseer.reached_target(turn.end);
+        overseer.turn_ended(pass.ladder, 0, false);
     }
+    overseer.finish();
+    return result;
 }
 
-bool is_starved(const PassResult& pass) {
-    return pass.statistics[Count::visible_states] == 0;
-}
-
-void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
-    film.add_pass(number, pass.image);
-    for (const CountRow& row : kCountRows)
-        if (row.count != Count::dropped_nonfinite && row.count != Count::saturated)
-            film.count(row.name, pass.statistics[row.count]);
-    if (pass.statistics[Count::uniform_paths] == 0) return;
-    film.count("starved_passes", is_starved(pass) ? 1 : 0);
-    film.sum("visible_fraction", pass.visible_fraction);
-    film.sum("visible_fraction_square", pass.visible_fraction * pass.visible_fraction);
-    count_ladder(film, pass.ladder);
-}
-
-/// The error falls about with the root of the number of passes; the bias of the radius apart.
-std::optional<double> seconds_left(const Progress& p, const StopSettings& stop) {
-    std::optional<double> left;
-    const auto at_most = [&](double seconds) {
-        left = std::min(left.value_or(seconds), std::max(0.0, seconds));
+/// Rank 0 chooses each turn and keeps the film.
+RenderResult render_among(const Ranks& ranks, const RenderJob& job, const RenderHooks& hooks,
+                          RenderResult result) {
+    const WorkClock clock;
+    Overseer overseer(job, hooks, result, ranks.size);
+    SharedTurn shared(job, ranks, result);
+    const auto note = [&] {
+        return RankNote{ranks.is_first() ? 0 : clock.cpu_seconds(),
+                        hooks.interrupted != nullptr && *hooks.interrupted};
     };
-    if (p.of) at_most(p.seconds / p.passes * (*p.of - p.passes));
-    if (stop.seconds) at_most(*stop.seconds - p.seconds);
-    if (stop.cpu_seconds) at_most(p.seconds * (*stop.cpu_seconds / p.cpu_seconds - 1));
-    if (p.error && p.target) at_most(p.seconds * (std::pow(*p.error / *p.target, 2) - 1));
-    return left;
-}
-
-/// What the film tells; the rest is of the last pass alone.
-void follow(const RenderState& state, const RenderJob& job, Progress& progress) {
-    const Film& film = state.film;
-    progress.passes = static_cast<std::uint32_t>(film.pass_count());
-    progress.seconds = state.total_seconds;
-    progress.cpu_seconds = state.cpu_seconds;
-    progress.visible_fraction = film.statistic("visible_fraction") / progress.passes;
-    progress.starved = static_cast<std::uint32_t>(film.statistic("starved_passes"));
-    progress.paths_per_second = paths_of(film, job.settings.integrator) / progress.seconds;
-    progress.seconds_left = seconds_left(progress, job.stop);
-}
-
-void follow(const LadderCounts& ladder, Progress& progress) {
-    progress.levels = ladder.levels.empty() ? 0 : ladder.levels.size() - 1;
-    const Acceptance mutations = ladder.mutations();
-    progress.acceptance = mutations.proposed == 0 ? 0
-                                                  : static_cast<double>(mutations.accepted) /
-                                                        static_cast<double>(mutations.proposed);
-}
-
-/// Renders passes in their order and adds them to a state.
-class PassMaker {
-public:
-    PassMaker(const RenderJob& job, RenderState& state) : job_(job), state_(state) {
-        if (!is_paper(job.settings)) return;
-        if (!state.paper) state.paper.emplace(job.settings, state.film.key().pixels());
-        paper_.emplace(job.scene, job.settings, *state.paper);
+    while (true) {
+        std::array<PassRange, 1> turn{};
+        if (ranks.is_first()) turn[0] = overseer.next_turn();
+        broadcast(ranks, std::as_writable_bytes(std::span(turn)));
+        if (turn[0].size() == 0) break;
+        bool over = false;
+        const auto take = [&](const PassRange& part, const Film& film, double radius_factor) {
+            if (over) return;  // one machine would not have rendered it
+            merge(result.film, film);
+            result.radius_factor = radius_factor;
+            over = overseer.reached_target(part.end);
+        };
+        const TurnNote all = shared.render(turn[0], note, take);
+        if (ranks.is_first()) overseer.turn_ended(all.ladder, all.cpu_seconds, all.interrupted);
     }
-
-    /// @return counts of its ladder.
-    LadderCounts make(std::uint32_t number) {
-        if (!paper_ && (!epoch_ || epoch_->number != epoch_of(number))) {
-            epoch_ = learn_epoch(job_.scene, job_.settings, number);
-            state_.seconds.learn += epoch_->seconds;
-        }
-        PassResult pass =
-            paper_ ? paper_->next_pass() : render_pass(job_.scene, job_.settings, number, *epoch_);
-        add_pass(state_.film, number, pass);
-        if (paper_) paper_->count(state_.film);
-        state_.seconds += pass.seconds;
-        state_.radius_factor = pass.radius_factor;
-        return std::move(pass.ladder);
-    }
-
-private:
-    const RenderJob& job_;
-    RenderState& state_;
-    std::optional<Epoch> epoch_;
-    std::optional<PaperRender> paper_;
-};
-
-/// After one pass or more.
-bool is_over(const Progress& progress, const StopSettings& stop) {
-    return (stop.seconds && progress.seconds >= *stop.seconds) ||
-           (stop.cpu_seconds && progress.cpu_seconds >= *stop.cpu_seconds) ||
-           (progress.error && progress.target && *progress.error <= *progress.target);
+    if (ranks.is_first()) overseer.finish();
+    return result;
 }
 
 }  // namespace
@@ -133,55 +71,24 @@ FilmKey key_of(const RenderJob& job) {
     key.settings += "resolution=" + std::to_string(whole.x) + "x" + std::to_string(whole.y) +
                     "\nwindow=" + std::to_string(window.x0) + "," + std::to_string(window.y0) +
                     "\n";
-    key.sequential = is_paper(job.settings);
+    key.sequential = is_sequential(job.settings);
     return key;
 }
 
+void check_shareable(const RenderSettings& settings, const Ranks& ranks) {
+    if (ranks.is_alone() || !is_sequential(settings)) return;
+    throw Error({"--photon-sampler"},
+                "paper builds each pass on those before, and " + std::to_string(ranks.size) +
+                    " ranks cannot share them",
+                "use one rank, or another sampler");
+}
+
 RenderResult render(const RenderJob& job, const RenderHooks& hooks,
-                    std::optional<RenderState> earlier) {
-    WorkClock clock;
-    const StopSettings& stop = job.stop;
-    RenderState begin =
-        earlier ? std::move(*earlier) : RenderState{Film(key_of(job)), {}, 0, 0, 1, {}};
-    RenderResult result{std::move(begin), false};
-    const auto count_time = [&, wall = result.total_seconds, cpu = result.cpu_seconds] {
-        result.total_seconds = wall + clock.seconds();
-        result.cpu_seconds = cpu + clock.cpu_seconds();
-    };
-    PassMaker passes(job, result);
-    Progress progress;
-    progress.target = stop.target_error;
-    if (stop.end_pass) progress.of = *stop.end_pass - stop.first_pass;
-    progress.passes = static_cast<std::uint32_t>(result.film.pass_count());
-    progress.seconds = result.total_seconds;
-    progress.cpu_seconds = result.cpu_seconds;
-    if (progress.passes > 0) progress.error = target_error(result.film);
-    const auto interrupted = [&] { return hooks.interrupted != nullptr && *hooks.interrupted; };
-    const auto goes_on = [&](std::uint32_t number) {
-        if (stop.end_pass && number >= *stop.end_pass) return false;
-        return progress.passes == 0 || !(interrupted() || is_over(progress, stop));
-    };
-    double saved_at = progress.seconds;
-    bool saved = false;
-    bool shown = false;
-    for (std::uint32_t number = stop.first_pass + progress.passes; goes_on(number); ++number) {
-        follow(passes.make(number), progress);
-        count_time();
-        if ((number + 1) % kRoundPasses == 0) progress.error = target_error(result.film);
-        follow(result, job, progress);
-        if (hooks.report) hooks.report(progress);
-        shown = hooks.snapshot && std::has_single_bit(progress.passes);
-        if (shown) clock.aside([&] { hooks.snapshot(result); });
-        saved = hooks.save && progress.seconds - saved_at >= hooks.save_every;
-        if (!saved) continue;
-        saved_at = progress.seconds;
-        hooks.save(result);
-    }
-    result.interrupted = interrupted();
-    if (hooks.snapshot && !shown) clock.aside([&] { hooks.snapshot(result); });
-    if (hooks.save && !saved) hooks.save(result);
-    count_time();
-    return result;
+                    std::optional<RenderState> earlier, const Ranks& ranks) {
+    RenderResult begin = begin_of(job, std::move(earlier));
+    if (ranks.is_alone()) return render_alone(job, hooks, std::move(begin));
+    check_shareable(job.settings, ranks);
+    return render_among(ranks, job, hooks, std::move(begin));
 }
 
 }  // namespace sunfleck

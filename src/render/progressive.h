@@ -1,12 +1,13 @@
 // A whole render: passes one after the other until a limit, added up in a film.
 //
 // In:  scene, settings, limits, and earlier passes to go on from. Out: the film. A pass that runs
-// is always finished.
+// is always finished. Several ranks render it together, to the same bytes (ranks.h, turns.h).
 #pragma once
 
 #include "film/film.h"
 #include "render/paper_memory.h"
 #include "render/pass.h"
+#include "render/ranks.h"
 
 #include <atomic>
 #include <functional>
@@ -46,7 +47,7 @@ struct RenderResult : RenderState {
 };
 
 struct RenderHooks {
-    std::function<void(const Progress&)> report;  // after each pass
+    std::function<void(const Progress&)> report;  // after each pass, or turn of several ranks
     /// After 1, 2, 4, 8 ... passes and at the end; its time does not count.
     std::function<void(const RenderResult&)> snapshot;
     const std::atomic<bool>* interrupted = nullptr;  // asked after each pass
@@ -66,9 +67,15 @@ struct RenderJob {
 /// What parts of one render have in common.
 FilmKey key_of(const RenderJob& job);
 
+/// @throws Error for several ranks and a sampler whose passes build on those before.
+void check_shareable(const RenderSettings& settings, const Ranks& ranks);
+
 /// @param earlier  passes of this job to go on from, the job's first pass to some other without a
 ///                 gap: the result is as if they were rendered now. Their seconds count.
+/// @param ranks    all of them call this with one job and the same limits. Rank 0's earlier passes
+///                 and hooks count, and it has the result; others need `interrupted` alone.
+/// @throws Error as check_shareable() does.
 RenderResult render(const RenderJob& job, const RenderHooks& hooks,
-                    std::optional<RenderState> earlier = {});
+                    std::optional<RenderState> earlier = {}, const Ranks& ranks = {});
 
 }  // namespace sunfleck

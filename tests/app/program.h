@@ -45,9 +45,10 @@ struct Ran {
 /// A process under way. Its output goes to files of `folder`.
 class Process {
 public:
-    Process(const std::string& folder, const Words& words)
+    Process(const std::string& folder, const Words& words,
+            const std::string& program = SUNFLECK_PROGRAM)
         : out_(folder + "/stdout~"), err_(folder + "/stderr~") {
-        std::vector<std::string> all = Words{SUNFLECK_PROGRAM} + words;
+        std::vector<std::string> all = Words{program} + words;
         std::vector<char*> argv;
         for (std::string& word : all) argv.push_back(word.data());
         argv.push_back(nullptr);
@@ -56,7 +57,7 @@ public:
         const bool open = std::freopen(out_.c_str(), "wb", stdout) != nullptr &&
                           std::freopen(err_.c_str(), "wb", stderr) != nullptr &&
                           ::chdir(folder.c_str()) == 0;
-        if (open) ::execv(SUNFLECK_PROGRAM, argv.data());
+        if (open) ::execv(program.c_str(), argv.data());
         ::_exit(99);
     }
 

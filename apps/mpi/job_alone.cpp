@@ -1,0 +1,12 @@
+// Without MPI there is one rank.
+#include "apps/mpi/job.h"
+
+namespace sunfleck {
+
+Job::Job(bool) {}
+
+Job::~Job() = default;
+
+void Job::abort(int) const {}
+
+}  // namespace sunfleck

@@ -1,0 +1,151 @@
+// Limits, progress, snapshots and checkpoints of a render, between its turns.
+#include "render/overseer.h"
+
+#include "film/error_bars.h"
+#include "render/turns.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+/// A turn should not take longer where it takes more than a pass a rank: Ctrl-C waits for its end.
+constexpr double kTurnSeconds = 10;
+
+/// Photon paths; camera paths where there are none.
+double paths_of(const Film& film, Integrator integrator) {
+    if (integrator == Integrator::path || integrator == Integrator::bdpt)
+        return static_cast<double>(film.key().pixels() * film.pass_count());
+    return film.statistic("uniform_paths") + film.statistic("mutated_paths");
+}
+
+/// The error falls about with the root of the number of passes; the bias of the radius apart.
+std::optional<double> seconds_left(const Progress& p, const StopSettings& stop) {
+    std::optional<double> left;
+    const auto at_most = [&](double seconds) {
+        left = std::min(left.value_or(seconds), std::max(0.0, seconds));
+    };
+    if (p.of) at_most(p.seconds / p.passes * (*p.of - p.passes));
+    if (stop.seconds) at_most(*stop.seconds - p.seconds);
+    if (stop.cpu_seconds) at_most(p.seconds * (*stop.cpu_seconds / p.cpu_seconds - 1));
+    if (p.error && p.target) at_most(p.seconds * (std::pow(*p.error / *p.target, 2) - 1));
+    return left;
+}
+
+bool is_at(const Progress& progress) {
+    return progress.error && progress.target && *progress.error <= *progress.target;
+}
+
+void follow_ladder(const LadderCounts& ladder, Progress& progress) {
+    progress.levels = ladder.levels.empty() ? 0 : ladder.levels.size() - 1;
+    const Acceptance mutations = ladder.mutations();
+    progress.acceptance = mutations.proposed == 0 ? 0
+                                                  : static_cast<double>(mutations.accepted) /
+                                                        static_cast<double>(mutations.proposed);
+}
+
+}  // namespace
+
+Overseer::Overseer(const RenderJob& job, const RenderHooks& hooks, RenderResult& state, int ranks)
+    : job_(job),
+      hooks_(hooks),
+      state_(state),
+      ranks_(ranks),
+      seconds_before_(state.total_seconds),
+      cpu_seconds_before_(state.cpu_seconds),
+      saved_at_(state.total_seconds) {
+    progress_.target = job.stop.target_error;
+    if (job.stop.end_pass) progress_.of = *job.stop.end_pass - job.stop.first_pass;
+    progress_.passes = static_cast<std::uint32_t>(state.film.pass_count());
+    progress_.seconds = state.total_seconds;
+    progress_.cpu_seconds = state.cpu_seconds;
+    if (progress_.passes > 0) progress_.error = target_error(state.film);
+}
+
+bool Overseer::is_over() const {
+    const StopSettings& stop = job_.stop;
+    return interrupted_ || (hooks_.interrupted != nullptr && *hooks_.interrupted) ||
+           (stop.seconds && progress_.seconds >= *stop.seconds) ||
+           (stop.cpu_seconds && progress_.cpu_seconds >= *stop.cpu_seconds) || is_at(progress_);
+}
+
+/// Until something is due, or all should meet.
+double Overseer::seconds_of_turn() const {
+    const StopSettings& stop = job_.stop;
+    double seconds = kTurnSeconds;
+    if (hooks_.save) seconds = std::min(seconds, hooks_.save_every);
+    if (stop.seconds) seconds = std::min(seconds, *stop.seconds - progress_.seconds);
+    if (stop.cpu_seconds && progress_.cpu_seconds > 0)
+        seconds =
+            std::min(seconds, progress_.seconds * (*stop.cpu_seconds / progress_.cpu_seconds - 1));
+    return seconds;
+}
+
+PassRange Overseer::next_turn() {
+    const std::uint64_t begin = std::uint64_t{job_.stop.first_pass} + progress_.passes;
+    const auto& end = job_.stop.end_pass;
+    if ((end && begin >= *end) || (progress_.passes > 0 && is_over())) return {begin, begin};
+    TurnLimits limits{
+        ranks_, pass_seconds_, seconds_of_turn(), job_.stop.target_error.has_value(), {}};
+    const auto at_most = [&](std::uint64_t passes) {
+        limits.at_most = std::min(limits.at_most.value_or(passes), passes);
+    };
+    if (end) at_most(*end - begin);
+    if (hooks_.snapshot)
+        at_most(std::bit_ceil(std::uint64_t{progress_.passes} + 1) - progress_.passes);
+    turn_passes_ = passes_of_turn(limits);
+    count_time();
+    turn_began_ = state_.total_seconds;
+    return {begin, begin + turn_passes_};
+}
+
+bool Overseer::reached_target(std::uint64_t end) {
+    if (end % kRoundPasses == 0) progress_.error = target_error(state_.film);
+    return is_at(progress_);
+}
+
+void Overseer::turn_ended(const LadderCounts& last_ladder, double of_others, bool interrupted) {
+    cpu_seconds_of_others_ = of_others;
+    interrupted_ = interrupted_ || interrupted;
+    follow_ladder(last_ladder, progress_);
+    count_time();
+    const auto ranks = static_cast<std::uint64_t>(ranks_);
+    const std::uint64_t of_a_rank = (turn_passes_ + ranks - 1) / ranks;
+    pass_seconds_ = (state_.total_seconds - turn_began_) / static_cast<double>(of_a_rank);
+    follow();
+    if (hooks_.report) hooks_.report(progress_);
+    shown_ = hooks_.snapshot && std::has_single_bit(progress_.passes);
+    if (shown_) clock_.aside([&] { hooks_.snapshot(state_); });
+    saved_ = hooks_.save && progress_.seconds - saved_at_ >= hooks_.save_every;
+    if (!saved_) return;
+    saved_at_ = progress_.seconds;
+    hooks_.save(state_);
+}
+
+void Overseer::finish() {
+    state_.interrupted = interrupted_ || (hooks_.interrupted != nullptr && *hooks_.interrupted);
+    if (hooks_.snapshot && !shown_) clock_.aside([&] { hooks_.snapshot(state_); });
+    if (hooks_.save && !saved_) hooks_.save(state_);
+    count_time();
+}
+
+void Overseer::count_time() {
+    state_.total_seconds = seconds_before_ + clock_.seconds();
+    state_.cpu_seconds = cpu_seconds_before_ + clock_.cpu_seconds() + cpu_seconds_of_others_;
+}
+
+/// What the film tells.
+void Overseer::follow() {
+    const Film& film = state_.film;
+    progress_.passes = static_cast<std::uint32_t>(film.pass_count());
+    progress_.seconds = state_.total_seconds;
+    progress_.cpu_seconds = state_.cpu_seconds;
+    progress_.visible_fraction = film.statistic("visible_fraction") / progress_.passes;
+    progress_.starved = static_cast<std::uint32_t>(film.statistic("starved_passes"));
+    progress_.paths_per_second = paths_of(film, job_.settings.integrator) / progress_.seconds;
+    progress_.seconds_left = seconds_left(progress_, job_.stop);
+}
+
+}  // namespace sunfleck

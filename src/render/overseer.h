@@ -1,0 +1,54 @@
+// What rank 0 asks between turns: is the render over, how long is the next turn, is a snapshot or a
+// checkpoint due? With one rank a turn is a pass.
+#pragma once
+
+#include "core/stopwatch.h"
+#include "render/progressive.h"
+
+namespace sunfleck {
+
+class Overseer {
+public:
+    /// @param state   the render's, which outlives this; its passes so far are those before.
+    /// @param ranks   how many there are.
+    Overseer(const RenderJob& job, const RenderHooks& hooks, RenderResult& state, int ranks);
+
+    /// Passes that are next; empty if the render is over.
+    PassRange next_turn();
+
+    /// Passes up to `end` are in the film. @return is its error, asked at the end of each round,
+    /// at the target?
+    bool reached_target(std::uint64_t end);
+
+    /// All passes of the turn that count are in the film.
+    /// @param of_others  processor time of all other ranks since the render began.
+    void turn_ended(const LadderCounts& last_ladder, double of_others, bool interrupted);
+
+    /// The last snapshot and the last checkpoint, if those of the last turn were not.
+    void finish();
+
+private:
+    bool is_over() const;
+    double seconds_of_turn() const;
+    void count_time();
+    void follow();
+
+    const RenderJob& job_;
+    const RenderHooks& hooks_;
+    RenderResult& state_;
+    int ranks_;
+    WorkClock clock_;
+    double seconds_before_;
+    double cpu_seconds_before_;
+    double cpu_seconds_of_others_ = 0;
+    Progress progress_;
+    double turn_began_ = 0;
+    double pass_seconds_ = 0;  // a rank's, in the last turn
+    std::uint64_t turn_passes_ = 0;
+    double saved_at_;
+    bool interrupted_ = false;
+    bool saved_ = false;
+    bool shown_ = false;
+};
+
+}  // namespace sunfleck
