@@ -3,6 +3,7 @@
 
 #include "core/stopwatch.h"
 #include "film/error_bars.h"
+#include "render/count_pass.h"
 #include "render/paper.h"
 
 #include <algorithm>
@@ -22,34 +23,6 @@ double paths_of(const Film& film, Integrator integrator) {
     if (integrator == Integrator::path || integrator == Integrator::bdpt)
         return static_cast<double>(film.key().pixels() * film.pass_count());
     return film.statistic("uniform_paths") + film.statistic("mutated_paths");
-}
-
-/// Level by level, as sums over passes.
-void count_ladder(Film& film, const LadderCounts& ladder) {
-    for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
-        const std::string level = "ladder." + std::to_string(k) + ".";
-        const Acceptance mutations = ladder.levels[k].mutations();
-        film.count(level + "states", ladder.levels[k].states);
-        film.count(level + "survivors", k < ladder.survivors.size() ? ladder.survivors[k] : 0);
-        film.count(level + "proposed", mutations.proposed);
-        film.count(level + "accepted", mutations.accepted);
-    }
-}
-
-bool is_starved(const PassResult& pass) {
-    return pass.statistics[Count::visible_states] == 0;
-}
-
-void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
-    film.add_pass(number, pass.image);
-    for (const CountRow& row : kCountRows)
-        if (row.count != Count::dropped_nonfinite && row.count != Count::saturated)
-            film.count(row.name, pass.statistics[row.count]);
-    if (pass.statistics[Count::uniform_paths] == 0) return;
-    film.count("starved_passes", is_starved(pass) ? 1 : 0);
-    film.sum("visible_fraction", pass.visible_fraction);
-    film.sum("visible_fraction_square", pass.visible_fraction * pass.visible_fraction);
-    count_ladder(film, pass.ladder);
 }
 
 /// The error falls about with the root of the number of passes; the bias of the radius apart.
@@ -75,9 +48,14 @@ void follow(const RenderState& state, const RenderJob& job, Progress& progress) 
     progress.seconds_left = seconds_left(progress, job.stop);
 }
 
-void follow(const LadderCounts& ladder, Progress& progress) {
-    progress.levels = ladder.levels.empty() ? 0 : ladder.levels.size() - 1;
-    const Acceptance mutations = ladder.mutations();
+void follow(const std::vector<GroupCounts>& groups, Progress& progress) {
+    progress.levels.clear();
+    Acceptance mutations;
+    for (const GroupCounts& group : groups) {
+        const std::size_t sets = group.ladder.levels.size();
+        progress.levels.push_back(sets == 0 ? 0 : sets - 1);
+        mutations += group.ladder.mutations();
+    }
     progress.acceptance = mutations.proposed == 0 ? 0
                                                   : static_cast<double>(mutations.accepted) /
                                                         static_cast<double>(mutations.proposed);
@@ -92,8 +70,8 @@ public:
         paper_.emplace(job.scene, job.settings, *state.paper);
     }
 
-    /// @return counts of its ladder.
-    LadderCounts make(std::uint32_t number) {
+    /// @return counts of its groups of lights.
+    std::vector<GroupCounts> make(std::uint32_t number) {
         if (!paper_ && (!epoch_ || epoch_->number != epoch_of(number))) {
             epoch_ = learn_epoch(job_.scene, job_.settings, number);
             state_.seconds.learn += epoch_->seconds;
@@ -104,7 +82,7 @@ public:
         if (paper_) paper_->count(state_.film);
         state_.seconds += pass.seconds;
         state_.radius_factor = pass.radius_factor;
-        return std::move(pass.ladder);
+        return std::move(pass.groups);
     }
 
 private:
