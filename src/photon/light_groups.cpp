@@ -12,8 +12,7 @@ namespace sunfleck {
 namespace {
 
 constexpr std::size_t kMostClusters = 64;
-constexpr std::uint32_t kFirstMeasured = 16;  // part of the first cluster: above those of groups
-static_assert(kFirstMeasured >= kMostGroups);
+constexpr std::uint32_t kMeasuring = 1;  // part of the pilots' numbers that measure clusters
 
 using Lights = std::vector<std::uint32_t>;
 
@@ -64,9 +63,8 @@ public:
         std::vector<GroundPilot> pilots;
         std::vector<GroupFlux> fluxes;
         for (const Lights& lights : groups) {
-            const auto part = static_cast<std::uint32_t>(grounds.size());
             grounds.push_back(std::make_unique<Ground>(view_, octree_, weights().among(lights)));
-            pilots.emplace_back(grounds.back()->space, PilotName{name_.seed, name_.epoch, part});
+            pilots.emplace_back(grounds.back()->space, name_);
             const HeightTail& tail = pilots.back().explore();
             fluxes.push_back({grounds.back()->lights.total(), tail[kVisible], is_rare(tail)});
         }
@@ -102,8 +100,7 @@ private:
         std::vector<MeasuredLight> lights;
         for (const Lights& cluster : clusters) {
             const Ground ground(view_, octree_, weights().among(cluster));
-            const auto part = static_cast<std::uint32_t>(kFirstMeasured + lights.size());
-            const PilotName name{name_.seed, name_.epoch, part};
+            const PilotName name{name_.seed, name_.epoch, kMeasuring};
             LevelCounts counts;
             Statistics unused;
             uniform_population(ground.space, EmissionPoints(name.round(round)),

@@ -19,9 +19,9 @@ Camera "perspective" "float fov" 40
                              256, 256, 32};
 
 constexpr std::string_view kSun = R"(
-# The sun, 50 degrees high: perpendicular irradiance 4, on all of the ground.
+# The sun, 50 degrees high: perpendicular irradiance 16, on all of the ground.
 LightSource "distant" "point3 from" [ 0.02 0.64 0.77 ] "point3 to" [ 0 0 0 ]
-    "rgb L" [ 1 0.95 0.88 ] "float scale" 4
+    "rgb L" [ 1 0.95 0.88 ] "float scale" 16
 )";
 
 constexpr std::string_view kMaterials = R"(
@@ -38,7 +38,7 @@ constexpr std::string_view kLampLight = R"(
 # The lamp: a bright strip on a board below the ceiling, facing up; a hundredth of the sun's power.
 AttributeBegin
 NamedMaterial "plaster"
-AreaLightSource "diffuse" "rgb L" [ 1 0.85 0.65 ] "float scale" 89
+AreaLightSource "diffuse" "rgb L" [ 1 0.85 0.65 ] "float scale" 356
 )";
 
 constexpr double kRoomEast = 2.5;

@@ -26,7 +26,7 @@ TEST(LampRoom, day_differs_from_night_by_the_sun_alone) {
     EXPECT_EQ(night[0].bytes.find("LightSource \"distant\""), std::string::npos);
     EXPECT_NE(day[0].bytes.find("LightSource \"distant\""), std::string::npos);
     const auto common = [](const std::string& text) {
-        return without(without(text, "\n# The sun", "\"float scale\" 4\n"), "#", "WorldBegin");
+        return without(without(text, "\n# The sun", "\"float scale\" 16\n"), "#", "WorldBegin");
     };
     EXPECT_EQ(common(day[0].bytes), common(night[0].bytes));
 }
