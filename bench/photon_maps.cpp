@@ -218,7 +218,8 @@ void run(const Settings& settings) {
     const PhotonSpace seen(tracer, index, octree);
     const WholePaths space(tracer, seen);
     const Maps maps{settings, space, id};
-    const LadderPlan plan = learn_epoch(scene, render, 0).plan;
+    render.photon.light_groups = false;
+    const LadderPlan plan = learn_epoch(scene, render, 0).groups.front().plan;
     std::vector<Map> ladder;
     for (std::size_t k = 1; k <= plan.levels.size(); ++k) {
         fmt::print("set {}: height {}\n", k, plan.levels[k - 1].height);

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cstdio>
 #include <functional>
 
 namespace sunfleck {
@@ -26,6 +25,7 @@ struct RenderTexts {
     std::string pass_range;
     std::string layers;
     std::string sampler = "adaptive";
+    std::string light_groups = "auto";
     PaperTexts paper;
     std::string direct = "sampled";
     std::string energy_compensation = "off";
@@ -68,6 +68,10 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
         ->allow_extra_args(false);
     add_choice(app, "--integrator", t.integrator, kIntegrators);
     add_choice(app, "--photon-sampler", t.sampler, kPhotonSamplers);
+    app.add_option("--light-groups", t.light_groups,
+                   "Sampler adaptive: auto: lights of which much and little is seen get photon "
+                   "paths apart; off: all lights together")
+        ->check(CLI::IsMember({"auto", "off"}));
     add_paper_flags(app, t.paper);
     app.add_option("--direct", t.direct, "Who brings direct light: sampled, or photons")
         ->check(CLI::IsMember({"sampled", "photons"}));
@@ -125,48 +129,13 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_flag("--quiet", t.quiet, "The same as --log-level quiet")->excludes(level);
 }
 
-LayerSet read_layers(const std::string& text) {
-    LayerSet set{};
-    std::string known;
-    for (const LayerRow& row : kLayers)
-        if (!row.name.empty()) known += (known.empty() ? "" : ", ") + std::string(row.name);
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string word = text.substr(begin, end - begin);
-        bool found = false;
-        for (const LayerRow& row : kLayers) {
-            if (row.name != word || word.empty()) continue;
-            set[static_cast<std::size_t>(row.layer)] = true;
-            found = true;
-        }
-        if (!found)
-            throw Error({"--layers"}, "unknown layer \"" + word + "\"", "use some of " + known);
-        begin = end + 1;
-    }
-    return set;
-}
-
-void read_pass_range(const std::string& text, StopSettings& stop) {
-    unsigned long first = 0;
-    unsigned long end = 0;
-    int used = 0;
-    // NOLINTNEXTLINE(cert-err34-c): the conversion is checked by the count and by %n
-    const int read = std::sscanf(text.c_str(), "%lu:%lu%n", &first, &end, &used);
-    if (read != 2 || static_cast<std::size_t>(used) != text.size() || first >= end ||
-        end > (1UL << 30U))
-        throw Error({"--pass-range"}, "\"" + text + "\" is no range of passes",
-                    "write a:b with a < b, such as 0:64");
-    stop.first_pass = static_cast<std::uint32_t>(first);
-    stop.end_pass = static_cast<std::uint32_t>(end);
-}
-
 /// What the reference integrators have no use for is refused rather than passed over.
 void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     if (t.integrator == "sppm") return;
-    for (const char* flag : {"--photon-sampler", "--mode", "--replica-exchange", "--mutation-size",
-                             "--target-acceptance", "--direct", "--photons-per-pass", "--radius",
-                             "--radius-pixels", "--alpha", "--layers"}) {
+    for (const char* flag :
+         {"--photon-sampler", "--light-groups", "--mode", "--replica-exchange", "--mutation-size",
+          "--target-acceptance", "--direct", "--photons-per-pass", "--radius", "--radius-pixels",
+          "--alpha", "--layers"}) {
         const bool counts_paths = std::string_view(flag) == "--photons-per-pass";
         if (given.count(flag) == 0 || (counts_paths && t.integrator == "light")) continue;
         throw Error({flag}, "has no meaning with --integrator " + t.integrator, "leave it out");
@@ -184,7 +153,7 @@ void finish_render(const CLI::App& given, RenderOptions& o, const RenderTexts& t
     if (t.log_level == "warning") o.log = LogLevel::warning;
     if (!t.resolution.empty()) o.resolution = read_size(t.resolution, "--resolution");
     if (!t.crop.empty()) o.crop = read_crop(t.crop, "--crop");
-    o.settings.layers = read_layers(t.layers);
+    o.settings.layers = read_layers(t.layers, "--layers");
     if (!t.time.empty()) o.stop.seconds = read_duration(t.time, "--time");
     for (const char* flag : {"--checkpoint", "--resume"})
         if (given.count(flag) > 0 && given[flag]->as<std::string>().empty())
@@ -195,12 +164,20 @@ void finish_render(const CLI::App& given, RenderOptions& o, const RenderTexts& t
     if (t.passes) o.stop.end_pass = *t.passes;
     if (!t.pass_range.empty()) {
         if (t.passes) throw Error({"--pass-range"}, "given together with --passes", "give one");
-        read_pass_range(t.pass_range, o.stop);
+        read_pass_range(t.pass_range, "--pass-range", o.stop);
     }
     if (!o.stop.end_pass && !o.stop.seconds && !o.stop.cpu_seconds && !o.stop.target_error) {
         o.stop.target_error = 0.02;
         o.stop.seconds = 600;
     }
+}
+
+/// After the sampler is known.
+void finish_light_groups(const CLI::App& given, const RenderTexts& t, PhotonSettings& photon) {
+    if (given.count("--light-groups") > 0 && photon.sampler != PhotonSampler::adaptive)
+        throw Error({"--light-groups"}, "has a meaning with the sampler adaptive alone",
+                    "leave it out");
+    photon.light_groups = t.light_groups == "auto";
 }
 
 void add_merge(CLI::App& app, MergeOptions& o) {
@@ -277,6 +254,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
         check_fits_integrator(*render_app, texts);
         finish_render(*render_app, render, texts);
         finish_paper(*render_app, texts.paper, render);
+        finish_light_groups(*render_app, texts, render.settings.photon);
         for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
         options.render = render;
     } else if (info_app->parsed()) {

@@ -94,5 +94,9 @@ std::uint64_t read_seed(const std::string& text, const std::string& flag);
 Vec2i read_size(const std::string& text, const std::string& flag);
 /// "a,b,c,d". @throws Error naming the flag.
 std::array<int, 4> read_crop(const std::string& text, const std::string& flag);
+/// "caustic,depth"; empty: none. @throws Error naming the flag.
+LayerSet read_layers(const std::string& text, const std::string& flag);
+/// "a:b", into first and end pass. @throws Error naming the flag.
+void read_pass_range(const std::string& text, const std::string& flag, StopSettings& stop);
 
 }  // namespace sunfleck

@@ -2,6 +2,7 @@
 #include "apps/cli/progress.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -18,15 +19,22 @@ std::string duration_text(double seconds) {
     return fmt::format("{}h{:02}m", s / 3600, s / 60 % 60);
 }
 
+/// In 3 levels; of groups of lights, in 0 and 3 levels.
+std::string levels_text(const Progress& p) {
+    const bool grouped = p.levels.size() > 1;
+    if (!grouped && (p.levels.empty() || p.levels.front() == 0)) return {};
+    const bool one = !grouped && p.levels.front() == 1;
+    return fmt::format(" in {} level{}, {:.0f}% accepted", fmt::join(p.levels, " and "),
+                       one ? "" : "s", 100 * p.acceptance);
+}
+
 std::string progress_text(const Progress& p) {
     std::string text =
         p.of ? fmt::format("pass {} of {}", p.passes, *p.of) : fmt::format("pass {}", p.passes);
     text +=
         fmt::format(", {}, {:.3g} M paths/s", duration_text(p.seconds), p.paths_per_second * 1e-6);
     if (p.visible_fraction > 0) text += fmt::format(", visible {:.2g}", p.visible_fraction);
-    if (p.levels > 0)
-        text += fmt::format(" in {} level{}, {:.0f}% accepted", p.levels, p.levels > 1 ? "s" : "",
-                            100 * p.acceptance);
+    text += levels_text(p);
     if (p.starved > 0) text += fmt::format(", {} starved", p.starved);
     if (p.error) text += fmt::format(", error {:.2f}%", 100 * *p.error);
     if (p.target) text += fmt::format(" (target {:.2g}%)", 100 * *p.target);

@@ -27,11 +27,12 @@ Fraction visible_fraction(const Film& film) {
 }
 
 /// Over all passes with a ladder: shares that went on from each level, accepted shares.
-Json ladder_json(const Film& film) {
+/// @param name  of the group of lights, if it is that of one.
+Json ladder_json(const Film& film, const std::string& name = "") {
     Json fractions = Json::array();
     Json acceptance = Json::array();
     const auto statistic = [&](std::size_t level, const char* what) {
-        return film.statistic(fmt::format("ladder.{}.{}", level, what));
+        return film.statistic(fmt::format("{}ladder.{}.{}", name, level, what));
     };
     std::size_t levels = 0;
     for (; statistic(levels, "states") > 0; ++levels) {
@@ -44,6 +45,24 @@ Json ladder_json(const Film& film) {
     return {{"levels", levels == 0 ? 0 : levels - 1},
             {"fractions", fractions},
             {"acceptance", acceptance}};
+}
+
+/// Means over the passes whose lights were in groups, group by group.
+Json groups_json(const Film& film) {
+    Json groups = Json::array();
+    while (true) {
+        const std::string name = fmt::format("group.{}.", groups.size());
+        const auto statistic = [&](const char* what) { return film.statistic(name + what); };
+        const double passes = statistic("passes");
+        if (passes == 0) return groups;
+        groups.push_back(
+            {{"passes", static_cast<std::uint64_t>(passes)},
+             {"power_share", statistic("power_share") / passes},
+             {"visible_fraction", statistic("visible_fraction") / passes},
+             {"paths", statistic("paths") / passes},
+             {"starved_passes", static_cast<std::uint64_t>(statistic("starved_passes"))},
+             {"ladder", ladder_json(film, name)}});
+    }
 }
 
 /// Visible paths per traced path over the same for uniform paths.
@@ -120,6 +139,7 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
                             {"distinct_visible", count("distinct_visible")},
                             {"deposited", count("visible_states")}};
     json["ladder"] = ladder_json(film);
+    json["light_groups"] = groups_json(film);
     json["visible_photon_ratio"] = visible_ratio(film, "distinct_visible");
     json["visible_photon_ratio_with_repeats"] = visible_ratio(film, "visible_states");
     json["mutation_size"] = mutation_size(film);

@@ -1,9 +1,10 @@
-// Values of flags that are more than a number: durations, shares, sizes, rectangles.
+// Values of flags that are more than a number: durations, shares, sizes, rectangles, ranges.
 #include "apps/cli/options.h"
 #include "core/error.h"
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace sunfleck {
 namespace {
@@ -87,6 +88,41 @@ std::array<int, 4> read_crop(const std::string& text, const std::string& flag) {
     if (v.size() != 4)
         throw Error({flag}, "\"" + text + "\" is no crop", "write x0,x1,y0,y1 in pixels");
     return {v[0], v[1], v[2], v[3]};
+}
+
+LayerSet read_layers(const std::string& text, const std::string& flag) {
+    LayerSet set{};
+    std::string known;
+    for (const LayerRow& row : kLayers)
+        if (!row.name.empty()) known += (known.empty() ? "" : ", ") + std::string(row.name);
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        bool found = false;
+        for (const LayerRow& row : kLayers) {
+            if (row.name != word || word.empty()) continue;
+            set[static_cast<std::size_t>(row.layer)] = true;
+            found = true;
+        }
+        if (!found) throw Error({flag}, "unknown layer \"" + word + "\"", "use some of " + known);
+        begin = end + 1;
+    }
+    return set;
+}
+
+void read_pass_range(const std::string& text, const std::string& flag, StopSettings& stop) {
+    unsigned long first = 0;
+    unsigned long end = 0;
+    int used = 0;
+    // NOLINTNEXTLINE(cert-err34-c): the conversion is checked by the count and by %n
+    const int read = std::sscanf(text.c_str(), "%lu:%lu%n", &first, &end, &used);
+    if (read != 2 || static_cast<std::size_t>(used) != text.size() || first >= end ||
+        end > (1UL << 30U))
+        throw Error({flag}, "\"" + text + "\" is no range of passes",
+                    "write a:b with a < b, such as 0:64");
+    stop.first_pass = static_cast<std::uint32_t>(first);
+    stop.end_pass = static_cast<std::uint32_t>(end);
 }
 
 }  // namespace sunfleck

@@ -62,9 +62,10 @@ constexpr float to_unit_float(std::uint64_t fraction) {
 /// Numbers by position: number i of a stream, in any order.
 class RandomStream {
 public:
+    /// @param part  see PassId.
     constexpr RandomStream(std::uint64_t seed, Purpose purpose, std::uint32_t pass,
-                           std::uint32_t index)
-        : seed_(seed), name_{0, index, pass, static_cast<std::uint32_t>(purpose)} {}
+                           std::uint32_t index, std::uint32_t part = 0)
+        : seed_(seed), name_{0, index, pass, static_cast<std::uint32_t>(purpose) | part << 16U} {}
 
     /// Number i of the stream, as a fraction of one turn. Neighbours i, i ^ 1 share one block.
     constexpr std::uint64_t at(std::uint32_t i) {
@@ -94,11 +95,14 @@ private:
 struct PassId {
     std::uint64_t seed = 0;
     std::uint32_t number = 0;  // from 0
+    std::uint32_t part = 0;    // of its photon paths, where lights are in groups; below 2^16
 
     /// The stream of one pixel, uniform path or chain of this pass. @param index  below 2^32.
     constexpr RandomStream stream(Purpose purpose, std::size_t index) const {
-        return {seed, purpose, number, static_cast<std::uint32_t>(index)};
+        return {seed, purpose, number, static_cast<std::uint32_t>(index), part};
     }
+    /// The same pass's photon paths of another part.
+    constexpr PassId with_part(std::uint32_t other) const { return {seed, number, other}; }
 };
 
 }  // namespace sunfleck

@@ -18,6 +18,12 @@ LightChoice::LightChoice(const std::vector<double>& powers) {
     for (double& sum : cdf_) sum /= total_;
 }
 
+LightChoice LightChoice::among(const std::vector<std::uint32_t>& lights) const {
+    std::vector<double> powers(cdf_.size() - 1, 0.0);
+    for (const std::uint32_t light : lights) powers[light] = probability(light) * total_;
+    return LightChoice(powers);
+}
+
 LightChoice::Chosen LightChoice::choose(double u) const {
     assert(!empty());
     // The first end beyond u: lights of no power end where they start and are passed over.

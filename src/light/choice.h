@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace sunfleck {
@@ -19,6 +20,9 @@ public:
     LightChoice() = default;
     /// @param powers  one a light, same unit; what is not positive and finite is never chosen.
     explicit LightChoice(const std::vector<double>& powers);
+
+    /// The same odds among some of the lights, and none for the others.
+    LightChoice among(const std::vector<std::uint32_t>& lights) const;
 
     /// Is there nothing to choose (no lights, or none with power)?
     bool empty() const { return !(cdf_.back() > 0); }

@@ -7,21 +7,6 @@
 namespace sunfleck {
 namespace {
 
-/// The tracer, the octree and the space that stands on both.
-struct Ground {
-    PhotonTracer tracer;
-    ViewOctree octree;
-    PhotonSpace space;
-
-    explicit Ground(const PhotonView& view)
-        : tracer(view.scene, view.transport),
-          octree(view.index.points(), view.scene.scene.sphere().center,
-                 view.scene.scene.sphere().radius),
-          space(tracer, view.index, octree) {}
-    Ground(const Ground&) = delete;
-    Ground& operator=(const Ground&) = delete;
-};
-
 /// One batch a chain.
 struct PhotonSink {
     struct Collector {
@@ -50,18 +35,15 @@ struct PhotonSink {
 
 }  // namespace
 
-PilotResult learn_ladder(const PhotonView& view, std::uint64_t seed, std::uint32_t epoch,
-                         std::uint32_t paths) {
-    const Ground ground(view);
-    return Pilot<PhotonSpace, EmissionPoints>(ground.space, seed, epoch, paths).run();
-}
-
-LadderCounts trace_adaptive_paths(const PhotonView& view, PassId pass, const LadderPlan& plan,
-                                  const DepositBatches& deposit, Statistics& statistics) {
-    const Ground ground(view);
+LadderCounts trace_adaptive_paths(const PhotonView& view, const ViewOctree& octree, PassId pass,
+                                  const PhotonGroup& group, const DepositBatches& deposit,
+                                  Statistics& statistics) {
+    const PhotonTracer tracer(view.scene, view.transport, group.lights);
+    const PhotonSpace space(tracer, view.index, octree);
+    const LadderPlan& plan = group.plan;
     PhotonSink sink{deposit, statistics};
     Statistics traced;
-    LadderCounts counts = run_ladder(ground.space, EmissionPoints(pass), pass, plan, sink, traced);
+    LadderCounts counts = run_ladder(space, EmissionPoints(pass), pass, plan, sink, traced);
     statistics += traced;
     statistics[Count::uniform_paths] += plan.uniform_paths;
     statistics[Count::uniform_visible] += counts.levels.front().at_least(kVisible);

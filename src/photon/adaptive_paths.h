@@ -1,35 +1,23 @@
 // Photon paths by the visibility ladder: the sampler `adaptive`.
 //
-// In:  what is seen in a pass, a plan learned before. Out: photons in batches, weighted so that
-// their sum is the pass's light: the estimate's N is one.
+// In:  what is seen in a pass, a group of lights with its plan. Out: photons in batches, weighted
+// so that their sum is the group's light in this pass: the estimate's N is one.
 #pragma once
 
 #include "measurement/photon_batch.h"
-#include "measurement/transport.h"
-#include "measurement/visible_point_index.h"
-#include "sampler/pilot.h"
-#include "scene/pass_scene.h"
+#include "photon/photon_group.h"
 
 #include <functional>
 
 namespace sunfleck {
 
-/// What photons of a pass go through and towards.
-struct PhotonView {
-    const PassScene& scene;
-    const TransportSettings& transport;
-    const VisiblePointIndex& index;
-};
-
 /// Called with batches of whole paths: marks the photons that were taken. @return counts.
 using DepositBatches = std::function<Statistics(std::vector<PhotonBatch>&)>;
 
-/// @param epoch  names the random numbers. @param paths  of a pass, at least 2.
-PilotResult learn_ladder(const PhotonView& view, std::uint64_t seed, std::uint32_t epoch,
-                         std::uint32_t paths);
-
-/// @param plan  with at least one level. @param statistics  counts are added.
-LadderCounts trace_adaptive_paths(const PhotonView& view, PassId pass, const LadderPlan& plan,
-                                  const DepositBatches& deposit, Statistics& statistics);
+/// @param octree  over the view. @param group  its plan with at least one level.
+/// @param pass  with the group's part. @param statistics  counts are added.
+LadderCounts trace_adaptive_paths(const PhotonView& view, const ViewOctree& octree, PassId pass,
+                                  const PhotonGroup& group, const DepositBatches& deposit,
+                                  Statistics& statistics);
 
 }  // namespace sunfleck

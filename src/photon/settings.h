@@ -48,6 +48,7 @@ struct PaperSettings {
 struct PhotonSettings {
     PhotonSampler sampler = PhotonSampler::adaptive;
     std::optional<std::uint32_t> paths_per_pass;  // absent: max(200,000, pixels); paper: 200,000
+    bool light_groups = true;                     // of the sampler `adaptive`: may part the lights
     PaperSettings paper;
 };
 

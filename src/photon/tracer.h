@@ -56,7 +56,12 @@ struct PhotonState {
 class PhotonTracer {
 public:
     PhotonTracer(const PassScene& pass, const TransportSettings& transport)
-        : pass_(pass), transport_(transport), has_media_(pass.scene.has_media()) {}
+        : PhotonTracer(pass, transport, pass.scene.light_choice()) {}
+
+    /// @param lights  where paths start: of the scene's, some or all.
+    PhotonTracer(const PassScene& pass, const TransportSettings& transport,
+                 const LightChoice& lights)
+        : pass_(pass), transport_(transport), lights_(lights), has_media_(pass.scene.has_media()) {}
 
     /// One whole path. @param rays  counts the rays traced.
     template <SlotReader Reader, PhotonVisitor Visitor>
@@ -168,8 +173,8 @@ private:
     template <SlotReader Reader>
     std::optional<Emission> emit(Reader& read, PhotonState& state) const {
         const auto unit = [&](EmissionSlot which) { return to_unit(read(slot(which))); };
-        if (pass_.scene.light_choice().empty()) return {};
-        const auto choice = pass_.scene.light_choice().choose(unit(EmissionSlot::light));
+        if (lights_.empty()) return {};
+        const auto choice = lights_.choose(unit(EmissionSlot::light));
         Emission start =
             sample_emission(pass_.scene.lights()[choice.index],
                             {unit(EmissionSlot::position_u), unit(EmissionSlot::position_v),
@@ -252,6 +257,7 @@ private:
 
     const PassScene& pass_;
     const TransportSettings& transport_;
+    const LightChoice& lights_;
     const bool has_media_;
 };
 

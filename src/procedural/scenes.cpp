@@ -9,6 +9,7 @@
 #include "procedural/cornell_door.h"
 #include "procedural/diamond.h"
 #include "procedural/iced_tea.h"
+#include "procedural/lamp_room.h"
 #include "procedural/magnifier.h"
 #include "procedural/room.h"
 #include "procedural/statue.h"
@@ -57,6 +58,10 @@ std::vector<Entry> entries() {
         {{"statue-near", "a part of it, its highlights close up"}, statue_scene},
         {{"magnifier", "print under a reading glass, lit by a lamp in a globe of glass"},
          magnifier_scene},
+        {{"useful-light", "a room by night, lit by a lamp that shines at the ceiling"},
+         lamp_room_scene},
+        {{"useless-light", "the same by day: a strong sun outside, and hardly any of it inside"},
+         lamp_room_scene},
     };
     all.insert(all.end(), others.begin(), others.end());
     return all;

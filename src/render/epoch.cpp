@@ -2,7 +2,7 @@
 #include "render/epoch.h"
 
 #include "core/stopwatch.h"
-#include "photon/adaptive_paths.h"
+#include "photon/light_groups.h"
 #include "render/pass.h"
 #include "render/radius.h"
 
@@ -20,10 +20,12 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const Stopwatch watch;
     const PixelWindow window = window_of(scene.film());
     const std::uint32_t paths = paths_per_pass(settings.photon, window.pixels());
-    Epoch epoch{epoch_of(pass), {paths, {}}, 0};
+    Epoch epoch{epoch_of(pass), paths, {}, 0};
     if (settings.integrator != Integrator::sppm ||
-        settings.photon.sampler != PhotonSampler::adaptive || paths < 2)
+        settings.photon.sampler != PhotonSampler::adaptive || paths < 2) {
+        epoch.groups.push_back({scene.light_choice(), {paths, {}}});
         return epoch;
+    }
     const PassId first{settings.seed, first_pass_of(epoch.number)};
     const PassScene at_wavelengths(scene, first);
     PassImage unused(window.pixels(), {});
@@ -33,9 +35,12 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
                       first,          radius_factor(first.number, settings.alpha)};
     const VisiblePointIndex index(trace_eye_paths(eye, unused, counts),
                                   settings.transport.max_depth);
-    epoch.plan = learn_ladder({at_wavelengths, settings.transport, index}, settings.seed,
-                              epoch.number, paths)
-                     .plan;
+    const PhotonView view{at_wavelengths, settings.transport, index};
+    const PilotName name{settings.seed, epoch.number};
+    if (settings.photon.light_groups)
+        epoch.groups = learn_light_groups(view, name, paths);
+    else
+        epoch.groups.push_back(learn_one_group(view, name, paths));
     epoch.seconds = watch.seconds();
     return epoch;
 }

@@ -1,13 +1,15 @@
 // Epochs: runs of passes with one plan of their photon paths.
 //
-// In:  scene, settings, number of the epoch. Out: the plan. It is learned by pilots over the view
-// of the epoch's first pass, and by nothing else: so any pass can be rendered anywhere, without
-// those before it. Radii shrink as passes go on, ever more slowly, and so do epochs grow.
+// In:  scene, settings, number of the epoch. Out: groups of lights and their plans, learned by
+// pilots over the view of the epoch's first pass, and by nothing else: so any pass can be rendered
+// anywhere, without those before it. Radii shrink as passes go on, ever more slowly, and so do
+// epochs grow.
 #pragma once
 
+#include "photon/photon_group.h"
 #include "render/settings.h"
-#include "sampler/pilot.h"
-#include "scene/scene.h"
+
+#include <vector>
 
 namespace sunfleck {
 
@@ -25,7 +27,8 @@ constexpr std::uint32_t first_pass_of(std::uint32_t epoch) {
 /// What an epoch's passes share.
 struct Epoch {
     std::uint32_t number = 0;
-    LadderPlan plan;  // without levels: uniform paths alone
+    std::uint32_t paths = 0;          // photon paths of a pass
+    std::vector<PhotonGroup> groups;  // at least one
     double seconds = 0;
 };
 

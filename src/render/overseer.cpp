@@ -38,9 +38,14 @@ bool is_at(const Progress& progress) {
     return progress.error && progress.target && *progress.error <= *progress.target;
 }
 
-void follow_ladder(const LadderCounts& ladder, Progress& progress) {
-    progress.levels = ladder.levels.empty() ? 0 : ladder.levels.size() - 1;
-    const Acceptance mutations = ladder.mutations();
+void follow_groups(const std::vector<GroupCounts>& groups, Progress& progress) {
+    progress.levels.clear();
+    Acceptance mutations;
+    for (const GroupCounts& group : groups) {
+        const std::size_t sets = group.ladder.levels.size();
+        progress.levels.push_back(sets == 0 ? 0 : sets - 1);
+        mutations += group.ladder.mutations();
+    }
     progress.acceptance = mutations.proposed == 0 ? 0
                                                   : static_cast<double>(mutations.accepted) /
                                                         static_cast<double>(mutations.proposed);
@@ -106,10 +111,11 @@ bool Overseer::reached_target(std::uint64_t end) {
     return is_at(progress_);
 }
 
-void Overseer::turn_ended(const LadderCounts& last_ladder, double of_others, bool interrupted) {
+void Overseer::turn_ended(const std::vector<GroupCounts>& last, double of_others,
+                          bool interrupted) {
     cpu_seconds_of_others_ = of_others;
     interrupted_ = interrupted_ || interrupted;
-    follow_ladder(last_ladder, progress_);
+    follow_groups(last, progress_);
     count_time();
     const auto ranks = static_cast<std::uint64_t>(ranks_);
     const std::uint64_t of_a_rank = (turn_passes_ + ranks - 1) / ranks;

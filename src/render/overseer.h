@@ -22,7 +22,7 @@ public:
 
     /// All passes of the turn that count are in the film.
     /// @param of_others  processor time of all other ranks since the render began.
-    void turn_ended(const LadderCounts& last_ladder, double of_others, bool interrupted);
+    void turn_ended(const std::vector<GroupCounts>& last, double of_others, bool interrupted);
 
     /// The last snapshot and the last checkpoint, if those of the last turn were not.
     void finish();

@@ -13,41 +13,69 @@
 namespace sunfleck {
 namespace {
 
-void count_uniform(Statistics& counts, PassResult& result) {
+/// Counts uniform paths. @return the share of visible ones.
+double count_uniform(Statistics& counts, Statistics& all) {
     const std::uint64_t visible = counts[Count::uniform_visible];
     counts[Count::distinct_visible] = counts[Count::visible_states] = visible;
-    result.visible_fraction =
-        static_cast<double>(visible) / static_cast<double>(counts[Count::uniform_paths]);
-    result.statistics += counts;
+    all += counts;
+    return static_cast<double>(visible) / static_cast<double>(counts[Count::uniform_paths]);
 }
 
-void trace_photons(const PhotonView& view, const EyePass& eye, const RenderSettings& settings,
-                   const LadderPlan& plan, PassResult& result) {
-    if (plan.levels.empty()) {
-        const PhotonTracer tracer(view.scene, view.transport);
-        const Depositor deposit(view.scene, view.index, result.image, plan.uniform_paths);
-        const UniformKind kind = settings.photon.sampler == PhotonSampler::random
+/// The photons of a pass, group by group.
+class PhotonStage {
+public:
+    PhotonStage(const PhotonView& view, const EyePass& eye, const RenderSettings& settings,
+                PassResult& result)
+        : view_(view), eye_(eye), settings_(settings), result_(result) {}
+
+    void trace(const PhotonGroup& group) {
+        const LadderPlan& plan = group.plan;
+        GroupCounts counts{plan.paths(), group.power_share, 0, {}};
+        if (plan.levels.empty()) {
+            counts.visible_fraction = trace_uniform(group);
+        } else {
+            if (!octree_) octree_.emplace(octree_of(view_));
+            const Depositor deposit(view_.scene, view_.index, result_.image, 1);
+            counts.ladder = trace_adaptive_paths(view_, *octree_, eye_.id.with_part(group.part),
+                                                 group, deposit, result_.statistics);
+            counts.visible_fraction = visible_fraction(plan, counts.ladder);
+        }
+        result_.visible_fraction += group.power_share * counts.visible_fraction;
+        result_.groups.push_back(std::move(counts));
+    }
+
+private:
+    /// @return the visible fraction.
+    double trace_uniform(const PhotonGroup& group) {
+        const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
+        const std::uint32_t paths = group.plan.uniform_paths;
+        const Depositor deposit(view_.scene, view_.index, result_.image, paths);
+        const UniformKind kind = settings_.photon.sampler == PhotonSampler::random
                                      ? UniformKind::random
                                      : UniformKind::uniform;
         Statistics counts = trace_uniform_paths(
-            tracer, {kind, eye.id, plan.uniform_paths},
-            [&](const Photon& photon) { return view.index.may_take(photon); }, deposit);
-        count_uniform(counts, result);
-        return;
+            tracer, {kind, eye_.id.with_part(group.part), paths},
+            [&](const Photon& photon) { return view_.index.may_take(photon); }, deposit);
+        return count_uniform(counts, result_.statistics);
     }
-    const Depositor deposit(view.scene, view.index, result.image, 1);
-    result.ladder = trace_adaptive_paths(view, eye.id, plan, deposit, result.statistics);
-    result.visible_fraction = visible_fraction(plan, result.ladder);
-}
+
+    const PhotonView& view_;
+    const EyePass& eye_;
+    const RenderSettings& settings_;
+    PassResult& result_;
+    std::optional<ViewOctree> octree_;  // ladders alone need it
+};
 
 void render_sppm(const PassScene& scene, const RenderSettings& settings, const EyePass& eye,
-                 const LadderPlan& plan, PassResult& result) {
+                 const std::vector<PhotonGroup>& groups, PassResult& result) {
     Stopwatch watch;
     auto points = trace_eye_paths(eye, result.image, result.statistics);
     result.seconds.eye = watch.lap();
     const VisiblePointIndex index(std::move(points), settings.transport.max_depth);
     result.seconds.index = watch.lap();
-    trace_photons({scene, settings.transport, index}, eye, settings, plan, result);
+    const PhotonView view{scene, settings.transport, index};
+    PhotonStage photons(view, eye, settings, result);
+    for (const PhotonGroup& group : groups) photons.trace(group);
     result.seconds.photon = watch.lap();
 }
 
@@ -74,7 +102,7 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
         at_wavelengths, settings.transport, {window.x0, window.x1, window.y0, window.y1}, id};
     switch (settings.integrator) {
         case Integrator::sppm:
-            render_sppm(at_wavelengths, settings, eye, epoch.plan, result);
+            render_sppm(at_wavelengths, settings, eye, epoch.groups, result);
             break;
         case Integrator::path:
             trace_reference_paths(reference, result.image, result.statistics);
@@ -91,8 +119,8 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
             break;
         case Integrator::light: {
             Statistics counts;
-            trace_light_paths(reference, epoch.plan.uniform_paths, result.image, counts);
-            count_uniform(counts, result);
+            trace_light_paths(reference, epoch.paths, result.image, counts);
+            result.visible_fraction = count_uniform(counts, result.statistics);
             result.seconds.photon = watch.lap();
             break;
         }

@@ -33,8 +33,8 @@ struct PassResult {
     Statistics statistics;
     PassTimes seconds;
     double radius_factor = 1;
-    double visible_fraction = 0;  // this pass's estimate
-    LadderCounts ladder;          // of a plan with levels
+    double visible_fraction = 0;      // this pass's estimate, of uniform paths from all lights
+    std::vector<GroupCounts> groups;  // as the epoch's
 };
 
 /// The pixels that the scene's film renders.

@@ -13,7 +13,7 @@ bool is_sequential(const RenderSettings& settings);
 
 /// What is known of a pass beside what the film counts.
 struct PassNote {
-    LadderCounts ladder;
+    std::vector<GroupCounts> groups;
     double radius_factor = 1;
 };
 

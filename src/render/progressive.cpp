@@ -26,7 +26,7 @@ RenderResult render_alone(const RenderJob& job, const RenderHooks& hooks, Render
         const PassNote pass = passes.make(static_cast<std::uint32_t>(turn.begin), result.film);
         result.radius_factor = pass.radius_factor;
         overseer.reached_target(turn.end);
-        overseer.turn_ended(pass.ladder, 0, false);
+        overseer.turn_ended(pass.groups, 0, false);
     }
     overseer.finish();
     return result;
@@ -55,7 +55,7 @@ RenderResult render_among(const Ranks& ranks, const RenderJob& job, const Render
             over = overseer.reached_target(part.end);
         };
         const TurnNote all = shared.render(turn[0], note, take);
-        if (ranks.is_first()) overseer.turn_ended(all.ladder, all.cpu_seconds, all.interrupted);
+        if (ranks.is_first()) overseer.turn_ended(all.groups, all.cpu_seconds, all.interrupted);
     }
     if (ranks.is_first()) overseer.finish();
     return result;

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace sunfleck {
 
@@ -26,8 +27,8 @@ struct Progress {
     std::optional<double> target;
     std::optional<double> seconds_left;  // an estimate
     double visible_fraction = 0;         // mean over passes
-    std::size_t levels = 0;              // of the last pass's ladder
-    double acceptance = 0;               // of its mutations
+    std::vector<std::size_t> levels;     // of the last pass's ladders, by group of lights
+    double acceptance = 0;               // of their mutations
     std::uint32_t starved = 0;           // passes that found no visible photon path
 };
 

@@ -80,14 +80,14 @@ TurnNote SharedTurn::render(
     const std::vector<PassRange> parts =
         job_.stop.target_error ? cut_at_rounds(turn) : std::vector<PassRange>{turn};
     std::vector<Held> held(parts.size());
-    LadderCounts ladder;
+    std::vector<GroupCounts> groups;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const PassRange mine = common(parts[i], block);
         if (mine.size() > 0) held[i].film.emplace(key_);
         for (std::uint64_t number = mine.begin; number < mine.end; ++number) {
             PassNote pass = passes_.make(static_cast<std::uint32_t>(number), *held[i].film);
             held[i].radius_factor = pass.radius_factor;
-            ladder = std::move(pass.ladder);
+            groups = std::move(pass.groups);
         }
     }
     const RankNote all = hand_up_notes(ranks_, note());
@@ -96,7 +96,7 @@ TurnNote SharedTurn::render(
         if (ranks_.is_first()) take(parts[i], *held[i].film, held[i].radius_factor);
         held[i].film.reset();
     }
-    return {std::move(ladder), all.cpu_seconds, all.interrupted};
+    return {std::move(groups), all.cpu_seconds, all.interrupted};
 }
 
 }  // namespace sunfleck

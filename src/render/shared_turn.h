@@ -14,9 +14,9 @@ namespace sunfleck {
 
 /// Of all ranks.
 struct TurnNote {
-    LadderCounts ladder;       // of this rank's last pass, if it had one
-    double cpu_seconds = 0;    // what each rank says, summed; whole on rank 0 alone
-    bool interrupted = false;  // what any says; the same
+    std::vector<GroupCounts> groups;  // of this rank's last pass, if it had one
+    double cpu_seconds = 0;           // what each rank says, summed; whole on rank 0 alone
+    bool interrupted = false;         // what any says; the same
 };
 
 /// What a rank says at the end of a turn.

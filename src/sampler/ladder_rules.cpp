@@ -61,9 +61,13 @@ std::vector<int> reached_heights(const HeightTail& tail) {
 
 }  // namespace
 
+bool is_rare(const HeightTail& tail) {
+    return tail[kVisible] < kUniformOnly;
+}
+
 LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths) {
+    if (!is_rare(tail)) return {paths, {}};
     const double visible = tail[kVisible];
-    if (visible >= kUniformOnly) return {paths, {}};
     const std::uint32_t last = paths / 2;
     const double seeds = visible * (paths - last);
     if (seeds >= kSeedsForOneSet) {  // hardly a seed is left out

@@ -10,8 +10,11 @@ namespace sunfleck {
 /// P(height >= h) of a uniform path, by h; zero where none was found.
 using HeightTail = std::array<double, kHeights>;
 
+/// Are visible paths so rare that a ladder pays: less than one in 20?
+bool is_rare(const HeightTail& tail);
+
 /// The plan of a pass, its scales left as they start.
-/// - Visible fractions of 0.05 or more: uniform paths alone.
+/// - Where they are not rare: uniform paths alone.
 /// - Else half of the paths are states of the last set. If the other half, uniform, would find 64
 ///   visible paths or more: one set.
 /// - Else the least number of sets whose conditional fractions are 0.05 or less on average; the

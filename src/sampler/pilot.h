@@ -18,24 +18,38 @@ struct PilotResult {
     std::uint64_t paths = 0;  // traced
 };
 
-/// Streams of a pilot: passes that no render reaches. @param epoch  below 2^20.
-constexpr PassId pilot_pass(std::uint64_t seed, std::uint32_t epoch, std::uint32_t round) {
-    return {seed, 0x80000000U + epoch * 512 + round};
-}
+/// What a pilot's random numbers are named by, but for its rounds.
+struct PilotName {
+    std::uint64_t seed = 0;
+    std::uint32_t epoch = 0;  // below 2^20
+    std::uint32_t part = 0;   // see PassId
+
+    /// Streams of a round: passes that no render reaches. @param number  below 512.
+    constexpr PassId round(std::uint32_t number) const {
+        return {seed, 0x80000000U + epoch * 512 + number, part};
+    }
+};
 
 template <PathSpace Space, class Points>
 class Pilot {
 public:
-    /// @param epoch  names the streams. @param paths  of the passes that the plan is for.
-    Pilot(const Space& space, std::uint64_t seed, std::uint32_t epoch, std::uint32_t paths)
-        : space_(space), seed_(seed), epoch_(epoch), paths_(paths) {}
+    Pilot(const Space& space, const PilotName& name) : space_(space), name_(name) {}
 
-    PilotResult run() {
-        explore();
-        result_.plan = ladder_plan(result_.tail, paths_);
+    /// Climbs from uniform paths to visible ones, set by set: the first thing to ask of a pilot.
+    const HeightTail& explore();
+
+    /// What was found, and the plan for passes of that many paths; the last thing to ask.
+    PilotResult plan(std::uint32_t paths) {
+        result_.plan = ladder_plan(result_.tail, paths);
         for (LevelPlan& level : result_.plan.levels) level.scales = scales_near(level.height);
         if (result_.plan.levels.size() > 1) refine();
         return std::move(result_);
+    }
+
+    /// Both. @param paths  of the passes that the plan is for.
+    PilotResult run(std::uint32_t paths) {
+        explore();
+        return plan(paths);
     }
 
 private:
@@ -59,37 +73,7 @@ private:
         return true;
     }
 
-    PassId next_pass() { return pilot_pass(seed_, epoch_, round_++); }
-
-    /// Climbs from uniform paths to visible ones, set by set.
-    void explore() {
-        const PassId pass = next_pass();
-        LevelCounts counts;
-        Population population =
-            uniform_population(space_, Points(pass), kUniformPaths, 1, counts, tally_);
-        result_.paths += kUniformPaths;
-        int height = 0;
-        double fraction = 1;
-        MutationScales scales;
-        while (true) {
-            const auto states = static_cast<double>(counts.states);
-            for (int h = height; h < kHeights; ++h)
-                result_.tail.at(static_cast<std::size_t>(h)) =
-                    fraction * static_cast<double>(counts.at_least(h)) / states;
-            if (height == kVisible || ladder_plan(result_.tail, paths_).levels.empty()) return;
-            const int next = next_height(counts.heights, height);
-            if (next == kHeights) return;
-            fraction *= static_cast<double>(counts.at_least(next)) / states;
-            height = next;
-            population = population.at_least(height);
-            for (int i = 0; i < kMostRounds; ++i) {
-                const MutationScales before = scales;
-                counts = walk(height, scales, population);
-                if (i + 1 >= kLeastRounds && is_settled(before, scales)) break;
-            }
-            explored_.push_back({height, scales});
-        }
-    }
+    PassId next_pass() { return name_.round(round_++); }
 
     /// One round in one set: the population becomes its states, the scales adapt.
     LevelCounts walk(int height, MutationScales& scales, Population& population) {
@@ -138,13 +122,41 @@ private:
     }
 
     const Space& space_;
-    std::uint64_t seed_;
-    std::uint32_t epoch_;
-    std::uint32_t paths_;
+    PilotName name_;
     std::uint32_t round_ = 0;
     typename Space::Tally tally_;
     std::vector<Explored> explored_;
     PilotResult result_;
 };
+
+template <PathSpace Space, class Points>
+const HeightTail& Pilot<Space, Points>::explore() {
+    const PassId pass = next_pass();
+    LevelCounts counts;
+    Population population =
+        uniform_population(space_, Points(pass), kUniformPaths, 1, counts, tally_);
+    result_.paths += kUniformPaths;
+    int height = 0;
+    double fraction = 1;
+    MutationScales scales;
+    while (true) {
+        const auto states = static_cast<double>(counts.states);
+        for (int h = height; h < kHeights; ++h)
+            result_.tail.at(static_cast<std::size_t>(h)) =
+                fraction * static_cast<double>(counts.at_least(h)) / states;
+        if (height == kVisible || !is_rare(result_.tail)) return result_.tail;
+        const int next = next_height(counts.heights, height);
+        if (next == kHeights) return result_.tail;
+        fraction *= static_cast<double>(counts.at_least(next)) / states;
+        height = next;
+        population = population.at_least(height);
+        for (int i = 0; i < kMostRounds; ++i) {
+            const MutationScales before = scales;
+            counts = walk(height, scales, population);
+            if (i + 1 >= kLeastRounds && is_settled(before, scales)) break;
+        }
+        explored_.push_back({height, scales});
+    }
+}
 
 }  // namespace sunfleck

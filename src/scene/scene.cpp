@@ -69,12 +69,17 @@ GeometryInput Scene::take_shapes(SceneDescription& description) {
 void Scene::add_area_lights(const ShapeDescription& shape, std::uint32_t index) {
     if (index != kNone) shapes_[index].first_light = static_cast<std::uint32_t>(lights_.size());
     std::vector<AreaLight> made = area_lights_of(shape, index);
+    light_sources_.push_back(
+        {static_cast<std::uint32_t>(lights_.size()), static_cast<std::uint32_t>(made.size())});
     lights_.insert(lights_.end(), made.begin(), made.end());
     media_.at_lights.insert(media_.at_lights.end(), made.size(), shape.media);
 }
 
 void Scene::finish_lights(const std::vector<Light>& others) {
-    lights_.insert(lights_.end(), others.begin(), others.end());
+    for (const Light& light : others) {
+        light_sources_.push_back({static_cast<std::uint32_t>(lights_.size()), 1});
+        lights_.push_back(light);
+    }
     std::vector<double> weights;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const bool infinite = is_infinite(lights_[i]);

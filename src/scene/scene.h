@@ -3,6 +3,7 @@
 // In:  a SceneDescription. Out: hits with their material and emission. Any number of threads.
 #pragma once
 
+#include "light/light_clusters.h"
 #include "light/light_tree.h"
 #include "scene/description.h"
 
@@ -33,6 +34,8 @@ public:
     const std::vector<std::uint32_t>& infinite_lights() const { return infinite_lights_; }
     /// By power: photons start at lights chosen by it.
     const LightChoice& light_choice() const { return light_choice_; }
+    /// Lights that belong together: those of one shape, or one by itself; in the order of lights().
+    const std::vector<LightRange>& light_sources() const { return light_sources_; }
     /// By what arrives at a point: direct light is sampled at lights chosen by it.
     const LightTree& light_tree() const { return light_tree_; }
     const SceneSphere& sphere() const { return sphere_; }
@@ -79,6 +82,7 @@ private:
     std::vector<Relief> reliefs_;
     std::vector<ShapeRecord> shapes_;
     std::vector<Light> lights_;
+    std::vector<LightRange> light_sources_;
     std::vector<std::uint32_t> infinite_lights_;
     bool has_lights_to_meet_ = false;
     bool has_straight_hits_ = false;

@@ -114,16 +114,17 @@ std::uint64_t fingerprint(const std::vector<SceneFile>& files) {
 // A change of any byte of a scene shows here: pictures made of it are then no longer comparable.
 TEST_P(EveryScene, has_the_bytes_that_pictures_were_made_of) {
     const std::map<std::string, std::uint64_t> known = {
-        {"cornell", 0x91ac4398ab085897},     {"cognac-0", 0x44c956006899667d},
-        {"cognac-1", 0x9c0cbd6f97a14462},    {"cognac-2", 0x3d236a3728cdb121},
-        {"cognac-3", 0xa9baea26be3b83a5},    {"cognac-4", 0x9928d3768ccb555a},
-        {"cognac-5", 0x9c628b5743ddfa4c},    {"cognac-6", 0x8be59a0468be5182},
-        {"window-room", 0x2b0f398c90f67e1b}, {"diamond", 0x760213fba6f7a7c3},
-        {"iced-tea", 0x25ec7cf92581be62},    {"cornell-door", 0x7407e7c7a8dd6776},
-        {"two-windows", 0x7220f79a5983d984}, {"box", 0x3851a0aa0d639e6a},
-        {"watch", 0xe8765db57bd25d69},       {"room", 0x56caa08c700e081},
-        {"statue-far", 0x26edb9a0c3b9bf6f},  {"statue-near", 0x90db2774ad7d0a1a},
-        {"magnifier", 0x535e3596581fdd39},
+        {"cornell", 0x91ac4398ab085897},       {"cognac-0", 0x44c956006899667d},
+        {"cognac-1", 0x9c0cbd6f97a14462},      {"cognac-2", 0x3d236a3728cdb121},
+        {"cognac-3", 0xa9baea26be3b83a5},      {"cognac-4", 0x9928d3768ccb555a},
+        {"cognac-5", 0x9c628b5743ddfa4c},      {"cognac-6", 0x8be59a0468be5182},
+        {"window-room", 0x2b0f398c90f67e1b},   {"diamond", 0x760213fba6f7a7c3},
+        {"iced-tea", 0x25ec7cf92581be62},      {"cornell-door", 0x7407e7c7a8dd6776},
+        {"two-windows", 0x7220f79a5983d984},   {"box", 0x3851a0aa0d639e6a},
+        {"watch", 0xe8765db57bd25d69},         {"room", 0x56caa08c700e081},
+        {"statue-far", 0x26edb9a0c3b9bf6f},    {"statue-near", 0x90db2774ad7d0a1a},
+        {"magnifier", 0x535e3596581fdd39},     {"useful-light", 0x1100d104e28d74ee},
+        {"useless-light", 0x8d9c0eb25dce255c},
     };
     EXPECT_EQ(known.at(GetParam().name), fingerprint(files_))
         << "0x" << std::hex << fingerprint(files_);
@@ -133,10 +134,11 @@ TEST_P(EveryScene, has_the_number_of_triangles_it_promises) {
     std::size_t triangles = 0;
     for (const Mesh& mesh : scene_meshes(files_)) triangles += mesh.triangles.size();
     const std::map<std::string, std::size_t> promised = {
-        {"cornell", 36},        {"window-room", 262},    {"diamond", 112},
-        {"iced-tea", 13044},    {"cornell-door", 730},   {"two-windows", 43070},
-        {"box", 3466},          {"watch", 153274},       {"room", 159714},
-        {"statue-far", 378638}, {"statue-near", 378638}, {"magnifier", 72348},
+        {"cornell", 36},         {"window-room", 262},     {"diamond", 112},
+        {"iced-tea", 13044},     {"cornell-door", 730},    {"two-windows", 43070},
+        {"box", 3466},           {"watch", 153274},        {"room", 159714},
+        {"statue-far", 378638},  {"statue-near", 378638},  {"magnifier", 72348},
+        {"useful-light", 64824}, {"useless-light", 64824},
     };
     const bool is_cognac = GetParam().name.starts_with("cognac");
     EXPECT_EQ(triangles, is_cognac ? 16456 : promised.at(GetParam().name));
@@ -166,7 +168,7 @@ TEST_P(SolidScene, has_no_two_level_faces_in_one_place) {
 
 INSTANTIATE_TEST_SUITE_P(all, SolidScene,
                          testing::Values("cornell-door", "two-windows", "box", "watch", "room",
-                                         "statue-far", "magnifier"),
+                                         "statue-far", "magnifier", "useless-light"),
                          [](const auto& info) {
                              std::string name = info.param;
                              std::replace(name.begin(), name.end(), '-', '_');
@@ -179,7 +181,7 @@ TEST(Scenes, are_these) {
     EXPECT_EQ(names,
               "cornell cognac-0 cognac-1 cognac-2 cognac-3 cognac-4 cognac-5 cognac-6 "
               "window-room diamond iced-tea cornell-door two-windows box watch room statue-far "
-              "statue-near magnifier ");
+              "statue-near magnifier useful-light useless-light ");
 }
 
 TEST(Scenes, an_unknown_name_is_answered_with_the_known_ones) {

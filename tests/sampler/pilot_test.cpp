@@ -39,7 +39,7 @@ std::vector<Islands> spaces() {
 }
 
 PilotResult learn(const Islands& space, std::uint64_t seed) {
-    return Pilot<Islands, EmissionPoints>(space, seed, 0, kPaths).run();
+    return Pilot<Islands, EmissionPoints>(space, {seed, 0}).run(kPaths);
 }
 
 // The pilot picks its sets by what it sees, so it finds a little too much; the mean of six seeds
@@ -103,7 +103,7 @@ TEST(Pilot, other_seeds_and_epochs_draw_other_numbers) {
     const Islands space = spaces()[3];
     const HeightTail tail = learn(space, 1).tail;
     EXPECT_NE(learn(space, 2).tail, tail);
-    const PilotResult later = Pilot<Islands, EmissionPoints>(space, 1, 1, kPaths).run();
+    const PilotResult later = Pilot<Islands, EmissionPoints>(space, {1, 1}).run(kPaths);
     EXPECT_NE(later.tail, tail);
 }
 
@@ -111,7 +111,7 @@ TEST(Pilot, ends_where_nothing_is_visible) {
     Dark dark;
     dark.slots = {0, 6};
     dark.islands = {{0.3, 0.001, 0.5, 1}};
-    const PilotResult result = Pilot<Dark, EmissionPoints>(dark, 1, 0, kPaths).run();
+    const PilotResult result = Pilot<Dark, EmissionPoints>(dark, {1, 0}).run(kPaths);
     EXPECT_EQ(result.tail[kVisible], 0);
     ASSERT_FALSE(result.plan.levels.empty());
     EXPECT_LT(result.paths, 2'000'000U);

@@ -1,0 +1,122 @@
+// Errors of renders against a reference, and ratios of error times processor time with intervals.
+#pragma once
+
+#include "core/random.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace sunfleck::bench {
+
+inline double mean_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double v : values) sum += v;
+    return sum / static_cast<double>(values.size());
+}
+
+/// Mean over pixels of squared error / (reference^2 + 0.01 mean^2), and the same without the
+/// pixel's own brightness.
+struct Error {
+    double relative = 0;
+    double plain = 0;
+};
+
+inline Error error_of(const std::vector<double>& image, const std::vector<double>& reference) {
+    const double mean = mean_of(reference);
+    Error error;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const double square = (image[i] - reference[i]) * (image[i] - reference[i]);
+        error.relative += square / (reference[i] * reference[i] + 0.01 * mean * mean);
+        error.plain += square / (mean * mean);
+    }
+    error.relative /= static_cast<double>(image.size());
+    error.plain /= static_cast<double>(image.size());
+    return error;
+}
+
+struct Sample {
+    Error error;
+    double seconds;
+    double brightness;
+    std::vector<double> image;  // of the sampler `paper` alone
+};
+
+/// Errors around the mean of the samples, corrected for what the mean shares with each.
+inline void measure_by_own_mean(std::vector<Sample>& samples) {
+    const auto count = static_cast<double>(samples.size());
+    std::vector<double> mean(samples.front().image.size());
+    for (const Sample& s : samples)
+        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += s.image[i] / count;
+    for (Sample& s : samples) {
+        s.error = error_of(s.image, mean);
+        s.error.relative *= count / (count - 1);
+        s.error.plain *= count / (count - 1);
+    }
+}
+
+using Samples = std::map<std::string, std::vector<Sample>>;
+
+inline double mean_by(const std::vector<Sample>& samples, const std::vector<std::size_t>& which,
+                      double Error::*measure) {
+    double error = 0;
+    double seconds = 0;
+    for (const std::size_t i : which) {
+        error += samples[i].error.*measure;
+        seconds += samples[i].seconds;
+    }
+    return error / static_cast<double>(which.size()) * seconds;
+}
+
+/// The ratio of error times seconds, and its 95% interval by drawing seeds again with repetition.
+inline void print_ratio(const std::string& name, const std::vector<Sample>& a,
+                        const std::vector<Sample>& b, double Error::*measure) {
+    constexpr int kDraws = 2000;
+    std::vector<std::size_t> all(a.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    const double ratio = mean_by(a, all, measure) / mean_by(b, all, measure);
+    RandomStream random(1, Purpose::test, 0, 0);
+    std::vector<double> ratios;
+    for (int draw = 0; draw < kDraws; ++draw) {
+        std::vector<std::size_t> first;
+        std::vector<std::size_t> second;
+        const auto size = static_cast<double>(all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            first.push_back(static_cast<std::size_t>(random.next() * size));
+            second.push_back(static_cast<std::size_t>(random.next() * size));
+        }
+        ratios.push_back(mean_by(a, first, measure) / mean_by(b, second, measure));
+    }
+    std::sort(ratios.begin(), ratios.end());
+    fmt::print("{:<34} {:10.4g}   [{:.4g}, {:.4g}]\n", name, ratio, ratios[kDraws / 40],
+               ratios[kDraws - kDraws / 40]);
+}
+
+inline void print_ratios(const std::string& names, const std::vector<Sample>& a,
+                         const std::vector<Sample>& b) {
+    print_ratio(names + ", relMSE x cpu s", a, b, &Error::relative);
+    print_ratio(names + ", MSE x cpu s", a, b, &Error::plain);
+}
+
+/// Takes the references' own errors out: each is the mean of so many renders of `last`.
+/// @param samples  of one scene.
+inline void correct(Samples& samples, const std::string& last, std::uint32_t references) {
+    Error own;
+    for (const Sample& s : samples[last]) {
+        own.relative += s.error.relative;
+        own.plain += s.error.plain;
+    }
+    const double share = static_cast<double>(samples[last].size()) * (references + 1.0);
+    for (auto& [name, list] : samples)
+        for (Sample& s : list) {
+            if (name == "paper") continue;
+            s.error.relative -= own.relative / share;
+            s.error.plain -= own.plain / share;
+        }
+}
+
+}  // namespace sunfleck::bench

@@ -1,0 +1,132 @@
+// Pilots: a short one a light, then a ladder's a group.
+#include "photon/light_groups.h"
+
+#include "photon/group_rules.h"
+#include "photon/photon_space.h"
+#include "sampler/emission_points.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::size_t kMostClusters = 64;
+constexpr std::uint32_t kMeasuring = 1;  // part of the pilots' numbers that measure clusters
+
+using Lights = std::vector<std::uint32_t>;
+
+/// The paths of some lights, and what is seen of them.
+struct Ground {
+    LightChoice lights;
+    PhotonTracer tracer;
+    PhotonSpace space;
+
+    Ground(const PhotonView& view, const ViewOctree& octree, LightChoice some)
+        : lights(std::move(some)),
+          tracer(view.scene, view.transport, lights),
+          space(tracer, view.index, octree) {}
+    Ground(const Ground&) = delete;
+    Ground& operator=(const Ground&) = delete;
+};
+
+using GroundPilot = Pilot<PhotonSpace, EmissionPoints>;
+
+/// The view, and all lights.
+class Lighting {
+public:
+    Lighting(const PhotonView& view, const PilotName& name)
+        : view_(view), name_(name), octree_(octree_of(view)) {}
+
+    PhotonGroup all(std::uint32_t paths) const {
+        const Ground ground(view_, octree_, weights());
+        return {ground.lights, GroundPilot(ground.space, name_).run(paths).plan, 1, 0};
+    }
+
+    /// Lights by group.
+    std::vector<Lights> groups() const {
+        const std::vector<Lights> clusters =
+            light_clusters(view_.scene.scene.light_sources(), weights(), kMostClusters);
+        if (clusters.size() < 2) return clusters;
+        std::vector<Lights> groups;
+        for (const std::vector<std::size_t>& group : grouped(measured(clusters))) {
+            Lights& lights = groups.emplace_back();
+            for (const std::size_t c : group)
+                lights.insert(lights.end(), clusters[c].begin(), clusters[c].end());
+        }
+        return groups;
+    }
+
+    /// A ladder for each.
+    std::vector<PhotonGroup> planned(const std::vector<Lights>& groups, std::uint32_t paths) const {
+        std::vector<std::unique_ptr<Ground>> grounds;
+        std::vector<GroundPilot> pilots;
+        std::vector<GroupFlux> fluxes;
+        for (const Lights& lights : groups) {
+            grounds.push_back(std::make_unique<Ground>(view_, octree_, weights().among(lights)));
+            pilots.emplace_back(grounds.back()->space, name_);
+            const HeightTail& tail = pilots.back().explore();
+            fluxes.push_back({grounds.back()->lights.total(), tail[kVisible], is_rare(tail)});
+        }
+        const std::vector<std::uint32_t> shares = shared_paths(fluxes, paths);
+        std::vector<PhotonGroup> result;
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            result.push_back({grounds[g]->lights, pilots[g].plan(shares[g]).plan,
+                              fluxes[g].power / weights().total(), static_cast<std::uint32_t>(g)});
+        return result;
+    }
+
+private:
+    const LightChoice& weights() const { return view_.scene.scene.light_choice(); }
+
+    /// A few paths of each cluster; more where these are too few to tell fractions apart.
+    std::vector<MeasuredLight> measured(const std::vector<Lights>& clusters) const {
+        constexpr std::size_t kLeast = 1000;
+        constexpr std::size_t kMost = 4000;
+        constexpr std::size_t kOfAll = 64'000;
+        constexpr std::size_t kOfAllAtMost = 128'000;
+        constexpr std::uint64_t kEnough = 2 * kFractionsApart;
+        std::vector<MeasuredLight> lights =
+            measured(clusters, std::clamp(kOfAll / clusters.size(), kLeast, kMost), 0);
+        const std::size_t more = kOfAllAtMost / clusters.size();
+        const bool tells = std::any_of(lights.begin(), lights.end(),
+                                       [](const MeasuredLight& l) { return l.visible >= kEnough; });
+        if (tells || more < 2 * lights.front().paths) return lights;
+        return measured(clusters, more, 1);
+    }
+
+    std::vector<MeasuredLight> measured(const std::vector<Lights>& clusters, std::size_t paths,
+                                        std::uint32_t round) const {
+        std::vector<MeasuredLight> lights;
+        for (const Lights& cluster : clusters) {
+            const Ground ground(view_, octree_, weights().among(cluster));
+            const PilotName name{name_.seed, name_.epoch, kMeasuring};
+            LevelCounts counts;
+            Statistics unused;
+            uniform_population(ground.space, EmissionPoints(name.round(round)),
+                               static_cast<std::uint32_t>(paths), kHeights, counts, unused);
+            lights.push_back({ground.lights.total(), paths, counts.at_least(kVisible)});
+        }
+        return lights;
+    }
+
+    const PhotonView& view_;
+    PilotName name_;
+    ViewOctree octree_;
+};
+
+}  // namespace
+
+PhotonGroup learn_one_group(const PhotonView& view, const PilotName& name, std::uint32_t paths) {
+    return Lighting(view, name).all(paths);
+}
+
+std::vector<PhotonGroup> learn_light_groups(const PhotonView& view, const PilotName& name,
+                                            std::uint32_t paths) {
+    const Lighting lighting(view, name);
+    const std::vector<Lights> groups = lighting.groups();
+    if (groups.size() < 2 || paths < 2 * groups.size()) return {lighting.all(paths)};
+    return lighting.planned(groups, paths);
+}
+
+}  // namespace sunfleck

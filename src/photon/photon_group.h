@@ -1,0 +1,41 @@
+// Lights in groups: each group's photon paths are sampled by themselves, and all add up.
+#pragma once
+
+#include "measurement/transport.h"
+#include "measurement/view_octree.h"
+#include "measurement/visible_point_index.h"
+#include "sampler/ladder.h"
+#include "scene/pass_scene.h"
+
+namespace sunfleck {
+
+/// What photons of a pass go through and towards.
+struct PhotonView {
+    const PassScene& scene;
+    const TransportSettings& transport;
+    const VisiblePointIndex& index;
+};
+
+/// The octree over what is seen.
+inline ViewOctree octree_of(const PhotonView& view) {
+    const SceneSphere& sphere = view.scene.scene.sphere();
+    return {view.index.points(), sphere.center, sphere.radius};
+}
+
+/// Some of the lights, and how paths from them are sampled. Fixed for an epoch.
+struct PhotonGroup {
+    LightChoice lights;      // where its paths start
+    LadderPlan plan;         // without levels: uniform paths alone
+    double power_share = 1;  // of all lights' power
+    std::uint32_t part = 0;  // names its random numbers: see PassId
+};
+
+/// What a group's paths brought to one pass.
+struct GroupCounts {
+    std::uint64_t paths = 0;  // planned
+    double power_share = 1;
+    double visible_fraction = 0;  // of uniform paths from its lights, estimated
+    LadderCounts ladder;          // of a plan with levels
+};
+
+}  // namespace sunfleck

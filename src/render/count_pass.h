@@ -1,0 +1,13 @@
+// A pass added to a film, with all that it counted.
+#pragma once
+
+#include "film/film.h"
+#include "render/pass.h"
+
+namespace sunfleck {
+
+/// Where the lights of a pass are in several groups, each has its statistics under
+/// "group.G.", G from 0; else the one ladder's are under "ladder.".
+void add_pass(Film& film, std::uint32_t number, const PassResult& pass);
+
+}  // namespace sunfleck

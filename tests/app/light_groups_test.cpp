@@ -1,0 +1,111 @@
+// Light groups as a user meets them: the flag, the statistics, the same bytes however a render is
+// cut.
+#include "app/determinism_support.h"
+
+namespace sunfleck {
+namespace {
+
+using testing_support::DeterminismTest;
+using testing_support::operator+;
+using testing_support::Ran;
+using testing_support::read_text;
+using testing_support::Words;
+
+class LightGroups : public DeterminismTest {
+protected:
+    void SetUp() override {
+        DeterminismTest::SetUp();
+        use("useless-light", {"--resolution", "12x12", "--photons-per-pass", "3000"});
+    }
+    nlohmann::json stats(const std::string& range, const Words& more = {}) const {
+        part("x", range, 2, more + Words{"--stats", path("x.json")});
+        return json("x.json");
+    }
+};
+
+TEST_F(LightGroups, are_told_in_the_statistics) {
+    const auto s = stats("0:3");
+    ASSERT_EQ(s["light_groups"].size(), 2U);
+    const auto& lamp = s["light_groups"][0];
+    const auto& sun = s["light_groups"][1];
+    for (const auto& group : {lamp, sun}) {
+        EXPECT_EQ(group["passes"], 3);
+        EXPECT_LE(group["starved_passes"], 3);
+    }
+    EXPECT_NEAR(lamp["power_share"].get<double>() + sun["power_share"].get<double>(), 1, 1e-9);
+    EXPECT_NEAR(sun["power_share"].get<double>() / lamp["power_share"].get<double>(), 100, 3);
+    EXPECT_GT(lamp["visible_fraction"], 0.05);
+    EXPECT_LT(sun["visible_fraction"], 1e-3);
+    EXPECT_NEAR(lamp["paths"], 3000 / 1.1, 2);
+    EXPECT_NEAR(sun["paths"], 300 / 1.1, 2);
+    EXPECT_EQ(lamp["ladder"]["levels"], 0);
+    EXPECT_GT(sun["ladder"]["levels"], 0);
+    EXPECT_EQ(sun["ladder"]["fractions"].size(), sun["ladder"]["levels"]);
+    EXPECT_EQ(s["ladder"]["levels"], 0);  // of all lights together: there is none
+    // Light that is not there needs no group, nor do other samplers part it.
+    EXPECT_TRUE(stats("0:1", {"--light-groups", "off"})["light_groups"].empty());
+    EXPECT_TRUE(stats("0:1", {"--photon-sampler", "uniform"})["light_groups"].empty());
+    use("useful-light", {"--resolution", "12x12", "--photons-per-pass", "3000"});
+    EXPECT_TRUE(stats("0:1")["light_groups"].empty());
+}
+
+TEST_F(LightGroups, are_on_unless_they_are_switched_off) {
+    const auto plain = stats("0:1");
+    const std::string bytes = read_text(path("x.exr"));
+    EXPECT_FALSE(plain["settings"].contains("light_groups"));
+    EXPECT_EQ(stats("0:1", {"--light-groups", "auto"})["settings"], plain["settings"]);
+    EXPECT_EQ(read_text(path("x.exr")), bytes);
+    EXPECT_EQ(stats("0:1", {"--light-groups", "off"})["settings"]["light_groups"], "off");
+    EXPECT_NE(read_text(path("x.exr")), bytes);
+    // Of a single lamp the picture is the same.
+    use("useful-light", {"--resolution", "12x12", "--photons-per-pass", "3000"});
+    stats("0:1");
+    const std::string one = read_text(path("x.exr"));
+    stats("0:1", {"--light-groups", "off"});
+    EXPECT_EQ(read_text(path("x.exr")), one);
+}
+
+TEST_F(LightGroups, films_with_and_without_do_not_mix) {
+    part("a", "0:1", 1);
+    part("b", "1:2", 1, {"--light-groups", "off"});
+    const Ran merged = run({"merge", "a.film", "b.film", "-o", "x.exr"});
+    EXPECT_EQ(merged.code, 2);
+    EXPECT_NE(merged.err.find("light_groups"), std::string::npos) << merged.err;
+}
+
+/// In two epochs of what is learned.
+TEST_F(LightGroups, same_bytes_for_any_threads_and_cuts) {
+    part("whole", "0:18", 1);
+    const Bytes whole = bytes("whole");
+    part("threads", "0:18", 3);
+    EXPECT_TRUE(bytes("threads") == whole);
+    part("low", "0:7", 8);
+    part("high", "7:18", 2);
+    merge("sum", {"high", "low"});
+    EXPECT_TRUE(bytes("sum") == whole);
+    resumed("resumed", "0", {4, 17, 18}, 2);
+    EXPECT_TRUE(bytes("resumed") == whole);
+    part("other", "1:19", 1);
+    EXPECT_FALSE(bytes("other") == whole);
+}
+
+TEST_F(LightGroups, have_a_meaning_with_the_sampler_adaptive_alone) {
+    const std::vector<Words> bad = {
+        {"--light-groups", "on"},
+        {"--light-groups"},
+        {"--light-groups", "auto", "--photon-sampler", "uniform"},
+        {"--light-groups", "off", "--photon-sampler", "random"},
+        {"--light-groups", "off", "--mode", "paper"},
+        {"--light-groups", "off", "--integrator", "path"},
+    };
+    for (const Words& words : bad) {
+        const Ran ran = render(Words{"-o", "x.exr"} + words);
+        EXPECT_EQ(ran.code, 2) << words.back();
+        EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+        EXPECT_NE(ran.err.find("--light-groups"), std::string::npos) << ran.err;
+        EXPECT_FALSE(exists("x.exr"));
+    }
+}
+
+}  // namespace
+}  // namespace sunfleck
