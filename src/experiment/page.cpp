@@ -22,13 +22,13 @@ constexpr const char* kStyle = R"(
 :root { color-scheme: light dark; }
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 76rem; margin: 0 auto; padding: 1rem; }
 h2 { margin-top: 3rem; border-top: 1px solid #8886; padding-top: 1rem; }
-nav a { margin-right: .8em; }
+nav { display: flex; flex-wrap: wrap; gap: 0 .8em; }
 blockquote { border-left: 4px solid #e69f00; margin: 1em 0; padding: .1em 1em; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
-caption { text-align: left; font-weight: 600; padding: .5em 0; }
+.caption { font-weight: 600; font-size: .85rem; margin-bottom: .3em; }
 th, td { padding: .25em .7em; border-bottom: 1px solid #8884; text-align: left; }
-.number { text-align: right; } td:first-child { white-space: nowrap; }
+th.number, td.number { text-align: right; } td:first-child { white-space: nowrap; }
 .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: .6rem; }
 figure { margin: 0 0 1rem; } figure img { width: 100%; }
 figcaption { font-size: .8rem; }
@@ -77,9 +77,8 @@ std::string section_html(const Results& results, const Figure& figure, const Sec
     for (const std::string& finding : section.findings) html += "<p>" + escaped(finding) + "</p>\n";
     for (const Table& table : section.tables) {
         write_text(folder / "tables" / (table.name + ".csv"), table_csv(table));
-        html +=
-            fmt::format("<div class=\"wide\">{}</div><p><a href=\"tables/{}.csv\">CSV</a></p>\n",
-                        table_html(table), table.name);
+        html += fmt::format("{}<p><a href=\"tables/{}.csv\">CSV</a></p>\n", table_html(table),
+                            table.name);
     }
     for (const Chart& chart : section.charts) {
         const std::string svg = chart_svg(chart);
@@ -97,15 +96,20 @@ std::string intro_html(const Results& results, const std::vector<FinishedFigure>
     std::string html = fmt::format(
         "<h1>Robust Adaptive Photon Tracing, reproduced</h1>\n"
         "<p>Hachisuka and Jensen, ACM Transactions on Graphics 30(5), 2011, beside Sunfleck {}: "
-        "{} a render, {} seeds, pictures at {:.3g} of their full size. {}</p>\n"
+        "{} a render, {} seeds, pictures of {}. {}</p>\n"
         "<p>The scenes are our own, built after the paper's text and triangle counts, as its "
         "models "
         "are not public; radii are local footprints instead of numbers chosen by hand. The "
         "samplers "
         "random, uniform, paper and adaptive differ in the photon paths alone: all light by "
-        "photons, 200,000 paths a pass, alpha 0.7. Errors are against references of {:.3g} times "
+        "photons, 200,000 paths a pass, alpha 0.7; but paper's radii shrink where photons land, "
+        "pixel "
+        "by pixel, as in its algorithm, the others' alike everywhere. Errors are against "
+        "references of {:.3g} times "
         "the budget; intervals are of 95%, over seeds; ratios are geometric means.</p>\n<nav>",
-        SUNFLECK_VERSION, budget, s.seeds, s.scale, escaped(machine_text()), s.reference_budget);
+        SUNFLECK_VERSION, budget, s.seeds,
+        s.scale == 1 ? "full size" : fmt::format("{:.3g} of their size", s.scale),
+        escaped(machine_text()), s.reference_budget);
     for (const FinishedFigure& f : finished)
         html += fmt::format("<a href=\"#{0}\">{0}</a>", f.figure->name);
     return html + "<a href=\"results.json\">results.json</a></nav>\n";

@@ -22,13 +22,19 @@ std::string csv_line(const std::vector<std::string>& fields) {
     return line;
 }
 
-/// Numbers stand to the right.
-std::string html_row(const std::vector<std::string>& fields, const char* tag) {
+bool is_number(const std::string& field) {
+    return field.find_first_of("0123456789-") == 0;
+}
+
+/// Numbers stand to the right, and so do the names of their columns.
+/// @param like  the row that says which columns hold numbers.
+std::string html_row(const std::vector<std::string>& fields, const std::vector<std::string>& like,
+                     const char* tag) {
     std::string row = "<tr>";
-    for (const std::string& field : fields) {
-        const bool is_number = field.find_first_of("0123456789-") == 0;
-        row += fmt::format("<{0}{1}>{2}</{0}>", tag, is_number ? " class=\"number\"" : "",
-                           escaped(field));
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const bool right = i < like.size() && is_number(like[i]);
+        row += fmt::format("<{0}{1}>{2}</{0}>", tag, right ? " class=\"number\"" : "",
+                           escaped(fields[i]));
     }
     return row + "</tr>\n";
 }
@@ -51,10 +57,12 @@ std::string table_csv(const Table& table) {
 }
 
 std::string table_html(const Table& table) {
-    std::string html = fmt::format("<table><caption>{}</caption>\n<thead>{}</thead>\n<tbody>",
-                                   escaped(table.title), html_row(table.columns, "th"));
-    for (const auto& row : table.rows) html += html_row(row, "td");
-    return html + "</tbody></table>\n";
+    const auto& like = table.rows.empty() ? table.columns : table.rows[0];
+    std::string html = fmt::format(
+        "<p class=\"caption\">{}</p>\n<div class=\"wide\"><table>\n<thead>{}</thead>\n<tbody>",
+        escaped(table.title), html_row(table.columns, like, "th"));
+    for (const auto& row : table.rows) html += html_row(row, row, "td");
+    return html + "</tbody></table></div>\n";
 }
 
 std::string escaped(const std::string& text) {
