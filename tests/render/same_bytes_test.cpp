@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 namespace sunfleck {
 namespace {
 
@@ -44,8 +46,12 @@ FilmKey key() {
 Film film_of(const Scene& scene, const std::vector<std::uint32_t>& passes,
              Integrator integrator = Integrator::sppm) {
     Film film(key());
+    std::map<std::uint32_t, Epoch> epochs;  // learned by these threads, at the first pass that asks
     for (const std::uint32_t p : passes) {
-        const PassResult pass = render_pass(scene, settings(integrator), p);
+        const RenderSettings with = settings(integrator);
+        const std::uint32_t epoch = epoch_of(p);
+        if (!epochs.contains(epoch)) epochs.emplace(epoch, learn_epoch(scene, with, p));
+        const PassResult pass = render_pass(scene, with, p, epochs.at(epoch));
         film.add_pass(p, pass.image);
         for (const CountRow& row : kCountRows) film.count(row.name, pass.statistics[row.count]);
     }
