@@ -1,11 +1,9 @@
 // One picture, to the last bit: with any number of threads, and however passes are cut and ordered.
 #include "core/parallel.h"
-#include "film/film.h"
+#include "render/pass_maker.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
-
-#include <map>
 
 namespace sunfleck {
 namespace {
@@ -33,29 +31,14 @@ RenderSettings settings(Integrator integrator) {
     return settings;
 }
 
-FilmKey key() {
-    FilmKey key;
-    key.width = kSize;
-    key.height = kSize;
-    key.layers = settings(Integrator::sppm).layers;
-    key.seed = 17;
-    return key;
-}
-
 /// The film of these passes, in this order.
 Film film_of(const Scene& scene, const std::vector<std::uint32_t>& passes,
              Integrator integrator = Integrator::sppm) {
-    Film film(key());
-    std::map<std::uint32_t, Epoch> epochs;  // learned by these threads, at the first pass that asks
-    for (const std::uint32_t p : passes) {
-        const RenderSettings with = settings(integrator);
-        const std::uint32_t epoch = epoch_of(p);
-        if (!epochs.contains(epoch)) epochs.emplace(epoch, learn_epoch(scene, with, p));
-        const PassResult pass = render_pass(scene, with, p, epochs.at(epoch));
-        film.add_pass(p, pass.image);
-        for (const CountRow& row : kCountRows) film.count(row.name, pass.statistics[row.count]);
-    }
-    return film;
+    const RenderJob job{scene, settings(integrator), {}, 0};
+    RenderState state{Film(key_of(job)), {}, 0, 0, 1, {}};
+    PassMaker maker(job, state);
+    for (const std::uint32_t p : passes) maker.make(p, state.film);
+    return std::move(state.film);
 }
 
 class SameBytes : public ::testing::TestWithParam<const char*> {};
