@@ -9,6 +9,7 @@
 #include "procedural/cornell_door.h"
 #include "procedural/diamond.h"
 #include "procedural/iced_tea.h"
+#include "procedural/keyhole.h"
 #include "procedural/lamp_room.h"
 #include "procedural/magnifier.h"
 #include "procedural/room.h"
@@ -35,6 +36,12 @@ std::vector<SceneFile> nameless(const ProceduralScene& /*scene*/) {
 std::vector<SceneFile> cognac(const ProceduralScene& scene) {
     return cognac_scene(*std::find_if(kCognacViews.begin(), kCognacViews.end(),
                                       [&](const auto& view) { return view.name == scene.name; }));
+}
+
+std::vector<SceneFile> keyhole(const ProceduralScene& scene) {
+    return keyhole_scene(*std::find_if(kKeyholes.begin(), kKeyholes.end(), [&](const auto& known) {
+        return known.name == scene.name;
+    }));
 }
 
 std::vector<Entry> entries() {
@@ -64,6 +71,8 @@ std::vector<Entry> entries() {
          lamp_room_scene},
     };
     all.insert(all.end(), others.begin(), others.end());
+    for (const Keyhole& one : kKeyholes)
+        all.push_back({{std::string(one.name), std::string(one.what)}, keyhole});
     return all;
 }
 

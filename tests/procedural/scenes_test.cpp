@@ -124,7 +124,9 @@ TEST_P(EveryScene, has_the_bytes_that_pictures_were_made_of) {
         {"watch", 0xe8765db57bd25d69},         {"room", 0x56caa08c700e081},
         {"statue-far", 0x26edb9a0c3b9bf6f},    {"statue-near", 0x90db2774ad7d0a1a},
         {"magnifier", 0x535e3596581fdd39},     {"useful-light", 0x1100d104e28d74ee},
-        {"useless-light", 0x8d9c0eb25dce255c},
+        {"useless-light", 0x8d9c0eb25dce255c}, {"keyhole-4", 0xcf1d1a5deef40a3b},
+        {"keyhole-6", 0xf541a393bdb7b3},       {"keyhole-8", 0xe8c8a9dfa36378bf},
+        {"keyhole-lamp", 0xbaa7065c08d77d55},
     };
     EXPECT_EQ(known.at(GetParam().name), fingerprint(files_))
         << "0x" << std::hex << fingerprint(files_);
@@ -138,7 +140,8 @@ TEST_P(EveryScene, has_the_number_of_triangles_it_promises) {
         {"iced-tea", 13044},     {"cornell-door", 730},    {"two-windows", 43070},
         {"box", 3466},           {"watch", 153274},        {"room", 159714},
         {"statue-far", 378638},  {"statue-near", 378638},  {"magnifier", 72348},
-        {"useful-light", 64824}, {"useless-light", 64824},
+        {"useful-light", 64824}, {"useless-light", 64824}, {"keyhole-4", 20},
+        {"keyhole-6", 20},       {"keyhole-8", 20},        {"keyhole-lamp", 22},
     };
     const bool is_cognac = GetParam().name.starts_with("cognac");
     EXPECT_EQ(triangles, is_cognac ? 16456 : promised.at(GetParam().name));
@@ -168,7 +171,8 @@ TEST_P(SolidScene, has_no_two_level_faces_in_one_place) {
 
 INSTANTIATE_TEST_SUITE_P(all, SolidScene,
                          testing::Values("cornell-door", "two-windows", "box", "watch", "room",
-                                         "statue-far", "magnifier", "useless-light"),
+                                         "statue-far", "magnifier", "useless-light", "keyhole-8",
+                                         "keyhole-lamp"),
                          [](const auto& info) {
                              std::string name = info.param;
                              std::replace(name.begin(), name.end(), '-', '_');
@@ -181,7 +185,8 @@ TEST(Scenes, are_these) {
     EXPECT_EQ(names,
               "cornell cognac-0 cognac-1 cognac-2 cognac-3 cognac-4 cognac-5 cognac-6 "
               "window-room diamond iced-tea cornell-door two-windows box watch room statue-far "
-              "statue-near magnifier useful-light useless-light ");
+              "statue-near magnifier useful-light useless-light keyhole-4 keyhole-6 keyhole-8 "
+              "keyhole-lamp ");
 }
 
 TEST(Scenes, an_unknown_name_is_answered_with_the_known_ones) {

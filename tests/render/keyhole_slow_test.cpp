@@ -1,0 +1,65 @@
+// Pictures of light through a keyhole: each sampler brings the light that is known by construction.
+#include "procedural/keyhole_truth.h"
+#include "support/procedural.h"
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+struct Brought {
+    Estimate luminance;      // of the picture
+    double visible_share{};  // of uniform paths
+};
+
+/// By keyhole-4, over independent renders of a round.
+/// @param n  pixels a side.
+Brought brought(RenderSettings settings, int renders, int n) {
+    const Scene scene = procedural("keyhole-4", n);
+    Statistics counts;
+    const Estimate luminance = Estimate::over(renders, [&](int i) {
+        settings.seed = static_cast<std::uint64_t>(i);
+        const MeanPicture picture = render_mean(scene, settings, 16);
+        counts += picture.statistics;
+        return testing_support::luminance(picture.mean());
+    });
+    EXPECT_EQ(counts[Count::dropped_nonfinite], 0U);
+    return {luminance, static_cast<double>(counts[Count::uniform_visible]) /
+                           static_cast<double>(counts[Count::uniform_paths])};
+}
+
+/// 99% of the ratio to what is known lies within the band around one.
+void expect_known(const Estimate& luminance, double band) {
+    const double known = keyhole_truth(kKeyholes[0]).luminance;
+    EXPECT_LT(worst_ratio(luminance, {known, 0}), band)
+        << luminance.mean / known << " +- " << luminance.error / luminance.mean;
+}
+
+// A camera path meets the pane, and sees the sun from there through the hole.
+TEST(KeyholeSlow, path_tracing_brings_the_known_light) {
+    RenderSettings settings;
+    settings.integrator = Integrator::path;
+    expect_known(brought(settings, 32, 64).luminance, 0.02);
+}
+
+// Some 450 visible paths a render. Discs reach a little beyond the view, and miss a little of it.
+TEST(KeyholeSlow, uniform_photons_bring_the_known_light) {
+    RenderSettings settings;
+    settings.photon.sampler = PhotonSampler::uniform;
+    settings.photon.paths_per_pass = 300'000;
+    const Brought by_photons = brought(settings, 12, 64);
+    expect_known(by_photons.luminance, 0.08);
+    EXPECT_NEAR(by_photons.visible_share, 1e-4, 0.1e-4);
+}
+
+TEST(KeyholeSlow, adaptive_photons_bring_the_known_light) {
+    RenderSettings settings;
+    settings.photon.paths_per_pass = 60'000;
+    expect_known(brought(settings, 12, 64).luminance, 0.1);
+}
+
+}  // namespace
+}  // namespace sunfleck
