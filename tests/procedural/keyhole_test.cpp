@@ -89,12 +89,36 @@ TEST_P(EveryKeyhole, the_view_is_floor_and_nothing_hides_the_pane) {
     }
 }
 
+/// What the scene's text says and the truth is worked out from.
 TEST_P(EveryKeyhole, writes_its_numbers_into_the_file) {
     const std::string text = make_scene(std::string(GetParam().name)).at(0).bytes;
-    EXPECT_NE(text.find("\"float scale\" " + std::to_string(GetParam().strength) + "\n"),
-              std::string::npos);
     EXPECT_EQ(text.find("LightSource \"distant\"") != std::string::npos,
               GetParam().light == KeyholeLight::sun);
+    const std::vector<std::string> words = pbrt_words(text);
+    const auto after = [&](const std::string& word, std::ptrdiff_t i) {
+        return std::stod(*(std::find(words.begin(), words.end(), word) + i));
+    };
+    EXPECT_EQ(after("\"float scale", 1), GetParam().strength);
+    EXPECT_EQ(after("\"float fov", 1), room_.field_of_view);
+    const std::array<double, 9> look = {
+        room_.pane_x, 0, room_.camera_height, room_.pane_x, 0, 0, 0, 1, 0};
+    for (std::size_t i = 0; i < look.size(); ++i)
+        EXPECT_EQ(after("LookAt", static_cast<std::ptrdiff_t>(i) + 1), look.at(i));
+    const auto material = [&](const char* name) {
+        return static_cast<std::size_t>(
+            std::find(words.begin(), words.end(), std::string("\"") + name) - words.begin());
+    };
+    const auto grey = [](double value) { return std::vector<float>(3, static_cast<float>(value)); };
+    EXPECT_EQ(pbrt_numbers(words, material("black"), "rgb reflectance"), grey(0));
+    EXPECT_EQ(pbrt_numbers(words, material("floor"), "rgb reflectance"), grey(room_.reflectance));
+    EXPECT_EQ(pbrt_numbers(words, material("milk-glass"), "rgb reflectance"), grey(0));
+    EXPECT_EQ(pbrt_numbers(words, material("milk-glass"), "rgb transmittance"),
+              grey(room_.transmittance));
+    if (GetParam().light == KeyholeLight::sun) {
+        const std::vector<float> from = {static_cast<float>(-room_.way.x), 0,
+                                         static_cast<float>(-room_.way.z)};
+        EXPECT_EQ(pbrt_numbers(words, 0, "point3 from"), from);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(all, EveryKeyhole, testing::ValuesIn(kKeyholes), [](const auto& info) {
