@@ -3,8 +3,8 @@
 //
 // usage: bench_gain SCENE [--samplers random,adaptive] [--passes N] [--seeds N] [--references N]
 //                   [--over SCENE]
-// "together" is `adaptive` without light groups. --over compares the last sampler with itself in
-// another scene.
+// "together" is `adaptive` without light groups, "unmapped" without emission maps. --over compares
+// the last sampler with itself in another scene.
 // Renders of the samplers are interleaved, seed by seed; the last sampler, with other seeds, is the
 // reference, of the same passes and so of the same radii: what is compared is noise alone. Errors
 // are corrected for the reference's own.
@@ -26,6 +26,8 @@
 namespace sunfleck::bench {
 namespace {
 
+/// The sampler `adaptive` without emission maps.
+constexpr std::string_view kUnmapped = "unmapped";
 /// The sampler `adaptive` with all lights in one group.
 constexpr std::string_view kTogether = "together";
 
@@ -55,6 +57,8 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
     if (const auto integrator = integrator_named(sampler))
         job.settings.integrator = *integrator;
+    else if (sampler == kUnmapped)
+        job.settings.photon.emission_maps = false;
     else if (sampler == kTogether)
         job.settings.photon.light_groups = false;
     else
@@ -185,7 +189,7 @@ int main(int count, char** words) {
         return known ? std::string() : "there is no sampler or integrator " + name;
     };
     app.add_option("--samplers", settings.samplers,
-                   "Or integrators, or together (default random,adaptive)")
+                   "Or integrators, together, unmapped (default random,adaptive)")
         ->delimiter(',')
         ->check(is_sampler);
     app.add_option("--over", settings.other_scene, "Compare the last sampler with it there");

@@ -26,6 +26,7 @@ struct RenderTexts {
     std::string layers;
     std::string sampler = "adaptive";
     std::string light_groups = "auto";
+    std::string emission_maps = "auto";
     PaperTexts paper;
     std::string direct = "sampled";
     std::string energy_compensation = "off";
@@ -71,6 +72,10 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--light-groups", t.light_groups,
                    "Sampler adaptive: auto: lights of which much and little is seen get photon "
                    "paths apart; off: all lights together")
+        ->check(CLI::IsMember({"auto", "off"}));
+    app.add_option("--emission-maps", t.emission_maps,
+                   "Sampler adaptive: auto: where few paths are seen, learn from where light must "
+                   "start; off: chains alone")
         ->check(CLI::IsMember({"auto", "off"}));
     add_paper_flags(app, t.paper);
     app.add_option("--direct", t.direct, "Who brings direct light: sampled, or photons")
@@ -133,9 +138,9 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
 void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     if (t.integrator == "sppm") return;
     for (const char* flag :
-         {"--photon-sampler", "--light-groups", "--mode", "--replica-exchange", "--mutation-size",
-          "--target-acceptance", "--direct", "--photons-per-pass", "--radius", "--radius-pixels",
-          "--alpha", "--layers"}) {
+         {"--photon-sampler", "--light-groups", "--emission-maps", "--mode", "--replica-exchange",
+          "--mutation-size", "--target-acceptance", "--direct", "--photons-per-pass", "--radius",
+          "--radius-pixels", "--alpha", "--layers"}) {
         const bool counts_paths = std::string_view(flag) == "--photons-per-pass";
         if (given.count(flag) == 0 || (counts_paths && t.integrator == "light")) continue;
         throw Error({flag}, "has no meaning with --integrator " + t.integrator, "leave it out");
@@ -173,10 +178,11 @@ void finish_render(const CLI::App& given, RenderOptions& o, const RenderTexts& t
 }
 
 /// After the sampler is known.
-void finish_light_groups(const CLI::App& given, const RenderTexts& t, PhotonSettings& photon) {
-    if (given.count("--light-groups") > 0 && photon.sampler != PhotonSampler::adaptive)
-        throw Error({"--light-groups"}, "has a meaning with the sampler adaptive alone",
-                    "leave it out");
+void finish_adaptive(const CLI::App& given, const RenderTexts& t, PhotonSettings& photon) {
+    for (const char* flag : {"--light-groups", "--emission-maps"})
+        if (given.count(flag) > 0 && photon.sampler != PhotonSampler::adaptive)
+            throw Error({flag}, "has a meaning with the sampler adaptive alone", "leave it out");
+    photon.emission_maps = t.emission_maps == "auto";
     photon.light_groups = t.light_groups == "auto";
 }
 
@@ -254,7 +260,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
         check_fits_integrator(*render_app, texts);
         finish_render(*render_app, render, texts);
         finish_paper(*render_app, texts.paper, render);
-        finish_light_groups(*render_app, texts, render.settings.photon);
+        finish_adaptive(*render_app, texts, render.settings.photon);
         for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
         options.render = render;
     } else if (info_app->parsed()) {

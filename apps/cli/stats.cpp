@@ -2,6 +2,7 @@
 #include "apps/cli/stats.h"
 
 #include "film/error_bars.h"
+#include "render/count_pass.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,7 +22,7 @@ struct Fraction {
 Fraction visible_fraction(const Film& film) {
     const auto passes = static_cast<double>(film.pass_count());
     const double value = film.statistic("visible_fraction") / passes;
-    const double square = film.statistic("visible_fraction_square") / passes;
+    const double square = film.statistic("visible_fraction_square") / kSquareUnits / passes;
     const double variance = std::max(0.0, square - value * value);
     return {value, passes > 1 ? std::sqrt(variance / (passes - 1)) : 0};
 }
@@ -67,7 +68,8 @@ Json groups_json(const Film& film) {
 
 /// Visible paths per traced path over the same for uniform paths.
 Json visible_ratio(const Film& film, const char* visible) {
-    const double traced = film.statistic("uniform_paths") + film.statistic("mutated_paths");
+    const double traced = film.statistic("uniform_paths") + film.statistic("mapped_paths") +
+                          film.statistic("mutated_paths");
     const double fraction = visible_fraction(film).value;
     if (traced == 0 || fraction == 0) return nullptr;
     return film.statistic(visible) / traced / fraction;
@@ -134,6 +136,8 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
     json["visible_points"] = count("visible_points");
     json["photon_paths"] = {{"uniform", count("uniform_paths")},
                             {"uniform_visible", count("uniform_visible")},
+                            {"mapped", count("mapped_paths")},
+                            {"mapped_visible", count("mapped_visible")},
                             {"mutated", count("mutated_paths")},
                             {"accepted", count("accepted_paths")},
                             {"distinct_visible", count("distinct_visible")},

@@ -46,12 +46,18 @@ enum class Purpose : std::uint32_t {
     pair_joints,
     metropolis_bootstrap,
     metropolis_step,
-    metropolis_choice
+    metropolis_choice,
+    view_walk
 };
 
 /// A 64-bit fraction of one turn as a double of the open interval (0,1): an odd multiple of 2^-53.
 constexpr double to_unit(std::uint64_t fraction) {
     return (static_cast<double>(fraction >> 12U) + 0.5) * 0x1p-52;
+}
+
+/// The other way round. @param unit  in [0,1].
+constexpr std::uint64_t to_fraction(double unit) {
+    return static_cast<std::uint64_t>((unit < 1 ? unit : 1 - 0x1p-53) * 0x1p64);
 }
 
 /// A 64-bit fraction of one turn as a float of (0,1): an odd multiple of 2^-24.

@@ -71,6 +71,16 @@ Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneS
     return emission;
 }
 
+EmissionSlots AreaLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+    const Vec3d normal(ray.normal);
+    const Vec2d place = picture ? picture->numbers(surface, ray.origin, normal)
+                                : surface_square(surface, ray.origin, normal);
+    const Vec3d local = rotate_to_z(normal, ray.direction);
+    const Vec2d way = disc_to_square({local.x, local.y});
+    const double folded = two_sided ? way.x / 2 : way.x;
+    return {place.x, place.y, two_sided && local.z < 0 ? 1 - folded : folded, way.y};
+}
+
 double AreaLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
     const Vec3d n(ray.normal);
     const double cosine = n.dot(ray.direction);

@@ -65,6 +65,7 @@ struct AreaLight {
     std::shared_ptr<const LaidPicture> picture = nullptr;
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;

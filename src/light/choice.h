@@ -28,6 +28,10 @@ public:
     bool empty() const { return !(cdf_.back() > 0); }
     /// @param u  in (0,1). Not to be asked of an empty choice.
     Chosen choose(double u) const;
+    /// A number for which choose() gives `index`. @param along  in [0,1): of all such numbers.
+    double number(std::size_t index, double along) const {
+        return cdf_[index] + along * probability(index);
+    }
     /// With which choose() gives `index`, for u uniform in (0,1).
     double probability(std::size_t index) const { return cdf_[index + 1] - cdf_[index]; }
     /// Sum of the powers.

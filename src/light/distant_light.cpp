@@ -11,6 +11,11 @@ Emission DistantLight::sample_emission(const std::array<double, 4>& u,
             Vec3(0), 0};
 }
 
+EmissionSlots DistantLight::emission_slots(const LightRay& ray, const SceneSphere& sphere) const {
+    const Vec2d disc = scene_disc_square(sphere, direction, ray.origin);
+    return {disc.x, disc.y, 0.5, 0.5};
+}
+
 double DistantLight::emission_pdf(const LightRay&, const SceneSphere& sphere) const {
     return 1 / scene_disc_area(sphere);
 }

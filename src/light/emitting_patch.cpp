@@ -31,6 +31,11 @@ double sample_linear(double u, double a, double b) {
     return sum > 0 ? std::min(u * (a + b) / sum, 1.0) : u;
 }
 
+/// The u that sample_linear() takes to x.
+double linear_number(double x, double a, double b) {
+    return a + b > 0 ? x * (2 * a + (b - a) * x) / (a + b) : x;
+}
+
 double spread_at(const Bilinear& surface, const Density& density, const Vec2d& uv) {
     const double here = density(uv);
     return here > 0 ? surface.area_vector(uv).length() * density.mean() / here : 0;
@@ -49,6 +54,14 @@ SurfaceSample sample_surface(const EmittingPatch& patch, const Vec2d& u) {
     const double length = normal.length();
     normal = length > 0 ? normal / length : Vec3d(0, 0, 1);
     return {patch.surface.point(uv), normal, spread_at(patch.surface, density, uv)};
+}
+
+Vec2d surface_square(const EmittingPatch& patch, const Vec3d& on, const Vec3d& normal) {
+    const Density density(patch.surface);
+    const auto& a = density.at_corner;
+    const Vec2d uv = patch.surface.locate(on, normal);
+    return {linear_number(uv.x, density.side(0, uv.y), density.side(1, uv.y)),
+            linear_number(uv.y, a[0] + a[1], a[2] + a[3])};
 }
 
 double surface_spread(const EmittingPatch& patch, const Vec3d& on, const Vec3d& normal) {

@@ -66,6 +66,23 @@ SurfaceSample sample_surface(const EmittingQuadric<Disk>& disk, const Vec2d& u) 
     return {map.point({point.x, point.y, disk.shape.height}), normal, surface_area(disk)};
 }
 
+Vec2d surface_square(const EmittingTriangle& triangle, const Vec3d& on, const Vec3d&) {
+    const Vec3d area = triangle.edge1.cross(triangle.edge2);
+    const Vec3d from = on - triangle.p0;
+    return triangle_to_square({from.cross(triangle.edge2).dot(area) / area.length2(),
+                               triangle.edge1.cross(from).dot(area) / area.length2()});
+}
+
+Vec2d surface_square(const EmittingQuadric<Disk>& disk, const Vec3d& on, const Vec3d&) {
+    const Disk& shape = disk.shape;
+    const Vec3d own = Affine(disk.to_world).inverse().point(on);
+    if (is_whole(shape)) return disc_to_square(Vec2d(own.x, own.y) / shape.radius);
+    const double inner2 = shape.inner_radius * shape.inner_radius;
+    const double turns = std::atan2(own.y, own.x) / (2 * kPiDouble);
+    return {(own.x * own.x + own.y * own.y - inner2) / (shape.radius * shape.radius - inner2),
+            (turns < 0 ? turns + 1 : turns) / turns_of(shape)};
+}
+
 double surface_spread(const EmittingTriangle& triangle, const Vec3d&, const Vec3d&) {
     return surface_area(triangle);
 }

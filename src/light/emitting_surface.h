@@ -26,6 +26,18 @@ SurfaceSample sample_surface(const EmittingQuadric<Sphere>& sphere, const Vec2d&
 SurfaceSample sample_surface(const EmittingQuadric<Cylinder>& cylinder, const Vec2d& u);
 SurfaceSample sample_surface(const EmittingQuadric<Disk>& disk, const Vec2d& u);
 
+/// The u that sample_surface() takes to the point `on` of the surface, where its unit world normal
+/// (either side) is `normal`: its inverse.
+Vec2d surface_square(const EmittingTriangle& triangle, const Vec3d& on, const Vec3d& normal);
+Vec2d surface_square(const EmittingPatch& patch, const Vec3d& on, const Vec3d& normal);
+Vec2d surface_square(const EmittingQuadric<Sphere>& sphere, const Vec3d& on, const Vec3d& normal);
+Vec2d surface_square(const EmittingQuadric<Cylinder>& cylinder, const Vec3d& on,
+                     const Vec3d& normal);
+Vec2d surface_square(const EmittingQuadric<Disk>& disk, const Vec3d& on, const Vec3d& normal);
+inline Vec2d surface_square(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal) {
+    return std::visit([&](const auto& s) { return surface_square(s, on, normal); }, surface);
+}
+
 /// SurfaceSample::spread at the point `on` of the surface, where its unit world normal (either
 /// side) is `normal`.
 double surface_spread(const EmittingTriangle& triangle, const Vec3d& on, const Vec3d& normal);

@@ -17,6 +17,15 @@ Emission ImageInfiniteLight::sample_emission(const std::array<double, 4>& u,
             drawn.light.tint};
 }
 
+EmissionSlots ImageInfiniteLight::emission_slots(const LightRay& ray,
+                                                 const SceneSphere& sphere) const {
+    const Vec2d disc = scene_disc_square(sphere, ray.direction, ray.origin);
+    const Vec3d w = -ray.direction;
+    const Vec2d way = picture->numbers(
+        sphere_to_square({to_world.x.dot(w), to_world.y.dot(w), to_world.z.dot(w)}));
+    return {disc.x, disc.y, way.x, way.y};
+}
+
 double ImageInfiniteLight::emission_pdf(const LightRay& ray, const SceneSphere& sphere) const {
     const Vec3 back(-ray.direction);
     return static_cast<double>(beyond(back, back).pdf) / scene_disc_area(sphere);

@@ -12,6 +12,12 @@ Emission InfiniteLight::sample_emission(const std::array<double, 4>& u,
             0};
 }
 
+EmissionSlots InfiniteLight::emission_slots(const LightRay& ray, const SceneSphere& sphere) const {
+    const Vec2d disc = scene_disc_square(sphere, ray.direction, ray.origin);
+    const Vec2d way = sphere_to_square(ray.direction);
+    return {disc.x, disc.y, way.x, way.y};
+}
+
 double InfiniteLight::emission_pdf(const LightRay&, const SceneSphere& sphere) const {
     return 1 / power(sphere);
 }

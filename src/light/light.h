@@ -26,6 +26,12 @@ inline Emission sample_emission(const Light& light, const std::array<double, 4>&
     return std::visit([&](const auto& l) { return l.sample_emission(u, sphere); }, light);
 }
 
+/// The u that leads to a ray (light/model.h).
+inline EmissionSlots emission_slots(const Light& light, const LightRay& ray,
+                                    const SceneSphere& sphere) {
+    return std::visit([&](const auto& l) { return l.emission_slots(ray, sphere); }, light);
+}
+
 /// Density of sample_emission() (light/model.h).
 inline double emission_pdf(const Light& light, const LightRay& ray, const SceneSphere& sphere) {
     return std::visit([&](const auto& l) { return l.emission_pdf(ray, sphere); }, light);

@@ -91,6 +91,18 @@ TexelLight LightPicture::at(const Vec2d& place) const {
     return texel(at.x, at.y);
 }
 
+Vec2d LightPicture::numbers(const Vec2d& place) const {
+    const Vec2i size = image_.resolution();
+    const Vec2i at = cell(place);
+    const auto number = [](const double* ends, int i, double along) {
+        const double begin = i > 0 ? ends[i - 1] : 0;
+        return begin + (ends[i] - begin) * std::clamp(along - i, 0.0, 1.0);
+    };
+    const double* row =
+        &columns_[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(size.x)];
+    return {number(row, at.x, place.x * size.x), number(rows_.data(), at.y, place.y * size.y)};
+}
+
 double LightPicture::density(const Vec2d& place) const {
     const Vec2i size = image_.resolution();
     const Vec2i at = cell(place);

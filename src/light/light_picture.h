@@ -49,6 +49,8 @@ public:
     TexelLight at(const Vec2d& place) const;
     /// Not to be asked of a black picture. @param u  in (0,1)^2.
     Drawn draw(const Vec2d& u) const;
+    /// The u that draw() takes to a place of the closed unit square: its inverse.
+    Vec2d numbers(const Vec2d& place) const;
     /// Of draw(), at a place of the closed unit square; not to be asked of a black picture.
     double density(const Vec2d& place) const;
 

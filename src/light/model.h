@@ -11,6 +11,7 @@
 #include "math/spectral_curve.h"
 #include "math/vector.h"
 
+#include <array>
 #include <concepts>
 #include <optional>
 
@@ -44,6 +45,9 @@ struct LightRay {
     Vec3d direction;  // unit, away from the light
 };
 
+/// Numbers of (0,1): position (2), direction (2).
+using EmissionSlots = std::array<double, 4>;
+
 /// One sample of the light that arrives straight at a point.
 struct DirectSample {
     Vec3 direction;  // unit, from the point to the light
@@ -62,6 +66,8 @@ struct Beyond {
 };
 
 /// emission:   u in (0,1)^4: position (2), direction (2). Continuous and gentle in u.
+/// emission_slots: the u that sample_emission() takes to a ray: its inverse, within 1e-6; for a ray
+///             that it cannot give, anything.
 /// emission_pdf: density of sample_emission() at a ray that it may give, per m^2 and sr (m^2 across
 ///             the ray for lights from afar); per sr alone for points, per m^2 for distant lights.
 ///             Exact, but for pictures on surfaces: there as if their table had no cells.
@@ -75,6 +81,7 @@ concept LightModel = std::copyable<L> &&
     requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,
              const LightRay& ray, const SceneSphere& sphere) {
     { light.sample_emission(u4, sphere) } -> std::same_as<Emission>;
+    { light.emission_slots(ray, sphere) } -> std::same_as<EmissionSlots>;
     { light.emission_pdf(ray, sphere) } -> std::same_as<double>;
     { light.sample_direct(p, u2, sphere) } -> std::same_as<std::optional<DirectSample>>;
     { light.power(sphere) } -> std::same_as<double>;

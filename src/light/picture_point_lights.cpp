@@ -36,6 +36,11 @@ Emission GoniometricLight::sample_emission(const std::array<double, 4>& u,
         drawn.light.tint};
 }
 
+EmissionSlots GoniometricLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+    const Vec2d way = picture->numbers(sphere_to_square(to_local(to_world, ray.direction)));
+    return {0.5, 0.5, way.x, way.y};
+}
+
 double GoniometricLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
     const TexelLight light = picture->at(sphere_to_square(to_local(to_world, ray.direction)));
     return light.luminance / (4 * kPiDouble * picture->mean());
@@ -71,6 +76,11 @@ std::optional<Vec2d> ProjectionLight::place_of(const Vec3d& direction) const {
     const Vec3d w = to_local(to_world, direction);
     if (!(std::abs(w.x) <= half.x * w.z && std::abs(w.y) <= half.y * w.z)) return {};
     return (Vec2d(w.x / (half.x * w.z), w.y / (half.y * w.z)) + Vec2d(1)) / 2;
+}
+
+EmissionSlots ProjectionLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+    const Vec2d way = picture->numbers(place_of(ray.direction).value_or(Vec2d(0.5)));
+    return {0.5, 0.5, way.x, way.y};
 }
 
 double ProjectionLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {

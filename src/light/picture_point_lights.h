@@ -20,6 +20,7 @@ struct GoniometricLight {
     Affine to_world;  // a rotation, or one with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;
@@ -36,6 +37,7 @@ struct ProjectionLight {
     Affine to_world;                              // as above
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;

@@ -12,6 +12,7 @@ struct PointLight {
     Vec3d position;
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay&, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;

@@ -33,6 +33,15 @@ Emission PortalLight::sample_emission(const std::array<double, 4>& u,
     return emission;
 }
 
+EmissionSlots PortalLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+    const Vec3d out = to_local(-ray.direction);
+    const Vec3d from = to_local(ray.origin - frame.origin);
+    if (!(out.z > 0)) return {0.5, 0.5, 0.5, 0.5};
+    const Vec3d through = from - out * (from.z / out.z);
+    const Vec2d way = picture->through().numbers(portal_place(out));
+    return {through.x / extent.x, through.y / extent.y, way.x, way.y};
+}
+
 double PortalLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
     const Vec3d out = to_local(-ray.direction);
     if (!(out.z > 0)) return 0;

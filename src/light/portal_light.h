@@ -22,6 +22,7 @@ struct PortalLight {
     Vec2d extent;  // of the portal, from the corner along x and along y; positive
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
+    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;

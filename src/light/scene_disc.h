@@ -21,4 +21,12 @@ inline Vec3d scene_disc_point(const SceneSphere& sphere, const Vec3d& direction,
     return sphere.center + rotate_z_to(direction, local) * sphere.radius;
 }
 
+/// The inverse of scene_disc_point(), for any point of the line along the direction; out of the
+/// unit square's bounds for lines that miss the disc.
+inline Vec2d scene_disc_square(const SceneSphere& sphere, const Vec3d& direction,
+                               const Vec3d& point) {
+    const Vec3d local = rotate_to_z(direction, (point - sphere.center) / sphere.radius);
+    return disc_to_square({local.x, local.y});
+}
+
 }  // namespace sunfleck

@@ -52,6 +52,21 @@ Emission SpotLight::sample_emission(const std::array<double, 4>& u, const SceneS
     return {position, direction, 2 * kPiDouble * flux.total(), Vec3(0), 0};
 }
 
+EmissionSlots SpotLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+    const SpotFlux flux(*this);
+    const Vec3d local = rotate_to_z(axis, ray.direction);
+    const double versine = 1 - local.z;
+    double radius2 = versine / flux.total();
+    if (versine > flux.core && flux.edge > 0) {
+        const double t = std::clamp(1 - (versine - flux.core) / (2 * flux.edge), 0.0, 1.0);
+        radius2 = 1 - t * t * t * (2 - t) * flux.edge / flux.total();
+    }
+    const double flat2 = local.x * local.x + local.y * local.y;
+    const double shrink = flat2 > 0 ? std::sqrt(std::clamp(radius2, 0.0, 1.0) / flat2) : 0;
+    const Vec2d way = disc_to_square(Vec2d(local.x, local.y) * shrink);
+    return {0.5, 0.5, way.x, way.y};
+}
+
 double SpotLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
     return falloff(axis.dot(ray.direction)) / (2 * kPiDouble * SpotFlux(*this).total());
 }

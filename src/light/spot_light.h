@@ -16,6 +16,7 @@ struct SpotLight {
     double cos_start = 1;  // full intensity inside; smoothstep of the cosine between
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;

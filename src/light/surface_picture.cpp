@@ -97,6 +97,11 @@ LaidPicture::Drawn LaidPicture::draw(const EmittingSurface& surface, const Vec2d
     return {on, at(surface, on.position, on.normal), slot.density};
 }
 
+Vec2d LaidPicture::numbers(const EmittingSurface& surface, const Vec3d& on,
+                           const Vec3d& normal) const {
+    return slots_->numbers(surface_square(surface, on, normal));
+}
+
 double LaidPicture::density(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal,
                             double spread) const {
     const double luminance = at(surface, on, normal).luminance;

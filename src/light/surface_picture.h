@@ -52,6 +52,9 @@ public:
     double density(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal,
                    double spread) const;
 
+    /// The u that draw() takes to a point of the surface: its inverse.
+    Vec2d numbers(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal) const;
+
     TexelLight at(const Vec2& uv) const { return picture_->at(uv); }
     /// At a point of the surface, whose unit normal (either side) is `normal`.
     TexelLight at(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal) const;

@@ -40,6 +40,16 @@ inline Vec2d concentric_disc(const Vec2d& u) {
     return concentric_disc_point(u).position;
 }
 
+/// Where concentric_disc() takes to a point of the disc: its inverse.
+inline Vec2d disc_to_square(const Vec2d& p) {
+    const double radius = std::sqrt(p.x * p.x + p.y * p.y);
+    if (!(radius > 0)) return Vec2d(0.5);
+    const bool wide = std::abs(p.x) > std::abs(p.y);
+    const double along = std::copysign(radius, wide ? p.x : p.y);
+    const double across = along * std::atan(wide ? p.y / p.x : p.x / p.y) / (kPiDouble / 4);
+    return (Vec2d(wide ? along : across, wide ? across : along) + Vec2d(1)) / 2;
+}
+
 /// Uniform on the unit sphere, by equal-area octahedra: the square's inscribed diamond is the
 /// upper hemisphere, its corners fold together at the lower pole.
 inline Vec3d uniform_sphere(const Vec2d& u) {
@@ -96,6 +106,12 @@ inline Vec2d uniform_triangle(const Vec2d& u) {
     return {u.x - u.y * 0.5, u.y * 0.5};
 }
 
+/// Where uniform_triangle() takes to the weights of the second and third corner: its inverse.
+inline Vec2d triangle_to_square(const Vec2d& weight) {
+    const double sum = weight.x + weight.y;
+    return weight.y > weight.x ? Vec2d(2 * weight.x, sum) : Vec2d(sum, 2 * weight.y);
+}
+
 /// The rotation that takes +z to `axis` on the shortest way, applied to `local`: continuous in
 /// both but at axis = -z, around which the frame turns twice.
 /// @param axis  unit.
@@ -106,6 +122,11 @@ inline Vec3d rotate_z_to(const Vec3d& axis, const Vec3d& local) {
     const double flat = axis.x * local.x + axis.y * local.y;
     const double along = local.z - flat / above;
     return {local.x + axis.x * along, local.y + axis.y * along, axis.z * local.z - flat};
+}
+
+/// The inverse of rotate_z_to(): takes `axis` to +z.
+inline Vec3d rotate_to_z(const Vec3d& axis, const Vec3d& world) {
+    return rotate_z_to({-axis.x, -axis.y, axis.z}, world);
 }
 
 }  // namespace sunfleck

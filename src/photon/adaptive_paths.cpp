@@ -43,7 +43,8 @@ LadderCounts trace_adaptive_paths(const PhotonView& view, const ViewOctree& octr
     const LadderPlan& plan = group.plan;
     PhotonSink sink{deposit, statistics};
     Statistics traced;
-    LadderCounts counts = run_ladder(space, EmissionPoints(pass), pass, plan, sink, traced);
+    LadderCounts counts =
+        run_ladder(space, EmissionPoints(pass), pass, plan, sink, traced, group.mapped.as_bridge());
     statistics += traced;
     statistics[Count::uniform_paths] += plan.uniform_paths;
     statistics[Count::uniform_visible] += counts.levels.front().at_least(kVisible);

@@ -64,7 +64,11 @@ private:
             walk.number = static_cast<std::uint32_t>(next_++);
             walk.read.emplace(points_.path(walk.number));
             walk.state = PhotonState();
-            if (tracer_.start(*walk.read, walk.state)) return;
+            if (tracer_.start(*walk.read, walk.state)) {
+                if constexpr (requires { walk.read->weight(); })
+                    walk.state.flux *= static_cast<float>(walk.read->weight());
+                return;
+            }
             ended_(PathEnd::no_light);
             walk.read.reset();
         }

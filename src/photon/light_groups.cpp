@@ -3,6 +3,7 @@
 
 #include "photon/group_rules.h"
 #include "photon/photon_space.h"
+#include "photon/view_walks.h"
 #include "sampler/emission_points.h"
 
 #include <algorithm>
@@ -35,12 +36,13 @@ using GroundPilot = Pilot<PhotonSpace, EmissionPoints>;
 /// The view, and all lights.
 class Lighting {
 public:
-    Lighting(const PhotonView& view, const PilotName& name)
-        : view_(view), name_(name), octree_(octree_of(view)) {}
+    Lighting(const PhotonView& view, const PhotonSettings& settings, const PilotName& name)
+        : view_(view), settings_(settings), name_(name), octree_(octree_of(view)) {}
 
     PhotonGroup all(std::uint32_t paths) const {
         const Ground ground(view_, octree_, weights());
-        return {ground.lights, GroundPilot(ground.space, name_).run(paths).plan, 1, 0};
+        PilotResult learned = GroundPilot(ground.space, name_, maps(ground)).run(paths);
+        return {ground.lights, std::move(learned.plan), std::move(learned.mapped), 1, 0};
     }
 
     /// Lights by group.
@@ -64,20 +66,32 @@ public:
         std::vector<GroupFlux> fluxes;
         for (const Lights& lights : groups) {
             grounds.push_back(std::make_unique<Ground>(view_, octree_, weights().among(lights)));
-            pilots.emplace_back(grounds.back()->space, name_);
+            pilots.emplace_back(grounds.back()->space, name_, maps(*grounds.back()));
             const HeightTail& tail = pilots.back().explore();
             fluxes.push_back({grounds.back()->lights.total(), tail[kVisible], is_rare(tail)});
         }
         const std::vector<std::uint32_t> shares = shared_paths(fluxes, paths);
         std::vector<PhotonGroup> result;
-        for (std::size_t g = 0; g < groups.size(); ++g)
-            result.push_back({grounds[g]->lights, pilots[g].plan(shares[g]).plan,
-                              fluxes[g].power / weights().total(), static_cast<std::uint32_t>(g)});
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            PilotResult learned = pilots[g].plan(shares[g]);
+            result.push_back({grounds[g]->lights, std::move(learned.plan),
+                              std::move(learned.mapped), fluxes[g].power / weights().total(),
+                              static_cast<std::uint32_t>(g)});
+        }
         return result;
     }
 
 private:
     const LightChoice& weights() const { return view_.scene.scene.light_choice(); }
+
+    /// @param ground  must outlive what is returned.
+    MapSource maps(const Ground& ground) const {
+        if (!settings_.emission_maps || view_.index.points().empty() || ground.lights.empty())
+            return {settings_.emission_maps, {}};
+        return {true, [this, &ground](PassId pass, const WalkRange& walks) {
+                    return walk_from_view(view_, ground.lights, pass, walks);
+                }};
+    }
 
     /// A few paths of each cluster; more where these are too few to tell fractions apart.
     std::vector<MeasuredLight> measured(const std::vector<Lights>& clusters) const {
@@ -111,19 +125,21 @@ private:
     }
 
     const PhotonView& view_;
+    const PhotonSettings& settings_;
     PilotName name_;
     ViewOctree octree_;
 };
 
 }  // namespace
 
-PhotonGroup learn_one_group(const PhotonView& view, const PilotName& name, std::uint32_t paths) {
-    return Lighting(view, name).all(paths);
+PhotonGroup learn_one_group(const PhotonView& view, const PhotonSettings& settings,
+                            const PilotName& name, std::uint32_t paths) {
+    return Lighting(view, settings, name).all(paths);
 }
 
-std::vector<PhotonGroup> learn_light_groups(const PhotonView& view, const PilotName& name,
-                                            std::uint32_t paths) {
-    const Lighting lighting(view, name);
+std::vector<PhotonGroup> learn_light_groups(const PhotonView& view, const PhotonSettings& settings,
+                                            const PilotName& name, std::uint32_t paths) {
+    const Lighting lighting(view, settings, name);
     const std::vector<Lights> groups = lighting.groups();
     if (groups.size() < 2 || paths < 2 * groups.size()) return {lighting.all(paths)};
     return lighting.planned(groups, paths);

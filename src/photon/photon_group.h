@@ -26,6 +26,7 @@ inline ViewOctree octree_of(const PhotonView& view) {
 struct PhotonGroup {
     LightChoice lights;      // where its paths start
     LadderPlan plan;         // without levels: uniform paths alone
+    MappedPlan mapped;       // uniform paths besides
     double power_share = 1;  // of all lights' power
     std::uint32_t part = 0;  // names its random numbers: see PassId
 };

@@ -49,6 +49,7 @@ struct PhotonSettings {
     PhotonSampler sampler = PhotonSampler::adaptive;
     std::optional<std::uint32_t> paths_per_pass;  // absent: max(200,000, pixels); paper: 200,000
     bool light_groups = true;                     // of the sampler `adaptive`: may part the lights
+    bool emission_maps = true;                    // of `adaptive`: may learn where light starts
     PaperSettings paper;
 };
 

@@ -7,19 +7,20 @@
 #include "core/parallel.h"
 #include "measurement/photon_batch.h"
 #include "photon/interleaved.h"
-#include "sampler/emission_points.h"
+#include "sampler/mapped_points.h"
 
 #include <algorithm>
 #include <vector>
 
 namespace sunfleck {
 
-enum class UniformKind { random, uniform };
+enum class UniformKind { random, uniform, mapped };
 
 struct UniformPaths {
     UniformKind kind = UniformKind::uniform;
     PassId pass;
     std::uint32_t count = 0;
+    const EmissionMap* map = nullptr;  // of mapped ones
 };
 
 /// Paths of which at least one photon was taken. @param range  their numbers.
@@ -60,12 +61,28 @@ std::vector<PhotonBatch> trace_batches(const PhotonTracer& tracer, const Uniform
     parallel_blocks(range.size(), kBatchPaths, [&](std::size_t first, std::size_t last) {
         PhotonBatch& batch = batches[first / kBatchPaths];
         const PathRange block{range.begin + first, range.begin + last};
-        if (paths.kind == UniformKind::uniform)
+        if (paths.kind == UniformKind::mapped)
+            trace_batch(tracer, MappedPoints(paths.pass, *paths.map), block, may_take, batch);
+        else if (paths.kind == UniformKind::uniform)
             trace_batch(tracer, even, block, may_take, batch);
         else
             trace_batch(tracer, independent, block, may_take, batch);
     });
     return batches;
+}
+
+/// What the paths weigh together of which a photon was taken.
+inline double visible_weight(const std::vector<PhotonBatch>& batches, const MappedPoints& points) {
+    double sum = 0;
+    for (const PhotonBatch& batch : batches) {
+        std::vector<std::uint32_t> visible;
+        for (std::size_t i = 0; i < batch.paths.size(); ++i)
+            if (batch.taken[i] != 0) visible.push_back(batch.paths[i]);
+        std::sort(visible.begin(), visible.end());
+        visible.erase(std::unique(visible.begin(), visible.end()), visible.end());
+        for (const std::uint32_t number : visible) sum += points.path(number).weight();
+    }
+    return sum;
 }
 
 /// Traces all paths of the pass, some at a time so that their photons fit in memory.

@@ -47,7 +47,8 @@ void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     if (pass.statistics[Count::uniform_paths] == 0) return;
     film.count("starved_passes", is_starved(pass) ? 1 : 0);
     film.sum("visible_fraction", pass.visible_fraction);
-    film.sum("visible_fraction_square", pass.visible_fraction * pass.visible_fraction);
+    film.sum("visible_fraction_square",
+             pass.visible_fraction * pass.visible_fraction * kSquareUnits);
     count_groups(film, pass.groups);
 }
 

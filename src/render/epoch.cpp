@@ -23,7 +23,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     Epoch epoch{epoch_of(pass), paths, {}, 0};
     if (settings.integrator != Integrator::sppm ||
         settings.photon.sampler != PhotonSampler::adaptive || paths < 2) {
-        epoch.groups.push_back({scene.light_choice(), {paths, {}}});
+        epoch.groups.push_back({scene.light_choice(), {paths, {}}, {}});
         return epoch;
     }
     const PassId first{settings.seed, first_pass_of(epoch.number)};
@@ -38,9 +38,9 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const PhotonView view{at_wavelengths, settings.transport, index};
     const PilotName name{settings.seed, epoch.number};
     if (settings.photon.light_groups)
-        epoch.groups = learn_light_groups(view, name, paths);
+        epoch.groups = learn_light_groups(view, settings.photon, name, paths);
     else
-        epoch.groups.push_back(learn_one_group(view, name, paths));
+        epoch.groups.push_back(learn_one_group(view, settings.photon, name, paths));
     epoch.seconds = watch.seconds();
     return epoch;
 }

@@ -18,7 +18,8 @@ constexpr double kTurnSeconds = 10;
 double paths_of(const Film& film, Integrator integrator) {
     if (integrator == Integrator::path || integrator == Integrator::bdpt)
         return static_cast<double>(film.key().pixels() * film.pass_count());
-    return film.statistic("uniform_paths") + film.statistic("mutated_paths");
+    return film.statistic("uniform_paths") + film.statistic("mapped_paths") +
+           film.statistic("mutated_paths");
 }
 
 /// The error falls about with the root of the number of passes; the bias of the radius apart.

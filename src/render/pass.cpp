@@ -10,8 +10,13 @@
 #include "reference/metropolis_integrator.h"
 #include "render/radius.h"
 
+#include <utility>
+
 namespace sunfleck {
 namespace {
+
+/// Mapped paths draw their numbers as parts of their own, beyond those of all groups.
+constexpr std::uint32_t kMappedParts = 256;
 
 /// Counts uniform paths. @return the share of visible ones.
 double count_uniform(Statistics& counts, Statistics& all) {
@@ -30,15 +35,16 @@ public:
 
     void trace(const PhotonGroup& group) {
         const LadderPlan& plan = group.plan;
-        GroupCounts counts{plan.paths(), group.power_share, 0, {}};
+        GroupCounts counts{plan.paths() + group.mapped.paths, group.power_share, 0, {}};
+        if (group.mapped.paths > 0) counts.visible_fraction = trace_mapped(group);
         if (plan.levels.empty()) {
-            counts.visible_fraction = trace_uniform(group);
+            if (plan.uniform_paths > 0) counts.visible_fraction = trace_uniform(group);
         } else {
             if (!octree_) octree_.emplace(octree_of(view_));
             const Depositor deposit(view_.scene, view_.index, result_.image, 1);
             counts.ladder = trace_adaptive_paths(view_, *octree_, eye_.id.with_part(group.part),
                                                  group, deposit, result_.statistics);
-            counts.visible_fraction = visible_fraction(plan, counts.ladder);
+            counts.visible_fraction += counts.ladder.visible_fraction;
         }
         result_.visible_fraction += group.power_share * counts.visible_fraction;
         result_.groups.push_back(std::move(counts));
@@ -54,9 +60,31 @@ private:
                                      ? UniformKind::random
                                      : UniformKind::uniform;
         Statistics counts = trace_uniform_paths(
-            tracer, {kind, eye_.id.with_part(group.part), paths},
+            tracer, {kind, eye_.id.with_part(group.part), paths, nullptr},
             [&](const Photon& photon) { return view_.index.may_take(photon); }, deposit);
         return count_uniform(counts, result_.statistics);
+    }
+
+    /// @return the fraction of uniform paths that are visible and that the map covers.
+    double trace_mapped(const PhotonGroup& group) {
+        const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
+        const Depositor deposit(view_.scene, view_.index, result_.image, group.mapped.paths);
+        const PassId id = eye_.id.with_part(group.part + kMappedParts);
+        double visible = 0;
+        Statistics counts = trace_uniform_paths(
+            tracer, {UniformKind::mapped, id, group.mapped.paths, &group.mapped.map},
+            [&](const Photon& photon) { return view_.index.may_take(photon); },
+            [&](std::vector<PhotonBatch>& batches) {
+                const Statistics deposited = deposit(batches);
+                visible += visible_weight(batches, MappedPoints(id, group.mapped.map));
+                return deposited;
+            });
+        counts[Count::mapped_paths] = std::exchange(counts[Count::uniform_paths], 0);
+        counts[Count::mapped_visible] = std::exchange(counts[Count::uniform_visible], 0);
+        counts[Count::distinct_visible] = counts[Count::visible_states] =
+            counts[Count::mapped_visible];
+        result_.statistics += counts;
+        return visible / group.mapped.paths;
     }
 
     const PhotonView& view_;

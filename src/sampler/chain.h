@@ -1,4 +1,5 @@
-// A Markov chain over primary samples: uniform on the set of those whose paths are high enough.
+// A Markov chain over primary samples: uniform on the set of those whose paths are high enough, or
+// less often where others sample, too.
 //
 // In:  a seed in the set, the set's least height, the scales of mutations. Out: states, each with
 // its path. A proposal outside the set is rejected, so the state counts once more.
@@ -7,6 +8,7 @@
 
 #include "sampler/path_space.h"
 #include "sampler/stored_sample.h"
+#include "sampler/target.h"
 
 #include <utility>
 
@@ -18,12 +20,13 @@ public:
     using Path = typename Space::Path;
     using Tally = typename Space::Tally;
 
-    /// @param seed  a sample whose path has least_height. @param stream  this chain's own.
-    Chain(const Space& space, int least_height, const StoredSample& seed, RandomStream stream,
+    /// @param seed  a sample whose path has the target's height. @param stream  this chain's own.
+    Chain(const Space& space, const Target& target, const StoredSample& seed, RandomStream stream,
           Tally& tally)
-        : space_(space), least_height_(least_height), stream_(stream), sample_(seed) {
+        : space_(space), target_(target), stream_(stream), sample_(seed) {
         space_.trace(RepeatingReader(sample_, stream_), path_, tally);
         height_ = space_.height(path_);
+        importance_ = target_.importance(sample_);
     }
 
     /// Proposes once. @return what follows if it was accepted: then accept() must be called.
@@ -34,7 +37,7 @@ public:
                                     LogUniformMove(scales, kind, stream_)),
                      proposed_path_, tally);
         proposed_height_ = space_.height(proposed_path_);
-        const bool accepted = proposed_height_ >= least_height_;
+        const bool accepted = proposed_height_ >= target_.height && is_important();
         ++counts[kind].proposed;
         if (accepted) ++counts[kind].accepted;
         return accepted;
@@ -45,15 +48,24 @@ public:
         std::swap(sample_, proposed_sample_);
         std::swap(path_, proposed_path_);
         height_ = proposed_height_;
+        importance_ = proposed_importance_;
     }
 
     const StoredSample& sample() const { return sample_; }
     const Path& path() const { return path_; }
     int height() const { return height_; }
+    /// Does the target cover less of the state than of others?
+    bool is_bridge() const { return importance_ < 1; }
 
 private:
+    bool is_important() {
+        proposed_importance_ = target_.importance(proposed_sample_);
+        return proposed_importance_ >= importance_ ||
+               stream_.next() * importance_ < proposed_importance_;
+    }
+
     const Space& space_;
-    int least_height_;
+    Target target_;
     RandomStream stream_;
     StoredSample sample_;
     StoredSample proposed_sample_;
@@ -61,6 +73,8 @@ private:
     Path proposed_path_;
     int height_ = 0;
     int proposed_height_ = 0;
+    double importance_ = 1;
+    double proposed_importance_ = 1;
 };
 
 }  // namespace sunfleck

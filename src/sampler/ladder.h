@@ -24,10 +24,20 @@ struct LadderPlan {
     friend bool operator==(const LadderPlan&, const LadderPlan&) = default;
 };
 
+/// Uniform paths through a map: what they cover is no part of a ladder.
+struct MappedPlan {
+    EmissionMap map;
+    std::uint32_t paths = 0;  // none: there is no map
+    double bridge = 1;        // importance of what the map covers to the ladder's chains
+
+    Bridge as_bridge() const { return paths == 0 ? Bridge{} : Bridge{&map, bridge}; }
+};
+
 /// Counts of one ladder. Level 0 is the uniform paths, whose `distinct` equals `states`.
 struct LadderCounts {
     std::vector<LevelCounts> levels;
     std::vector<std::uint64_t> survivors;  // states of level k that are in the set of level k + 1
+    double visible_fraction = 0;           // sum of the weights handed out: unbiased
 
     /// Of all levels.
     Acceptance mutations() const {
@@ -36,16 +46,6 @@ struct LadderCounts {
         return sum;
     }
 };
-
-/// The product of the shares that survived: unbiased for the share of visible uniform paths.
-inline double visible_fraction(const LadderPlan& plan, const LadderCounts& counts) {
-    if (counts.survivors.size() < plan.levels.size()) return 0;
-    double fraction = 1;
-    for (std::size_t k = 0; k < counts.survivors.size(); ++k)
-        fraction *=
-            static_cast<double>(counts.survivors[k]) / static_cast<double>(counts.levels[k].states);
-    return fraction;
-}
 
 /// Where a ladder's visible paths go. make(weight) gives a collector for one chain, called as
 /// collect(path, weight * steps); take(collectors) gets them in the order of the chains.
@@ -77,7 +77,9 @@ struct WeightedCollector {
     Collector collect;
     double weight;
 
-    void operator()(const ChainState<Space>& state) { collect(state.path, weight * state.steps); }
+    void operator()(const ChainState<Space>& state) {
+        if (!state.is_bridge) collect(state.path, weight * state.steps);
+    }
 };
 
 }  // namespace ladder_detail
@@ -97,15 +99,14 @@ Population uniform_population(const Space& space, const Points& points, std::uin
     parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
         Block& block = blocks[begin / kBlock];
         typename Space::Path path;
+        StoredSample sample;
         for (std::size_t i = begin; i < end; ++i) {
             const auto number = static_cast<std::uint32_t>(i);
-            space.trace(points.path(number), path, block.tally);
+            sample.clear();
+            space.trace(RecordingReader(points.path(number), sample), path, block.tally);
             const int height = space.height(path);
             ++block.counts.heights[static_cast<std::size_t>(height)];
-            if (height < least_height) continue;
-            Seed& seed = block.seeds.emplace_back();  // traced again: survivors are few
-            seed.height = height;
-            space.trace(RecordingReader(points.path(number), seed.sample), path, block.tally);
+            if (height >= least_height) block.seeds.push_back({sample, 1, height});
         }
         block.counts.states = block.counts.distinct = end - begin;
     });
@@ -135,22 +136,25 @@ Population surviving_states(const Level<Space>& level, int least_height, LevelCo
     return population;
 }
 
-/// Runs all levels of a plan that has any.
+/// Runs all levels of a plan that has any. What the bridge covers gets no weight.
 /// @return counts; levels after one without survivors are not run: the pass is zero ("starved").
 template <PathSpace Space, class Points, PathSink<Space> Sink>
 LadderCounts run_ladder(const Space& space, const Points& points, PassId pass,
-                        const LadderPlan& plan, Sink& sink, typename Space::Tally& tally) {
+                        const LadderPlan& plan, Sink& sink, typename Space::Tally& tally,
+                        const Bridge& bridge = {}) {
     LadderCounts counts;
     Population population =
         uniform_population(space, points, plan.uniform_paths, plan.levels.front().height,
                            counts.levels.emplace_back(), tally);
     counts.survivors.push_back(population.units());
-    double fraction = static_cast<double>(population.units()) / plan.uniform_paths;
+    double fraction = population.weight() / plan.uniform_paths;
     for (std::size_t k = 0; k < plan.levels.size() && population.units() > 0; ++k) {
+        const bool is_last = k + 1 == plan.levels.size();
+        if (is_last) fraction *= population.weigh(bridge);
         const Level<Space> level(space, pass, static_cast<std::uint32_t>(k + 1), plan.levels[k],
-                                 population);
+                                 population, is_last ? bridge : Bridge{});
         LevelCounts& counted = counts.levels.emplace_back();
-        if (k + 1 == plan.levels.size()) {
+        if (is_last) {
             using Weighted = ladder_detail::WeightedCollector<Space, typename Sink::Collector>;
             const double weight = fraction / static_cast<double>(level.states());
             level.run(
@@ -163,11 +167,13 @@ LadderCounts run_ladder(const Space& space, const Points& points, PassId pass,
                     sink.take(std::move(inner));
                 },
                 counted, tally);
+            counts.visible_fraction =
+                weight * static_cast<double>(counted.states - counted.bridges);
             continue;
         }
         Population survivors = surviving_states(level, plan.levels[k + 1].height, counted, tally);
         counts.survivors.push_back(survivors.units());
-        fraction *= static_cast<double>(survivors.units()) / static_cast<double>(level.states());
+        fraction *= survivors.weight() / static_cast<double>(level.states());
         population = std::move(survivors);
     }
     return counts;

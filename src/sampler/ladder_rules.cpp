@@ -13,6 +13,11 @@ constexpr double kConditionalFraction = 0.05;
 constexpr std::uint32_t kChains = 256;
 constexpr std::uint32_t kLastChains = 1024;  // no chain stays long in one place of the picture
 constexpr std::uint32_t kStatesOfAChain = 64;
+// Of a pass, through a map: what it leaves out is little, but chains need more paths for it.
+constexpr double kMappedShare = 0.4;
+constexpr double kMappedShareAlone = 0.75;
+constexpr double kMostImportance = 0.5;   // of the bridge: it must be told from the rest
+constexpr double kBridgeShare = 1 / 3.0;  // of chains' states on the bridge, over those elsewhere
 
 /// Chains of at least kStatesOfAChain states, so that copies of one seed part.
 std::uint32_t chains_for(std::uint32_t states, std::uint32_t most) {
@@ -63,6 +68,16 @@ std::vector<int> reached_heights(const HeightTail& tail) {
 
 bool is_rare(const HeightTail& tail) {
     return tail[kVisible] < kUniformOnly;
+}
+
+bool needs_several_sets(const HeightTail& tail, std::uint32_t paths) {
+    return is_rare(tail) && tail[kVisible] * (paths - paths / 2) < kSeedsForOneSet;
+}
+
+MappedPlan mapped_plan(const LearnedMap& map, bool can_climb, std::uint32_t paths) {
+    const double share = can_climb ? kMappedShare : kMappedShareAlone;
+    return {map.map, static_cast<std::uint32_t>(share * paths),
+            std::min(kMostImportance, map.rest / (1 - map.rest) * kBridgeShare)};
 }
 
 LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths) {

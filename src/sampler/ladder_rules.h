@@ -1,7 +1,7 @@
 // Which ladder suits how rare the visible paths are: the rules, without the sampling.
 #pragma once
 
-#include "sampler/ladder.h"
+#include "sampler/learned_map.h"
 
 #include <array>
 
@@ -22,6 +22,13 @@ bool is_rare(const HeightTail& tail);
 /// - No visible path found: every height that was reached is a set.
 /// @param paths  of a pass, all levels together; at least 2.
 LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths);
+
+/// Would the ladder's uniform paths find too few visible ones for one set?
+bool needs_several_sets(const HeightTail& tail, std::uint32_t paths);
+
+/// Paths through a map, of those of a pass, beside a ladder for what it leaves out.
+/// @param can_climb  whether ladders reach visible paths; else the map gets most paths.
+MappedPlan mapped_plan(const LearnedMap& map, bool can_climb, std::uint32_t paths);
 
 /// The height that exploration climbs to next: the greatest with at least 2% of the states; if no
 /// height above the set's has so many, the lowest above it that has any; kHeights if none has.

@@ -34,11 +34,13 @@ struct LevelCounts {
     std::uint64_t states = 0;    // with repeats
     std::uint64_t distinct = 0;  // seeds and accepted mutations
     Acceptances acceptances;
-    HeightCounts heights{};  // of states, with repeats
+    HeightCounts heights{};     // of states, with repeats
+    std::uint64_t bridges = 0;  // of states, with repeats: on the bridge
 
     LevelCounts& operator+=(const LevelCounts& other) {
         states += other.states;
         distinct += other.distinct;
+        bridges += other.bridges;
         for (std::size_t k = 0; k < kMutationKinds; ++k) acceptances[k] += other.acceptances[k];
         for (std::size_t h = 0; h < heights.size(); ++h) heights[h] += other.heights[h];
         return *this;
@@ -63,6 +65,7 @@ struct ChainState {
     const typename Space::Path& path;
     int height;
     std::uint32_t steps;  // that it stood, at least 1
+    bool is_bridge = false;
 };
 
 /// Takes the states of one chain, in their order.
@@ -78,12 +81,13 @@ public:
 
     /// @param number  of the level, 1 to 31: names the streams. @param population  not empty.
     Level(const Space& space, PassId pass, std::uint32_t number, const LevelPlan& plan,
-          const Population& population)
+          const Population& population, const Bridge& bridge = {})
         : space_(space),
           pass_(pass),
           number_(number),
           plan_(plan),
           population_(population),
+          target_{plan.height, bridge},
           states_(std::max(plan.states, plan.chains)) {}
 
     std::uint64_t states() const { return states_; }
@@ -96,7 +100,8 @@ public:
         static_assert(StateCollector<Collector, Space>);
         const std::uint64_t chains = plan_.chains;
         RandomStream offsets = pass_.stream(Purpose::ladder, number_);
-        const SystematicPicks pick(population_.units(), chains, offsets.next_fraction());
+        const double offset = offsets.next();
+        const double apart = population_.weight() / static_cast<double>(chains);
         const SystematicLengths length(states_, chains, offsets.next_fraction());
         const std::uint64_t at_once = std::max<std::uint64_t>(1, kStatesAtOnce * chains / states_);
         for (std::uint64_t first = 0; first < chains; first += at_once) {
@@ -107,7 +112,8 @@ public:
             std::vector<Tally> tallied(some);
             parallel_for(some, [&](std::size_t i) {
                 const std::uint64_t j = first + i;
-                run_chain({j, pick(j), length(j)}, collectors[i], counted[i], tallied[i]);
+                run_chain({j, (static_cast<double>(j) + offset) * apart, length(j)}, collectors[i],
+                          counted[i], tallied[i]);
             });
             for (const LevelCounts& c : counted) counts += c;
             for (const Tally& t : tallied) tally += t;
@@ -120,20 +126,22 @@ private:
 
     struct One {
         std::uint64_t number;
-        std::uint64_t unit;
+        double seed;  // its place in the population
         std::uint64_t states;
     };
 
     template <class Collector>
     void run_chain(const One& one, Collector& collect, LevelCounts& counts, Tally& tally) const {
         const auto name = one.number * 32 + number_;
-        Chain<Space> chain(space_, plan_.height, population_.of_unit(one.unit),
+        Chain<Space> chain(space_, target_, population_.at(one.seed),
                            pass_.stream(Purpose::chain, name), tally);
         std::uint32_t steps = 1;
         const auto leave = [&] {
-            collect(ChainState<Space>{chain.sample(), chain.path(), chain.height(), steps});
+            collect(ChainState<Space>{chain.sample(), chain.path(), chain.height(), steps,
+                                      chain.is_bridge()});
             counts.states += steps;
             ++counts.distinct;
+            counts.bridges += chain.is_bridge() ? steps : 0;
             counts.heights[static_cast<std::size_t>(chain.height())] += steps;
         };
         for (std::uint64_t i = 1; i < one.states; ++i) {
@@ -153,6 +161,7 @@ private:
     std::uint32_t number_;
     const LevelPlan& plan_;
     const Population& population_;
+    Target target_;
     std::uint64_t states_;
 };
 

@@ -7,12 +7,16 @@
 #pragma once
 
 #include "sampler/ladder_rules.h"
+#include "sampler/learned_map.h"
+
+#include <functional>
 
 namespace sunfleck {
 
 /// What a pilot found.
 struct PilotResult {
     LadderPlan plan;
+    MappedPlan mapped;        // besides, where that pays
     HeightTail tail{};        // its last entry is the visible fraction
     LadderCounts last;        // of the last trial of the plan's levels, if it has several
     std::uint64_t paths = 0;  // traced
@@ -30,17 +34,49 @@ struct PilotName {
     }
 };
 
+/// Numbers of walks.
+struct WalkRange {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+};
+
+/// Where climbing may fail and maps help.
+struct MapSource {
+    /// Emission that may be visible, found from the other end: by walks begin .. end - 1 of a pass.
+    using Walks = std::function<std::vector<WeightedEmission>(PassId, WalkRange)>;
+
+    bool is_on = true;  // off: no maps at all
+    Walks walks = {};   // none: climbing alone
+};
+
 template <PathSpace Space, class Points>
 class Pilot {
 public:
-    Pilot(const Space& space, const PilotName& name) : space_(space), name_(name) {}
+    Pilot(const Space& space, const PilotName& name, MapSource maps = {})
+        : space_(space), name_(name), maps_(std::move(maps)) {}
 
-    /// Climbs from uniform paths to visible ones, set by set: the first thing to ask of a pilot.
-    const HeightTail& explore();
+    /// Climbs from uniform paths to visible ones, set by set, or starts from hints where that leads
+    /// nowhere: the first thing to ask of a pilot.
+    const HeightTail& explore() {
+        climb();
+        has_climbed_ = result_.tail[kVisible] > 0;
+        if (!has_climbed_ && maps_.is_on && maps_.walks && start_from_hints()) {
+            learn_map(Covering::all_known);
+            result_.tail[kVisible] = map_.visible_fraction;
+        }
+        return result_.tail;
+    }
 
     /// What was found, and the plan for passes of that many paths; the last thing to ask.
     PilotResult plan(std::uint32_t paths) {
-        result_.plan = ladder_plan(result_.tail, paths);
+        HeightTail tail = result_.tail;
+        if (maps_.is_on && has_climbed_ && needs_several_sets(tail, paths))
+            learn_map(Covering::often_visible);
+        if (map_.rest < kMostRest) {
+            result_.mapped = mapped_plan(map_, has_climbed_, paths);
+            tail[kVisible] = has_climbed_ ? tail[kVisible] * map_.rest : 0;
+        }
+        result_.plan = ladder_plan(tail, paths - result_.mapped.paths);
         for (LevelPlan& level : result_.plan.levels) level.scales = scales_near(level.height);
         if (result_.plan.levels.size() > 1) refine();
         return std::move(result_);
@@ -59,6 +95,15 @@ private:
     static constexpr int kLeastRounds = 3;
     static constexpr int kMostRounds = 12;
     static constexpr int kRefiningRounds = 3;
+    static constexpr int kRefiningRest = 6;  // what a map leaves out is narrower than its set
+    static constexpr int kStartingRounds = 4;
+    static constexpr double kMostRest = 0.5;  // of a map that is of use
+    // Walks for hints: until many are found, and if need be for a few.
+    static constexpr std::uint32_t kWalks = 100'000;  // at once
+    static constexpr std::uint32_t kFewWalks = 500'000;
+    static constexpr std::uint32_t kMostWalks = 8'000'000;
+    static constexpr std::size_t kFewHints = 8;
+    static constexpr std::size_t kManyHints = 2048;
 
     struct Explored {
         int height;
@@ -86,6 +131,54 @@ private:
         return counts;
     }
 
+    void walk_until_settled(int height, MutationScales& scales, Population& population) {
+        for (int i = 0; i < kMostRounds; ++i) {
+            const MutationScales before = scales;
+            counts_ = walk(height, scales, population);
+            if (i + 1 >= kLeastRounds && is_settled(before, scales)) break;
+        }
+        explored_.push_back({height, scales});
+        if (height == kVisible) visible_ = population;
+    }
+
+    /// @param weight  of all of them.
+    void add_starts(const Population& population, double weight) {
+        std::vector<Seed> seeds = population.seeds();
+        redraw_emission(space_, seeds, next_pass(), tally_);
+        for (const Seed& seed : seeds)
+            starts_.push_back(
+                {emission_of(seed.sample), weight * seed.total() / population.weight()});
+    }
+
+    /// @return whether any hint leads to a visible path.
+    bool start_from_hints() {
+        const PassId pass = next_pass();
+        std::vector<WeightedEmission> hints;
+        for (std::uint32_t i = 0; i < kMostWalks; i += kWalks) {
+            if (hints.size() >= (i < kFewWalks ? kManyHints : kFewHints)) break;
+            const std::vector<WeightedEmission> found = maps_.walks(pass, {i, i + kWalks});
+            hints.insert(hints.end(), found.begin(), found.end());
+        }
+        Population population = visible_from(space_, hints, next_pass(), tally_);
+        if (population.units() == 0) return false;
+        add_starts(population, kStartingRounds);
+        MutationScales scales;
+        walk_until_settled(kVisible, scales, population);
+        return true;
+    }
+
+    /// From where chains start whose scales are settled.
+    void learn_map(Covering covering) {
+        MutationScales scales = scales_near(kVisible);
+        for (int i = 0; i < kStartingRounds; ++i) {
+            walk(kVisible, scales, visible_);
+            add_starts(visible_, 1);
+        }
+        const MapLearner<Space> learner(space_, tally_);
+        map_ = learner.learn(starts_, covering, {next_pass(), next_pass()});
+        result_.paths += 2 * MapLearner<Space>::kTrials;
+    }
+
     /// The scales of the highest explored set that is not above `height`.
     MutationScales scales_near(int height) const {
         MutationScales scales;
@@ -109,9 +202,11 @@ private:
             level.states = kStates;
             level.chains = kChains;
         }
-        for (int i = 0; i < kRefiningRounds; ++i) {
+        const int rounds = result_.mapped.paths > 0 ? kRefiningRest : kRefiningRounds;
+        for (int i = 0; i < rounds; ++i) {
             const PassId pass = next_pass();
-            result_.last = run_ladder(space_, Points(pass), pass, small, nowhere, tally_);
+            result_.last = run_ladder(space_, Points(pass), pass, small, nowhere, tally_,
+                                      result_.mapped.as_bridge());
             for (std::size_t k = 0; k + 1 < result_.last.levels.size(); ++k)
                 small.levels[k].scales =
                     adapted(small.levels[k].scales, result_.last.levels[k + 1].acceptances);
@@ -121,41 +216,43 @@ private:
             result_.plan.levels[k].scales = small.levels[k].scales;
     }
 
+    void climb();
+
     const Space& space_;
     PilotName name_;
+    MapSource maps_;
     std::uint32_t round_ = 0;
     typename Space::Tally tally_;
+    LevelCounts counts_;  // of the last round
     std::vector<Explored> explored_;
+    bool has_climbed_ = false;              // to the visible set
+    Population visible_;                    // states of that
+    std::vector<WeightedEmission> starts_;  // of visible paths
+    LearnedMap map_;
     PilotResult result_;
 };
 
 template <PathSpace Space, class Points>
-const HeightTail& Pilot<Space, Points>::explore() {
+void Pilot<Space, Points>::climb() {
     const PassId pass = next_pass();
-    LevelCounts counts;
     Population population =
-        uniform_population(space_, Points(pass), kUniformPaths, 1, counts, tally_);
+        uniform_population(space_, Points(pass), kUniformPaths, 1, counts_, tally_);
     result_.paths += kUniformPaths;
     int height = 0;
     double fraction = 1;
     MutationScales scales;
     while (true) {
-        const auto states = static_cast<double>(counts.states);
+        const auto states = static_cast<double>(counts_.states);
         for (int h = height; h < kHeights; ++h)
             result_.tail.at(static_cast<std::size_t>(h)) =
-                fraction * static_cast<double>(counts.at_least(h)) / states;
-        if (height == kVisible || !is_rare(result_.tail)) return result_.tail;
-        const int next = next_height(counts.heights, height);
-        if (next == kHeights) return result_.tail;
-        fraction *= static_cast<double>(counts.at_least(next)) / states;
+                fraction * static_cast<double>(counts_.at_least(h)) / states;
+        if (height == kVisible || !is_rare(result_.tail)) return;
+        const int next = next_height(counts_.heights, height);
+        if (next == kHeights) return;
+        fraction *= static_cast<double>(counts_.at_least(next)) / states;
         height = next;
         population = population.at_least(height);
-        for (int i = 0; i < kMostRounds; ++i) {
-            const MutationScales before = scales;
-            counts = walk(height, scales, population);
-            if (i + 1 >= kLeastRounds && is_settled(before, scales)) break;
-        }
-        explored_.push_back({height, scales});
+        walk_until_settled(height, scales, population);
     }
 }
 

@@ -1,8 +1,9 @@
 // States of a ladder's set that lie in the next set: the seeds of its chains.
 #pragma once
 
-#include "sampler/stored_sample.h"
+#include "sampler/target.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -12,16 +13,21 @@ namespace sunfleck {
 struct Seed {
     StoredSample sample;
     std::uint32_t units = 1;
-    int height = 0;  // of its path
+    int height = 0;     // of its path
+    double weight = 1;  // of a unit
+
+    double total() const { return units * weight; }
 };
 
-/// Seeds in a fixed order. A seed of m units counts as m seeds: each starts a chain of its own, or
-/// chain lengths would depend on how long the state stood, and with that on where it is.
+/// Seeds in a fixed order, side by side on a line: each as long as its weight. A seed of m units
+/// counts as m seeds, or chain lengths would depend on how long the state stood, and with that on
+/// where it is.
 class Population {
 public:
     void add(Seed seed) {
-        for (std::uint32_t i = 0; i < seed.units; ++i)
-            seed_of_unit_.push_back(static_cast<std::uint32_t>(seeds_.size()));
+        units_ += seed.units;
+        weight_ += seed.total();
+        ends_.push_back(weight_);
         seeds_.push_back(std::move(seed));
     }
     void add(std::vector<Seed>&& seeds) {
@@ -36,15 +42,32 @@ public:
         return some;
     }
 
-    std::size_t units() const { return seed_of_unit_.size(); }
-    /// @param unit  below units().
-    const StoredSample& of_unit(std::size_t unit) const {
-        return seeds_[seed_of_unit_[unit]].sample;
+    /// Weighs seeds by their importance. @return the mean importance of units so far of weight one.
+    double weigh(const Bridge& bridge) {
+        Population weighed;
+        for (Seed& seed : seeds_) {
+            seed.weight = Target{seed.height, bridge}.importance(seed.sample);
+            weighed.add(std::move(seed));
+        }
+        *this = std::move(weighed);
+        return weight_ / static_cast<double>(units_);
+    }
+
+    std::uint64_t units() const { return units_; }
+    double weight() const { return weight_; }
+    const std::vector<Seed>& seeds() const { return seeds_; }
+
+    /// The seed at a place of the line. @param place  in [0, weight()].
+    const StoredSample& at(double place) const {
+        const auto end = std::upper_bound(ends_.begin(), ends_.end() - 1, place);
+        return seeds_[static_cast<std::size_t>(end - ends_.begin())].sample;
     }
 
 private:
     std::vector<Seed> seeds_;
-    std::vector<std::uint32_t> seed_of_unit_;
+    std::vector<double> ends_;  // of the seeds on the line
+    std::uint64_t units_ = 0;
+    double weight_ = 0;
 };
 
 }  // namespace sunfleck

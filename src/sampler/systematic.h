@@ -31,22 +31,4 @@ private:
     std::uint64_t offset_;
 };
 
-/// Draws `picks` of `items`: each item is drawn floor or ceiling of picks / items times.
-class SystematicPicks {
-public:
-    /// @param items, picks  1 to 2^31 - 1. @param fraction  uniform.
-    constexpr SystematicPicks(std::uint64_t items, std::uint64_t picks, std::uint64_t fraction)
-        : items_(items), picks_(picks), offset_(below(fraction, items)) {}
-
-    /// The item of a pick, ascending with it.
-    constexpr std::uint64_t operator()(std::uint64_t pick) const {
-        return (pick * items_ + offset_) / picks_;
-    }
-
-private:
-    std::uint64_t items_;
-    std::uint64_t picks_;
-    std::uint64_t offset_;
-};
-
 }  // namespace sunfleck

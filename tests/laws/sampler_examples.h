@@ -1,145 +1,11 @@
 // Examples of every sampler, which the laws of tests/laws/sampler_laws_*test.cpp run over.
-//
-// In:  an example and a pass. Out: the sums that the laws speak of.
 #pragma once
 
-#include "laws/toy_paths.h"
-#include "math/statistics.h"
-#include "sampler/emission_points.h"
-#include "sampler/ladder.h"
-
-#include <bit>
-#include <ostream>
-#include <string>
-#include <variant>
-#include <vector>
+#include "laws/sampler_runs.h"
 
 namespace sunfleck::laws {
 
 using testing_support::first_slots;
-using testing_support::Islands;
-using testing_support::NestedBoxes;
-using testing_support::ToyPath;
-using testing_support::ToyTally;
-using ToySpace = std::variant<Islands, NestedBoxes>;
-
-struct SamplerExample {
-    std::string name;
-    ToySpace space;
-    bool sobol = true;
-    LadderPlan plan;  // no levels: uniform paths alone
-    struct Passes {
-        std::uint32_t quick = 0;
-        std::uint32_t slow = 0;
-    } passes;
-    double quick_band = 0.01;  // relative: where the interval of the mean must lie
-    double slow_band = 0.001;
-};
-
-// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
-inline void PrintTo(const SamplerExample& example, std::ostream* out) {
-    *out << example.name;
-}
-
-/// What a pass gave.
-struct PassSums {
-    double flux = 0;              // sum of weight * flux: an estimate of E f
-    double weight = 0;            // sum of weights
-    double visible_fraction = 0;  // an estimate of E V
-    std::uint64_t bytes = 0;      // a hash of every flux and weight, in order
-    LadderCounts counts;
-};
-
-/// A sink that sums, and hashes what it is given, chain by chain.
-struct SummingSink {
-    struct Collector {
-        double flux = 0;
-        double weight = 0;
-        std::uint64_t bytes = 0xCBF29CE484222325;
-
-        void operator()(const ToyPath& path, double path_weight) {
-            flux += path_weight * path.flux;
-            weight += path_weight;
-            mix(std::bit_cast<std::uint64_t>(path.flux));
-            mix(std::bit_cast<std::uint64_t>(path_weight));
-        }
-        void mix(std::uint64_t word) { bytes = std::rotl(bytes ^ word, 29) * 0x100000001B3; }
-    };
-
-    PassSums& sums;
-    Collector all = {};
-
-    Collector make() { return {}; }
-    void take(std::vector<Collector>&& chains) {
-        for (const Collector& chain : chains) {
-            sums.flux += chain.flux;
-            sums.weight += chain.weight;
-            all.mix(chain.bytes);
-        }
-        sums.bytes = all.bytes;
-    }
-};
-
-template <PathSpace Space, class Points>
-PassSums run_pass(const Space& space, const Points& points, PassId pass, const LadderPlan& plan) {
-    PassSums sums;
-    SummingSink sink{sums};
-    ToyTally tally;
-    if (!plan.levels.empty()) {
-        sums.counts = run_ladder(space, points, pass, plan, sink, tally);
-        sums.visible_fraction = visible_fraction(plan, sums.counts);
-        return sums;
-    }
-    std::vector<SummingSink::Collector> one(1);
-    ToyPath path;
-    for (std::uint32_t i = 0; i < plan.uniform_paths; ++i) {
-        space.trace(points.path(i), path, tally);
-        if (space.height(path) == kVisible) one[0](path, 1.0 / plan.uniform_paths);
-    }
-    sink.take(std::move(one));
-    sums.visible_fraction = sums.weight;
-    return sums;
-}
-
-inline PassSums run_pass(const SamplerExample& example, PassId pass) {
-    return std::visit(
-        [&](const auto& space) {
-            return example.sobol ? run_pass(space, EmissionPoints(pass), pass, example.plan)
-                                 : run_pass(space, IndependentPoints(pass), pass, example.plan);
-        },
-        example.space);
-}
-
-/// Estimates over the truth: their expectation is one.
-struct Ratios {
-    RunningMean flux;
-    RunningMean visible_fraction;
-
-    void add(const Ratios& other) {
-        flux.add(other.flux);
-        visible_fraction.add(other.visible_fraction);
-    }
-};
-
-/// Passes 0 .. passes - 1 of a seed.
-inline Ratios run_passes(const SamplerExample& example, std::uint64_t seed, std::uint32_t passes) {
-    constexpr std::uint32_t kBlock = 32;
-    const double flux = std::visit([](const auto& s) { return s.mean_flux(); }, example.space);
-    const double visible =
-        std::visit([](const auto& s) { return s.visible_fraction(); }, example.space);
-    std::vector<Ratios> blocks((passes + kBlock - 1) / kBlock);
-    parallel_blocks(passes, kBlock, [&](std::size_t begin, std::size_t end) {
-        Ratios& block = blocks[begin / kBlock];
-        for (std::size_t p = begin; p < end; ++p) {
-            const PassSums sums = run_pass(example, {seed, static_cast<std::uint32_t>(p)});
-            block.flux.add(sums.flux / flux);
-            block.visible_fraction.add(sums.visible_fraction / visible);
-        }
-    });
-    Ratios all;
-    for (const Ratios& block : blocks) all.add(block);
-    return all;
-}
 
 /// A ladder over nested sets of these heights.
 /// @param scale  of mutations, both kinds.
@@ -163,18 +29,59 @@ inline std::vector<int> top(int sets) {
     return heights;
 }
 
+/// A map that covers places where the first slot lies in [low, high], and nothing else.
+/// @param bridge  importance to the chains of what it covers.
+inline MappedPlan mapped_over(double low, double high, std::uint32_t paths, double bridge) {
+    RandomStream random(3, Purpose::test, 0, 0);
+    std::vector<WeightedEmission> starts;
+    std::vector<EmissionMap::Trial> trials;
+    for (int i = 0; i < 4000; ++i) {
+        WeightedEmission& start = starts.emplace_back();
+        for (double& x : start.point) x = random.next();
+        start.point[0] = low + (high - low) * start.point[0];
+        trials.push_back({start.point, true});
+    }
+    return {EmissionMap::learned(starts, 0.25).where_visible(trials, 0.5, 0), paths, bridge};
+}
+
 /// Passes are as many as the bands of the laws need.
 inline std::vector<SamplerExample> sampler_examples() {
     const Islands two{"two", {0, 6}, {{0.25, 0.2, 0.5, 1}, {0.7, 0.18, 0.5, 2}}};
     const Islands eight{"eight", first_slots(8), {{0.3, 0.2, 0.49, 1}, {0.8, 0.19, 0.49, 2}}};
     Islands line{"line", {0, 6}, {{0.2, 0.09, 0.5, 1}, {0.7, 0.07, 0.5, 2}}, 1};
     line.growth = 1.2;
+    Islands emission = line;  // reads all that maps are made of
+    emission.slots = {0, 6, 1, 2, 3, 4};
     Islands many{"many", first_slots(64), {{0.2, 0.1, 0.499, 1}, {0.7, 0.07, 0.499, 2}}, 1};
     many.growth = 1.4;
     const Islands sticky{"sticky", first_slots(3), {{0.2, 0.1, 0.5, 1}, {0.7, 0.004, 0.5, 2}}, 1};
     const NestedBoxes nested{"nested", {{0.3, 0.3}, {0.15, 0.1}, {0.02, 0.1}}};
     const std::vector<int> boxes = {1, 2, kVisible};
     return {
+        {"mapped_beside_one_set",
+         emission,
+         true,
+         plan_over(top(1), 1024, 1024, 256, 0.3F),
+         {1000, 35000},
+         0.01,
+         0.001,
+         mapped_over(0.14, 0.3, 512, 0.2)},
+        {"mapped_beside_two_sets",
+         emission,
+         true,
+         plan_over(top(2), 1024, 1024, 128, 0.15F),
+         {2500, 40000},
+         0.01,
+         0.002,
+         mapped_over(0.17, 0.24, 512, 0.05)},
+        {"mapped_in_eight_slots",
+         eight,
+         true,
+         plan_over(top(1), 512, 512, 256, 0.3F),
+         {1000, 35000},
+         0.01,
+         0.001,
+         mapped_over(0.1, 0.4, 512, 0.3)},
         {"random_points", two, false, {1000, {}}, {1500, 65000}},
         {"sobol_points", eight, true, {1024, {}}, {500, 22000}},
         {"one_set_copies", eight, true, plan_over(top(1), 512, 512, 256, 0.3F), {1000, 35000}},

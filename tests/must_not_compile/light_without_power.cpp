@@ -8,6 +8,7 @@ struct Powerless {
     SpectralCurve curve;
 
     Emission sample_emission(const std::array<double, 4>&, const SceneSphere&) const { return {}; }
+    EmissionSlots emission_slots(const LightRay&, const SceneSphere&) const { return {}; }
     double emission_pdf(const LightRay&, const SceneSphere&) const { return 0; }
     std::optional<DirectSample> sample_direct(const Vec3&, const Vec2&, const SceneSphere&) const {
         return {};

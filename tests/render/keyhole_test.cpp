@@ -71,6 +71,34 @@ TEST_P(EveryKeyhole, is_as_rare_and_as_bright_as_it_says) {
         << luminance.mean << " +- " << luminance.error;
 }
 
+// Walks from the view find the hole; what starts there has a density far above that of uniform
+// paths.
+TEST_P(EveryKeyhole, is_found_from_the_view) {
+    const Keyhole& keyhole = GetParam();
+    const Scene scene = procedural(std::string(keyhole.name), 32);
+    RenderSettings settings;
+    settings.photon.paths_per_pass = 50'000;
+    const Epoch epoch = learn_epoch(scene, settings, 0);
+    ASSERT_EQ(epoch.groups.size(), 1U);
+    const MappedPlan& mapped = epoch.groups[0].mapped;
+    EXPECT_GT(mapped.paths, 10'000U);
+    const Aim aim = aim_at_hole(scene, keyhole);
+    double least = 1e300;
+    for (std::uint32_t i = 0; i < 32; ++i) {
+        AimedReader read(aim, PassId{3, i}.stream(Purpose::test, 0));
+        EmissionPoint point;
+        for (std::uint32_t s = 0; s < kMappedSlots; ++s) point[s] = to_unit(read(s));
+        point[slot(aim.first)] = aim.window.middle.x;
+        point[slot(aim.first) + 1] = aim.window.middle.y;
+        least = std::min(least, mapped.map.density(point));
+    }
+    // Some 6% of what comes through the hole is seen. Through a lamp's map lead many directions.
+    const double through_hole = keyhole_truth(keyhole).visible_fraction / 0.06;
+    EXPECT_GT(least, keyhole.light == KeyholeLight::sun ? 0.1 / through_hole : 1);
+    settings.photon.emission_maps = false;
+    EXPECT_EQ(learn_epoch(scene, settings, 0).groups[0].mapped.paths, 0U);
+}
+
 /// Rays of the sun at the edges that triangles of the roof share, and up to a micrometre beside
 /// them: what came through such a seam would matter where one path in 10^8 is seen.
 TEST_P(EveryKeyhole, no_light_comes_through_the_seams_of_the_roof) {

@@ -57,7 +57,7 @@ TEST(Leaks, a_shadowed_floor_takes_no_photon_of_the_sheet_above_it) {
     const MeanPicture picture = render_mean(scene, settings, 4);
     EXPECT_EQ(picture.mean(), Vec3d(0));
     EXPECT_EQ(picture.statistics[Count::visible_points], 4U * 64U);
-    EXPECT_GT(picture.statistics[Count::photon_rays], 100'000U);
+    EXPECT_GE(picture.statistics[Count::photon_rays], 100'000U);
 }
 
 }  // namespace

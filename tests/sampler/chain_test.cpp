@@ -55,7 +55,8 @@ TEST(Chain, uniform_in_a_set_it_stays_uniform) {
         for (std::uint32_t i = 0; i < kChains; ++i) {
             RandomStream stream(1, Purpose::test, 0, i);
             const StoredSample seed = uniform_in_set(islands, kVisible, stream);
-            Chain chain(islands, kVisible, seed, PassId{1, 0}.stream(Purpose::chain, i), tally);
+            Chain chain(islands, Target{kVisible}, seed, PassId{1, 0}.stream(Purpose::chain, i),
+                        tally);
             for (int step = 0; step < 12; ++step)
                 if (chain.propose({{scale, scale / 4}}, counts, tally)) chain.accept();
             ++seen.at(part_of(islands, chain.sample()));
@@ -75,7 +76,7 @@ TEST(Chain, starts_at_its_seed) {
     RandomStream stream(1, Purpose::test, 0, 0);
     const StoredSample seed = uniform_in_set(islands, kVisible, stream);
     ToyTally tally;
-    const Chain chain(islands, kVisible, seed, PassId{}.stream(Purpose::chain, 0), tally);
+    const Chain chain(islands, Target{kVisible}, seed, PassId{}.stream(Purpose::chain, 0), tally);
     EXPECT_EQ(chain.sample(), seed);
     EXPECT_EQ(chain.height(), kVisible);
     EXPECT_GT(chain.path().flux, 0);
@@ -88,7 +89,7 @@ TEST(Chain, counts_each_proposal_of_its_kind) {
     RandomStream stream(1, Purpose::test, 0, 0);
     const StoredSample seed = uniform_in_set(islands, kVisible - 1, stream);
     ToyTally tally;
-    Chain chain(islands, kVisible - 1, seed, PassId{}.stream(Purpose::chain, 0), tally);
+    Chain chain(islands, Target{kVisible - 1}, seed, PassId{}.stream(Purpose::chain, 0), tally);
     Acceptances counts;
     std::uint64_t accepted = 0;
     for (int i = 0; i < 20'000; ++i) {

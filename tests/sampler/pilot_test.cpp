@@ -28,13 +28,13 @@ struct Dark : Islands {
     int height(const Path& path) const { return std::min(path.height, kVisible - 1); }
 };
 
-/// Spaces with visible fractions from 4e-3 down to 1e-7.
+/// All read what maps are made of. Visible fractions from 4e-3 down to 1e-7.
 std::vector<Islands> spaces() {
     return {
-        {"two slots", {0, 6}, {{0.25, 0.02, 0.5, 1}, {0.7, 0.03, 0.5, 8}}},
+        {"two slots", {0, 6, 1, 2, 3, 4}, {{0.25, 0.02, 0.5, 1}, {0.7, 0.03, 0.5, 8}}},
         {"eight slots", first_slots(8), {{0.3, 0.01, 0.45, 1}, {0.7, 0.02, 0.4, 5}}},
         {"64 slots", first_slots(64), {{0.25, 0.005, 0.495, 1}, {0.8, 0.005, 0.49, 3}}},
-        {"1e-7", {0, 6, 1}, {{0.3, 1.5e-4, 0.5, 1}, {0.7, 0.8e-4, 0.5, 5}}},
+        {"1e-7", {0, 6, 1, 2, 3, 4}, {{0.3, 1.5e-4, 0.5, 1}, {0.7, 0.8e-4, 0.5, 5}}},
     };
 }
 
@@ -58,21 +58,24 @@ TEST(Pilot, finds_how_rare_visible_paths_are) {
     }
 }
 
-// Acceptance of a full pass with what was learned, by level and kind, at seed 1.
+// Acceptance of a full pass with what was learned, by level and kind, at seed 1. Of what a map
+// leaves out, which may be slivers, scales are learned less well.
 TEST(Pilot, learns_scales_that_accept_about_half) {
     for (const Islands& space : spaces()) {
         const PilotResult result = learn(space, 1);
         const PassId pass{1, 0};
         Nowhere nowhere;
         Islands::Tally tally;
-        const LadderCounts counts =
-            run_ladder(space, EmissionPoints(pass), pass, result.plan, nowhere, tally);
+        const LadderCounts counts = run_ladder(space, EmissionPoints(pass), pass, result.plan,
+                                               nowhere, tally, result.mapped.as_bridge());
         ASSERT_EQ(counts.levels.size(), result.plan.levels.size() + 1) << space.name;
-        for (std::size_t k = 1; k < counts.levels.size(); ++k)
+        for (std::size_t k = 1; k < counts.levels.size(); ++k) {
+            const bool is_rest = result.mapped.paths > 0 && k + 1 == counts.levels.size();
             for (const Acceptance& kind : counts.levels[k].acceptances)
                 EXPECT_NEAR(static_cast<double>(kind.accepted) / static_cast<double>(kind.proposed),
-                            0.5, 0.1)
+                            0.5, is_rest ? 0.25 : 0.1)
                     << space.name << " level " << k;
+        }
     }
 }
 
@@ -120,11 +123,71 @@ TEST(Pilot, ends_where_nothing_is_visible) {
     Islands::Tally tally;
     const LadderCounts counts =
         run_ladder(dark, EmissionPoints(pass), pass, result.plan, nowhere, tally);
-    EXPECT_EQ(visible_fraction(result.plan, counts), 0);
+    EXPECT_EQ(counts.visible_fraction, 0);
     const Islands nowhere_near{"empty", {0}, {}, 1};
     const PilotResult none = learn(nowhere_near, 1);
     EXPECT_EQ(none.plan.levels.size(), 1U);
     EXPECT_EQ(none.tail[kVisible], 0);
+}
+
+/// Islands that nothing leads to: elsewhere all paths are of height zero.
+struct Hidden : Islands {
+    int height(const Path& path) const { return path.height == kVisible ? kVisible : 0; }
+};
+
+Hidden hidden() {
+    Hidden space;
+    space.slots = {0, 6, 1, 2, 3, 4};
+    space.islands = {{0.3, 1e-6, 0.5, 1}, {0.7, 5e-7, 0.5, 1}};
+    space.narrow = 1;
+    return space;
+}
+
+/// Emission on both islands, as walks from the other end would find it.
+std::vector<WeightedEmission> hints_of_hidden(PassId pass, const WalkRange& walks) {
+    std::vector<WeightedEmission> found;
+    for (std::uint32_t i = walks.begin; i < walks.end; i += 2000) {
+        RandomStream stream = pass.stream(Purpose::test, i);
+        const bool first = stream.next() < 0.67;
+        const double half = first ? 1e-6 : 5e-7;
+        WeightedEmission& hint = found.emplace_back();
+        for (double& x : hint.point) x = stream.next();
+        hint.point[0] = (first ? 0.3 : 0.7) + (2 * stream.next() - 1) * half;
+    }
+    return found;
+}
+
+// Two islands of 2.4e-6 in all: among 20,000 uniform paths none is found, and no height leads
+// there.
+TEST(Pilot, starts_from_hints_where_climbing_fails) {
+    const Hidden space = hidden();
+    const PilotName name{1, 0};
+    const PilotResult lost = Pilot<Hidden, EmissionPoints>(space, name).run(kPaths);
+    EXPECT_EQ(lost.tail[kVisible], 0);
+    EXPECT_EQ(lost.mapped.paths, 0U);
+    const PilotResult found =
+        Pilot<Hidden, EmissionPoints>(space, name, {true, hints_of_hidden}).run(kPaths);
+    EXPECT_NEAR(found.tail[kVisible] / space.visible_fraction(), 1, 0.1);
+    EXPECT_GT(found.mapped.paths, kPaths / 2);
+    EXPECT_EQ(found.mapped.paths + found.plan.paths(), kPaths);
+    for (const double centre : {0.3, 0.7})
+        EXPECT_GT(found.mapped.map.density({centre, 0.5, 0.5, 0.5, 0.5}), 1e4) << centre;
+    const PilotResult off =
+        Pilot<Hidden, EmissionPoints>(space, name, {false, hints_of_hidden}).run(kPaths);
+    EXPECT_EQ(off.mapped.paths, 0U);
+}
+
+// Where one set is enough there is no map; where several are needed it covers most of what is seen.
+TEST(Pilot, maps_what_a_ladder_of_several_sets_would_climb_to) {
+    EXPECT_EQ(learn(spaces()[0], 1).mapped.paths, 0U);
+    const Islands space{"1e-5", {0, 1, 6, 2, 3, 4}, {{0.3, 1.5e-3, 0.5, 1}, {0.7, 0.8e-3, 0.5, 5}}};
+    const PilotResult learned = learn(space, 1);
+    EXPECT_GT(learned.mapped.paths, kPaths / 4);
+    EXPECT_EQ(learned.mapped.paths + learned.plan.paths(), kPaths);
+    EXPECT_GT(learned.mapped.map.density({0.3, 0.3, 0.5, 0.5, 0.5}), 100);
+    const PilotResult off = Pilot<Islands, EmissionPoints>(space, {1, 0}, {false, {}}).run(kPaths);
+    EXPECT_EQ(off.mapped.paths, 0U);
+    EXPECT_EQ(off.plan.levels.size(), ladder_plan(off.tail, kPaths).levels.size());
 }
 
 }  // namespace

@@ -1,0 +1,176 @@
+// Random walks over surfaces, a light sample at each.
+#include "photon/view_walks.h"
+
+#include "core/parallel.h"
+#include "math/warp.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+constexpr int kMostBounces = 16;
+constexpr int kMostPanes = 32;  // surfaces passed on the way to a light
+
+class ViewWalk {
+public:
+    ViewWalk(const PhotonView& view, const LightChoice& lights, RandomStream stream,
+             std::vector<WeightedEmission>& found)
+        : scene_(view.scene), lights_(lights), stream_(stream), found_(found) {}
+
+    void start(const VisiblePoint& point) {
+        const Disc& disc = point.disc;
+        Vec3 normal = disc.normal;
+        if (disc.both_sides && stream_.next() < 0.5) normal = -normal;
+        const Vec3 from = disc.position + normal * (1e-3F * disc.radius);
+        look_for_light(from, disc, normal);
+        const Vec3d local = cosine_hemisphere({stream_.next(), stream_.next()});
+        go_on({from, Frame(normal).to_world(Vec3(local))});
+    }
+
+private:
+    /// What of a light's sample arrives where the walk stands.
+    struct LightSample {
+        std::size_t light;
+        double probability;
+        DirectSample direct;
+    };
+
+    std::optional<LightSample> sample_light(const Vec3& at) {
+        const auto choice = lights_.choose(stream_.next());
+        const Vec2 u(stream_.next_float(), stream_.next_float());
+        const auto direct =
+            sample_direct(scene_.scene.lights()[choice.index], at, u, scene_.scene.sphere());
+        if (!direct) return {};
+        return LightSample{choice.index, choice.probability, *direct};
+    }
+
+    /// At the walk's first point, which may leave direct light to the eye paths.
+    void look_for_light(const Vec3& at, const Disc& disc, const Vec3& normal) {
+        const auto sample = sample_light(at);
+        if (!sample) return;
+        const float cosine = normal.dot(sample->direct.direction);
+        if (!(cosine > 0)) return;
+        const int panes = panes_to({at, sample->direct.direction}, sample->direct.distance);
+        const PhotonKind kind = panes == 0 ? PhotonKind::direct : PhotonKind::caustic;
+        if (panes < 0 || (disc.kinds & static_cast<std::uint8_t>(kind)) == 0) return;
+        add(*sample, at, Spectrum(cosine / kPi));
+    }
+
+    void go_on(Ray ray) {
+        for (int bounces = 0; bounces < kMostBounces; ++bounces) {
+            auto hit = scene_.scene.geometry().intersect(ray);
+            for (int panes = 0; hit && scene_.scene.passes_straight(*hit); ++panes) {
+                if (panes == kMostPanes) return;
+                hit = scene_.scene.geometry().intersect(ray_from(*hit, ray.direction));
+            }
+            if (!hit) return;
+            std::optional<Bsdf> room;
+            const Bsdf bsdf = scene_.bsdf_at(*hit, room);
+            const Frame frame(hit->shading_normal, hit->tangent);
+            const Vec3 w_from = frame.to_local(-ray.direction);
+            if (scattering(bsdf) != Scattering::specular) {
+                const auto sample = sample_light(hit->position);
+                if (sample) add_if_lit(*hit, frame, bsdf, w_from, *sample);
+            }
+            const auto drawn = sample(bsdf, w_from, draw());
+            if (!drawn) return;
+            const Spectrum throughput = throughput_ * drawn->weight;
+            const float survival = std::min(1.0F, throughput.sum() / throughput_.sum());
+            if (!(stream_.next_float() < survival)) return;
+            throughput_ = throughput / survival;
+            ray = ray_from(*hit, frame.to_world(drawn->w_to));
+        }
+    }
+
+    BsdfDraw draw() {
+        const float lobe = stream_.next_float();
+        const float u = stream_.next_float();
+        return {{lobe, u, stream_.next_float()}, Transport::radiance, {}};
+    }
+
+    void add_if_lit(const Hit& hit, const Frame& frame, const Bsdf& bsdf, const Vec3& w_from,
+                    const LightSample& sample) {
+        const Vec3 w_to = frame.to_local(sample.direct.direction);
+        const Spectrum f = eval(bsdf, w_from, w_to, Transport::radiance);
+        if (f.is_zero()) return;
+        const Ray ray = ray_from(hit, sample.direct.direction);
+        if (panes_to(ray, sample.direct.distance) < 0) return;
+        add(sample, hit.position, f * std::abs(w_to.z));
+    }
+
+    /// Surfaces that light passes along the ray, bent as it may be. @return -1: it is stopped.
+    int panes_to(Ray ray, float distance) const {
+        float left = distance * (1 - 1e-4F);
+        for (int panes = 0; panes < kMostPanes; ++panes) {
+            ray.length = left;
+            auto hit = scene_.scene.geometry().intersect(ray);
+            if (!hit) return panes;
+            if (!scene_.scene.passes_straight(*hit) && !is_clear(*hit, ray.direction)) return -1;
+            left -= hit->distance;
+            if (!(left > 0)) return panes + 1;
+            ray = ray_from(*hit, ray.direction);
+        }
+        return -1;
+    }
+
+    /// Does a smooth surface let light through?
+    bool is_clear(Hit& hit, const Vec3& direction) const {
+        std::optional<Bsdf> room;
+        const Bsdf& bsdf = scene_.bsdf_at(hit, room);
+        if (scattering(bsdf) != Scattering::specular) return false;
+        const Vec3 w_from = Frame(hit.shading_normal, hit.tangent).to_local(-direction);
+        constexpr float kLast = 1 - 0x1p-20F;  // of the lobes: transmission
+        const auto through = sample(bsdf, w_from, {{kLast, 0.5F, 0.5F}, Transport::radiance, {}});
+        return through && through->w_to.z * w_from.z < 0;
+    }
+
+    /// The emission that would take the walk's way.
+    void add(const LightSample& sample, const Vec3& at, const Spectrum& scattered) {
+        const Light& light = scene_.scene.lights()[sample.light];
+        const DirectSample& direct = sample.direct;
+        const Spectrum flux = throughput_ * scattered * scene_.emission[sample.light];
+        const double weight = static_cast<double>(flux.sum()) * static_cast<double>(direct.factor) /
+                              sample.probability;
+        const Vec3d to_light(direct.direction);
+        Vec3d origin(at);
+        if (!comes_from_afar(light)) origin += to_light * static_cast<double>(direct.distance);
+        const EmissionSlots u =
+            emission_slots(light, {origin, direct.normal, -to_light}, scene_.scene.sphere());
+        EmissionPoint point;
+        std::copy(u.begin(), u.end(), point.begin());
+        point[slot(EmissionSlot::light)] = lights_.number(sample.light, stream_.next());
+        const auto is_number = [](double x) { return x > 0 && x < 1; };
+        if (weight > 0 && std::all_of(point.begin(), point.end(), is_number))
+            found_.push_back({point, weight});
+    }
+
+    const PassScene& scene_;
+    const LightChoice& lights_;
+    RandomStream stream_;
+    std::vector<WeightedEmission>& found_;
+    Spectrum throughput_{1};
+};
+
+}  // namespace
+
+std::vector<WeightedEmission> walk_from_view(const PhotonView& view, const LightChoice& lights,
+                                             PassId pass, const WalkRange& walks) {
+    constexpr std::size_t kBlock = 1024;
+    const std::size_t count = walks.end - walks.begin;
+    const std::vector<VisiblePoint>& points = view.index.points();
+    std::vector<std::vector<WeightedEmission>> blocks((count + kBlock - 1) / kBlock);
+    parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            RandomStream stream = pass.stream(Purpose::view_walk, walks.begin + i);
+            const auto point =
+                static_cast<std::size_t>(stream.next() * static_cast<double>(points.size()));
+            ViewWalk(view, lights, stream, blocks[begin / kBlock]).start(points[point]);
+        }
+    });
+    std::vector<WeightedEmission> all;
+    for (const auto& block : blocks) all.insert(all.end(), block.begin(), block.end());
+    return all;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,23 @@
+// Walks from what is seen to the lights: which emission may be visible, found from the other end.
+//
+// In:  the view, some lights. Out: emission of paths that come near to the view or into it,
+// weighted by about the flux that they bring. Glass is passed straight on the way to a light, and a
+// walk may end on the dark side of a disc: what is found is a hint for maps of the emission
+// (sampler/emission_map.h) and no part of a picture.
+// Source: importance carried from the eye: Jensen, Importance driven path tracing using the photon
+// map (1995); Peter and Pietrek, Importance driven construction of photon maps (1998).
+#pragma once
+
+#include "photon/photon_group.h"
+#include "sampler/pilot.h"
+
+#include <vector>
+
+namespace sunfleck {
+
+/// Of walks begin .. end - 1. @param view  with one visible point at least. @param pass  names the
+/// walks' random numbers.
+std::vector<WeightedEmission> walk_from_view(const PhotonView& view, const LightChoice& lights,
+                                             PassId pass, const WalkRange& walks);
+
+}  // namespace sunfleck

@@ -1,0 +1,67 @@
+// Emission maps as a user meets them: the flag, the statistics, the same bytes however a render is
+// cut.
+#include "app/determinism_support.h"
+
+namespace sunfleck {
+namespace {
+
+using testing_support::DeterminismTest;
+using testing_support::operator+;
+using testing_support::Ran;
+using testing_support::read_text;
+using testing_support::Words;
+
+class EmissionMaps : public DeterminismTest {
+protected:
+    void SetUp() override {
+        DeterminismTest::SetUp();
+        use("keyhole-6", {"--resolution", "12x12", "--photons-per-pass", "3000"});
+    }
+    nlohmann::json stats(const std::string& range, const Words& more = {}) const {
+        part("x", range, 2, more + Words{"--stats", path("x.json")});
+        return json("x.json");
+    }
+};
+
+TEST_F(EmissionMaps, are_told_in_the_statistics) {
+    const auto s = stats("0:2");
+    EXPECT_EQ(s["photon_paths"]["mapped"], 2 * 2250);
+    EXPECT_GT(s["photon_paths"]["mapped_visible"], 20);
+    EXPECT_EQ(s["photon_paths"]["uniform_visible"], 0);
+    EXPECT_GT(s["visible_fraction"]["value"], 8e-7);  // 1e-6, and what wide discs add
+    EXPECT_LT(s["visible_fraction"]["value"], 2.5e-6);
+    EXPECT_GT(s["visible_fraction"]["std_error"], 0);
+    EXPECT_LT(s["visible_fraction"]["std_error"], 5e-7);
+    EXPECT_EQ(s["starved_passes"], 0);
+    EXPECT_FALSE(s["settings"].contains("emission_maps"));
+}
+
+TEST_F(EmissionMaps, are_left_out_where_the_user_says_so) {
+    const auto s = stats("0:1", {"--emission-maps", "off"});
+    EXPECT_EQ(s["photon_paths"]["mapped"], 0);
+    EXPECT_EQ(s["settings"]["emission_maps"], "off");
+    for (const Words& words : {Words{"--emission-maps", "on"},
+                               Words{"--emission-maps", "off", "--photon-sampler", "uniform"},
+                               Words{"--emission-maps", "auto", "--integrator", "path"}}) {
+        const Ran ran = run(Words{"render", "keyhole-6.pbrt", "-o", "y.exr"} + words);
+        EXPECT_EQ(ran.code, 2) << words.back();
+        EXPECT_NE(ran.err.find("--emission-maps"), std::string::npos) << ran.err;
+        EXPECT_FALSE(exists("y.exr"));
+    }
+}
+
+TEST_F(EmissionMaps, have_the_same_bytes_for_any_threads_and_parts) {
+    part("whole", "0:3", 1);
+    const Bytes whole = bytes("whole");
+    part("threads", "0:3", 3);
+    EXPECT_TRUE(bytes("threads") == whole);
+    part("low", "0:1", 8);
+    part("high", "1:3", 2);
+    merge("sum", {"high", "low"});
+    EXPECT_TRUE(bytes("sum") == whole);
+    resumed("resumed", "0", {1, 3}, 2);
+    EXPECT_TRUE(bytes("resumed") == whole);
+}
+
+}  // namespace
+}  // namespace sunfleck

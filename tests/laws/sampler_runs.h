@@ -1,0 +1,165 @@
+// Runs of a sampler over a space of known measure and flux.
+//
+// In:  an example and a pass. Out: the sums that the laws speak of.
+#pragma once
+
+#include "laws/toy_paths.h"
+#include "math/statistics.h"
+#include "sampler/emission_points.h"
+#include "sampler/ladder.h"
+#include "sampler/mapped_points.h"
+
+#include <bit>
+#include <ostream>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace sunfleck::laws {
+
+using testing_support::Islands;
+using testing_support::NestedBoxes;
+using testing_support::ToyPath;
+using testing_support::ToyTally;
+using ToySpace = std::variant<Islands, NestedBoxes>;
+
+struct SamplerExample {
+    std::string name;
+    ToySpace space;
+    bool sobol = true;
+    LadderPlan plan;  // no levels: uniform paths alone
+    struct Passes {
+        std::uint32_t quick = 0;
+        std::uint32_t slow = 0;
+    } passes;
+    double quick_band = 0.01;  // relative: where the interval of the mean must lie
+    double slow_band = 0.001;
+    MappedPlan mapped = {};  // paths besides, through a map
+};
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
+inline void PrintTo(const SamplerExample& example, std::ostream* out) {
+    *out << example.name;
+}
+
+/// What a pass gave.
+struct PassSums {
+    double flux = 0;              // sum of weight * flux: an estimate of E f
+    double weight = 0;            // sum of weights
+    double visible_fraction = 0;  // an estimate of E V
+    std::uint64_t bytes = 0;      // a hash of every flux and weight, in order
+    LadderCounts counts;
+};
+
+/// A sink that sums, and hashes what it is given, chain by chain.
+struct SummingSink {
+    struct Collector {
+        double flux = 0;
+        double weight = 0;
+        std::uint64_t bytes = 0xCBF29CE484222325;
+
+        void operator()(const ToyPath& path, double path_weight) {
+            flux += path_weight * path.flux;
+            weight += path_weight;
+            mix(std::bit_cast<std::uint64_t>(path.flux));
+            mix(std::bit_cast<std::uint64_t>(path_weight));
+        }
+        void mix(std::uint64_t word) { bytes = std::rotl(bytes ^ word, 29) * 0x100000001B3; }
+    };
+
+    PassSums& sums;
+    Collector all = {};
+
+    Collector make() { return {}; }
+    void take(std::vector<Collector>&& chains) {
+        for (const Collector& chain : chains) {
+            sums.flux += chain.flux;
+            sums.weight += chain.weight;
+            all.mix(chain.bytes);
+        }
+        sums.bytes = all.bytes;
+    }
+};
+
+/// As render/pass.cpp does it: paths through the map are no part of the ladder.
+template <PathSpace Space>
+void run_mapped(const Space& space, PassId pass, const MappedPlan& mapped, SummingSink& sink) {
+    const MappedPoints points(pass.with_part(1), mapped.map);
+    std::vector<SummingSink::Collector> one(1);
+    ToyPath path;
+    ToyTally tally;
+    for (std::uint32_t i = 0; i < mapped.paths; ++i) {
+        auto read = points.path(i);
+        space.trace(read, path, tally);
+        if (space.height(path) == kVisible) one[0](path, read.weight() / mapped.paths);
+    }
+    sink.take(std::move(one));
+}
+
+template <PathSpace Space, class Points>
+PassSums run_pass(const Space& space, const Points& points, PassId pass, const LadderPlan& plan,
+                  const MappedPlan& mapped = {}) {
+    PassSums sums;
+    SummingSink sink{sums};
+    ToyTally tally;
+    if (!plan.levels.empty()) {
+        if (mapped.paths > 0) run_mapped(space, pass, mapped, sink);
+        sums.visible_fraction = sums.weight;
+        sums.counts = run_ladder(space, points, pass, plan, sink, tally, mapped.as_bridge());
+        sums.visible_fraction += sums.counts.visible_fraction;
+        return sums;
+    }
+    std::vector<SummingSink::Collector> one(1);
+    ToyPath path;
+    for (std::uint32_t i = 0; i < plan.uniform_paths; ++i) {
+        space.trace(points.path(i), path, tally);
+        if (space.height(path) == kVisible) one[0](path, 1.0 / plan.uniform_paths);
+    }
+    sink.take(std::move(one));
+    sums.visible_fraction = sums.weight;
+    return sums;
+}
+
+inline PassSums run_pass(const SamplerExample& example, PassId pass) {
+    return std::visit(
+        [&](const auto& space) {
+            const auto run = [&](const auto& points) {
+                return run_pass(space, points, pass, example.plan, example.mapped);
+            };
+            return example.sobol ? run(EmissionPoints(pass)) : run(IndependentPoints(pass));
+        },
+        example.space);
+}
+
+/// Estimates over the truth: their expectation is one.
+struct Ratios {
+    RunningMean flux;
+    RunningMean visible_fraction;
+
+    void add(const Ratios& other) {
+        flux.add(other.flux);
+        visible_fraction.add(other.visible_fraction);
+    }
+};
+
+/// Passes 0 .. passes - 1 of a seed.
+inline Ratios run_passes(const SamplerExample& example, std::uint64_t seed, std::uint32_t passes) {
+    constexpr std::uint32_t kBlock = 32;
+    const double flux = std::visit([](const auto& s) { return s.mean_flux(); }, example.space);
+    const double visible =
+        std::visit([](const auto& s) { return s.visible_fraction(); }, example.space);
+    std::vector<Ratios> blocks((passes + kBlock - 1) / kBlock);
+    parallel_blocks(passes, kBlock, [&](std::size_t begin, std::size_t end) {
+        Ratios& block = blocks[begin / kBlock];
+        for (std::size_t p = begin; p < end; ++p) {
+            const PassSums sums = run_pass(example, {seed, static_cast<std::uint32_t>(p)});
+            block.flux.add(sums.flux / flux);
+            block.visible_fraction.add(sums.visible_fraction / visible);
+        }
+    });
+    Ratios all;
+    for (const Ratios& block : blocks) all.add(block);
+    return all;
+}
+
+}  // namespace sunfleck::laws
