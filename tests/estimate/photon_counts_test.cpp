@@ -23,7 +23,7 @@ protected:
             p.disc.normal = p.shading_normal = p.w_from = Vec3(0, 0, 1);
             p.disc.kinds = static_cast<std::uint8_t>(1 + i % 7);
             p.throughput = Spectrum(random_.next_float());
-            p.pixel = i % kPixels;
+            p.pixel = static_cast<std::uint32_t>(i % kPixels);
             p.bsdf = kLambertian;
             points_.push_back(p);
         }
