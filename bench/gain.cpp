@@ -185,7 +185,7 @@ int main(int count, char** words) {
     app.add_option("SCENE", settings.scene, "Scene file")->required();
     const auto is_sampler = [](const std::string& name) {
         const bool known = sunfleck::sampler_named(name) || sunfleck::integrator_named(name) ||
-                           name == sunfleck::bench::kTogether;
+                           name == sunfleck::bench::kTogether || name == sunfleck::bench::kUnmapped;
         return known ? std::string() : "there is no sampler or integrator " + name;
     };
     app.add_option("--samplers", settings.samplers,

@@ -1,4 +1,5 @@
 // Points of emitting spheres and cylinders, whole or in part, under any matrix; visible caps.
+#include "geometry/sweep.h"
 #include "light/affine_area.h"
 #include "light/emitting_surface.h"
 #include "math/warp.h"
@@ -49,12 +50,6 @@ double spread_at(const EmittingQuadric<Quadric>& quadric, const Vec3d& normal) {
     return own_area(quadric.shape) * area_ratio_of_image(Affine(quadric.to_world), normal);
 }
 
-/// The azimuth of a point around z, in turns: 0 to 1.
-double turn_of(const Vec3d& p) {
-    const double turns = std::atan2(p.y, p.x) / (2 * kPiDouble);
-    return turns < 0 ? turns + 1 : turns;
-}
-
 /// The unit normal, outwards, in the sphere's frame.
 Vec3d own_normal(const Sphere& sphere, const Vec2d& u) {
     const Zone zone(sphere);
@@ -84,14 +79,15 @@ Vec2d surface_square(const EmittingQuadric<Sphere>& sphere, const Vec3d& on, con
     const Zone zone(sphere.shape);
     const Vec3d own = Affine(sphere.to_world).inverse().point(on).normalized();
     if (zone.is_whole()) return sphere_to_square(own);
-    return {(own.z - zone.low) / (zone.high - zone.low), turn_of(own) / zone.turns};
+    return {(own.z - zone.low) / (zone.high - zone.low),
+            azimuth(own.x, own.y) / (kFullTurn * zone.turns)};
 }
 
 Vec2d surface_square(const EmittingQuadric<Cylinder>& cylinder, const Vec3d& on, const Vec3d&) {
     const Cylinder& c = cylinder.shape;
     const Vec3d own = Affine(cylinder.to_world).inverse().point(on);
     const double turns = std::clamp(c.phi_max / (2 * kPiDouble), 0.0, 1.0);
-    return {(own.z - c.z_min) / (c.z_max - c.z_min), turn_of(own) / turns};
+    return {(own.z - c.z_min) / (c.z_max - c.z_min), azimuth(own.x, own.y) / (kFullTurn * turns)};
 }
 
 double surface_spread(const EmittingQuadric<Sphere>& sphere, const Vec3d&, const Vec3d& normal) {

@@ -2,6 +2,7 @@
 // cylinders in emitting_sphere.cpp, of patches in emitting_patch.cpp.
 #include "light/emitting_surface.h"
 
+#include "geometry/sweep.h"
 #include "geometry/triangle.h"
 #include "light/affine_area.h"
 #include "math/warp.h"
@@ -78,9 +79,8 @@ Vec2d surface_square(const EmittingQuadric<Disk>& disk, const Vec3d& on, const V
     const Vec3d own = Affine(disk.to_world).inverse().point(on);
     if (is_whole(shape)) return disc_to_square(Vec2d(own.x, own.y) / shape.radius);
     const double inner2 = shape.inner_radius * shape.inner_radius;
-    const double turns = std::atan2(own.y, own.x) / (2 * kPiDouble);
     return {(own.x * own.x + own.y * own.y - inner2) / (shape.radius * shape.radius - inner2),
-            (turns < 0 ? turns + 1 : turns) / turns_of(shape)};
+            azimuth(own.x, own.y) / (kFullTurn * turns_of(shape))};
 }
 
 double surface_spread(const EmittingTriangle& triangle, const Vec3d&, const Vec3d&) {

@@ -4,6 +4,14 @@
 #include "light/scene_disc.h"
 
 namespace sunfleck {
+namespace {
+
+/// Where on the picture light from a direction of the world is. @param to_world  a rotation.
+Vec2d place_of(const Affine& to_world, const Vec3d& w) {
+    return sphere_to_square({to_world.x.dot(w), to_world.y.dot(w), to_world.z.dot(w)});
+}
+
+}  // namespace
 
 Emission ImageInfiniteLight::sample_emission(const std::array<double, 4>& u,
                                              const SceneSphere& sphere) const {
@@ -20,9 +28,7 @@ Emission ImageInfiniteLight::sample_emission(const std::array<double, 4>& u,
 EmissionSlots ImageInfiniteLight::emission_slots(const LightRay& ray,
                                                  const SceneSphere& sphere) const {
     const Vec2d disc = scene_disc_square(sphere, ray.direction, ray.origin);
-    const Vec3d w = -ray.direction;
-    const Vec2d way = picture->numbers(
-        sphere_to_square({to_world.x.dot(w), to_world.y.dot(w), to_world.z.dot(w)}));
+    const Vec2d way = picture->numbers(place_of(to_world, -ray.direction));
     return {disc.x, disc.y, way.x, way.y};
 }
 
@@ -47,9 +53,7 @@ double ImageInfiniteLight::power(const SceneSphere& sphere) const {
 
 Beyond ImageInfiniteLight::beyond(const Vec3&, const Vec3& direction) const {
     if (!(picture->mean() > 0)) return {};
-    const Vec3d w(direction);
-    const Vec3d local(to_world.x.dot(w), to_world.y.dot(w), to_world.z.dot(w));
-    const TexelLight light = picture->at(sphere_to_square(local));
+    const TexelLight light = picture->at(place_of(to_world, Vec3d(direction)));
     const double pdf = light.luminance / (picture->mean() * 4 * kPiDouble);
     return {static_cast<float>(light.luminance), static_cast<float>(pdf), light.tint};
 }

@@ -38,7 +38,7 @@ public:
         GroupCounts counts{plan.paths() + group.mapped.paths, group.power_share, 0, {}};
         if (group.mapped.paths > 0) counts.visible_fraction = trace_mapped(group);
         if (plan.levels.empty()) {
-            if (plan.uniform_paths > 0) counts.visible_fraction = trace_uniform(group);
+            counts.visible_fraction = trace_uniform(group);
         } else {
             if (!octree_) octree_.emplace(octree_of(view_));
             const Depositor deposit(view_.scene, view_.index, result_.image, 1);

@@ -84,8 +84,8 @@ LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths) {
     if (!is_rare(tail)) return {paths, {}};
     const double visible = tail[kVisible];
     const std::uint32_t last = paths / 2;
-    const double seeds = visible * (paths - last);
-    if (seeds >= kSeedsForOneSet) {  // hardly a seed is left out
+    if (!needs_several_sets(tail, paths)) {  // hardly a seed is left out
+        const double seeds = visible * (paths - last);
         const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * seeds));
         return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
     }

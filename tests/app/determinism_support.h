@@ -29,7 +29,13 @@ protected:
         ASSERT_EQ(ran.code, 0) << ran.err;
     }
 
-    /// The same, stopped at each of `ends` and resumed by another number of threads.
+    /// The statistics of passes "a:b", whose picture is in x.exr.
+    nlohmann::json stats(const std::string& range, const Words& more = {}) const {
+        part("x", range, 2, more + Words{"--stats", path("x.json")});
+        return json("x.json");
+    }
+
+    /// part(), stopped at each of `ends` and resumed by another number of threads.
     void resumed(const std::string& name, const std::string& first, const std::vector<int>& ends,
                  int threads) const {
         const std::string file = path(name + ".ckpt");

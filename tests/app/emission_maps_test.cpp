@@ -17,10 +17,6 @@ protected:
         DeterminismTest::SetUp();
         use("keyhole-6", {"--resolution", "12x12", "--photons-per-pass", "3000"});
     }
-    nlohmann::json stats(const std::string& range, const Words& more = {}) const {
-        part("x", range, 2, more + Words{"--stats", path("x.json")});
-        return json("x.json");
-    }
 };
 
 TEST_F(EmissionMaps, are_told_in_the_statistics) {
