@@ -2,9 +2,10 @@
 // one over another's.
 //
 // usage: bench_gain SCENE [--samplers random,adaptive] [--passes N] [--seeds N] [--references N]
-//                   [--over SCENE]
-// "together" is `adaptive` without light groups, "unmapped" without emission maps. --over compares
-// the last sampler with itself in another scene.
+//                   [--over SCENE] [--region X0,X1,Y0,Y1]
+// "together" is `adaptive` without light groups, "unmapped" without emission maps, "gathered" with
+// all light by photons, that from lamps to glossy surfaces, too. --over compares the last sampler
+// with itself in another scene.
 // Renders of the samplers are interleaved, seed by seed; the last sampler, with other seeds, is the
 // reference, of the same passes and so of the same radii: what is compared is noise alone. Errors
 // are corrected for the reference's own.
@@ -30,6 +31,8 @@ namespace {
 constexpr std::string_view kUnmapped = "unmapped";
 /// The sampler `adaptive` with all lights in one group.
 constexpr std::string_view kTogether = "together";
+/// The sampler `adaptive` with all light by photons.
+constexpr std::string_view kGathered = "gathered";
 
 struct Settings {
     std::string scene;
@@ -41,6 +44,7 @@ struct Settings {
     int resolution = 256;
     std::size_t threads = 2;
     bool photons_only = false;
+    std::vector<double> region = {0, 1, 0, 1};  // left, right, top, bottom: shares of the picture
 };
 
 struct Rendered {
@@ -61,10 +65,11 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
         job.settings.photon.emission_maps = false;
     else if (sampler == kTogether)
         job.settings.photon.light_groups = false;
-    else
+    else if (sampler != kGathered)
         job.settings.photon.sampler = sampler_named(sampler).value();
     if (sampler == "paper") use_paper_mode(job.settings);
-    if (settings.photons_only) job.settings.transport.direct = DirectLight::photons;
+    if (settings.photons_only || sampler == kGathered)
+        job.settings.transport.direct = DirectLight::photons;
     job.stop.end_pass = settings.passes;
     Rendered result;
     std::optional<RenderResult> render_result;
@@ -72,9 +77,14 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     const Film& film = render_result->film;
     const auto passes = static_cast<double>(film.pass_count());
     const FixedPoints& sums = film.sums().layers[0];
-    for (std::size_t i = 0; i < sums.size(); i += 3)
-        result.luminance.push_back(
-            RgbSum{{sums[i], sums[i + 1], sums[i + 2]}}.mean_luminance(passes));
+    const std::vector<double>& region = settings.region;
+    const auto at = [&](double share) { return std::lround(share * settings.resolution); };
+    for (long y = at(region[2]); y < at(region[3]); ++y)
+        for (long x = at(region[0]); x < at(region[1]); ++x) {
+            const auto i = static_cast<std::size_t>(3 * (y * settings.resolution + x));
+            result.luminance.push_back(
+                RgbSum{{sums[i], sums[i + 1], sums[i + 2]}}.mean_luminance(passes));
+        }
     result.visible_fraction = film.statistic("visible_fraction") / passes;
     result.starved = film.statistic("starved_passes");
     return result;
@@ -185,11 +195,12 @@ int main(int count, char** words) {
     app.add_option("SCENE", settings.scene, "Scene file")->required();
     const auto is_sampler = [](const std::string& name) {
         const bool known = sunfleck::sampler_named(name) || sunfleck::integrator_named(name) ||
-                           name == sunfleck::bench::kTogether || name == sunfleck::bench::kUnmapped;
+                           name == sunfleck::bench::kTogether ||
+                           name == sunfleck::bench::kUnmapped || name == sunfleck::bench::kGathered;
         return known ? std::string() : "there is no sampler or integrator " + name;
     };
     app.add_option("--samplers", settings.samplers,
-                   "Or integrators, together, unmapped (default random,adaptive)")
+                   "Or integrators, together, unmapped, gathered (default random,adaptive)")
         ->delimiter(',')
         ->check(is_sampler);
     app.add_option("--over", settings.other_scene, "Compare the last sampler with it there");
@@ -199,6 +210,11 @@ int main(int count, char** words) {
     app.add_option("--resolution", settings.resolution, "Pixels a side (default 256)");
     app.add_option("--threads", settings.threads, "Default 2");
     app.add_flag("--photons-only", settings.photons_only, "Direct light by photons, too");
+    app.add_option("--region", settings.region,
+                   "Errors of a part of the picture: X0,X1,Y0,Y1 between 0 and 1")
+        ->delimiter(',')
+        ->expected(4)
+        ->check(CLI::Range(0.0, 1.0));
     CLI11_PARSE(app, count, words);
     sunfleck::bench::run(settings);
     return 0;

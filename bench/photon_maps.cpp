@@ -186,7 +186,8 @@ struct Maps {
         Map map(settings);
         MapSink sink{map};
         Statistics counts;
-        run_ladder(space, EmissionPoints(id), id, plan, sink, counts);
+        const EmissionPoints points(id);
+        Ladder(space, points, id, plan).run(sink, counts);
         return map;
     }
 

@@ -40,13 +40,14 @@ inline Vec2d concentric_disc(const Vec2d& u) {
     return concentric_disc_point(u).position;
 }
 
-/// Where concentric_disc() takes to a point of the disc: its inverse.
+/// Where concentric_disc() takes to a point of the disc: its inverse, within 1e-7.
 inline Vec2d disc_to_square(const Vec2d& p) {
     const double radius = std::sqrt(p.x * p.x + p.y * p.y);
     if (!(radius > 0)) return Vec2d(0.5);
     const bool wide = std::abs(p.x) > std::abs(p.y);
     const double along = std::copysign(radius, wide ? p.x : p.y);
-    const double across = along * std::atan(wide ? p.y / p.x : p.x / p.y) / (kPiDouble / 4);
+    const double turn = std::atan(static_cast<float>(wide ? p.y / p.x : p.x / p.y));
+    const double across = along * std::clamp(turn / (kPiDouble / 4), -1.0, 1.0);
     return (Vec2d(wide ? along : across, wide ? across : along) + Vec2d(1)) / 2;
 }
 

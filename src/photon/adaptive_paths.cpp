@@ -28,6 +28,7 @@ struct PhotonSink {
     Collector make() { return {}; }
     void take(std::vector<Collector>&& chains) {
         std::vector<PhotonBatch> batches;
+        batches.reserve(chains.size());
         for (Collector& chain : chains) batches.push_back(std::move(chain.batch));
         statistics += deposit(batches);
     }
@@ -35,27 +36,27 @@ struct PhotonSink {
 
 }  // namespace
 
-LadderCounts trace_adaptive_paths(const PhotonView& view, const ViewOctree& octree, PassId pass,
-                                  const PhotonGroup& group, const DepositBatches& deposit,
-                                  Statistics& statistics) {
+AdaptivePaths trace_adaptive_paths(const PhotonView& view, const ViewOctree& octree, PassId pass,
+                                   const PhotonGroup& group, const DepositBatches& deposit) {
     const PhotonTracer tracer(view.scene, view.transport, group.lights);
     const PhotonSpace space(tracer, view.index, octree);
-    const LadderPlan& plan = group.plan;
-    PhotonSink sink{deposit, statistics};
+    const EmissionPoints points(pass);
+    AdaptivePaths paths;
+    auto& [ladder, counts] = paths;
+    PhotonSink sink{deposit, counts};
     Statistics traced;
-    LadderCounts counts =
-        run_ladder(space, EmissionPoints(pass), pass, plan, sink, traced, group.mapped.as_bridge());
-    statistics += traced;
-    statistics[Count::uniform_paths] += plan.uniform_paths;
-    statistics[Count::uniform_visible] += counts.levels.front().at_least(kVisible);
-    const Acceptance mutations = counts.mutations();
-    statistics[Count::mutated_paths] += mutations.proposed;
-    statistics[Count::accepted_paths] += mutations.accepted;
-    if (counts.levels.size() <= plan.levels.size()) return counts;  // starved
-    const LevelCounts& last = counts.levels.back();
-    statistics[Count::distinct_visible] += last.distinct;
-    statistics[Count::visible_states] += last.states;
-    return counts;
+    ladder = Ladder(space, points, pass, group.plan, group.mapped.as_bridge()).run(sink, traced);
+    counts += traced;
+    counts[Count::uniform_paths] += group.plan.uniform_paths;
+    counts[Count::uniform_visible] += ladder.levels.front().at_least(kVisible);
+    const Acceptance mutations = ladder.mutations();
+    counts[Count::mutated_paths] += mutations.proposed;
+    counts[Count::accepted_paths] += mutations.accepted;
+    if (ladder.levels.size() <= group.plan.levels.size()) return paths;  // starved
+    const LevelCounts& last = ladder.levels.back();
+    counts[Count::distinct_visible] += last.distinct;
+    counts[Count::visible_states] += last.states;
+    return paths;
 }
 
 }  // namespace sunfleck

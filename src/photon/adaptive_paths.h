@@ -8,16 +8,21 @@
 #include "photon/photon_group.h"
 
 #include <functional>
+#include <vector>
 
 namespace sunfleck {
 
 /// Called with batches of whole paths: marks the photons that were taken. @return counts.
 using DepositBatches = std::function<Statistics(std::vector<PhotonBatch>&)>;
 
+struct AdaptivePaths {
+    LadderCounts ladder;
+    Statistics statistics;
+};
+
 /// @param octree  over the view. @param group  its plan with at least one level.
-/// @param pass  with the group's part. @param statistics  counts are added.
-LadderCounts trace_adaptive_paths(const PhotonView& view, const ViewOctree& octree, PassId pass,
-                                  const PhotonGroup& group, const DepositBatches& deposit,
-                                  Statistics& statistics);
+/// @param pass  with the group's part.
+AdaptivePaths trace_adaptive_paths(const PhotonView& view, const ViewOctree& octree, PassId pass,
+                                   const PhotonGroup& group, const DepositBatches& deposit);
 
 }  // namespace sunfleck

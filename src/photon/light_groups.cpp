@@ -28,7 +28,10 @@ struct Ground {
           tracer(view.scene, view.transport, lights),
           space(tracer, view.index, octree) {}
     Ground(const Ground&) = delete;
+    Ground(Ground&&) = delete;
     Ground& operator=(const Ground&) = delete;
+    Ground& operator=(Ground&&) = delete;
+    ~Ground() = default;
 };
 
 using GroundPilot = Pilot<PhotonSpace, EmissionPoints>;
@@ -40,9 +43,9 @@ public:
         : view_(view), settings_(settings), name_(name), octree_(octree_of(view)) {}
 
     PhotonGroup all(std::uint32_t paths) const {
-        const Ground ground(view_, octree_, weights());
+        Ground ground(view_, octree_, weights());
         PilotResult learned = GroundPilot(ground.space, name_, maps(ground)).run(paths);
-        return {ground.lights, std::move(learned.plan), std::move(learned.mapped), 1, 0};
+        return {std::move(ground.lights), std::move(learned.plan), std::move(learned.mapped), 1, 0};
     }
 
     /// Lights by group.
@@ -87,10 +90,12 @@ private:
     /// @param ground  must outlive what is returned.
     MapSource maps(const Ground& ground) const {
         if (!settings_.emission_maps || view_.index.points().empty() || ground.lights.empty())
-            return {settings_.emission_maps, {}};
-        return {true, [this, &ground](PassId pass, const WalkRange& walks) {
+            return {settings_.emission_maps};
+        return {true,
+                [this, &ground](PassId pass, const WalkRange& walks) {
                     return walk_from_view(view_, ground.lights, pass, walks);
-                }};
+                },
+                [this](PassId pass) { return flux_seen(view_, pass); }};
     }
 
     /// A few paths of each cluster; more where these are too few to tell fractions apart.
@@ -115,10 +120,11 @@ private:
         for (const Lights& cluster : clusters) {
             const Ground ground(view_, octree_, weights().among(cluster));
             const PilotName name{name_.seed, name_.epoch, kMeasuring};
-            LevelCounts counts;
             Statistics unused;
-            uniform_population(ground.space, EmissionPoints(name.round(round)),
-                               static_cast<std::uint32_t>(paths), kHeights, counts, unused);
+            const LevelCounts counts =
+                uniform_level(ground.space, EmissionPoints(name.round(round)),
+                              static_cast<std::uint32_t>(paths), kHeights, unused)
+                    .counts;
             lights.push_back({ground.lights.total(), paths, counts.at_least(kVisible)});
         }
         return lights;

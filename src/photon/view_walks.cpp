@@ -11,15 +11,15 @@ namespace {
 
 constexpr int kMostBounces = 16;
 constexpr int kMostPanes = 32;  // surfaces passed on the way to a light
+constexpr std::uint8_t kAllKinds = 0xFF;
 
 class ViewWalk {
 public:
     ViewWalk(const PhotonView& view, const LightChoice& lights, RandomStream stream,
-             std::vector<WeightedEmission>& found)
+             WalkedEmission& found)
         : scene_(view.scene), lights_(lights), stream_(stream), found_(found) {}
 
-    void start(const VisiblePoint& point) {
-        const Disc& disc = point.disc;
+    void start(const Disc& disc) {
         Vec3 normal = disc.normal;
         if (disc.both_sides && stream_.next() < 0.5) normal = -normal;
         const Vec3 from = disc.position + normal * (1e-3F * disc.radius);
@@ -51,10 +51,11 @@ private:
         if (!sample) return;
         const float cosine = normal.dot(sample->direct.direction);
         if (!(cosine > 0)) return;
+        const double weight = weight_of(*sample, Spectrum(cosine / kPi));
         const int panes = panes_to({at, sample->direct.direction}, sample->direct.distance);
         const PhotonKind kind = panes == 0 ? PhotonKind::direct : PhotonKind::caustic;
         if (panes < 0 || (disc.kinds & static_cast<std::uint8_t>(kind)) == 0) return;
-        add(*sample, at, Spectrum(cosine / kPi));
+        add(*sample, at, weight);
     }
 
     void go_on(Ray ray) {
@@ -94,9 +95,10 @@ private:
         const Vec3 w_to = frame.to_local(sample.direct.direction);
         const Spectrum f = eval(bsdf, w_from, w_to, Transport::radiance);
         if (f.is_zero()) return;
+        const double weight = weight_of(sample, f * std::abs(w_to.z));
         const Ray ray = ray_from(hit, sample.direct.direction);
         if (panes_to(ray, sample.direct.distance) < 0) return;
-        add(sample, hit.position, f * std::abs(w_to.z));
+        add(sample, hit.position, weight);
     }
 
     /// Surfaces that light passes along the ray, bent as it may be. @return -1: it is stopped.
@@ -125,13 +127,19 @@ private:
         return through && through->w_to.z * w_from.z < 0;
     }
 
+    /// What a sample brings if nothing is in the way.
+    double weight_of(const LightSample& sample, const Spectrum& scattered) {
+        const Spectrum flux = throughput_ * scattered * scene_.emission[sample.light];
+        const double weight = static_cast<double>(flux.sum()) *
+                              static_cast<double>(sample.direct.factor) / sample.probability;
+        found_.possible += weight;
+        return weight;
+    }
+
     /// The emission that would take the walk's way.
-    void add(const LightSample& sample, const Vec3& at, const Spectrum& scattered) {
+    void add(const LightSample& sample, const Vec3& at, double weight) {
         const Light& light = scene_.scene.lights()[sample.light];
         const DirectSample& direct = sample.direct;
-        const Spectrum flux = throughput_ * scattered * scene_.emission[sample.light];
-        const double weight = static_cast<double>(flux.sum()) * static_cast<double>(direct.factor) /
-                              sample.probability;
         const Vec3d to_light(direct.direction);
         Vec3d origin(at);
         if (!comes_from_afar(light)) origin += to_light * static_cast<double>(direct.distance);
@@ -142,35 +150,55 @@ private:
         point[slot(EmissionSlot::light)] = lights_.number(sample.light, stream_.next());
         const auto is_number = [](double x) { return x > 0 && x < 1; };
         if (weight > 0 && std::all_of(point.begin(), point.end(), is_number))
-            found_.push_back({point, weight});
+            found_.hints.push_back({point, weight});
     }
 
     const PassScene& scene_;
     const LightChoice& lights_;
     RandomStream stream_;
-    std::vector<WeightedEmission>& found_;
+    WalkedEmission& found_;
     Spectrum throughput_{1};
 };
 
-}  // namespace
-
-std::vector<WeightedEmission> walk_from_view(const PhotonView& view, const LightChoice& lights,
-                                             PassId pass, const WalkRange& walks) {
+/// @param kinds  of photons that visible points take; none: what each does.
+WalkedEmission walk(const PhotonView& view, const LightChoice& lights, PassId pass,
+                    const WalkRange& walks, std::uint8_t kinds) {
     constexpr std::size_t kBlock = 1024;
     const std::size_t count = walks.end - walks.begin;
     const std::vector<VisiblePoint>& points = view.index.points();
-    std::vector<std::vector<WeightedEmission>> blocks((count + kBlock - 1) / kBlock);
+    std::vector<WalkedEmission> blocks((count + kBlock - 1) / kBlock);
     parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             RandomStream stream = pass.stream(Purpose::view_walk, walks.begin + i);
             const auto point =
                 static_cast<std::size_t>(stream.next() * static_cast<double>(points.size()));
-            ViewWalk(view, lights, stream, blocks[begin / kBlock]).start(points[point]);
+            Disc disc = points[point].disc;
+            disc.kinds |= kinds;
+            ViewWalk(view, lights, stream, blocks[begin / kBlock]).start(disc);
         }
     });
-    std::vector<WeightedEmission> all;
-    for (const auto& block : blocks) all.insert(all.end(), block.begin(), block.end());
+    WalkedEmission all;
+    for (const WalkedEmission& block : blocks) {
+        all.hints.insert(all.hints.end(), block.hints.begin(), block.hints.end());
+        all.possible += block.possible;
+    }
     return all;
+}
+
+}  // namespace
+
+WalkedEmission walk_from_view(const PhotonView& view, const LightChoice& lights, PassId pass,
+                              const WalkRange& walks) {
+    return walk(view, lights, pass, walks, 0);
+}
+
+double flux_seen(const PhotonView& view, PassId pass) {
+    constexpr std::uint32_t kWalks = 20'000;
+    const WalkedEmission found =
+        walk(view, view.scene.scene.light_choice(), pass, {0, kWalks}, kAllKinds);
+    double flux = 0;
+    for (const WeightedEmission& hint : found.hints) flux += hint.weight;
+    return flux / kWalks;
 }
 
 }  // namespace sunfleck

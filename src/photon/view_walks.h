@@ -9,15 +9,17 @@
 #pragma once
 
 #include "photon/photon_group.h"
-#include "sampler/pilot.h"
-
-#include <vector>
+#include "sampler/map_source.h"
 
 namespace sunfleck {
 
 /// Of walks begin .. end - 1. @param view  with one visible point at least. @param pass  names the
 /// walks' random numbers.
-std::vector<WeightedEmission> walk_from_view(const PhotonView& view, const LightChoice& lights,
-                                             PassId pass, const WalkRange& walks);
+WalkedEmission walk_from_view(const PhotonView& view, const LightChoice& lights, PassId pass,
+                              const WalkRange& walks);
+
+/// The flux that a walk finds on average of all the scene's lights, direct light at the visible
+/// points included, whoever brings it. In the unit of the hints' weights.
+double flux_seen(const PhotonView& view, PassId pass);
 
 }  // namespace sunfleck

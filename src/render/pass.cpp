@@ -42,8 +42,10 @@ public:
         } else {
             if (!octree_) octree_.emplace(octree_of(view_));
             const Depositor deposit(view_.scene, view_.index, result_.image, 1);
-            counts.ladder = trace_adaptive_paths(view_, *octree_, eye_.id.with_part(group.part),
-                                                 group, deposit, result_.statistics);
+            AdaptivePaths paths = trace_adaptive_paths(
+                view_, *octree_, eye_.id.with_part(group.part), group, deposit);
+            result_.statistics += paths.statistics;
+            counts.ladder = std::move(paths.ladder);
             counts.visible_fraction += counts.ladder.visible_fraction;
         }
         result_.visible_fraction += group.power_share * counts.visible_fraction;

@@ -21,9 +21,9 @@ public:
     using Tally = typename Space::Tally;
 
     /// @param seed  a sample whose path has the target's height. @param stream  this chain's own.
-    Chain(const Space& space, const Target& target, const StoredSample& seed, RandomStream stream,
+    Chain(const Space& space, const Target& target, StoredSample seed, RandomStream stream,
           Tally& tally)
-        : space_(space), target_(target), stream_(stream), sample_(seed) {
+        : space_(space), target_(target), stream_(stream), sample_(std::move(seed)) {
         space_.trace(RepeatingReader(sample_, stream_), path_, tally);
         height_ = space_.height(path_);
         importance_ = target_.importance(sample_);

@@ -8,7 +8,7 @@
 // sequential Monte Carlo: Dau and Chopin 2022.
 #pragma once
 
-#include "sampler/level.h"
+#include "sampler/uniform_level.h"
 
 namespace sunfleck {
 
@@ -84,41 +84,6 @@ struct WeightedCollector {
 
 }  // namespace ladder_detail
 
-/// Level 0: uniform paths of the pass, and those high enough kept as seeds.
-/// @tparam Points  path(number) -> a slot reader, uniform in its marginal distribution.
-template <PathSpace Space, class Points>
-Population uniform_population(const Space& space, const Points& points, std::uint32_t count,
-                              int least_height, LevelCounts& counts, typename Space::Tally& tally) {
-    constexpr std::size_t kBlock = 512;
-    struct Block {
-        std::vector<Seed> seeds;
-        LevelCounts counts;
-        typename Space::Tally tally;
-    };
-    std::vector<Block> blocks((count + kBlock - 1) / kBlock);
-    parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
-        Block& block = blocks[begin / kBlock];
-        typename Space::Path path;
-        StoredSample sample;
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto number = static_cast<std::uint32_t>(i);
-            sample.clear();
-            space.trace(RecordingReader(points.path(number), sample), path, block.tally);
-            const int height = space.height(path);
-            ++block.counts.heights[static_cast<std::size_t>(height)];
-            if (height >= least_height) block.seeds.push_back({sample, 1, height});
-        }
-        block.counts.states = block.counts.distinct = end - begin;
-    });
-    Population population;
-    for (Block& block : blocks) {
-        population.add(std::move(block.seeds));
-        counts += block.counts;
-        tally += block.tally;
-    }
-    return population;
-}
-
 /// Runs a level that is not the last. @return its states of at least that height.
 template <PathSpace Space>
 Population surviving_states(const Level<Space>& level, int least_height, LevelCounts& counts,
@@ -136,47 +101,72 @@ Population surviving_states(const Level<Space>& level, int least_height, LevelCo
     return population;
 }
 
-/// Runs all levels of a plan that has any. What the bridge covers gets no weight.
-/// @return counts; levels after one without survivors are not run: the pass is zero ("starved").
-template <PathSpace Space, class Points, PathSink<Space> Sink>
-LadderCounts run_ladder(const Space& space, const Points& points, PassId pass,
-                        const LadderPlan& plan, Sink& sink, typename Space::Tally& tally,
-                        const Bridge& bridge = {}) {
-    LadderCounts counts;
-    Population population =
-        uniform_population(space, points, plan.uniform_paths, plan.levels.front().height,
-                           counts.levels.emplace_back(), tally);
-    counts.survivors.push_back(population.units());
-    double fraction = population.weight() / plan.uniform_paths;
-    for (std::size_t k = 0; k < plan.levels.size() && population.units() > 0; ++k) {
-        const bool is_last = k + 1 == plan.levels.size();
-        if (is_last) fraction *= population.weigh(bridge);
-        const Level<Space> level(space, pass, static_cast<std::uint32_t>(k + 1), plan.levels[k],
-                                 population, is_last ? bridge : Bridge{});
-        LevelCounts& counted = counts.levels.emplace_back();
-        if (is_last) {
-            using Weighted = ladder_detail::WeightedCollector<Space, typename Sink::Collector>;
-            const double weight = fraction / static_cast<double>(level.states());
-            level.run(
-                [&] {
-                    return Weighted{sink.make(), weight};
-                },
-                [&](std::vector<Weighted>&& chains) {
-                    std::vector<typename Sink::Collector> inner;
-                    for (Weighted& c : chains) inner.push_back(std::move(c.collect));
-                    sink.take(std::move(inner));
-                },
-                counted, tally);
-            counts.visible_fraction =
-                weight * static_cast<double>(counted.states - counted.bridges);
-            continue;
+/// All levels of a plan that has any. What the bridge covers gets no weight.
+template <PathSpace Space, class Points>
+class Ladder {
+public:
+    using Tally = typename Space::Tally;
+
+    /// @param points  of level 0. @param pass  names the streams of the chains.
+    Ladder(const Space& space, const Points& points, PassId pass, const LadderPlan& plan,
+           const Bridge& bridge = {})
+        : space_(space), points_(points), pass_(pass), plan_(plan), bridge_(bridge) {}
+
+    /// @return counts; levels after one without survivors are not run: the pass is zero
+    /// ("starved").
+    template <PathSink<Space> Sink>
+    LadderCounts run(Sink& sink, Tally& tally) const {
+        LadderCounts counts;
+        UniformLevel first =
+            uniform_level(space_, points_, plan_.uniform_paths, plan_.levels.front().height, tally);
+        counts.levels.push_back(first.counts);
+        counts.survivors.push_back(first.population.units());
+        double fraction = first.population.weight() / plan_.uniform_paths;
+        Population population = std::move(first.population);
+        for (std::size_t k = 0; k + 1 < plan_.levels.size() && population.units() > 0; ++k) {
+            const Level<Space> level(space_, pass_, number(k), plan_.levels[k], population);
+            Population survivors = surviving_states(level, plan_.levels[k + 1].height,
+                                                    counts.levels.emplace_back(), tally);
+            counts.survivors.push_back(survivors.units());
+            fraction *= survivors.weight() / static_cast<double>(level.states());
+            population = std::move(survivors);
         }
-        Population survivors = surviving_states(level, plan.levels[k + 1].height, counted, tally);
-        counts.survivors.push_back(survivors.units());
-        fraction *= survivors.weight() / static_cast<double>(level.states());
-        population = std::move(survivors);
+        if (population.units() > 0) run_last(population, fraction, sink, counts, tally);
+        return counts;
     }
-    return counts;
-}
+
+private:
+    static std::uint32_t number(std::size_t level) { return static_cast<std::uint32_t>(level + 1); }
+
+    /// @param fraction  of the population's set, as estimated by the levels before.
+    template <class Sink>
+    void run_last(Population& population, double fraction, Sink& sink, LadderCounts& counts,
+                  Tally& tally) const {
+        using Weighted = ladder_detail::WeightedCollector<Space, typename Sink::Collector>;
+        fraction *= population.weigh(bridge_);
+        const Level<Space> level(space_, pass_, number(plan_.levels.size() - 1),
+                                 plan_.levels.back(), population, bridge_);
+        const double weight = fraction / static_cast<double>(level.states());
+        LevelCounts& counted = counts.levels.emplace_back();
+        level.run(
+            [&] {
+                return Weighted{sink.make(), weight};
+            },
+            [&](std::vector<Weighted>&& chains) {
+                std::vector<typename Sink::Collector> inner;
+                inner.reserve(chains.size());
+                for (Weighted& c : chains) inner.push_back(std::move(c.collect));
+                sink.take(std::move(inner));
+            },
+            counted, tally);
+        counts.visible_fraction = weight * static_cast<double>(counted.states - counted.bridges);
+    }
+
+    const Space& space_;
+    const Points& points_;
+    PassId pass_;
+    const LadderPlan& plan_;
+    Bridge bridge_;
+};
 
 }  // namespace sunfleck

@@ -19,6 +19,11 @@ constexpr double kMappedShareAlone = 0.75;
 constexpr double kMostImportance = 0.5;   // of the bridge: it must be told from the rest
 constexpr double kBridgeShare = 1 / 3.0;  // of chains' states on the bridge, over those elsewhere
 
+/// In float: the same bits on every machine.
+float log_of(double x) {
+    return std::log(static_cast<float>(x));
+}
+
 /// Chains of at least kStatesOfAChain states, so that copies of one seed part.
 std::uint32_t chains_for(std::uint32_t states, std::uint32_t most) {
     return std::clamp(states / kStatesOfAChain, 1U, most);
@@ -28,7 +33,7 @@ std::uint32_t chains_for(std::uint32_t states, std::uint32_t most) {
 /// nearly the same paths as their neighbours are left out.
 std::vector<int> even_heights(const HeightTail& tail, int sets) {
     constexpr double kNearlyTheSame = 0.5;
-    const double step = std::log(tail[kVisible]) / sets;
+    const double step = double{log_of(tail[kVisible])} / sets;
     std::vector<int> heights;
     double last = 1;
     int lowest = 1;
@@ -38,7 +43,7 @@ std::vector<int> even_heights(const HeightTail& tail, int sets) {
         for (int h = lowest; h < kVisible; ++h) {
             const double p = tail.at(static_cast<std::size_t>(h));
             if (p > kNearlyTheSame * last || p * kNearlyTheSame < tail[kVisible]) continue;
-            const double miss = std::abs(std::log(p) - k * step);
+            const double miss = std::abs(log_of(p) - k * step);
             if (!(miss < least)) continue;
             least = miss;
             best = h;
@@ -91,9 +96,8 @@ LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths) {
     }
 
     const int sets =
-        visible > 0
-            ? static_cast<int>(std::ceil(std::log(visible) / std::log(kConditionalFraction)))
-            : 0;
+        visible > 0 ? static_cast<int>(std::ceil(log_of(visible) / log_of(kConditionalFraction)))
+                    : 0;
     std::vector<int> heights = visible > 0 ? even_heights(tail, sets) : reached_heights(tail);
     heights.resize(std::min<std::size_t>(heights.size(), paths - last - 1));  // tiny budgets
     const auto shares = static_cast<std::uint32_t>(heights.size() + 1);

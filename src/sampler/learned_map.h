@@ -8,6 +8,8 @@
 #include "sampler/ladder.h"
 #include "sampler/mapped_points.h"
 
+#include <span>
+
 namespace sunfleck {
 
 /// What a map covers.
@@ -77,19 +79,24 @@ public:
 
     MapLearner(const Space& space, Tally& tally) : space_(space), tally_(tally) {}
 
-    /// @param starts  emission of visible paths, weighted. @param rounds  name the trials.
+    /// @param starts  emission of visible paths, weighted. @param rounds  name the trials, at least
+    /// two: all but the last correct the map, the last one says where it is of use.
     LearnedMap learn(const std::vector<WeightedEmission>& starts, Covering covering,
-                     const std::array<PassId, 2>& rounds) const {
+                     std::span<const PassId> rounds) const {
         constexpr double kUniformAtFirst = 0.5;
         constexpr double kUniform = 0.25;
-        const Trials first = tried(EmissionMap::learned(starts, kUniformAtFirst), rounds[0]);
-        const EmissionMap map = EmissionMap::learned(joined(starts, first), kUniform);
-        const Trials second = tried(map, rounds[1]);
-        LearnedMap learned{covering == Covering::often_visible
-                               ? map.where_visible(second.trials, kOften, 0)
-                               : map.where_visible(second.trials, 0, kUniform),
-                           1, second.visible / kTrials};
-        if (!learned.map.is_identity()) learned.rest = rest(learned.map, starts, second);
+        constexpr double kKept = 0.1;
+        EmissionMap map = EmissionMap::learned(starts, kUniformAtFirst);
+        Trials before;
+        for (const PassId& round : rounds.first(rounds.size() - 1)) {
+            before.add(tried(map, round));
+            map = EmissionMap::learned(joined(starts, before), kUniform);
+            if (covering == Covering::all_known) map = map.widened(kKept);
+        }
+        const Trials last = tried(map, rounds.back());
+        if (covering == Covering::often_visible) map = map.where_visible(last.trials, kOften);
+        LearnedMap learned{map, 1, last.visible / kTrials};
+        if (!learned.map.is_identity()) learned.rest = rest(learned.map, starts, last);
         return learned;
     }
 
@@ -100,12 +107,17 @@ private:
         std::vector<EmissionMap::Trial> trials;
         std::vector<double> weights;  // 1 / density
         double visible = 0;           // weights of visible ones
+
+        void add(const Trials& more) {
+            trials.insert(trials.end(), more.trials.begin(), more.trials.end());
+            weights.insert(weights.end(), more.weights.begin(), more.weights.end());
+            visible += more.visible;
+        }
     };
 
     Trials tried(const EmissionMap& map, PassId round) const {
-        LevelCounts counts;
         const Population all =
-            uniform_population(space_, MappedPoints(round, map), kTrials, 0, counts, tally_);
+            uniform_level(space_, MappedPoints(round, map), kTrials, 0, tally_).population;
         Trials result;
         for (const Seed& seed : all.seeds()) {
             const EmissionPoint point = emission_of(seed.sample);

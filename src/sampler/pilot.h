@@ -8,8 +8,7 @@
 
 #include "sampler/ladder_rules.h"
 #include "sampler/learned_map.h"
-
-#include <functional>
+#include "sampler/map_source.h"
 
 namespace sunfleck {
 
@@ -34,21 +33,6 @@ struct PilotName {
     }
 };
 
-/// Numbers of walks.
-struct WalkRange {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
-};
-
-/// Where climbing may fail and maps help.
-struct MapSource {
-    /// Emission that may be visible, found from the other end: by walks begin .. end - 1 of a pass.
-    using Walks = std::function<std::vector<WeightedEmission>(PassId, WalkRange)>;
-
-    bool is_on = true;  // off: no maps at all
-    Walks walks = {};   // none: climbing alone
-};
-
 template <PathSpace Space, class Points>
 class Pilot {
 public:
@@ -56,11 +40,13 @@ public:
         : space_(space), name_(name), maps_(std::move(maps)) {}
 
     /// Climbs from uniform paths to visible ones, set by set, or starts from hints where that leads
-    /// nowhere: the first thing to ask of a pilot.
+    /// nowhere, or was luck: the first thing to ask of a pilot.
     const HeightTail& explore() {
         climb();
         has_climbed_ = result_.tail[kVisible] > 0;
-        if (!has_climbed_ && maps_.is_on && maps_.walks && start_from_hints()) {
+        if (has_climbed_ && !was_lucky_) return result_.tail;
+        if (maps_.is_on && maps_.walks && start_from_hints()) {
+            has_climbed_ = false;
             learn_map(Covering::all_known);
             result_.tail[kVisible] = map_.visible_fraction;
         }
@@ -97,13 +83,17 @@ private:
     static constexpr int kRefiningRounds = 3;
     static constexpr int kRefiningRest = 6;  // what a map leaves out is narrower than its set
     static constexpr int kStartingRounds = 4;
-    static constexpr double kMostRest = 0.5;  // of a map that is of use
+    static constexpr std::size_t kRounds = 2;       // of trials of a map
+    static constexpr std::size_t kRoundsAlone = 6;  // of one that chains do not help
+    static constexpr double kMostRest = 0.5;        // of a map that is of use
+    static constexpr std::uint64_t kLucky = 10;     // so few states or fewer led to the next set
     // Walks for hints: until many are found, and if need be for a few.
     static constexpr std::uint32_t kWalks = 100'000;  // at once
     static constexpr std::uint32_t kFewWalks = 500'000;
     static constexpr std::uint32_t kMostWalks = 8'000'000;
     static constexpr std::size_t kFewHints = 8;
     static constexpr std::size_t kManyHints = 2048;
+    static constexpr double kNegligible = 0.01;  // of all that is seen: not worth looking for
 
     struct Explored {
         int height;
@@ -150,18 +140,31 @@ private:
                 {emission_of(seed.sample), weight * seed.total() / population.weight()});
     }
 
+    std::vector<WeightedEmission> look_for_hints(PassId pass) {
+        constexpr double kEventsMissed = 3;  // at most, with 95% confidence, where none was seen
+        const double seen = maps_.seen ? maps_.seen(next_pass()) : 0;
+        const std::uint32_t most = has_climbed_ ? kFewWalks : kMostWalks;
+        std::vector<WeightedEmission> hints;
+        double possible = 0;
+        for (std::uint32_t i = 0; i < most; i += kWalks) {
+            if (hints.size() >= (i < kFewWalks ? kManyHints : kFewHints)) break;
+            const double walks = i;
+            if (i > 0 && possible / walks * kEventsMissed / walks < kNegligible * seen) break;
+            const WalkedEmission found = maps_.walks(pass, {i, i + kWalks});
+            hints.insert(hints.end(), found.hints.begin(), found.hints.end());
+            possible += found.possible;
+        }
+        return hints;
+    }
+
     /// @return whether any hint leads to a visible path.
     bool start_from_hints() {
         const PassId pass = next_pass();
-        std::vector<WeightedEmission> hints;
-        for (std::uint32_t i = 0; i < kMostWalks; i += kWalks) {
-            if (hints.size() >= (i < kFewWalks ? kManyHints : kFewHints)) break;
-            const std::vector<WeightedEmission> found = maps_.walks(pass, {i, i + kWalks});
-            hints.insert(hints.end(), found.begin(), found.end());
-        }
+        const std::vector<WeightedEmission> hints = look_for_hints(pass);
         Population population = visible_from(space_, hints, next_pass(), tally_);
         if (population.units() == 0) return false;
         add_starts(population, kStartingRounds);
+        if (has_climbed_) add_starts(visible_, 1);
         MutationScales scales;
         walk_until_settled(kVisible, scales, population);
         return true;
@@ -175,8 +178,10 @@ private:
             add_starts(visible_, 1);
         }
         const MapLearner<Space> learner(space_, tally_);
-        map_ = learner.learn(starts_, covering, {next_pass(), next_pass()});
-        result_.paths += 2 * MapLearner<Space>::kTrials;
+        std::vector<PassId> rounds(covering == Covering::all_known ? kRoundsAlone : kRounds);
+        for (PassId& round : rounds) round = next_pass();
+        map_ = learner.learn(starts_, covering, rounds);
+        result_.paths += rounds.size() * MapLearner<Space>::kTrials;
     }
 
     /// The scales of the highest explored set that is not above `height`.
@@ -205,8 +210,9 @@ private:
         const int rounds = result_.mapped.paths > 0 ? kRefiningRest : kRefiningRounds;
         for (int i = 0; i < rounds; ++i) {
             const PassId pass = next_pass();
-            result_.last = run_ladder(space_, Points(pass), pass, small, nowhere, tally_,
-                                      result_.mapped.as_bridge());
+            const Points points(pass);
+            result_.last = Ladder(space_, points, pass, small, result_.mapped.as_bridge())
+                               .run(nowhere, tally_);
             for (std::size_t k = 0; k + 1 < result_.last.levels.size(); ++k)
                 small.levels[k].scales =
                     adapted(small.levels[k].scales, result_.last.levels[k + 1].acceptances);
@@ -226,6 +232,7 @@ private:
     LevelCounts counts_;  // of the last round
     std::vector<Explored> explored_;
     bool has_climbed_ = false;              // to the visible set
+    bool was_lucky_ = false;                // on the way: what it leads to may be little of all
     Population visible_;                    // states of that
     std::vector<WeightedEmission> starts_;  // of visible paths
     LearnedMap map_;
@@ -235,8 +242,9 @@ private:
 template <PathSpace Space, class Points>
 void Pilot<Space, Points>::climb() {
     const PassId pass = next_pass();
-    Population population =
-        uniform_population(space_, Points(pass), kUniformPaths, 1, counts_, tally_);
+    UniformLevel uniform = uniform_level(space_, Points(pass), kUniformPaths, 1, tally_);
+    counts_ = uniform.counts;
+    Population population = std::move(uniform.population);
     result_.paths += kUniformPaths;
     int height = 0;
     double fraction = 1;
@@ -249,6 +257,7 @@ void Pilot<Space, Points>::climb() {
         if (height == kVisible || !is_rare(result_.tail)) return;
         const int next = next_height(counts_.heights, height);
         if (next == kHeights) return;
+        if (counts_.at_least(next) <= kLucky) was_lucky_ = true;
         fraction *= static_cast<double>(counts_.at_least(next)) / states;
         height = next;
         population = population.at_least(height);

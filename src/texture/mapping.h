@@ -61,7 +61,7 @@ inline Vec2 place(const Mapping& mapping, const TexturePoint& point) {
 struct PointMapping {
     Affine to_texture;
     Vec3 at(const TexturePoint& point) const {
-        return Vec3(to_texture.point(Vec3d(point.position)));
+        return Vec3{to_texture.point(Vec3d(point.position))};
     }
 };
 

@@ -105,7 +105,7 @@ PassSums run_pass(const Space& space, const Points& points, PassId pass, const L
     if (!plan.levels.empty()) {
         if (mapped.paths > 0) run_mapped(space, pass, mapped, sink);
         sums.visible_fraction = sums.weight;
-        sums.counts = run_ladder(space, points, pass, plan, sink, tally, mapped.as_bridge());
+        sums.counts = Ladder(space, points, pass, plan, mapped.as_bridge()).run(sink, tally);
         sums.visible_fraction += sums.counts.visible_fraction;
         return sums;
     }

@@ -39,8 +39,22 @@ EmissionPoint uniform(RandomStream& random) {
     return u;
 }
 
+/// Off the middle line of a slanted tube, which slots 0 and 1 run along.
+double off_line(const EmissionPoint& p, std::size_t s) {
+    return p.at(s) - (0.4 + 0.7 * (p[0] - 0.3) - 0.3 * (p[s - 2] - 0.3));
+}
+
+/// Points of a tube: a square of side .4 times the tube's width, in slots 2 and 3.
+Points tube(double width, std::size_t count = 4000) {
+    Points points = around(0.4, {0, 1}, count);
+    for (WeightedEmission& p : points)
+        for (const std::size_t s : {2U, 3U})
+            p.point.at(s) = width * (p.point.at(s) - 0.5) + p.point.at(s) - off_line(p.point, s);
+    return points;
+}
+
 /// What is measured in every map: one that is broad, narrow, thin in one slot, of two clusters,
-/// and cut down to where trials were visible.
+/// of a slanted tube, and cut down to where trials were visible.
 std::vector<EmissionMap> maps() {
     Points two = around(0.01, {0, 1});
     for (std::size_t i = 0; i < two.size(); i += 3) {
@@ -50,11 +64,14 @@ std::vector<EmissionMap> maps() {
     std::vector<EmissionMap> all = {EmissionMap::learned(around(0.5, {0, 1}), 0.25),
                                     EmissionMap::learned(around(0.02, {0, 3}), 0.5),
                                     EmissionMap::learned(around(0.1, {4}), 0.1),
-                                    EmissionMap::learned(two, 0.25)};
+                                    EmissionMap::learned(two, 0.25),
+                                    EmissionMap::learned(tube(0.01), 0.25)};
     std::vector<EmissionMap::Trial> trials;
     for (const WeightedEmission& p : two) trials.push_back({p.point, p.point[2] < 0.5});
-    all.push_back(all.back().where_visible(trials, 0.05, 0));
-    all.push_back(all[3].where_visible(trials, 0, 0.25));
+    for (const WeightedEmission& p : tube(0.01)) trials.push_back({p.point, p.point[0] < 0.3});
+    all.push_back(all[3].where_visible(trials, 0.05));
+    all.push_back(all[4].where_visible(trials, 0.05));
+    all.push_back(all[3].widened(0.1));
     return all;
 }
 
@@ -94,13 +111,31 @@ TEST(EmissionMap, most_images_lie_where_the_points_did) {
     }
 }
 
+// Boxes along the tube would be 40 and 400 by 40 and 400.
+TEST(EmissionMap, follows_a_slanted_tube) {
+    for (const double width : {1e-2, 1e-3}) {
+        const EmissionMap map = EmissionMap::learned(tube(width), 0.25);
+        EXPECT_GE(map.shears(), 2U);
+        RandomStream random(6, Purpose::test, 0, 0);
+        int inside = 0;
+        for (int i = 0; i < 10'000; ++i) {
+            const EmissionPoint p = map(uniform(random)).point;
+            const bool is_near =
+                std::abs(off_line(p, 2)) < 0.65 * width && std::abs(off_line(p, 3)) < 0.65 * width;
+            inside += is_near && is_inside(p, 0.5, {0, 1}) ? 1 : 0;
+        }
+        EXPECT_GT(inside, 6000) << width;
+        EXPECT_LT(map.boxes(), 400U) << width;
+    }
+}
+
 TEST(EmissionMap, is_nowhere_zero_unless_it_is_asked_to_be) {
     const EmissionMap map = EmissionMap::learned(around(1e-3, {0, 1}), 0.25);
     RandomStream random(4, Purpose::test, 0, 0);
     for (int i = 0; i < 1000; ++i) EXPECT_GE(map.density(uniform(random)), 0.25 * (1 - 1e-12));
     std::vector<EmissionMap::Trial> trials;
     for (const WeightedEmission& p : around(1e-3, {0, 1})) trials.push_back({p.point, true});
-    const EmissionMap cut = map.where_visible(trials, 0.05, 0);
+    const EmissionMap cut = map.where_visible(trials, 0.05);
     EXPECT_FALSE(cut.covers({0.9, 0.9, 0.5, 0.5, 0.5}));
     EXPECT_TRUE(cut.covers({0.3, 0.3, 0.5, 0.5, 0.5}));
 }
@@ -116,13 +151,29 @@ TEST(EmissionMap, where_visible_goes_by_the_root_of_how_often) {
     }
     const EmissionMap map = EmissionMap::learned(points, 0.25);
     ASSERT_GE(map.boxes(), 2U);
-    const EmissionMap cut = map.where_visible(trials, 0.05, 0);
+    const EmissionMap cut = map.where_visible(trials, 0.05);
     const EmissionPoint left{0.25, 0.5, 0.5, 0.5, 0.5};
     const EmissionPoint right{0.75, 0.5, 0.5, 0.5, 0.5};
     EXPECT_NEAR(cut.density(left) / cut.density(right), std::sqrt(0.1), 0.05);
-    EXPECT_FALSE(map.where_visible(trials, 0.3, 0).covers(left));
+    EXPECT_FALSE(map.where_visible(trials, 0.3).covers(left));
     for (EmissionMap::Trial& trial : trials) trial.visible = false;
-    EXPECT_TRUE(map.where_visible(trials, 0.05, 0).is_identity());
+    EXPECT_TRUE(map.where_visible(trials, 0.05).is_identity());
+}
+
+// A ninth of the points in one half of a slab, the others in its other half; nothing outside.
+TEST(EmissionMap, widened_goes_by_the_root_of_what_was_found) {
+    Points points = around(1, {}, 9000);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i].point[0] = 0.25 + points[i].point[0] / 16 + (i % 9 == 0 ? 0 : 0.0625);
+    const EmissionMap map = EmissionMap::learned(points, 0.25);
+    const EmissionMap wide = map.widened(0);
+    const auto at = [](double x) { return EmissionPoint{x, 0.5, 0.5, 0.5, 0.5}; };
+    EXPECT_NEAR(wide.density(at(0.35)) / wide.density(at(0.28)), std::sqrt(8.0), 0.3);
+    EXPECT_EQ(wide.density(at(0.7)), 0);
+    const EmissionMap kept = map.widened(1);
+    EXPECT_NEAR(kept.density(at(0.35)) / kept.density(at(0.28)),
+                map.density(at(0.35)) / map.density(at(0.28)), 1e-9);
+    EXPECT_EQ(kept.density(at(0.7)), 0);
 }
 
 TEST(EmissionMap, without_points_it_is_the_identity) {

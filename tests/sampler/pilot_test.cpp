@@ -66,8 +66,9 @@ TEST(Pilot, learns_scales_that_accept_about_half) {
         const PassId pass{1, 0};
         Nowhere nowhere;
         Islands::Tally tally;
-        const LadderCounts counts = run_ladder(space, EmissionPoints(pass), pass, result.plan,
-                                               nowhere, tally, result.mapped.as_bridge());
+        const EmissionPoints points(pass);
+        const LadderCounts counts =
+            Ladder(space, points, pass, result.plan, result.mapped.as_bridge()).run(nowhere, tally);
         ASSERT_EQ(counts.levels.size(), result.plan.levels.size() + 1) << space.name;
         for (std::size_t k = 1; k < counts.levels.size(); ++k) {
             const bool is_rest = result.mapped.paths > 0 && k + 1 == counts.levels.size();
@@ -121,8 +122,8 @@ TEST(Pilot, ends_where_nothing_is_visible) {
     const PassId pass{1, 0};
     Nowhere nowhere;
     Islands::Tally tally;
-    const LadderCounts counts =
-        run_ladder(dark, EmissionPoints(pass), pass, result.plan, nowhere, tally);
+    const EmissionPoints points(pass);
+    const LadderCounts counts = Ladder(dark, points, pass, result.plan).run(nowhere, tally);
     EXPECT_EQ(counts.visible_fraction, 0);
     const Islands nowhere_near{"empty", {0}, {}, 1};
     const PilotResult none = learn(nowhere_near, 1);
@@ -144,13 +145,13 @@ Hidden hidden() {
 }
 
 /// Emission on both islands, as walks from the other end would find it.
-std::vector<WeightedEmission> hints_of_hidden(PassId pass, const WalkRange& walks) {
-    std::vector<WeightedEmission> found;
+WalkedEmission hints_of_hidden(PassId pass, const WalkRange& walks) {
+    WalkedEmission found;
     for (std::uint32_t i = walks.begin; i < walks.end; i += 2000) {
         RandomStream stream = pass.stream(Purpose::test, i);
         const bool first = stream.next() < 0.67;
         const double half = first ? 1e-6 : 5e-7;
-        WeightedEmission& hint = found.emplace_back();
+        WeightedEmission& hint = found.hints.emplace_back();
         for (double& x : hint.point) x = stream.next();
         hint.point[0] = (first ? 0.3 : 0.7) + (2 * stream.next() - 1) * half;
     }
@@ -175,6 +176,37 @@ TEST(Pilot, starts_from_hints_where_climbing_fails) {
     const PilotResult off =
         Pilot<Hidden, EmissionPoints>(space, name, {false, hints_of_hidden}).run(kPaths);
     EXPECT_EQ(off.mapped.paths, 0U);
+}
+
+// Two islands of 1.2e-4 in all: of 20,000 uniform paths two or three are visible, often on one
+// island alone. Climbing from these is luck.
+TEST(Pilot, asks_for_hints_where_climbing_was_luck) {
+    Hidden space = hidden();
+    space.islands = {{0.3, 4e-5, 0.5, 1}, {0.7, 2e-5, 0.5, 1}};
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const PilotResult found =
+            Pilot<Hidden, EmissionPoints>(space, {seed, 0}, {true, hints_of_hidden}).run(kPaths);
+        EXPECT_NEAR(found.tail[kVisible] / space.visible_fraction(), 1, 0.2) << seed;
+        for (const double centre : {0.3, 0.7})
+            EXPECT_GT(found.mapped.map.density({centre, 0.5, 0.5, 0.5, 0.5}), 1e3) << seed;
+    }
+}
+
+// One light sample in a million arrives. It is looked for where it would be all that is seen, and
+// where it would be a thousandth of that soon no more.
+TEST(Pilot, looks_for_hints_while_they_may_matter) {
+    const Hidden space = hidden();
+    for (const bool matters : {true, false}) {
+        std::uint32_t walked = 0;
+        const MapSource blocked{true,
+                                [&](PassId, const WalkRange& walks) {
+                                    walked = walks.end;
+                                    return WalkedEmission{{}, double(walks.end - walks.begin)};
+                                },
+                                [&](PassId) { return matters ? 1e-6 : 1e-3; }};
+        Pilot<Hidden, EmissionPoints>(space, {1, 0}, blocked).run(kPaths);
+        EXPECT_EQ(walked, matters ? 8'000'000U : 400'000U);
+    }
 }
 
 // Where one set is enough there is no map; where several are needed it covers most of what is seen.

@@ -1,0 +1,36 @@
+// Where a pilot may look for emission that climbing does not find: walks from the other end.
+#pragma once
+
+#include "core/random.h"
+#include "sampler/emission_point.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace sunfleck {
+
+/// Numbers of walks.
+struct WalkRange {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+};
+
+/// What walks from the view found.
+struct WalkedEmission {
+    std::vector<WeightedEmission> hints;  // emission that may be visible, by the flux it brings
+    double possible = 0;  // the flux of all samples of light, were nothing in the way
+};
+
+/// Where climbing may fail and maps help.
+struct MapSource {
+    /// Walks begin .. end - 1 of a pass.
+    using Walks = std::function<WalkedEmission(PassId, WalkRange)>;
+
+    bool is_on = true;  // off: no maps at all
+    Walks walks = {};   // none: climbing alone
+    /// Flux that a walk finds of all lights together, about: the picture's brightness.
+    std::function<double(PassId)> seen = {};
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,48 @@
+// Level 0 of a ladder: uniform paths of a pass, and those high enough kept as seeds.
+#pragma once
+
+#include "sampler/level.h"
+
+namespace sunfleck {
+
+struct UniformLevel {
+    Population population;
+    LevelCounts counts;  // `distinct` equals `states`
+};
+
+/// @tparam Points  path(number) -> a slot reader, uniform in its marginal distribution.
+/// @param least_height  of the paths that are kept.
+template <PathSpace Space, class Points>
+UniformLevel uniform_level(const Space& space, const Points& points, std::uint32_t count,
+                           int least_height, typename Space::Tally& tally) {
+    constexpr std::size_t kBlock = 512;
+    struct Block {
+        std::vector<Seed> seeds;
+        LevelCounts counts;
+        typename Space::Tally tally;
+    };
+    std::vector<Block> blocks((count + kBlock - 1) / kBlock);
+    parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+        Block& block = blocks[begin / kBlock];
+        typename Space::Path path;
+        StoredSample sample;
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto number = static_cast<std::uint32_t>(i);
+            sample.clear();
+            space.trace(RecordingReader(points.path(number), sample), path, block.tally);
+            const int height = space.height(path);
+            ++block.counts.heights[static_cast<std::size_t>(height)];
+            if (height >= least_height) block.seeds.push_back({sample, 1, height});
+        }
+        block.counts.states = block.counts.distinct = end - begin;
+    });
+    UniformLevel level;
+    for (Block& block : blocks) {
+        level.population.add(std::move(block.seeds));
+        level.counts += block.counts;
+        tally += block.tally;
+    }
+    return level;
+}
+
+}  // namespace sunfleck
