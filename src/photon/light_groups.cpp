@@ -50,7 +50,7 @@ public:
 
     /// Lights by group.
     std::vector<Lights> groups() const {
-        const std::vector<Lights> clusters =
+        std::vector<Lights> clusters =
             light_clusters(view_.scene.scene.light_sources(), weights(), kMostClusters);
         if (clusters.size() < 2) return clusters;
         std::vector<Lights> groups;

@@ -40,6 +40,15 @@ Moments moments_of(std::span<const WeightedEmission> points, const EmissionBox& 
     return m;
 }
 
+/// Takes so much of row k of both from row s that a[s][k] becomes zero.
+void clear(Matrix& a, Matrix& b, std::size_t s, std::size_t k) {
+    const double factor = a[s][k];
+    for (std::size_t t = 0; t < kMappedSlots; ++t) {
+        a[s][t] -= factor * a[k][t];
+        b[s][t] -= factor * b[k][t];
+    }
+}
+
 /// The inverse of a matrix of correlations, by elimination; a little is added to its diagonal.
 Matrix inverse(Matrix a) {
     constexpr double kRidge = 1e-10;
@@ -54,14 +63,8 @@ Matrix inverse(Matrix a) {
             a[k][t] /= pivot;
             b[k][t] /= pivot;
         }
-        for (std::size_t s = 0; s < kMappedSlots; ++s) {
-            if (s == k) continue;
-            const double factor = a[s][k];
-            for (std::size_t t = 0; t < kMappedSlots; ++t) {
-                a[s][t] -= factor * a[k][t];
-                b[s][t] -= factor * b[k][t];
-            }
-        }
+        for (std::size_t s = 0; s < kMappedSlots; ++s)
+            if (s != k) clear(a, b, s, k);
     }
     return b;
 }

@@ -76,7 +76,8 @@ bool is_rare(const HeightTail& tail) {
 }
 
 bool needs_several_sets(const HeightTail& tail, std::uint32_t paths) {
-    return is_rare(tail) && tail[kVisible] * (paths - paths / 2) < kSeedsForOneSet;
+    const std::uint32_t uniform = paths - paths / 2;
+    return is_rare(tail) && tail[kVisible] * uniform < kSeedsForOneSet;
 }
 
 MappedPlan mapped_plan(const LearnedMap& map, bool can_climb, std::uint32_t paths) {

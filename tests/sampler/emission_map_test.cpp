@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sunfleck {
@@ -28,9 +29,8 @@ Points around(double width, const std::vector<std::size_t>& narrow, std::size_t 
 }
 
 bool is_inside(const EmissionPoint& p, double width, const std::vector<std::size_t>& narrow) {
-    for (const std::size_t s : narrow)
-        if (std::abs(p.at(s) - 0.3) > width / 2) return false;
-    return true;
+    return std::all_of(narrow.begin(), narrow.end(),
+                       [&](std::size_t s) { return std::abs(p.at(s) - 0.3) <= width / 2; });
 }
 
 EmissionPoint uniform(RandomStream& random) {
