@@ -65,7 +65,7 @@ struct StopSettings {
     std::optional<double> seconds;          // on the wall
     std::optional<double> cpu_seconds;      // of all threads together
     std::optional<double> target_error;     // relative, of blocks: film/target_error.h
-    ErrorTerms error_terms;                 // what counts for it
+    ErrorTerms error_terms{};               // what counts for it
 };
 
 }  // namespace sunfleck

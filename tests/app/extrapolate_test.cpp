@@ -139,7 +139,7 @@ TEST_F(Extrapolate, the_target_error_holds_the_bias) {
     EXPECT_EQ(stats({"--target-error-of", "all"})["passes"], of_all["passes"]);
     const auto extrapolated = stats({"--extrapolate", "on"});
     EXPECT_LE(extrapolated["image"]["noise"], 0.08);
-    EXPECT_GT(extrapolated["passes"], of_noise["passes"]);
+    EXPECT_GE(extrapolated["passes"], of_noise["passes"]);
 }
 
 }  // namespace
