@@ -68,31 +68,40 @@ TEST_F(FilmFile, comes_back_without_discs) {
               bytes_of(film_of(small_key(), numbers(0, 40))).size());
 }
 
-/// Words under a checksum that fits: what is refused is refused for itself.
+/// A film file with one word changed, under a checksum that fits.
+std::string with_word(std::string bytes, std::size_t place, std::uint64_t word) {
+    std::memcpy(bytes.data() + 8 * place, &word, 8);
+    WordHash hash;
+    for (std::size_t i = 0; i + 8 < bytes.size(); i += 8) {
+        std::uint64_t next = 0;
+        std::memcpy(&next, bytes.data() + i, 8);
+        hash.add(next);
+    }
+    const std::uint64_t sum = hash.value();
+    std::memcpy(bytes.data() + bytes.size() - 8, &sum, 8);
+    return bytes;
+}
+
 TEST_F(FilmFile, a_sequence_of_radii_that_cannot_be_is_refused) {
-    const std::string bytes = bytes_of(film_of(small_key(3, 2), numbers(0, 18)));
-    const auto with_word = [&](std::size_t place, std::uint64_t word) {
-        std::string changed = bytes;
-        std::memcpy(changed.data() + 8 * place, &word, 8);
-        WordHash hash;
-        for (std::size_t i = 0; i + 8 < changed.size(); i += 8) {
-            std::uint64_t next = 0;
-            std::memcpy(&next, changed.data() + i, 8);
-            hash.add(next);
-        }
-        const std::uint64_t sum = hash.value();
-        std::memcpy(changed.data() + changed.size() - 8, &sum, 8);
-        return fault_of(changed);
-    };
     constexpr std::size_t kLayersWord = 4;
     constexpr std::size_t kAlphaWord = 5;
-    EXPECT_EQ(with_word(kAlphaWord, std::bit_cast<std::uint64_t>(0.5)), "");
-    for (const double alpha : {0.0, -0.0, -0.5, 1.0, 1e9, std::nan("")})
-        EXPECT_NE(with_word(kAlphaWord, std::bit_cast<std::uint64_t>(alpha)), "") << alpha;
+    FilmKey key = small_key(3, 2);
+    const auto fault_with = [&](double alpha) {
+        const std::string bytes = bytes_of(film_of(key, numbers(0, 16)));
+        return fault_of(with_word(bytes, kAlphaWord, std::bit_cast<std::uint64_t>(alpha)));
+    };
+    EXPECT_EQ(fault_with(0.5), "");
+    for (const double alpha : {0.0, -0.5, 1.0, 1e9, std::nan("")})
+        EXPECT_NE(fault_with(alpha), "") << alpha;
+    const std::string bytes = bytes_of(film_of(key, numbers(0, 16)));
     std::uint64_t layers = 0;
     std::memcpy(&layers, bytes.data() + 8 * kLayersWord, 8);
-    EXPECT_EQ(with_word(kLayersWord, layers), "");
-    EXPECT_NE(with_word(kLayersWord, layers | std::uint64_t{1} << 63U), "");  // sequential
+    EXPECT_EQ(fault_of(with_word(bytes, kLayersWord, layers)), "");
+    const std::uint64_t sequential = std::uint64_t{1} << 63U;
+    EXPECT_NE(fault_of(with_word(bytes, kLayersWord, layers | sequential)), "");
+    key.alpha = 0;
+    EXPECT_EQ(fault_with(0.0), "");
+    EXPECT_NE(fault_with(-0.0), "");  // one film has one file
 }
 
 TEST_F(FilmFile, merged_parts_have_the_bytes_of_one_run) {
