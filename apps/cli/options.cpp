@@ -93,7 +93,8 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--cpu-time", t.cpu_time,
                    "The same of processor time, all threads together: for comparisons");
     app.add_option("--target-error", t.target_error,
-                   "End when 95% of the blocks have this relative error: 2%");
+                   "End when the noise of 95% of the blocks and the bias together come to this "
+                   "relative error: 2%");
     add_error_flags(app, t.error);
     app.add_option("--pass-range", t.pass_range, "Render passes a to b - 1 only: a:b");
     app.add_option("--photons-per-pass", o.settings.photon.paths_per_pass,
