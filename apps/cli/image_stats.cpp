@@ -32,8 +32,8 @@ std::vector<std::string> extrapolation_warnings(const Film& film, bool wanted) {
     if (!wanted || disc_areas(film)) return {};
     const std::string what = "the picture is not extrapolated: ";
     if (film.rounds() < kBiasRounds)
-        return {what + fmt::format("its bias is not known before {} rounds of {} passes are "
-                                   "complete, and {} are",
+        return {what + fmt::format("its bias is known from {} complete rounds of {} passes on, "
+                                   "of which it has {}",
                                    kBiasRounds, kRoundPasses, film.rounds())};
     return {what + "radii have hardly shrunk over its passes, so its bias is not known"};
 }
