@@ -64,15 +64,19 @@ void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row) {
 std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenRound& round) {
     const BlockGrid grid(sums.key, kErrorBlock);
     Terms term;
+    const auto add_pixel = [&](std::size_t pixel, const RgbSum& light) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            sums.photons.rgb[3 * pixel + c] += light.channel[c];
+            sums.photons.rgb_by_area[3 * pixel + c] += term(light.channel[c].to_double() * area);
+        }
+    };
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum block;
         grid.for_pixels(b, [&](std::size_t pixel) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const FixedPoint value = image.by_photons(pixel, c);
-                sums.photons.rgb[3 * pixel + c] += value;
-                sums.photons.rgb_by_area[3 * pixel + c] += term(value.to_double() * area);
-                block.channel[c] += value;
-            }
+            const RgbSum light{{image.by_photons(pixel, 0), image.by_photons(pixel, 1),
+                                image.by_photons(pixel, 2)}};
+            add_pixel(pixel, light);
+            block += light;
         });
         for (std::size_t c = 0; c < 3; ++c) round.photon_blocks[3 * b + c] += block.channel[c];
     });
