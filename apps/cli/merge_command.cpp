@@ -1,9 +1,15 @@
 // `sunfleck merge`: pass ranges of one render, added up exactly.
 #include "apps/cli/commands.h"
+#include "apps/cli/image_stats.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/stats.h"
+#include "core/error.h"
 #include "film/film_file.h"
 #include "image/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
 
 namespace sunfleck {
 
@@ -12,11 +18,20 @@ int run_merge(const MergeOptions& options) {
     Film film = read_film(options.inputs.front());
     for (std::size_t i = 1; i < options.inputs.size(); ++i)
         film.merge(read_film(options.inputs[i]), options.inputs[i]);
-    write_outputs(options.outputs, film, options.exposure);
+    if (options.extrapolate && !film.key().has_discs())
+        throw Error(
+            {"--extrapolate"},
+            "is about the discs of photon mapping, and there are none in " + options.inputs.front(),
+            "leave it out");
+    write_outputs(options.outputs, film, {options.exposure, options.extrapolate});
+    const auto doubts = extrapolation_warnings(film, options.extrapolate);
+    for (const std::string& line : doubts) fmt::print(stderr, "{}\n", line);
     if (!options.stats.empty()) {
         RunFacts facts;
         facts.command = "merge";
+        facts.error_terms.extrapolated = options.extrapolate;
         facts.warnings = reliability_warnings(film);
+        facts.warnings.insert(facts.warnings.end(), doubts.begin(), doubts.end());
         const std::string json = stats_json(film, facts);
         write_file(options.stats, json);
     }

@@ -1,6 +1,7 @@
 // The flags of every command, row by row.
 #include "apps/cli/options.h"
 
+#include "apps/cli/error_options.h"
 #include "apps/cli/experiment_options.h"
 #include "apps/cli/paper_options.h"
 #include "core/error.h"
@@ -28,6 +29,7 @@ struct RenderTexts {
     std::string light_groups = "auto";
     std::string emission_maps = "auto";
     PaperTexts paper;
+    ErrorTexts error;
     std::string direct = "sampled";
     std::string energy_compensation = "off";
     std::string integrator = "sppm";
@@ -91,7 +93,9 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--cpu-time", t.cpu_time,
                    "The same of processor time, all threads together: for comparisons");
     app.add_option("--target-error", t.target_error,
-                   "End when 95% of the blocks have this relative error: 2%");
+                   "End when the noise of 95% of the blocks and the bias together come to this "
+                   "relative error: 2%");
+    add_error_flags(app, t.error);
     app.add_option("--pass-range", t.pass_range, "Render passes a to b - 1 only: a:b");
     app.add_option("--photons-per-pass", o.settings.photon.paths_per_pass,
                    "Photon paths a pass (default max(200000, pixels))")
@@ -186,12 +190,13 @@ void finish_adaptive(const CLI::App& given, const RenderTexts& t, PhotonSettings
     photon.light_groups = t.light_groups == "auto";
 }
 
-void add_merge(CLI::App& app, MergeOptions& o) {
+void add_merge(CLI::App& app, MergeOptions& o, ErrorTexts& t) {
     app.add_option("FILES", o.inputs, ".film files")->required();
     app.add_option("-o,--output", o.outputs, ".exr, .png, .film; may be repeated")
         ->allow_extra_args(false)
         ->required();
     app.add_option("--exposure", o.exposure, "Stops for PNG")->check(between(-100, 100));
+    add_extrapolate_flag(app, t);
     app.add_option("--stats", o.stats, "Write statistics as JSON");
 }
 
@@ -228,7 +233,8 @@ std::optional<Options> read_options(int count, const char* const* words) {
     scene_app->add_option("NAME", scene.name, "Its name");
     scene_app->add_option("-o,--output", scene.folder, "Folder to write to (default .)");
     CLI::App* const merge_app = app.add_subcommand("merge", "Add up pass ranges of one render");
-    add_merge(*merge_app, merge);
+    ErrorTexts merge_texts;
+    add_merge(*merge_app, merge, merge_texts);
     CLI::App* const compare_app =
         app.add_subcommand("compare", "Measure pictures against a reference, and show them");
     add_compare(*compare_app, compare);
@@ -261,6 +267,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
         finish_render(*render_app, render, texts);
         finish_paper(*render_app, texts.paper, render);
         finish_adaptive(*render_app, texts, render.settings.photon);
+        finish_error(*render_app, texts.error, render);
         for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
         options.render = render;
     } else if (info_app->parsed()) {
@@ -270,6 +277,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
     } else if (scene_app->parsed()) {
         options.scene = scene;
     } else if (merge_app->parsed()) {
+        merge.extrapolate = merge_texts.extrapolate == "on";
         options.merge = merge;
     } else if (experiment_app->parsed()) {
         finish_experiment(experiment_texts, experiment);

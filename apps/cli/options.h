@@ -59,6 +59,7 @@ struct MergeOptions {
     std::vector<std::string> outputs;
     std::string stats;
     double exposure = 0;
+    bool extrapolate = false;
 };
 
 struct CompareOptions {

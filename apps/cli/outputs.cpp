@@ -25,13 +25,14 @@ void check_outputs(const std::vector<std::string>& outputs, const std::string& s
     if (!stats.empty()) check_writable(stats);
 }
 
-void write_outputs(const std::vector<std::string>& outputs, const Film& film, double exposure) {
-    const Picture picture = film_picture(film);
+void write_outputs(const std::vector<std::string>& outputs, const Film& film,
+                   const OutputOptions& options) {
+    const Picture picture = film_picture(film, {1, options.extrapolate});
     for (const std::string& path : outputs) {
         if (is_film(path))
             write_film(path, film);
         else
-            write_picture(path, picture, {static_cast<float>(exposure), false});
+            write_picture(path, picture, {static_cast<float>(options.exposure), false});
     }
 }
 

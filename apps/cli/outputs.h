@@ -11,8 +11,13 @@ namespace sunfleck {
 /// @throws Error if one of the files cannot be written, or its ending is unknown.
 void check_outputs(const std::vector<std::string>& outputs, const std::string& stats);
 
+struct OutputOptions {
+    double exposure = 0;       // stops, for formats of limited range alone
+    bool extrapolate = false;  // pictures less their bias
+};
+
 /// Writes the film to every output: .film, or a picture.
-/// @param exposure  stops, for formats of limited range alone.
-void write_outputs(const std::vector<std::string>& outputs, const Film& film, double exposure);
+void write_outputs(const std::vector<std::string>& outputs, const Film& film,
+                   const OutputOptions& options);
 
 }  // namespace sunfleck

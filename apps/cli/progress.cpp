@@ -36,7 +36,9 @@ std::string progress_text(const Progress& p) {
     if (p.visible_fraction > 0) text += fmt::format(", visible {:.2g}", p.visible_fraction);
     text += levels_text(p);
     if (p.starved > 0) text += fmt::format(", {} starved", p.starved);
-    if (p.error) text += fmt::format(", error {:.2f}%", 100 * *p.error);
+    if (p.error) text += fmt::format(", error {:.2f}%", 100 * p.error->value());
+    if (p.error && p.error->bias > 0)
+        text += fmt::format(", of which bias {:.2f}%", 100 * p.error->bias);
     if (p.target) text += fmt::format(" (target {:.2g}%)", 100 * *p.target);
     if (p.seconds_left) text += fmt::format(", {} left", duration_text(*p.seconds_left));
     return text;

@@ -1,5 +1,6 @@
 // `sunfleck render`: scene in, pictures out.
 #include "apps/cli/commands.h"
+#include "apps/cli/image_stats.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
@@ -68,11 +69,14 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, CheckpointKee
 /// Pictures, doubts, statistics.
 void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& facts) {
     const RenderOptions& options = setup.options;
-    InterruptGuard::finish_first(
-        [&] { write_outputs(setup.outputs, result.film, options.exposure); });
+    InterruptGuard::finish_first([&] {
+        write_outputs(setup.outputs, result.film,
+                      {options.exposure, facts.error_terms.extrapolated});
+    });
+    auto doubts = extrapolation_warnings(result.film, facts.error_terms.extrapolated);
     // Without a light the picture is black for sure, and that has been said.
-    const auto doubts = setup.scene.lights().empty() ? std::vector<std::string>()
-                                                     : reliability_warnings(result.film);
+    if (!setup.scene.lights().empty())
+        for (const std::string& line : reliability_warnings(result.film)) doubts.push_back(line);
     print_lines(doubts, options.log);
     facts.warnings.insert(facts.warnings.end(), doubts.begin(), doubts.end());
     set_times(facts, result);
@@ -106,6 +110,7 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     if (!ranks.is_first()) return help_render(*setup, ranks, asked.log);
     RunFacts facts{options.scene, options.command, options.isa, thread_count(), 0, 0, 0, {}, 1, {}};
     facts.ranks = ranks.size;
+    facts.error_terms = options.stop.error_terms;
     facts.warnings = warnings_of(options, setup->scene);
     print_lines(facts.warnings, options.log);
     facts.load_seconds = clock.seconds();

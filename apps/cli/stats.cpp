@@ -1,6 +1,7 @@
 // stats.json: what a render did, under stable names (docs/stats.md).
 #include "apps/cli/stats.h"
 
+#include "apps/cli/image_stats.h"
 #include "film/error_bars.h"
 #include "render/count_pass.h"
 
@@ -107,7 +108,6 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
         return static_cast<std::uint64_t>(film.statistic(name));
     };
     const Fraction fraction = visible_fraction(film);
-    const auto error = image_error(film);
     Json json;
     json["version"] = SUNFLECK_VERSION;
     json["scene"] = facts.scene;
@@ -158,9 +158,7 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
     json["saturated"] = count("saturated");
     json["escaped"] = count("escaped");
     json["too_long"] = count("too_long");
-    json["image"]["mean"] = image_mean(film);
-    if (error) json["image"]["mean_std_error"] = error->standard_error;
-    if (const auto target = target_error(film)) json["image"]["target_error"] = *target;
+    json["image"] = image_json(film, facts.error_terms);
     json["warnings"] = facts.warnings;
     return json.dump(2) + "\n";
 }

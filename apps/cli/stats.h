@@ -1,7 +1,7 @@
 // stats.json: what a render did, under stable names (docs/stats.md).
 #pragma once
 
-#include "film/film.h"
+#include "film/target_error.h"
 #include "render/pass.h"
 
 #include <string>
@@ -22,6 +22,7 @@ struct RunFacts {
     double radius_factor = 1;
     std::vector<std::string> warnings;
     int ranks = 1;
+    ErrorTerms error_terms{};
 };
 
 /// @return JSON text, ending in a new line.

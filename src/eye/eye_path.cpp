@@ -143,7 +143,7 @@ void EyePath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
 }
 
 void EyePath::add_light(const Spectrum& radiance, Layer owner) {
-    image_.add_light(pixel_, pass_.scene.wavelengths.to_rgb(radiance * weight_), owner);
+    image_.add_eye_light(pixel_, pass_.scene.wavelengths.to_rgb(radiance * weight_), owner);
 }
 
 /// @param follow  trace a bsdf sample for the other half of MIS (a path that goes on needs none).

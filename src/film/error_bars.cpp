@@ -11,14 +11,10 @@
 namespace sunfleck {
 namespace {
 
-RgbSum pixel_of(const FixedPoints& rgb, std::size_t pixel) {
-    return {{rgb[3 * pixel], rgb[3 * pixel + 1], rgb[3 * pixel + 2]}};
-}
-
 /// Exact sum of a pixel over the passes of complete rounds.
 RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
-    RgbSum rgb = pixel_of(sums.layers[0], pixel);
-    for (const auto& [number, round] : sums.open_rounds) rgb -= pixel_of(round, pixel);
+    RgbSum rgb = rgb_of(sums.layers[0], pixel);
+    for (const auto& [number, round] : sums.open_rounds) rgb -= rgb_of(round.rgb, pixel);
     return rgb;
 }
 
@@ -91,19 +87,8 @@ double image_mean(const Film& film) {
     if (passes == 0) return 0;
     const BlockGrid grid(film.key(), kErrorBlock);
     const std::vector<double> sums = block_sums(
-        grid, passes, [&](std::size_t pixel) { return pixel_of(film.sums().layers[0], pixel); });
+        grid, passes, [&](std::size_t pixel) { return rgb_of(film.sums().layers[0], pixel); });
     return total(sums) / static_cast<double>(film.key().pixels());
-}
-
-std::optional<double> target_error(const Film& film) {
-    if (film.rounds() < kTargetRounds) return {};
-    const double floor = 0.01 * image_error(film)->mean;
-    std::vector<double> relative;
-    for (const MeanError& block : block_errors(film))
-        if (floor > 0 && block.mean > floor) relative.push_back(block.standard_error / block.mean);
-    if (relative.empty()) return {};
-    std::sort(relative.begin(), relative.end());
-    return relative[(relative.size() * 95 + 99) / 100 - 1];
 }
 
 }  // namespace sunfleck

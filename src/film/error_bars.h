@@ -13,9 +13,6 @@
 
 namespace sunfleck {
 
-/// Rounds that target_error() needs: from fewer a standard error is itself too uncertain.
-inline constexpr std::uint64_t kTargetRounds = 4;
-
 struct MeanError {
     double mean = 0;            // over complete rounds
     double standard_error = 0;  // of that mean
@@ -34,9 +31,5 @@ std::optional<MeanError> image_error(const Film& film);
 
 /// Mean luminance over all passes, complete round or not; zero without passes.
 double image_mean(const Film& film);
-
-/// The relative standard error that 95% of the blocks above 1% of the mean keep (design: "Target
-/// error"). Nothing with fewer than kTargetRounds complete rounds, or in a black picture.
-std::optional<double> target_error(const Film& film);
 
 }  // namespace sunfleck

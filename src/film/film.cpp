@@ -2,65 +2,15 @@
 #include "film/film.h"
 
 #include "core/error.h"
-#include "core/parallel.h"
-#include "film/luminance.h"
+#include "film/pass_terms.h"
 #include "math/wavelengths.h"
+#include "measurement/radius.h"
 
-#include <atomic>
 #include <cmath>
 #include <utility>
 
 namespace sunfleck {
 namespace {
-
-constexpr std::size_t kPixelsPerTask = 1U << 14U;
-
-void add_all(FixedPoints& sums, const FixedPoints& terms) {
-    parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) sums[i] += terms[i];
-    });
-}
-
-void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row) {
-    const std::size_t channels = row.channels.size();
-    parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            sums[i] += image.value(row.layer, i / channels, i % channels);
-    });
-}
-
-/// The square of a round's luminance as a term of an exact sum.
-FixedPoint square_term(double y, std::atomic<std::uint64_t>& saturated) {
-    double square = y * y;
-    if (!(square <= kLargestTerm)) {
-        saturated.fetch_add(1, std::memory_order_relaxed);
-        square = kLargestTerm;
-    }
-    return FixedPoint::from_double(square);
-}
-
-/// Adds the squares of a complete round; returns how many were cut.
-std::uint64_t add_squares(FilmSums& sums, const FixedPoints& round) {
-    const BlockGrid grid(sums.key, kErrorBlock);
-    std::vector<double> block_sum(grid.count());  // luminance, over the block's pixels
-    std::atomic<std::uint64_t> saturated{0};
-    parallel_for(grid.count(), [&](std::size_t b) {
-        RgbSum block;
-        grid.for_pixels(b, [&](std::size_t pixel) {
-            const RgbSum rgb{{round[3 * pixel], round[3 * pixel + 1], round[3 * pixel + 2]}};
-            sums.pixel_squares[pixel] += square_term(rgb.mean_luminance(kRoundPasses), saturated);
-            block += rgb;
-        });
-        block_sum[b] = block.mean_luminance(kRoundPasses);
-        const auto pixels = static_cast<double>(grid.block(b).pixels());
-        sums.block_squares[b] += square_term(block_sum[b] / pixels, saturated);
-    });
-    double total = 0;
-    for (const double y : block_sum) total += y;
-    const double mean = total / static_cast<double>(sums.key.pixels());
-    sums.image_square += square_term(mean, saturated);
-    return saturated.load();
-}
 
 void check_image(const FilmKey& key, std::uint32_t number, const PassImage& image) {
     const SourceLocation where{"pass " + std::to_string(number)};
@@ -73,6 +23,9 @@ void check_image(const FilmKey& key, std::uint32_t number, const PassImage& imag
         if (key.has(i) && !image.has(kLayers.at(i).layer))
             throw Error(where, "lacks the layer \"" + std::string(kLayers.at(i).name) + "\"",
                         "render it with the film's layers");
+    if (key.has_discs() && !image.photons_apart())
+        throw Error(where, "does not hold apart what photons have brought",
+                    "add it to a film without discs");
 }
 
 }  // namespace
@@ -105,14 +58,7 @@ std::vector<std::uint64_t> open_rounds(const PassSet& passes) {
     return open;
 }
 
-Film::Film(FilmKey key) {
-    key.layers[0] = true;
-    for (std::size_t i = 0; i < kLayerCount; ++i)
-        if (key.has(i)) sums_.layers.at(i).resize(key.pixels() * kLayers.at(i).channels.size());
-    sums_.pixel_squares.resize(key.pixels());
-    sums_.block_squares.resize(BlockGrid(key, kErrorBlock).count());
-    sums_.key = std::move(key);
-}
+Film::Film(FilmKey key) : sums_(empty_sums(std::move(key))) {}
 
 std::uint64_t Film::rounds() const {
     return key().sequential ? 0 : complete_rounds(sums_.passes);
@@ -145,10 +91,19 @@ void Film::add_pass(std::uint32_t number, const PassImage& image) {
     count("saturated", image.saturated());
     sums_.passes.insert(range);
     if (key().sequential) return;
-    FixedPoints& round = sums_.open_rounds[number / kRoundPasses];
-    round.resize(3 * key().pixels());
-    add_layer(round, image, kLayers[0]);
+    OpenRound& round = open_round(number / kRoundPasses);
+    add_layer(round.rgb, image, kLayers[0]);
+    if (key().has_discs()) {
+        const double area = round_area(number / kRoundPasses, key().alpha);
+        count("saturated", add_photons(sums_, image, area, round));
+    }
     close_rounds();
+}
+
+OpenRound& Film::open_round(std::uint64_t number) {
+    const auto [round, is_new] = sums_.open_rounds.try_emplace(number);
+    if (is_new) round->second = empty_round(key());
+    return round->second;
 }
 
 void Film::close_rounds() {
@@ -176,14 +131,12 @@ void Film::merge(const Film& other, const std::string& other_name) {
                         "passes " + std::to_string(range.begin) + ":" + std::to_string(range.end) +
                             " are in another part, too, some or all",
                         "give each part passes of its own with --pass-range");
-    for (std::size_t i = 0; i < kLayerCount; ++i) add_all(sums_.layers.at(i), from.layers.at(i));
-    add_all(sums_.pixel_squares, from.pixel_squares);
-    add_all(sums_.block_squares, from.block_squares);
-    sums_.image_square += from.image_square;
-    for (const auto& [number, sums] : from.open_rounds) {
-        FixedPoints& round = sums_.open_rounds[number];
-        round.resize(sums.size());
-        add_all(round, sums);
+    const auto sums = total_arrays(sums_);
+    const auto terms = total_arrays(from);
+    for (std::size_t i = 0; i < sums.size(); ++i) add_all(sums[i], terms[i]);
+    for (const auto& [number, other_round] : from.open_rounds) {
+        const auto round = arrays(open_round(number));
+        for (std::size_t i = 0; i < round.size(); ++i) add_all(round[i], arrays(other_round)[i]);
     }
     for (const auto& [name, value] : from.statistics) sums_.statistics[name] += value;
     for (const PassRange& range : from.passes.ranges()) sums_.passes.insert(range);

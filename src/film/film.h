@@ -7,45 +7,22 @@
 // Rounds of kRoundPasses passes are the independent samples of error bars. When a round is
 // complete its mean luminance y is computed from its exact sums, of each pixel, each block and the
 // whole picture, and y^2 is added to the sums of squares: floored to 2^-64, at most 2^47 (beyond:
-// cut and counted). Until then the round's own RGB sums are kept beside the totals.
+// cut and counted). Until then the round's own RGB sums are kept beside the totals. The same is
+// done for the luminance that photons have brought, of blocks and the picture, where there are
+// discs.
 //
 // Passes that build on those before are no samples: a sequential film (film_key.h) has no rounds.
 #pragma once
 
-#include "film/film_key.h"
-#include "film/pass_set.h"
+#include "film/film_sums.h"
 
-#include <array>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace sunfleck {
-
-/// Errors are also measured for square blocks of that many pixels a side.
-inline constexpr int kErrorBlock = 8;
-
-using FixedPoints = std::vector<FixedPoint>;
-
-/// Name to sum; names are those of stats.json where it has them.
-using FilmStatistics = std::map<std::string, FixedPoint, std::less<>>;
-
-/// All that a film is. One set of passes has one value of this, however it was put together.
-struct FilmSums {
-    FilmKey key;
-    PassSet passes;
-    FilmStatistics statistics;
-    std::array<FixedPoints, kLayerCount> layers;  // pixel after pixel, channel after channel
-    FixedPoints pixel_squares;                    // of complete rounds' luminance
-    FixedPoints block_squares;                    // row after row of blocks
-    FixedPoint image_square;
-    std::map<std::uint64_t, FixedPoints> open_rounds;  // number to RGB of each pixel
-
-    friend bool operator==(const FilmSums&, const FilmSums&) = default;
-};
 
 class Film {
 public:
@@ -55,7 +32,8 @@ public:
     explicit Film(FilmSums sums) : sums_(std::move(sums)) {}
 
     /// Adds one pass, and its dropped and saturated counts to the statistics.
-    /// @throws Error if the film holds it already, or its size or layers are other than the key's.
+    /// @throws Error if the film holds it already, its size or layers are other than the key's, or
+    ///         it does not hold photons apart and the key has discs.
     void add_pass(std::uint32_t number, const PassImage& image);
 
     /// Adds to the statistic of that name. Zero makes no entry.
@@ -80,6 +58,7 @@ public:
     std::uint64_t rounds() const;
 
 private:
+    OpenRound& open_round(std::uint64_t number);
     void close_rounds();
 
     FilmSums sums_;

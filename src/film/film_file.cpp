@@ -1,11 +1,14 @@
 // Film files, word by word; a reader never allocates more than the file can fill.
 #include "film/film_file.h"
 
+#include <bit>
+#include <cmath>
+
 namespace sunfleck {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x0A'6D'6C'69'66'6E'75'73;  // "sunfilm\n"
-constexpr std::uint64_t kVersion = 1;
+constexpr std::uint64_t kVersion = 2;
 constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
@@ -22,6 +25,9 @@ FilmKey read_key(WordReader& in) {
     if ((layers >> kLayerCount) != 0) in.damaged();
     if (key.pixels() == 0 || (layers & 1U) == 0) in.damaged();
     for (std::size_t i = 0; i < kLayerCount; ++i) key.layers.at(i) = (layers >> i & 1U) != 0;
+    key.alpha = std::bit_cast<double>(in.word());
+    if (!(key.alpha >= 0 && key.alpha < 1) || std::signbit(key.alpha)) in.damaged();
+    if (key.sequential && key.has_discs()) in.damaged();
     key.seed = in.word();
     key.scene_hash = in.word();
     key.settings = in.text();
@@ -60,11 +66,14 @@ bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_round
     const auto blocks = [](int pixels) {
         return static_cast<std::uint64_t>((pixels + kErrorBlock - 1) / kErrorBlock);
     };
-    std::uint64_t a_pixel = 1 + 3 * open_round_count;
+    const std::uint64_t discs = key.has_discs() ? 1 : 0;
+    std::uint64_t a_pixel = 1 + 3 * open_round_count + 6 * discs;
     for (std::size_t i = 0; i < kLayerCount; ++i)
         if (key.has(i)) a_pixel += kLayers.at(i).channels.size();
     if (a_pixel > words / key.pixels()) return false;  // so that the product cannot overflow
-    return words == 2 * (a_pixel * key.pixels() + blocks(key.width) * blocks(key.height) + 1);
+    const std::uint64_t a_block = 1 + discs + 3 * open_round_count * discs;
+    return words == 2 * (a_pixel * key.pixels() + a_block * blocks(key.width) * blocks(key.height) +
+                         1 + discs);
 }
 
 }  // namespace
@@ -76,7 +85,8 @@ void put_film(WordWriter& out, const Film& film) {
         if (sums.key.has(i)) layers |= std::uint64_t{1} << i;
     for (const std::uint64_t word :
          {kMagic, kVersion, static_cast<std::uint64_t>(sums.key.width),
-          static_cast<std::uint64_t>(sums.key.height), layers, sums.key.seed, sums.key.scene_hash})
+          static_cast<std::uint64_t>(sums.key.height), layers,
+          std::bit_cast<std::uint64_t>(sums.key.alpha), sums.key.seed, sums.key.scene_hash})
         out.put(word);
     out.put(sums.key.settings);
     out.put(sums.passes.ranges().size());
@@ -89,11 +99,9 @@ void put_film(WordWriter& out, const Film& film) {
         out.put(name);
         out.put(value);
     }
-    for (const FixedPoints& layer : sums.layers) out.put(layer);
-    out.put(sums.pixel_squares);
-    out.put(sums.block_squares);
-    out.put(sums.image_square);
-    for (const auto& [number, round] : sums.open_rounds) out.put(round);
+    for (const auto& array : total_arrays(sums)) out.put(array);
+    for (const auto& [number, round] : sums.open_rounds)
+        for (const auto& array : arrays(round)) out.put(array);
 }
 
 void write_film(const std::string& path, const Film& film) {
@@ -109,17 +117,13 @@ Film take_film(WordReader& in) {
     const auto open = key.sequential ? std::vector<std::uint64_t>() : open_rounds(passes);
     if (!sums_fill(in.left(), key, open.size())) in.damaged();
 
-    FilmSums sums = std::move(Film(key)).sums();
+    FilmSums sums = empty_sums(key);
     sums.passes = std::move(passes);
     sums.statistics = std::move(statistics);
-    for (FixedPoints& layer : sums.layers) in.fill(layer);
-    in.fill(sums.pixel_squares);
-    in.fill(sums.block_squares);
-    sums.image_square = in.sum();
+    for (const auto& array : total_arrays(sums)) in.fill(array);
     for (const std::uint64_t number : open) {
-        FixedPoints& round = sums.open_rounds[number];
-        round.resize(3 * key.pixels());
-        in.fill(round);
+        OpenRound& round = sums.open_rounds[number] = empty_round(key);
+        for (const auto& array : arrays(round)) in.fill(array);
     }
     return Film(std::move(sums));
 }

@@ -1,10 +1,12 @@
 // Film files (.film): all of a film, to be resumed or merged with nothing lost.
 //
 // Layout, in 64-bit little-endian words: magic, version, width, height, layers (bit i: row i of
-// kLayers; bit 63: sequential), seed, scene hash, settings; count of pass ranges, and each begin
-// and end; count of statistics, and each name, high and low word; the sums (high, low) of each
-// layer, pixel squares, block squares, the picture's square, and for each open round its RGB sums
-// (a sequential film has none); checksum of all before. One film has one file.
+// kLayers; bit 63: sequential), alpha (the bits of a double; zero: no discs), seed, scene hash,
+// settings; count of pass ranges, and each begin and end; count of statistics, and each name, high
+// and low word; the sums (high, low) of each layer, pixel squares, block squares, the picture's
+// square; with discs, of what photons have brought: RGB sums, those by area, block squares, the
+// picture's square; for each open round its RGB sums and, with discs, photons' RGB of each block (a
+// sequential film has none); checksum of all before. One film has one file.
 #pragma once
 
 #include "film/film.h"

@@ -44,6 +44,7 @@ std::optional<KeyDifference> difference(const FilmKey& here, const FilmKey& ther
         return KeyDifference{"seed", std::to_string(here.seed), std::to_string(there.seed)};
     if (here.scene_hash != there.scene_hash) return KeyDifference{"scene", "", ""};
     if (here.settings != there.settings) return differing_lines(here.settings, there.settings);
+    if (here.alpha != there.alpha) return KeyDifference{"sequence of radii", "", ""};
     if (here.sequential != there.sequential) return KeyDifference{"order of passes", "", ""};
     return {};
 }

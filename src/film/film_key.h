@@ -18,6 +18,8 @@ struct FilmKey {
     std::uint64_t scene_hash = 0;  // of all that the scene file and its parts hold
     std::string settings;          // one "name=value" a line: all that a pass depends on
     bool sequential = false;       // a pass builds on those before: no error bars, no merging
+    double alpha = 0;  // of the radii of discs (measurement/radius.h), which bias the picture;
+                       // zero: there are none, or they follow no such sequence
 
     friend bool operator==(const FilmKey&, const FilmKey&) = default;
 
@@ -25,6 +27,7 @@ struct FilmKey {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     }
     bool has(std::size_t layer) const { return layer == 0 || layers.at(layer); }
+    bool has_discs() const { return alpha > 0; }
 };
 
 /// FNV-1a, 64 bits: for scene_hash. Start with the hash of what came before to hash in parts.

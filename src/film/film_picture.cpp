@@ -2,7 +2,7 @@
 #include "film/film_picture.h"
 
 #include "core/parallel.h"
-#include "film/error_bars.h"
+#include "film/bias.h"
 
 namespace sunfleck {
 namespace {
@@ -24,24 +24,47 @@ void add_layer(Picture& picture, const FixedPoints& sums, const LayerRow& row, d
     }
 }
 
+/// Subtracts it from RGB, too, if so wanted.
+void add_bias(Picture& picture, const Film& film, const FilmPictureOptions& options) {
+    const auto biases = pixel_biases(film);
+    if (biases.empty()) return;
+    const std::string_view channels = kLayers[0].channels;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        std::vector<float>& values = picture.add(std::string("bias.") + channels[c]).values;
+        std::vector<float>& light = picture.channels[c].values;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = static_cast<float>(biases[i][c] * options.scale);
+            if (options.extrapolate) light[i] -= values[i];
+        }
+    }
+    if (options.extrapolate) picture.metadata[kExtrapolated] = "to a radius of zero";
+}
+
+/// Nothing is added with fewer than two rounds.
+void add_error(Picture& picture, const Film& film, const FilmPictureOptions& options) {
+    std::vector<double> errors;
+    if (options.extrapolate) errors = extrapolated_pixel_errors(film);
+    if (errors.empty())
+        for (const MeanError& pixel : pixel_errors(film)) errors.push_back(pixel.standard_error);
+    if (errors.empty()) return;
+    std::vector<float>& values = picture.add("error.Y").values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<float>(errors[i] * options.scale);
+}
+
 }  // namespace
 
-Picture film_picture(const Film& film, double scale) {
+Picture film_picture(const Film& film, FilmPictureOptions options) {
     Picture picture{film.key().width, film.key().height, {}, {}};
     const double share = film.pass_count() == 0 ? 0 : 1 / static_cast<double>(film.pass_count());
     for (std::size_t i = 0; i < kLayerCount; ++i) {
         const LayerRow& row = kLayers.at(i);
         if (film.key().has(i))
             add_layer(picture, film.sums().layers.at(i), row,
-                      is_light(row.layer) ? share * scale : share);
+                      is_light(row.layer) ? share * options.scale : share);
     }
-    const std::vector<MeanError> errors = pixel_errors(film);
-    if (errors.empty()) return picture;
-    std::vector<float>& values = picture.add("error.Y").values;
-    parallel_blocks(values.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            values[i] = static_cast<float>(errors[i].standard_error * scale);
-    });
+    add_error(picture, film, options);
+    add_bias(picture, film, options);
     return picture;
 }
 

@@ -6,10 +6,19 @@
 
 namespace sunfleck {
 
-/// Channels R, G, B, then those of each layer that the film has ("direct.R", "depth.Z", ...), and
-/// from two complete rounds on "error.Y", the standard error of the pixel's luminance (from
-/// complete rounds alone). Black without passes.
-/// @param scale  factor of all light and its error; features (albedo, normal, depth) keep theirs.
-Picture film_picture(const Film& film, double scale = 1);
+/// Name of the metadata that says of a picture that its bias has been subtracted.
+inline constexpr const char* kExtrapolated = "extrapolated";
+
+struct FilmPictureOptions {
+    double scale = 1;          // of all light, its error and bias; features keep theirs
+    bool extrapolate = false;  // subtract the bias, where it is known (film/bias.h)
+};
+
+/// Channels R, G, B, then those of each layer that the film has ("direct.R", "depth.Z", ...); from
+/// two complete rounds on "error.Y", the standard error of the pixel's luminance (from complete
+/// rounds alone); and where the bias of the discs is known "bias.R", "bias.G", "bias.B": what to
+/// subtract from RGB, or what has been subtracted. Then metadata say so, the error is that of the
+/// difference, and layers are as they were: they add up to RGB and bias. Black without passes.
+Picture film_picture(const Film& film, FilmPictureOptions options = {});
 
 }  // namespace sunfleck

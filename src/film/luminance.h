@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace sunfleck {
 
@@ -35,6 +36,11 @@ struct RgbSum {
         return luminance(rgb) / terms;
     }
 };
+
+/// Number i of RGB sums that stand one after the other.
+inline RgbSum rgb_of(const std::vector<FixedPoint>& sums, std::size_t i) {
+    return {{sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]}};
+}
 
 /// The pixel rectangle of each block: blocks at the right and lower edges may be smaller.
 class BlockGrid {

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <fstream>
 #include <istream>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ public:
         put(static_cast<std::uint64_t>(sum.high));
         put(sum.low);
     }
-    void put(const std::vector<FixedPoint>& sums) {
+    void put(std::span<const FixedPoint> sums) {
         for (const FixedPoint& sum : sums) put(sum);
     }
 
@@ -83,7 +84,7 @@ public:
         const std::uint64_t high = word();
         return {static_cast<std::int64_t>(high), word()};
     }
-    void fill(std::vector<FixedPoint>& sums) {
+    void fill(std::span<FixedPoint> sums) {
         for (FixedPoint& value : sums) value = sum();
     }
 

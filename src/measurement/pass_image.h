@@ -2,6 +2,9 @@
 //
 // Terms are pixel values of this pass alone (radiance in linear sRGB, or a feature), already
 // divided by the number of photon paths; the film's picture is the mean over passes.
+//
+// What eye paths bring can be kept apart: the rest was brought by photons, gathered from discs, and
+// alone carries the bias of the disc's radius.
 #pragma once
 
 #include "core/exact_sum.h"
@@ -23,13 +26,17 @@ class PassImage {
 public:
     using Pixel = std::array<AtomicFixedPoint, 3>;
 
-    PassImage(std::size_t pixels, const LayerSet& wanted) : pixels_(pixels) {
+    /// @param photons_apart  by_photons() will be asked for.
+    PassImage(std::size_t pixels, const LayerSet& wanted, bool photons_apart = false)
+        : pixels_(pixels) {
         for (std::size_t i = 0; i < kLayerCount; ++i)
             if (i == 0 || wanted.at(i)) layers_.at(i) = std::vector<Pixel>(pixels);
+        if (photons_apart) eye_ = std::vector<Pixel>(pixels);
     }
 
     std::size_t pixels() const { return pixels_; }
     bool has(Layer layer) const { return !at(layer).empty(); }
+    bool photons_apart() const { return !eye_.empty(); }
 
     /// Adds to the total and, if measured, to the layer that owns this light. A value that is not
     /// finite is dropped and counted; one beyond kLargestTerm is cut there and counted.
@@ -38,6 +45,14 @@ public:
         add(layers_[0][pixel], rgb);
         if (owner != Layer::total && has(owner))
             add(layers_[static_cast<std::size_t>(owner)][pixel], rgb);
+    }
+
+    /// add_light() of what no disc has brought.
+    void add_eye_light(std::size_t pixel, const Vec3& rgb, Layer owner) {
+        add_light(pixel, rgb, owner);
+        if (!photons_apart() || !finite(rgb)) return;
+        for (unsigned c = 0; c < 3; ++c)
+            eye_[pixel][c].add(FixedPoint::from_double(cut(rgb[static_cast<int>(c)])));
     }
 
     /// add_light() of what is_addable(), with no other thread at this pixel if `alone`.
@@ -74,6 +89,13 @@ public:
         return at(layer)[pixel][channel].value();
     }
 
+    /// Of the total, what eye paths have not brought. @param channel  of RGB.
+    FixedPoint by_photons(std::size_t pixel, std::size_t channel) const {
+        FixedPoint sum = layers_[0][pixel][channel].value();
+        sum += -eye_[pixel][channel].value();
+        return sum;
+    }
+
     std::uint64_t dropped() const { return counts_[kDropped].load(); }
     std::uint64_t saturated() const { return counts_[kSaturated].load(); }
 
@@ -85,9 +107,18 @@ private:
         return layers_[static_cast<std::size_t>(layer)];
     }
 
+    static bool finite(const Vec3& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    }
+    /// @return x within what one term may be.
+    static double cut(float x) {
+        const auto term = static_cast<double>(x);
+        return std::abs(term) > kLargestTerm ? std::copysign(kLargestTerm, term) : term;
+    }
+
     /// Counts what is not.
     bool is_finite(const Vec3& v) {
-        if (std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) return true;
+        if (finite(v)) return true;
         counts_[kDropped].fetch_add(1, std::memory_order_relaxed);
         return false;
     }
@@ -103,18 +134,18 @@ private:
 
     void add(Pixel& pixel, const Vec3& rgb) {
         for (unsigned c = 0; c < 3; ++c) {
-            auto term = static_cast<double>(rgb[static_cast<int>(c)]);
-            if (term == 0) continue;
-            if (std::abs(term) > kLargestTerm) {
+            const float x = rgb[static_cast<int>(c)];
+            if (x == 0) continue;
+            const double term = cut(x);
+            if (term != static_cast<double>(x))
                 counts_[kSaturated].fetch_add(1, std::memory_order_relaxed);
-                term = std::copysign(kLargestTerm, term);
-            }
             pixel[c].add(FixedPoint::from_double(term));
         }
     }
 
     std::size_t pixels_;
     std::array<std::vector<Pixel>, kLayerCount> layers_;
+    std::vector<Pixel> eye_;  // part of the total
     std::vector<std::atomic<std::uint64_t>> counts_ = std::vector<std::atomic<std::uint64_t>>(2);
 };
 

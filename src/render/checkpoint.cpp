@@ -10,8 +10,8 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x0A'74'70'6B'63'6E'75'73;  // "sunckpt\n"
-constexpr std::uint64_t kVersion = 1;
+constexpr std::uint64_t kMagic = 0x0A'74'70'6B'63'6E'75'73;     // "sunckpt\n"
+constexpr std::uint64_t kVersion = 2;                           // films of version 2
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 30U;  // as --passes
 constexpr WordFileKind kKind{"checkpoint", "use another copy, or render anew without --resume"};
 

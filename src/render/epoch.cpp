@@ -2,9 +2,9 @@
 #include "render/epoch.h"
 
 #include "core/stopwatch.h"
+#include "measurement/radius.h"
 #include "photon/light_groups.h"
 #include "render/pass.h"
-#include "render/radius.h"
 
 namespace sunfleck {
 namespace {

@@ -1,6 +1,7 @@
 // A film's head as numbers and texts, then its arrays in one order.
 #include "render/film_transfer.h"
 
+#include <bit>
 #include <sstream>
 #include <utility>
 
@@ -22,8 +23,9 @@ Head head_of(const FilmSums& sums) {
     for (std::size_t i = 0; i < kLayerCount; ++i)
         if (key.layers.at(i)) layers |= std::uint64_t{1} << i;
     Head head{{static_cast<std::uint64_t>(key.width), static_cast<std::uint64_t>(key.height),
-               layers, key.sequential ? 1U : 0U, key.seed, key.scene_hash,
-               sums.passes.ranges().size(), sums.statistics.size(), sums.open_rounds.size()},
+               layers, key.sequential ? 1U : 0U, std::bit_cast<std::uint64_t>(key.alpha), key.seed,
+               key.scene_hash, sums.passes.ranges().size(), sums.statistics.size(),
+               sums.open_rounds.size()},
               key.settings,
               {}};
     for (const PassRange& range : sums.passes.ranges()) {
@@ -49,14 +51,14 @@ FilmSums empty_film(const Head& head) {
     const std::uint64_t layers = take();
     for (std::size_t i = 0; i < kLayerCount; ++i) key.layers.at(i) = (layers >> i & 1U) != 0;
     key.sequential = take() != 0;
+    key.alpha = std::bit_cast<double>(take());
     key.seed = take();
     key.scene_hash = take();
     key.settings = head.settings;
     const std::uint64_t ranges = take();
     const std::uint64_t statistics = take();
     const std::uint64_t open_rounds = take();
-    const std::size_t pixels = key.pixels();
-    FilmSums sums = Film(std::move(key)).sums();
+    FilmSums sums = empty_sums(std::move(key));
     for (std::uint64_t i = 0; i < ranges; ++i) {
         const std::uint64_t begin = take();
         sums.passes.insert({begin, take()});
@@ -68,18 +70,17 @@ FilmSums empty_film(const Head& head) {
         const auto high = static_cast<std::int64_t>(take());
         sums.statistics[name] = {high, take()};
     }
-    for (std::uint64_t i = 0; i < open_rounds; ++i) sums.open_rounds[take()].resize(3 * pixels);
+    for (std::uint64_t i = 0; i < open_rounds; ++i)
+        sums.open_rounds[take()] = empty_round(sums.key);
     return sums;
 }
 
 /// Calls visit(span) for each array of sums.
 template <class Sums, class Visit>
 void for_arrays(Sums& sums, const Visit& visit) {
-    for (auto& layer : sums.layers) visit(std::span(layer));
-    visit(std::span(sums.pixel_squares));
-    visit(std::span(sums.block_squares));
-    visit(std::span(&sums.image_square, 1));
-    for (auto& [number, round] : sums.open_rounds) visit(std::span(round));
+    for (const auto& array : total_arrays(sums)) visit(array);
+    for (auto& [number, round] : sums.open_rounds)
+        for (const auto& array : arrays(round)) visit(array);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Limits, progress, snapshots and checkpoints of a render, between its turns.
 #include "render/overseer.h"
 
-#include "film/error_bars.h"
 #include "render/turns.h"
 
 #include <algorithm>
@@ -22,8 +21,22 @@ double paths_of(const Film& film, Integrator integrator) {
            film.statistic("mutated_paths");
 }
 
-/// The error falls about with the root of the number of passes; the bias of the radius apart.
-std::optional<double> seconds_left(const Progress& p, const StopSettings& stop) {
+/// How many times as many passes as there are bring the error down to the target: its noise falls
+/// about with their root, its bias with the disc's area, as passes^(alpha - 1).
+double passes_to(const TargetError& error, double target, double alpha) {
+    double low = 1;
+    double high = 0x1p50;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = std::sqrt(low * high);
+        const TargetError then{error.noise / std::sqrt(middle),
+                               error.bias * std::pow(middle, alpha - 1)};
+        (then.value() > target ? low : high) = middle;
+    }
+    return high;
+}
+
+std::optional<double> seconds_left(const Progress& p, const RenderJob& job) {
+    const StopSettings& stop = job.stop;
     std::optional<double> left;
     const auto at_most = [&](double seconds) {
         left = std::min(left.value_or(seconds), std::max(0.0, seconds));
@@ -31,12 +44,13 @@ std::optional<double> seconds_left(const Progress& p, const StopSettings& stop) 
     if (p.of) at_most(p.seconds / p.passes * (*p.of - p.passes));
     if (stop.seconds) at_most(*stop.seconds - p.seconds);
     if (stop.cpu_seconds) at_most(p.seconds * (*stop.cpu_seconds / p.cpu_seconds - 1));
-    if (p.error && p.target) at_most(p.seconds * (std::pow(*p.error / *p.target, 2) - 1));
+    if (p.error && p.target)
+        at_most(p.seconds * (passes_to(*p.error, *p.target, job.settings.alpha) - 1));
     return left;
 }
 
 bool is_at(const Progress& progress) {
-    return progress.error && progress.target && *progress.error <= *progress.target;
+    return progress.error && progress.target && progress.error->value() <= *progress.target;
 }
 
 void follow_groups(const std::vector<GroupCounts>& groups, Progress& progress) {
@@ -67,7 +81,7 @@ Overseer::Overseer(const RenderJob& job, const RenderHooks& hooks, RenderResult&
     progress_.passes = static_cast<std::uint32_t>(state.film.pass_count());
     progress_.seconds = state.total_seconds;
     progress_.cpu_seconds = state.cpu_seconds;
-    if (progress_.passes > 0) progress_.error = target_error(state.film);
+    if (progress_.passes > 0) progress_.error = target_error(state.film, job.stop.error_terms);
 }
 
 bool Overseer::is_over() const {
@@ -108,7 +122,7 @@ PassRange Overseer::next_turn() {
 }
 
 bool Overseer::reached_target(std::uint64_t end) {
-    if (end % kRoundPasses == 0) progress_.error = target_error(state_.film);
+    if (end % kRoundPasses == 0) progress_.error = target_error(state_.film, job_.stop.error_terms);
     return is_at(progress_);
 }
 
@@ -152,7 +166,7 @@ void Overseer::follow() {
     progress_.visible_fraction = film.statistic("visible_fraction") / progress_.passes;
     progress_.starved = static_cast<std::uint32_t>(film.statistic("starved_passes"));
     progress_.paths_per_second = paths_of(film, job_.settings.integrator) / progress_.seconds;
-    progress_.seconds_left = seconds_left(progress_, job_.stop);
+    progress_.seconds_left = seconds_left(progress_, job_);
 }
 
 }  // namespace sunfleck

@@ -3,12 +3,12 @@
 
 #include "core/stopwatch.h"
 #include "estimate/deposit.h"
+#include "measurement/radius.h"
 #include "photon/adaptive_paths.h"
 #include "photon/uniform_paths.h"
 #include "reference/bidirectional_integrator.h"
 #include "reference/light_integrator.h"
 #include "reference/metropolis_integrator.h"
-#include "render/radius.h"
 
 #include <utility>
 
@@ -121,8 +121,13 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
                        const Epoch& epoch) {
     const PixelWindow window = window_of(scene.film());
     const PassId id{settings.seed, number};
-    PassResult result{PassImage(window.pixels(), settings.layers), {}, {},
-                      radius_factor(number, settings.alpha),       0,  {}};
+    const bool has_discs = settings.integrator == Integrator::sppm;
+    PassResult result{PassImage(window.pixels(), settings.layers, has_discs),
+                      {},
+                      {},
+                      radius_factor(number, settings.alpha),
+                      0,
+                      {}};
     Stopwatch watch;
     const PassScene at_wavelengths(scene, id);
     result.seconds.build = watch.lap();

@@ -72,6 +72,8 @@ FilmKey key_of(const RenderJob& job) {
                     "\nwindow=" + std::to_string(window.x0) + "," + std::to_string(window.y0) +
                     "\n";
     key.sequential = is_sequential(job.settings);
+    if (job.settings.integrator == Integrator::sppm && !key.sequential)
+        key.alpha = job.settings.alpha;
     return key;
 }
 

@@ -21,9 +21,9 @@ struct Progress {
     std::uint32_t passes = 0;  // rendered so far
     std::optional<std::uint32_t> of;
     double seconds = 0;
-    double cpu_seconds = 0;       // of all threads
-    double paths_per_second = 0;  // photon paths (camera paths of the reference)
-    std::optional<double> error;  // as the target error is meant; from complete rounds
+    double cpu_seconds = 0;            // of all threads
+    double paths_per_second = 0;       // photon paths (camera paths of the reference)
+    std::optional<TargetError> error;  // from complete rounds
     std::optional<double> target;
     std::optional<double> seconds_left;  // an estimate
     double visible_fraction = 0;         // mean over passes

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "eye/settings.h"
+#include "film/target_error.h"
 #include "measurement/channels.h"
 #include "measurement/pass_image.h"
 #include "measurement/transport.h"
@@ -63,7 +64,8 @@ struct StopSettings {
     std::optional<std::uint32_t> end_pass;  // not rendered any more
     std::optional<double> seconds;          // on the wall
     std::optional<double> cpu_seconds;      // of all threads together
-    std::optional<double> target_error;     // relative, of blocks; see Film
+    std::optional<double> target_error;     // relative, of blocks: film/target_error.h
+    ErrorTerms error_terms{};               // what counts for it
 };
 
 }  // namespace sunfleck

@@ -168,9 +168,9 @@ TEST_F(Resume, files_that_cannot_be_used) {
     write_text(path("x.ckpt"), broken);
     expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"cut or damaged"});
     broken = bytes;
-    broken[8] = 2;
+    broken[8] = 3;
     write_text(path("x.ckpt"), broken);
-    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"version 2", "reads version 1"});
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"version 3", "reads version 2"});
 }
 
 /// The same command once more by mistake does not cost the render.

@@ -90,9 +90,6 @@ TEST(ErrorBars, need_complete_rounds) {
     merge(film, testing_support::film_of(key, testing_support::numbers(31, 63)));
     EXPECT_EQ(pixel_errors(film).size(), key.pixels());
     EXPECT_EQ(block_errors(film).size(), 6U);
-    EXPECT_FALSE(target_error(film).has_value());
-    merge(film, testing_support::film_of(key, {63}));
-    EXPECT_TRUE(target_error(film).has_value());
 }
 
 /// A film whose pass values are given by value(round, pixel), grey.
@@ -125,22 +122,6 @@ TEST(ErrorBars, two_rounds_by_hand) {
 TEST(ErrorBars, equal_rounds_have_no_error) {
     const Film film = film_by_round(3, 2, 64, [](std::uint32_t, std::size_t) { return 0.1F; });
     EXPECT_LT(pixel_errors(film)[0].standard_error, 1e-8);
-    EXPECT_LT(*target_error(film), 1e-7);
-}
-
-TEST(ErrorBars, target_is_the_95th_percentile_of_bright_blocks) {
-    // 40 bright blocks whose relative error rises from 1 to 40 steps; 10 dark ones of wild error.
-    const auto value = [](std::uint32_t round, std::size_t pixel) {
-        const std::size_t block = pixel % 400 / 8;
-        const float sign = round % 2 == 0 ? 1.0F : -1.0F;
-        if (block >= 40) return 1e-4F * (1 + sign);
-        return 1 + sign * 0.01F * static_cast<float>(block + 1);
-    };
-    const Film film = film_by_round(400, 8, 64, value);
-    // Four rounds of 1 +- d: standard error d / sqrt(3). 38 of 40 blocks are at or below the 38th.
-    EXPECT_NEAR(*target_error(film), 0.38 / std::sqrt(3.0), 1e-5);
-    const Film black = film_by_round(8, 8, 64, [](std::uint32_t, std::size_t) { return 0.0F; });
-    EXPECT_FALSE(target_error(black).has_value());
 }
 
 }  // namespace

@@ -2,12 +2,16 @@
 #include "film/film_file.h"
 
 #include "core/error.h"
+#include "film/word_hash.h"
 #include "image/read_file.h"
 #include "synthetic.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <bit>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 
@@ -51,6 +55,53 @@ TEST_F(FilmFile, comes_back_as_it_was) {
         write_film(path("a.film"), film);
         EXPECT_EQ(read_film(path("a.film")).sums(), film.sums()) << passes;
     }
+}
+
+TEST_F(FilmFile, comes_back_without_discs) {
+    FilmKey key = small_key();
+    key.alpha = 0;
+    const Film film = film_of(key, numbers(0, 40));
+    EXPECT_TRUE(film.sums().photons.rgb.empty());
+    write_film(path("a.film"), film);
+    EXPECT_EQ(read_film(path("a.film")).sums(), film.sums());
+    EXPECT_LT(bytes_of(film).size() + 96 * key.pixels(),
+              bytes_of(film_of(small_key(), numbers(0, 40))).size());
+}
+
+/// A film file with one word changed, under a checksum that fits.
+std::string with_word(std::string bytes, std::size_t place, std::uint64_t word) {
+    std::memcpy(bytes.data() + 8 * place, &word, 8);
+    WordHash hash;
+    for (std::size_t i = 0; i + 8 < bytes.size(); i += 8) {
+        std::uint64_t next = 0;
+        std::memcpy(&next, bytes.data() + i, 8);
+        hash.add(next);
+    }
+    const std::uint64_t sum = hash.value();
+    std::memcpy(bytes.data() + bytes.size() - 8, &sum, 8);
+    return bytes;
+}
+
+TEST_F(FilmFile, a_sequence_of_radii_that_cannot_be_is_refused) {
+    constexpr std::size_t kLayersWord = 4;
+    constexpr std::size_t kAlphaWord = 5;
+    FilmKey key = small_key(3, 2);
+    const auto fault_with = [&](double alpha) {
+        const std::string bytes = bytes_of(film_of(key, numbers(0, 16)));
+        return fault_of(with_word(bytes, kAlphaWord, std::bit_cast<std::uint64_t>(alpha)));
+    };
+    EXPECT_EQ(fault_with(0.5), "");
+    for (const double alpha : {0.0, -0.5, 1.0, 1e9, std::nan("")})
+        EXPECT_NE(fault_with(alpha), "") << alpha;
+    const std::string bytes = bytes_of(film_of(key, numbers(0, 16)));
+    std::uint64_t layers = 0;
+    std::memcpy(&layers, bytes.data() + 8 * kLayersWord, 8);
+    EXPECT_EQ(fault_of(with_word(bytes, kLayersWord, layers)), "");
+    const std::uint64_t sequential = std::uint64_t{1} << 63U;
+    EXPECT_NE(fault_of(with_word(bytes, kLayersWord, layers | sequential)), "");
+    key.alpha = 0;
+    EXPECT_EQ(fault_with(0.0), "");
+    EXPECT_NE(fault_with(-0.0), "");  // one film has one file
 }
 
 TEST_F(FilmFile, merged_parts_have_the_bytes_of_one_run) {
@@ -120,7 +171,7 @@ TEST_F(FilmFile, errors_are_one_clear_line) {
     bytes[8] = 9;
     EXPECT_EQ(fault_of(bytes), std::string("fault.film") +
                                    ": is a film file of version 9; use the program that wrote "
-                                   "it; this one reads version 1");
+                                   "it; this one reads version 2");
     EXPECT_THROW(read_film(path("none.film")), Error);
 }
 

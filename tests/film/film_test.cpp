@@ -2,6 +2,7 @@
 #include "film/film.h"
 
 #include "core/error.h"
+#include "measurement/radius.h"
 #include "synthetic.h"
 
 #include <gtest/gtest.h>
@@ -101,6 +102,46 @@ TEST(Film, only_incomplete_rounds_keep_their_own_sums) {
     EXPECT_EQ(open_rounds(film.passes()), (std::vector<std::uint64_t>{0, 2}));
 }
 
+/// Two passes of round 0 and one of round 1, by hand: eye paths bring 5, photons 2, 4 and 8.
+TEST(Film, what_photons_bring_is_summed_by_area) {
+    FilmKey key{1, 1, {}, 1, 1, ""};
+    key.alpha = 0.5;
+    Film film(key);
+    for (const std::uint32_t pass : {3U, 7U, 20U}) {
+        PassImage image(1, {}, true);
+        image.add_light(0, Vec3(pass == 3 ? 2 : pass == 7 ? 4 : 8), Layer::caustic);
+        image.add_eye_light(0, Vec3(5), Layer::direct);
+        film.add_pass(pass, image);
+    }
+    const FilmSums& sums = film.sums();
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_EQ(sums.layers[0][c].to_double(), 14 + 15);
+        EXPECT_EQ(sums.photons.rgb[c].to_double(), 14);
+        EXPECT_NEAR(sums.photons.rgb_by_area[c].to_double(),
+                    (2 + 4) * round_area(0, 0.5) + 8 * round_area(1, 0.5), 1e-15);
+        EXPECT_EQ(sums.open_rounds.at(0).photon_blocks[c].to_double(), 6);
+        EXPECT_EQ(sums.open_rounds.at(1).photon_blocks[c].to_double(), 8);
+    }
+}
+
+TEST(Film, squares_of_what_photons_bring_are_those_of_complete_rounds) {
+    FilmKey key{9, 1, {}, 1, 1, ""};  // blocks of eight pixels and of one
+    key.alpha = 0.5;
+    Film film(key);
+    for (std::uint32_t pass = 0; pass < 20; ++pass) {
+        PassImage image(9, {}, true);
+        for (std::size_t i = 0; i < 9; ++i) {
+            image.add_light(i, Vec3(i < 8 ? 2 : 11), Layer::caustic);
+            image.add_eye_light(i, Vec3(5), Layer::direct);
+        }
+        film.add_pass(pass, image);
+    }
+    const PhotonSums& photons = film.sums().photons;
+    EXPECT_NEAR(photons.block_squares[0].to_double(), 4, 1e-12);
+    EXPECT_NEAR(photons.block_squares[1].to_double(), 121, 1e-12);
+    EXPECT_NEAR(photons.image_square.to_double(), 9, 1e-12);
+}
+
 TEST(Film, statistics_add_up) {
     EXPECT_EQ(whole().statistic("rays"), 100 * kPasses + kPasses * (kPasses - 1) / 2);
     double fractions = 0;
@@ -160,6 +201,9 @@ TEST(Film, parts_of_other_renders_are_refused_by_name) {
     key.settings = "alpha=0.667\n";
     starts(merge_fault(key, {90}), other + "setting differs: photons_per_pass=1000 and nothing;");
     key = small_key();
+    key.alpha = 0.5;
+    starts(merge_fault(key, {90}), other + "sequence of radii differs;");
+    key = small_key();
     key.layers[static_cast<std::size_t>(Layer::direct)] = true;
     starts(merge_fault(key, {90}), other + "set of layers differs: RGB caustic depth and RGB dir");
     EXPECT_EQ(merge_fault(small_key(), {90}), "");
@@ -170,6 +214,9 @@ TEST(Film, a_pass_that_does_not_fit_is_refused) {
     EXPECT_THROW(film.add_pass(3, noise_pass(small_key(), 3)), Error);
     EXPECT_THROW(film.add_pass(4, noise_pass(small_key(5, 5), 4)), Error);
     EXPECT_THROW(film.add_pass(4, PassImage(small_key().pixels(), {})), Error);
+    FilmKey without = small_key();
+    without.alpha = 0;
+    EXPECT_THROW(film.add_pass(4, noise_pass(without, 4)), Error);  // photons are not apart
     EXPECT_EQ(film.sums(), film_of(small_key(), {3}).sums());
 }
 

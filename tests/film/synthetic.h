@@ -11,8 +11,10 @@
 
 namespace sunfleck::testing_support {
 
+/// With discs: photons bring a part of the light.
 inline FilmKey small_key(int width = 19, int height = 10) {
     FilmKey key{width, height, {}, 7, 0xABCDEF, "alpha=0.667\nphotons_per_pass=1000\n"};
+    key.alpha = 2.0 / 3;
     key.layers[static_cast<std::size_t>(Layer::caustic)] = true;
     key.layers[static_cast<std::size_t>(Layer::depth)] = true;
     return key;
@@ -20,12 +22,13 @@ inline FilmKey small_key(int width = 19, int height = 10) {
 
 /// A pass of skewed noise, some of it negative, of many magnitudes: a function of (seed, number).
 inline PassImage noise_pass(const FilmKey& key, std::uint32_t number) {
-    PassImage image(key.pixels(), key.layers);
+    PassImage image(key.pixels(), key.layers, key.has_discs());
     for (std::size_t i = 0; i < key.pixels(); ++i) {
         RandomStream random(key.seed, Purpose::test, number, static_cast<std::uint32_t>(i));
         const float size = std::exp(20 * random.next_float() - 12);
         const Vec3 rgb(size, random.next_float() * size, -0.01F * size);
         image.add_light(i, rgb, random.next_float() < 0.5F ? Layer::caustic : Layer::indirect);
+        image.add_eye_light(i, Vec3(random.next_float(), 2 * size, 1), Layer::direct);
         image.add_feature(i, Vec3(3 + random.next_float(), 0, 0), Layer::depth);
     }
     return image;

@@ -43,7 +43,38 @@ FixedPoint sum_of_layers(const PassImage& image, std::size_t pixel, std::size_t 
     return sum;
 }
 
+/// Of the total, what photons have not brought.
+double by_eye(const PassImage& image, std::size_t pixel, std::size_t channel) {
+    FixedPoint sum = image.value(Layer::total, pixel, channel);
+    sum += -image.by_photons(pixel, channel);
+    return sum.to_double();
+}
+
 class Layers : public ::testing::TestWithParam<DirectLight> {};
+
+/// Discs, and their bias, are of photons alone (film/bias.h): the rest knows nothing of them.
+TEST_P(Layers, what_eye_paths_bring_does_not_depend_on_photons) {
+    const Scene scene = all_classes();
+    RenderSettings settings = settings_for(GetParam());
+    const PassResult many = render_pass(scene, settings, 2);
+    settings.photon.paths_per_pass = 500;
+    settings.eye.radius_pixels = 3;
+    const PassResult few = render_pass(scene, settings, 2);
+    bool differs = false;
+    for (std::size_t i = 0; i < many.image.pixels(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double eye = by_eye(many.image, i, c);
+            EXPECT_EQ(eye, by_eye(few.image, i, c)) << i;
+            differs = differs || !(many.image.by_photons(i, c) == few.image.by_photons(i, c));
+            const double emission = many.image.value(Layer::emission, i, c).to_double();
+            const double direct = many.image.value(Layer::direct, i, c).to_double();
+            if (GetParam() == DirectLight::photons)
+                EXPECT_EQ(eye, emission) << i;
+            else
+                EXPECT_GE(eye, (emission + direct) * (1 - 1e-12)) << i;
+        }
+    EXPECT_TRUE(differs);
+}
 
 TEST_P(Layers, add_up_to_the_picture_exactly) {
     const Scene scene = all_classes();

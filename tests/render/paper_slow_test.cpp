@@ -2,7 +2,7 @@
 // other samplers within its known bias, the acceptance that it aims at.
 #include "core/error.h"
 #include "core/parallel.h"
-#include "film/error_bars.h"
+#include "film/bias.h"
 #include "film/film_file.h"
 #include "image/temporary_folder.h"
 #include "render/paper.h"
@@ -131,7 +131,8 @@ TEST_F(PaperFiles, films_have_no_error_bars_and_stay_alone) {
     EXPECT_EQ(film.rounds(), 0U);
     EXPECT_TRUE(pixel_errors(film).empty());
     EXPECT_FALSE(image_error(film));
-    EXPECT_FALSE(target_error(film));
+    EXPECT_FALSE(target_error(film, {}));
+    EXPECT_TRUE(pixel_biases(film).empty());
     write_film(path("a.film"), film);
     const Film read = read_film(path("a.film"));
     EXPECT_EQ(read.sums(), film.sums());

@@ -70,11 +70,12 @@ TEST(FilmTransfer, a_film_arrives_as_it_is) {
     });
 }
 
-/// docs/clusters.md: 64.25 bytes a pixel, 48 for an open round, some hundreds for the head.
+/// docs/clusters.md: 160.5 bytes a pixel, 48.75 for an open round, some hundreds for the
+/// head; 64.25 and 48 without discs.
 TEST(FilmTransfer, sends_the_sums_and_little_more) {
     FilmKey key = small_key(64, 64);
     key.layers = {};
-    const auto sent = [&](std::uint32_t begin, std::uint32_t end) {
+    const auto sent = [&key](std::uint32_t begin, std::uint32_t end) {
         const Film film = film_of(key, numbers(begin, end));
         return on_ranks(2, [&](const Ranks& ranks) {
             if (ranks.is_first())
@@ -84,6 +85,9 @@ TEST(FilmTransfer, sends_the_sums_and_little_more) {
         });
     };
     constexpr double kPixels = 64.0 * 64;
+    EXPECT_NEAR(static_cast<double>(sent(0, 16)), 160.5 * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(5, 20)), (160.5 + 97.5) * kPixels + 300, 200);
+    key.alpha = 0;
     EXPECT_NEAR(static_cast<double>(sent(0, 16)), 64.25 * kPixels + 300, 200);
     EXPECT_NEAR(static_cast<double>(sent(0, 20)), (64.25 + 48) * kPixels + 300, 200);
     EXPECT_NEAR(static_cast<double>(sent(5, 20)), (64.25 + 96) * kPixels + 300, 200);

@@ -1,5 +1,5 @@
 // The radius schedule: a function of the pass number, falling as theory asks.
-#include "render/radius.h"
+#include "measurement/radius.h"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +32,17 @@ TEST(RadiusSchedule, squared_radius_falls_like_a_power) {
     for (const double alpha : {0.3, kAlpha, 0.9}) {
         const double ratio = radius_factor(100'000, alpha) / radius_factor(1'000, alpha);
         EXPECT_NEAR(2 * std::log(ratio) / std::log(100.0), alpha - 1, 1e-3);
+    }
+}
+
+TEST(RadiusSchedule, area_of_a_round_is_the_mean_over_its_passes) {
+    for (const double alpha : {0.3, kAlpha}) {
+        for (const std::uint32_t round : {0U, 1U, 7U}) {
+            double sum = 0;
+            for (std::uint32_t p = 16 * round; p < 16 * round + 16; ++p)
+                sum += std::pow(radius_factor(p, alpha), 2);
+            EXPECT_NEAR(round_area(round, alpha), sum / 16, 1e-14) << round;
+        }
     }
 }
 

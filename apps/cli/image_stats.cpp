@@ -1,0 +1,41 @@
+// What is known of the errors of a picture as a whole.
+#include "apps/cli/image_stats.h"
+
+#include "film/bias.h"
+#include "math/wavelengths.h"
+
+#include <fmt/format.h>
+
+namespace sunfleck {
+
+nlohmann::ordered_json image_json(const Film& film, ErrorTerms terms) {
+    nlohmann::ordered_json json;
+    json["mean"] = image_mean(film);
+    if (const auto error = image_error(film)) {
+        json["mean_std_error"] = error->standard_error;
+        if (error->mean > 0) json["relative_std_error"] = error->standard_error / error->mean;
+    }
+    if (const auto bias = image_bias(film)) {
+        json["bias"] = bias->value;
+        json["bias_std_error"] = bias->standard_error;
+    }
+    if (const auto bias = relative_bias(film)) json["relative_bias"] = *bias;
+    if (const auto error = target_error(film, terms)) {
+        json["noise"] = error->noise;
+        json["target_error"] = error->value();
+    }
+    json["extrapolated"] = terms.extrapolated && disc_areas(film).has_value();
+    return json;
+}
+
+std::vector<std::string> extrapolation_warnings(const Film& film, bool wanted) {
+    if (!wanted || disc_areas(film)) return {};
+    const std::string what = "the picture is not extrapolated: ";
+    if (film.rounds() < kBiasRounds)
+        return {what + fmt::format("its bias is known from {} complete rounds of {} passes on, "
+                                   "of which it has {}",
+                                   kBiasRounds, kRoundPasses, film.rounds())};
+    return {what + "radii have hardly shrunk over its passes, so its bias is not known"};
+}
+
+}  // namespace sunfleck

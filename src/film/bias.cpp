@@ -1,0 +1,166 @@
+// Slopes over areas, and their residuals.
+#include "film/bias.h"
+
+#include "core/parallel.h"
+#include "film/luminance.h"
+#include "math/wavelengths.h"
+#include "measurement/radius.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+/// Luminance brought by photons over complete rounds: of a block or the picture.
+struct RoundMeans {
+    double mean = 0;
+    double mean_by_area = 0;
+    double mean_square = 0;
+};
+
+/// The line through complete rounds.
+struct Line {
+    double slope = 0;
+    double variance = 0;  // of a round around it
+};
+
+/// Variance of a round, from the sum of squares around the mean and the slope. Two numbers have
+/// been fitted.
+double residual_variance(double squares, double slope, const DiscAreas& areas) {
+    return std::max(0.0, squares - slope * slope * areas.squares) / (areas.rounds - 2);
+}
+
+Line line_through(const RoundMeans& y, const DiscAreas& areas) {
+    const double slope = (y.mean_by_area - areas.mean * y.mean) * areas.rounds / areas.squares;
+    const double squares = (y.mean_square - y.mean * y.mean) * areas.rounds;
+    return {slope, residual_variance(squares, slope, areas)};
+}
+
+Bias bias_of(const RoundMeans& y, const DiscAreas& areas) {
+    const Line line = line_through(y, areas);
+    return {line.slope * areas.mean_of_passes, std::sqrt(line.variance * areas.bias_variance())};
+}
+
+/// Of each block, over its pixels: means over complete rounds. Squares are left out.
+std::vector<RoundMeans> block_sums(const Film& film, const BlockGrid& grid) {
+    const FilmSums& sums = film.sums();
+    const auto rounds = static_cast<double>(film.rounds());
+    std::vector<std::pair<double, const FixedPoints*>> open;  // area, sums
+    for (const auto& [number, round] : sums.open_rounds)
+        open.emplace_back(round_area(number, film.key().alpha), &round.photon_blocks);
+    std::vector<RoundMeans> result(grid.count());
+    parallel_for(grid.count(), [&](std::size_t b) {
+        RgbSum light;
+        RgbSum by_area;
+        grid.for_pixels(b, [&](std::size_t pixel) {
+            light += rgb_of(sums.photons.rgb, pixel);
+            by_area += rgb_of(sums.photons.rgb_by_area, pixel);
+        });
+        double of_open = 0;
+        for (const auto& [area, blocks] : open) {
+            const RgbSum part = rgb_of(*blocks, b);
+            light -= part;
+            of_open += area * part.mean_luminance(1);
+        }
+        result[b].mean = light.mean_luminance(rounds * kRoundPasses);
+        result[b].mean_by_area = (by_area.mean_luminance(1) - of_open) / (rounds * kRoundPasses);
+    });
+    return result;
+}
+
+/// Means over a block's pixels, or the picture's.
+RoundMeans means(const RoundMeans& sums, std::size_t pixels, double mean_square) {
+    const auto n = static_cast<double>(pixels);
+    return {sums.mean / n, sums.mean_by_area / n, mean_square};
+}
+
+/// Calls visit(block, its means) for each block.
+template <class Visit>
+void for_blocks(const Film& film, const Visit& visit) {
+    const BlockGrid grid(film.key(), kErrorBlock);
+    const std::vector<RoundMeans> sums = block_sums(film, grid);
+    const FixedPoints& squares = film.sums().photons.block_squares;
+    const auto rounds = static_cast<double>(film.rounds());
+    for (std::size_t b = 0; b < grid.count(); ++b)
+        visit(b, means(sums[b], grid.block(b).pixels(), squares[b].to_double() / rounds));
+}
+
+/// Variance of a mean less its bias: the mean's and the slope's have nothing in common.
+/// @param round  variance of the luminance of a round. @param photons  of that by photons.
+double extrapolated_error(double round, double photons, const DiscAreas& areas) {
+    return std::sqrt(round / areas.rounds + photons * areas.bias_variance());
+}
+
+/// Sum of a quantity's squares around its mean.
+double squares_around_mean(const MeanError& error, const DiscAreas& areas) {
+    return error.standard_error * error.standard_error * areas.rounds * (areas.rounds - 1);
+}
+
+}  // namespace
+
+std::vector<std::array<double, 3>> pixel_biases(const Film& film) {
+    const auto areas = disc_areas(film);
+    if (!areas) return {};
+    const PhotonSums& sums = film.sums().photons;
+    const double scale = areas->mean_of_passes / areas->divisor;
+    std::vector<std::array<double, 3>> biases(film.key().pixels());
+    parallel_blocks(biases.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = 3 * begin; i < 3 * end; ++i)
+            biases[i / 3][i % 3] =
+                (sums.rgb_by_area[i].to_double() - areas->share * sums.rgb[i].to_double()) * scale;
+    });
+    return biases;
+}
+
+std::vector<Bias> block_biases(const Film& film) {
+    const auto areas = disc_areas(film);
+    if (!areas) return {};
+    std::vector<Bias> biases;
+    for_blocks(film,
+               [&](std::size_t, const RoundMeans& y) { biases.push_back(bias_of(y, *areas)); });
+    return biases;
+}
+
+std::optional<Bias> image_bias(const Film& film) {
+    const auto areas = disc_areas(film);
+    if (!areas) return {};
+    RoundMeans total;
+    for (const RoundMeans& block : block_sums(film, BlockGrid(film.key(), kErrorBlock))) {
+        total.mean += block.mean;
+        total.mean_by_area += block.mean_by_area;
+    }
+    const double square = film.sums().photons.image_square.to_double() / areas->rounds;
+    return bias_of(means(total, film.key().pixels(), square), *areas);
+}
+
+std::vector<double> extrapolated_pixel_errors(const Film& film) {
+    const auto areas = disc_areas(film);
+    if (!areas) return {};
+    const std::vector<MeanError> plain = pixel_errors(film);
+    const auto biases = pixel_biases(film);
+    std::vector<double> errors(plain.size());
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const double slope = luminance(biases[i]) / areas->mean_of_passes;
+        const double squares = squares_around_mean(plain[i], *areas);
+        const double variance = residual_variance(squares, slope, *areas);
+        errors[i] = extrapolated_error(variance, variance, *areas);
+    }
+    return errors;
+}
+
+std::vector<double> extrapolated_block_errors(const Film& film) {
+    const auto areas = disc_areas(film);
+    if (!areas) return {};
+    const std::vector<MeanError> plain = block_errors(film);
+    std::vector<double> errors(plain.size());
+    for_blocks(film, [&](std::size_t b, const RoundMeans& y) {
+        const Line line = line_through(y, *areas);
+        const double squares = squares_around_mean(plain[b], *areas);
+        errors[b] = extrapolated_error(residual_variance(squares, line.slope, *areas),
+                                       line.variance, *areas);
+    });
+    return errors;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,39 @@
+// The areas of the discs in a film's passes, over that in pass 0: what the light that photons bring
+// is regressed on.
+//
+// To first order the mean of that light, y = a + c s, is linear in the area s (docs/method.md):
+// c s is the bias, a the light without it. In a round s is the mean over its passes.
+#pragma once
+
+#include "film/film.h"
+
+#include <optional>
+
+namespace sunfleck {
+
+/// Complete rounds that a slope needs: from fewer, its standard error is itself too uncertain.
+inline constexpr std::uint64_t kBiasRounds = 4;
+
+/// The standard error of the bias may be at most so many times that of the mean. Beyond, radii have
+/// hardly shrunk (alpha near one, late passes alone), and the bias cannot be seen.
+inline constexpr double kLargestLever = 10;
+
+struct DiscAreas {
+    double rounds = 0;          // complete ones
+    double mean = 0;            // over complete rounds
+    double squares = 0;         // of complete rounds: sum of (s - mean)^2
+    double mean_of_passes = 0;  // over all passes: with the slope, the bias of the picture
+
+    // Of sums over all passes, Y of light and M of light times its round's area, the slope is
+    // (M - share Y) / divisor: both sums are linear in a and c, so it is unbiased.
+    double share = 0;
+    double divisor = 0;
+
+    /// Variance of the bias over that of one round.
+    double bias_variance() const { return mean_of_passes * mean_of_passes / squares; }
+};
+
+/// Nothing without discs, with too few rounds, or where radii have hardly shrunk.
+std::optional<DiscAreas> disc_areas(const Film& film);
+
+}  // namespace sunfleck

@@ -1,0 +1,56 @@
+// Sizes and order of a film's arrays.
+#include "film/film_sums.h"
+
+#include "film/luminance.h"
+
+#include <utility>
+
+namespace sunfleck {
+namespace {
+
+template <class Sum, class Sums>
+std::vector<std::span<Sum>> totals(Sums& sums) {
+    std::vector<std::span<Sum>> all(sums.layers.begin(), sums.layers.end());
+    auto& photons = sums.photons;
+    all.insert(all.end(), {sums.pixel_squares, sums.block_squares, {&sums.image_square, 1}});
+    all.insert(all.end(), {photons.rgb, photons.rgb_by_area, photons.block_squares});
+    if (sums.key.has_discs()) all.push_back({&photons.image_square, 1});
+    return all;
+}
+
+}  // namespace
+
+FilmSums empty_sums(FilmKey key) {
+    key.layers[0] = true;
+    FilmSums sums;
+    const std::size_t pixels = key.pixels();
+    const std::size_t blocks = BlockGrid(key, kErrorBlock).count();
+    for (std::size_t i = 0; i < kLayerCount; ++i)
+        if (key.has(i)) sums.layers.at(i).resize(pixels * kLayers.at(i).channels.size());
+    sums.pixel_squares.resize(pixels);
+    sums.block_squares.resize(blocks);
+    if (key.has_discs()) {
+        sums.photons.rgb.resize(3 * pixels);
+        sums.photons.rgb_by_area.resize(3 * pixels);
+        sums.photons.block_squares.resize(blocks);
+    }
+    sums.key = std::move(key);
+    return sums;
+}
+
+OpenRound empty_round(const FilmKey& key) {
+    OpenRound round;
+    round.rgb.resize(3 * key.pixels());
+    if (key.has_discs()) round.photon_blocks.resize(3 * BlockGrid(key, kErrorBlock).count());
+    return round;
+}
+
+std::vector<std::span<FixedPoint>> total_arrays(FilmSums& sums) {
+    return totals<FixedPoint>(sums);
+}
+
+std::vector<std::span<const FixedPoint>> total_arrays(const FilmSums& sums) {
+    return totals<const FixedPoint>(sums);
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,80 @@
+// All that a film is, as plain sums; and these as a list of arrays, in the order of film files.
+//
+// What photons have brought is summed apart where their discs shrink from pass to pass: each pass
+// once as it is, once times its round's area (measurement/radius.h). From both bias.h has how the
+// light depends on the area of the discs. The second needs no sums of open rounds: the factor is
+// that of the round, complete or not.
+#pragma once
+
+#include "film/film_key.h"
+#include "film/pass_set.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sunfleck {
+
+/// Errors are also measured for square blocks of that many pixels a side.
+inline constexpr int kErrorBlock = 8;
+
+using FixedPoints = std::vector<FixedPoint>;
+
+/// Name to sum; names are those of stats.json where it has them.
+using FilmStatistics = std::map<std::string, FixedPoint, std::less<>>;
+
+/// Of light brought by photons; all empty where the key has no discs.
+struct PhotonSums {
+    FixedPoints rgb;            // of each pixel, over passes
+    FixedPoints rgb_by_area;    // the same, each pass times the area of its round
+    FixedPoints block_squares;  // of complete rounds' luminance, row after row of blocks
+    FixedPoint image_square;
+
+    friend bool operator==(const PhotonSums&, const PhotonSums&) = default;
+};
+
+/// A round of which some passes are there and not all.
+struct OpenRound {
+    FixedPoints rgb;            // of each pixel, over those passes
+    FixedPoints photon_blocks;  // RGB of each block, over its pixels: what photons have brought
+
+    friend bool operator==(const OpenRound&, const OpenRound&) = default;
+};
+
+/// One set of passes has one value of this, however it was put together.
+struct FilmSums {
+    FilmKey key;
+    PassSet passes;
+    FilmStatistics statistics;
+    std::array<FixedPoints, kLayerCount> layers;  // pixel after pixel, channel after channel
+    FixedPoints pixel_squares;                    // of complete rounds' luminance
+    FixedPoints block_squares;                    // row after row of blocks
+    FixedPoint image_square;
+    PhotonSums photons;
+    std::map<std::uint64_t, OpenRound> open_rounds;  // by number
+
+    friend bool operator==(const FilmSums&, const FilmSums&) = default;
+};
+
+/// Sums of no pass, of the sizes that the key asks for. @param key  at least one pixel.
+FilmSums empty_sums(FilmKey key);
+
+/// A round with no pass.
+OpenRound empty_round(const FilmKey& key);
+
+/// The arrays that grow with each pass or round, those of open rounds left out. Some are empty.
+std::vector<std::span<FixedPoint>> total_arrays(FilmSums& sums);
+std::vector<std::span<const FixedPoint>> total_arrays(const FilmSums& sums);
+
+/// The arrays of an open round.
+inline std::array<std::span<FixedPoint>, 2> arrays(OpenRound& round) {
+    return {round.rgb, round.photon_blocks};
+}
+inline std::array<std::span<const FixedPoint>, 2> arrays(const OpenRound& round) {
+    return {round.rgb, round.photon_blocks};
+}
+
+}  // namespace sunfleck

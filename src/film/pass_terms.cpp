@@ -1,0 +1,110 @@
+// Terms of a film's sums, in parallel: each place belongs to one task.
+#include "film/pass_terms.h"
+
+#include "core/parallel.h"
+#include "film/luminance.h"
+#include "math/wavelengths.h"
+
+#include <atomic>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::size_t kPixelsPerTask = 1U << 14U;
+
+/// Numbers on their way into exact sums: cut where they are too large.
+class Terms {
+public:
+    FixedPoint operator()(double x) {
+        if (std::abs(x) <= kLargestTerm) return FixedPoint::from_double(x);
+        cut_.fetch_add(1, std::memory_order_relaxed);
+        return FixedPoint::from_double(x < 0 ? -kLargestTerm : kLargestTerm);
+    }
+    std::uint64_t cut() const { return cut_.load(); }
+
+private:
+    std::atomic<std::uint64_t> cut_{0};
+};
+
+/// Adds the squares of a quantity's mean luminance in each block of a complete round.
+/// @param block_sum  of a block, over its pixels. @return the square of the picture's mean.
+template <class BlockSum>
+FixedPoint add_block_squares(const BlockGrid& grid, const BlockSum& block_sum, Terms& term,
+                             FixedPoints& squares) {
+    double total = 0;
+    std::size_t pixels = 0;
+    for (std::size_t b = 0; b < grid.count(); ++b) {
+        const double sum = block_sum(b);
+        const double mean = sum / static_cast<double>(grid.block(b).pixels());
+        squares[b] += term(mean * mean);
+        total += sum;
+        pixels += grid.block(b).pixels();
+    }
+    const double mean = total / static_cast<double>(pixels);
+    return term(mean * mean);
+}
+
+}  // namespace
+
+void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms) {
+    parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) sums[i] += terms[i];
+    });
+}
+
+void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row) {
+    const std::size_t channels = row.channels.size();
+    parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            sums[i] += image.value(row.layer, i / channels, i % channels);
+    });
+}
+
+std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenRound& round) {
+    const BlockGrid grid(sums.key, kErrorBlock);
+    Terms term;
+    const auto add_pixel = [&](std::size_t pixel, const RgbSum& light) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            sums.photons.rgb[3 * pixel + c] += light.channel[c];
+            sums.photons.rgb_by_area[3 * pixel + c] += term(light.channel[c].to_double() * area);
+        }
+    };
+    parallel_for(grid.count(), [&](std::size_t b) {
+        RgbSum block;
+        grid.for_pixels(b, [&](std::size_t pixel) {
+            const RgbSum light{{image.by_photons(pixel, 0), image.by_photons(pixel, 1),
+                                image.by_photons(pixel, 2)}};
+            add_pixel(pixel, light);
+            block += light;
+        });
+        for (std::size_t c = 0; c < 3; ++c) round.photon_blocks[3 * b + c] += block.channel[c];
+    });
+    return term.cut();
+}
+
+std::uint64_t add_squares(FilmSums& sums, const OpenRound& round) {
+    const BlockGrid grid(sums.key, kErrorBlock);
+    std::vector<double> luminance(grid.count());  // over the block's pixels
+    Terms term;
+    parallel_for(grid.count(), [&](std::size_t b) {
+        RgbSum block;
+        grid.for_pixels(b, [&](std::size_t pixel) {
+            const RgbSum rgb = rgb_of(round.rgb, pixel);
+            const double y = rgb.mean_luminance(kRoundPasses);
+            sums.pixel_squares[pixel] += term(y * y);
+            block += rgb;
+        });
+        luminance[b] = block.mean_luminance(kRoundPasses);
+    });
+    sums.image_square += add_block_squares(
+        grid, [&](std::size_t b) { return luminance[b]; }, term, sums.block_squares);
+    if (!sums.key.has_discs()) return term.cut();
+    sums.photons.image_square += add_block_squares(
+        grid,
+        [&](std::size_t b) { return rgb_of(round.photon_blocks, b).mean_luminance(kRoundPasses); },
+        term, sums.photons.block_squares);
+    return term.cut();
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,26 @@
+// What a pass, and a round when it is complete, add to the sums of a film.
+#pragma once
+
+#include "film/film_sums.h"
+
+#include <cstdint>
+#include <span>
+
+namespace sunfleck {
+
+/// Adds each term to its sum.
+void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms);
+
+/// Adds a layer of a pass, pixel after pixel, channel after channel.
+void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row);
+
+/// Adds what photons have brought in one pass of a round. The image holds it apart.
+/// @param area  the round's. @return terms beyond kLargestTerm, which were cut there.
+std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenRound& round);
+
+/// Adds the squares of a round's luminance: of pixels, blocks and the picture. The round is
+/// complete.
+/// @return terms beyond kLargestTerm, which were cut there.
+std::uint64_t add_squares(FilmSums& sums, const OpenRound& round);
+
+}  // namespace sunfleck

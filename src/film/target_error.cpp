@@ -1,0 +1,64 @@
+// Quantiles and means over bright blocks.
+#include "film/target_error.h"
+
+#include "film/bias.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace sunfleck {
+namespace {
+
+struct BrightBlock {
+    std::size_t number;
+    MeanError luminance;
+};
+
+std::vector<BrightBlock> bright_blocks(const Film& film) {
+    std::vector<BrightBlock> bright;
+    const auto image = image_error(film);
+    if (!image) return bright;
+    const double floor = 0.01 * image->mean;
+    const std::vector<MeanError> blocks = block_errors(film);
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+        if (floor > 0 && blocks[b].mean > floor) bright.push_back({b, blocks[b]});
+    return bright;
+}
+
+/// @param bright  at least one.
+double noise_of(const Film& film, const std::vector<BrightBlock>& bright, bool extrapolated) {
+    const auto errors = extrapolated ? extrapolated_block_errors(film) : std::vector<double>();
+    std::vector<double> relative;
+    for (const BrightBlock& block : bright) {
+        const double error = errors.empty() ? block.luminance.standard_error : errors[block.number];
+        relative.push_back(error / block.luminance.mean);
+    }
+    std::sort(relative.begin(), relative.end());
+    return relative[(relative.size() * 95 + 99) / 100 - 1];
+}
+
+}  // namespace
+
+std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {
+    if (film.rounds() < kTargetRounds) return {};
+    const std::vector<BrightBlock> bright = bright_blocks(film);
+    if (bright.empty()) return {};
+    TargetError error{noise_of(film, bright, terms.extrapolated), 0};
+    if (terms.bias && !terms.extrapolated) error.bias = relative_bias(film).value_or(0);
+    return error;
+}
+
+std::optional<double> relative_bias(const Film& film) {
+    const std::vector<Bias> biases = block_biases(film);
+    const std::vector<BrightBlock> bright = bright_blocks(film);
+    if (biases.empty() || bright.empty()) return {};
+    double sum = 0;
+    for (const BrightBlock& block : bright) {
+        const Bias& bias = biases[block.number];
+        const double square = bias.value * bias.value - bias.standard_error * bias.standard_error;
+        sum += square / (block.luminance.mean * block.luminance.mean);
+    }
+    return std::sqrt(std::max(0.0, sum / static_cast<double>(bright.size())));
+}
+
+}  // namespace sunfleck

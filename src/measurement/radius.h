@@ -1,0 +1,49 @@
+// The radius of pass p over that of pass 0: a function of the pass number alone.
+//
+// Source: Knaus and Zwicker 2011, "Progressive Photon Mapping: A Probabilistic Approach", eq. 20:
+// r^2_{p+1} = r^2_p (p + alpha) / (p + 1), p from 1.
+#pragma once
+
+#include "math/wavelengths.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace sunfleck {
+
+/// The areas of a disc in passes 0, 1, 2 ... over that in pass 0, one after the other.
+class DiscAreaSequence {
+public:
+    /// @param alpha  in (0,1): 2/3 balances bias and variance.
+    explicit DiscAreaSequence(double alpha) : alpha_(alpha) {}
+
+    /// That of the next pass. The same bits on every machine.
+    double next() {
+        const auto p = static_cast<double>(pass_++);
+        if (p > 0) area_ *= (p + alpha_) / (p + 1);
+        return area_;
+    }
+
+private:
+    double alpha_;
+    double area_ = 1;
+    std::uint64_t pass_ = 0;
+};
+
+/// @param pass  from 0. @param alpha  in (0,1).
+inline double radius_factor(std::uint32_t pass, double alpha) {
+    DiscAreaSequence areas(alpha);
+    for (std::uint32_t p = 0; p < pass; ++p) areas.next();
+    return std::sqrt(areas.next());
+}
+
+/// Mean of the disc's area over the passes of a round, over that in pass 0.
+inline double round_area(std::uint64_t round, double alpha) {
+    DiscAreaSequence areas(alpha);
+    for (std::uint64_t p = 0; p < round * kRoundPasses; ++p) areas.next();
+    double sum = 0;
+    for (std::uint32_t p = 0; p < kRoundPasses; ++p) sum += areas.next();
+    return sum / kRoundPasses;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,163 @@
+// Biases and their errors against films whose light is a known line over the discs' areas.
+//
+// 400 seeds: the spread of an estimate is known to 3.5% (one sigma), so that an error wrong by a
+// factor of 1.15 is seen, and a mean wrong by a fifth of its spread.
+#include "film/bias.h"
+
+#include "lines.h"
+#include "math/statistics.h"
+#include "synthetic.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using testing_support::Line;
+using testing_support::line_film;
+using testing_support::line_key;
+using testing_support::numbers;
+
+/// Mean of the discs' areas over passes [0, end).
+double mean_area(std::uint32_t end) {
+    double sum = 0;
+    for (std::uint32_t p = 0; p < end; ++p) sum += std::pow(radius_factor(p, 2.0 / 3), 2);
+    return sum / end;
+}
+
+/// Pixel i has slope i / 10, whatever rounds are complete: from all passes, to the last digits.
+TEST(Bias, of_a_line_without_noise_is_found) {
+    std::vector<std::uint32_t> passes = numbers(0, 73);
+    for (const std::uint32_t pass : numbers(90, 141)) passes.push_back(pass);
+    const auto line = [](std::size_t i) { return Line{1, static_cast<double>(i) / 10}; };
+    const Film film = line_film(line_key(9, 9, 1), passes, line);
+    double area = 0;
+    for (const std::uint32_t pass : passes)
+        area += std::pow(radius_factor(pass, 2.0 / 3), 2) / static_cast<double>(passes.size());
+    const auto pixels = pixel_biases(film);
+    ASSERT_EQ(pixels.size(), 81U);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        for (const double bias : pixels[i])
+            EXPECT_NEAR(bias, static_cast<double>(i) / 10 * area, 1e-5) << i;
+    const auto blocks = block_biases(film);
+    ASSERT_EQ(blocks.size(), 4U);
+    EXPECT_NEAR(blocks[0].value, 3.5 * area, 1e-5);  // pixels 0 to 7, 9 to 16, ... 63 to 70
+    EXPECT_NEAR(blocks[3].value, 8 * area, 1e-5);
+    EXPECT_NEAR(image_bias(film)->value, 4 * area, 1e-5);
+    EXPECT_LT(image_bias(film)->standard_error, 1e-4);
+    EXPECT_LT(extrapolated_block_errors(film)[0], 1e-4);
+    EXPECT_LT(extrapolated_pixel_errors(film)[80], 1e-4);
+}
+
+TEST(Bias, is_not_known_from_too_few_rounds) {
+    const Film film = testing_support::film_of(testing_support::small_key(), numbers(0, 63));
+    EXPECT_TRUE(pixel_biases(film).empty());
+    EXPECT_TRUE(block_biases(film).empty());
+    EXPECT_FALSE(image_bias(film));
+    EXPECT_TRUE(extrapolated_pixel_errors(film).empty());
+    EXPECT_TRUE(extrapolated_block_errors(film).empty());
+}
+
+/// Estimates of one number over seeds.
+struct Estimates {
+    RunningMean values;
+    RunningMean variances;  // as claimed
+    int covered = 0;        // by intervals of 95%
+
+    /// @param quantile  of Student's t, two-sided, 95%.
+    void add(const Bias& seen, double truth, double quantile) {
+        values.add(seen.value);
+        variances.add(seen.standard_error * seen.standard_error);
+        covered += std::abs(seen.value - truth) < quantile * seen.standard_error ? 1 : 0;
+    }
+    /// Claimed standard error over the true one.
+    double ratio() const { return std::sqrt(variances.mean() / values.variance()); }
+};
+
+constexpr std::uint32_t kSeeds = 400;
+constexpr std::uint32_t kPasses = 133;  // eight rounds and five passes
+constexpr double kQuantile = 2.447;     // of t with six degrees of freedom
+
+/// The picture's luminance less its bias.
+double extrapolated(const Film& film, std::size_t pixel) {
+    const double sum = film.sums().layers[0][3 * pixel].to_double();
+    return sum / static_cast<double>(film.pass_count()) - pixel_biases(film)[pixel][0];
+}
+
+class NoisyLines : public testing::Test {
+protected:
+    /// Films of 12 x 8 pixels: blocks of 64 and of 32.
+    explicit NoisyLines(double eye_noise) {
+        const Line line{1, 0.8, 0.5, 0.3, 0.05, eye_noise};
+        const double truth = line.c * mean_area(kPasses);
+        for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+            const Film film = line_film(line_key(12, 8, seed), numbers(0, kPasses),
+                                        [&](std::size_t) { return line; });
+            const auto biases = block_biases(film);
+            block_.add(biases[0], truth, kQuantile);
+            image_.add(*image_bias(film), truth, kQuantile);
+            const auto errors = extrapolated_pixel_errors(film);
+            for (std::size_t i = 0; i < 96; i += 5)
+                pixels_.at(i / 5).add({extrapolated(film, i), errors[i]}, line.a + line.eye,
+                                      kQuantile);
+            const MeanError block = block_errors(film)[0];
+            block_without_.add({block.mean - biases[0].value, extrapolated_block_errors(film)[0]},
+                               line.a + line.eye, kQuantile);
+        }
+        truth_ = truth;
+    }
+
+    /// Claimed over true standard error of extrapolated pixels.
+    double pixel_ratio() const {
+        double claimed = 0;
+        double truth = 0;
+        for (const Estimates& pixel : pixels_) {
+            claimed += pixel.variances.mean();
+            truth += pixel.values.variance();
+        }
+        return std::sqrt(claimed / truth);
+    }
+
+    double truth_ = 0;
+    Estimates block_;
+    Estimates image_;
+    Estimates block_without_;
+    std::array<Estimates, 20> pixels_;
+};
+
+class NoisyPhotons : public NoisyLines {
+protected:
+    NoisyPhotons() : NoisyLines(0) {}
+};
+
+class NoisyEyePaths : public NoisyLines {
+protected:
+    NoisyEyePaths() : NoisyLines(1) {}
+};
+
+TEST_F(NoisyPhotons, bias_is_unbiased_and_its_error_is_true) {
+    EXPECT_NEAR(block_.values.mean(), truth_, 4 * block_.values.standard_error());
+    EXPECT_NEAR(image_.values.mean(), truth_, 4 * image_.values.standard_error());
+    EXPECT_LT(block_.values.standard_error(), 0.02 * truth_) << "or nothing would be seen";
+    EXPECT_NEAR(block_.ratio(), 1, 0.15);
+    EXPECT_NEAR(image_.ratio(), 1, 0.15);
+    // 95% of 400 is 380; 4 standard errors are 17.
+    EXPECT_NEAR(block_.covered, 380, 17);
+    EXPECT_NEAR(image_.covered, 380, 17);
+    EXPECT_NEAR(block_without_.ratio(), 1, 0.15);
+    EXPECT_NEAR(pixel_ratio(), 1, 0.15);
+    for (const Estimates& pixel : pixels_)
+        EXPECT_NEAR(pixel.values.mean(), 1.5, 4 * pixel.values.standard_error());
+}
+
+/// Noise of eye paths, three times that of photons, is in the picture's error and in no slope.
+TEST_F(NoisyEyePaths, leave_the_bias_alone) {
+    EXPECT_NEAR(block_.values.mean(), truth_, 4 * block_.values.standard_error());
+    EXPECT_LT(block_.values.standard_error(), 0.02 * truth_);
+    EXPECT_NEAR(block_.ratio(), 1, 0.15);
+    EXPECT_NEAR(block_without_.ratio(), 1, 0.15);
+    EXPECT_GT(pixel_ratio(), 1);  // bias.h: not less than it is
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,64 @@
+// Areas of a film's discs against sums over passes, and films from which no slope can be had.
+#include "film/disc_areas.h"
+
+#include "lines.h"
+#include "synthetic.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using testing_support::line_film;
+using testing_support::line_key;
+using testing_support::numbers;
+
+Film dark(const std::vector<std::uint32_t>& passes, double alpha = 2.0 / 3) {
+    return line_film(line_key(1, 1, 1, alpha), passes,
+                     [](std::size_t) { return testing_support::Line{}; });
+}
+
+double area(std::uint32_t pass) {
+    return std::pow(radius_factor(pass, 2.0 / 3), 2);
+}
+
+/// Rounds 0, 1, 3 to 5, and parts of 2 and 7.
+TEST(DiscAreas, are_sums_over_rounds_and_passes) {
+    std::vector<std::uint32_t> passes = numbers(0, 36);
+    for (const std::uint32_t pass : numbers(46, 96)) passes.push_back(pass);
+    passes.push_back(112);
+    const auto areas = disc_areas(dark(passes));
+    ASSERT_TRUE(areas);
+    double mean = 0;
+    double squares = 0;
+    for (const std::uint32_t round : {0U, 1U, 3U, 4U, 5U}) {
+        mean += round_area(round, 2.0 / 3) / 5;
+        squares += std::pow(round_area(round, 2.0 / 3), 2);
+    }
+    EXPECT_EQ(areas->rounds, 5);
+    EXPECT_NEAR(areas->mean, mean, 1e-14);
+    EXPECT_NEAR(areas->squares, squares - 5 * mean * mean, 1e-14);
+    double of_passes = 0;
+    for (const std::uint32_t pass : passes) of_passes += area(pass);
+    EXPECT_NEAR(areas->mean_of_passes, of_passes / static_cast<double>(passes.size()), 1e-14);
+}
+
+TEST(DiscAreas, need_four_complete_rounds_and_discs) {
+    EXPECT_FALSE(disc_areas(dark(numbers(0, 63))));
+    EXPECT_TRUE(disc_areas(dark(numbers(0, 64))));
+    FilmKey key = testing_support::small_key();
+    key.alpha = 0;
+    EXPECT_FALSE(disc_areas(testing_support::film_of(key, numbers(0, 64))));
+    EXPECT_FALSE(disc_areas(Film(line_key(1, 1, 1))));
+}
+
+/// Over rounds 0 to 3 a bias is known 3.4 times less well than a mean, over 4 to 7 19 times.
+TEST(DiscAreas, need_radii_that_shrink) {
+    const auto areas = disc_areas(dark(numbers(0, 64)));
+    EXPECT_NEAR(std::sqrt(areas->bias_variance() * 4), 3.40, 0.01);
+    EXPECT_FALSE(disc_areas(dark(numbers(64, 128))));
+    EXPECT_FALSE(disc_areas(dark(numbers(0, 64), 0.95)));
+}
+
+}  // namespace
+}  // namespace sunfleck

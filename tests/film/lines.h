@@ -1,0 +1,57 @@
+// Films whose light is a line over the area of the discs, and noise: for the tests of bias.
+#pragma once
+
+#include "core/random.h"
+#include "film/film.h"
+#include "math/wavelengths.h"
+#include "measurement/radius.h"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace sunfleck::testing_support {
+
+/// Light of a pass: by photons a + c s (grey), by eye paths `eye`; noise of even distribution.
+struct Line {
+    double a = 1;
+    double c = 0.8;
+    double eye = 0.5;
+    double photon_noise = 0;  // standard deviation, of a pixel in a pass
+    double shared_noise = 0;  // of all pixels together, by photons
+    double eye_noise = 0;
+};
+
+inline FilmKey line_key(int width, int height, std::uint64_t seed, double alpha = 2.0 / 3) {
+    FilmKey key{width, height, {}, seed, 0, ""};
+    key.alpha = alpha;
+    return key;
+}
+
+/// @param line  called with a pixel. @param passes  in any order.
+template <class LineOf>
+Film line_film(const FilmKey& key, const std::vector<std::uint32_t>& passes, const LineOf& line) {
+    Film film(key);
+    for (const std::uint32_t pass : passes) {
+        const double area = std::pow(radius_factor(pass, key.alpha), 2);
+        const auto noise = [](RandomStream& stream) {
+            return std::sqrt(12.0) * (stream.next() - 0.5);
+        };
+        RandomStream shared(key.seed, Purpose::test, pass, 0xFFFFFF);
+        const double of_all = noise(shared);
+        PassImage image(key.pixels(), key.layers, true);
+        for (std::size_t i = 0; i < key.pixels(); ++i) {
+            RandomStream own(key.seed, Purpose::test, pass, static_cast<std::uint32_t>(i));
+            const Line l = line(i);
+            const double photons =
+                l.a + l.c * area + l.photon_noise * noise(own) + l.shared_noise * of_all;
+            const double eye = l.eye + l.eye_noise * noise(own);
+            image.add_light(i, Vec3(static_cast<float>(photons)), Layer::indirect);
+            image.add_eye_light(i, Vec3(static_cast<float>(eye)), Layer::direct);
+        }
+        film.add_pass(pass, image);
+    }
+    return film;
+}
+
+}  // namespace sunfleck::testing_support

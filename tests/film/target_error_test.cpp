@@ -1,0 +1,111 @@
+// The target error: a quantile of noise, and the root mean square of a bias less its own noise.
+#include "film/target_error.h"
+
+#include "film/bias.h"
+#include "lines.h"
+#include "math/statistics.h"
+#include "synthetic.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using testing_support::Line;
+using testing_support::line_film;
+using testing_support::line_key;
+using testing_support::numbers;
+
+/// A film whose pass values are given by value(round, pixel), grey.
+template <class Value>
+Film film_by_round(int width, int height, std::uint32_t passes, const Value& value) {
+    const FilmKey key{width, height, {}, 1, 0, ""};
+    Film film(key);
+    for (std::uint32_t pass = 0; pass < passes; ++pass) {
+        PassImage image(key.pixels(), key.layers);
+        for (std::size_t i = 0; i < key.pixels(); ++i)
+            image.add_light(i, Vec3(value(pass / kRoundPasses, i)), Layer::direct);
+        film.add_pass(pass, image);
+    }
+    return film;
+}
+
+TEST(TargetError, needs_four_rounds) {
+    const FilmKey key = testing_support::small_key();
+    EXPECT_FALSE(target_error(testing_support::film_of(key, numbers(0, 63)), {}).has_value());
+    EXPECT_TRUE(target_error(testing_support::film_of(key, numbers(0, 64)), {}).has_value());
+}
+
+TEST(TargetError, of_noise_is_the_95th_percentile_of_bright_blocks) {
+    // 40 bright blocks whose relative error rises from 1 to 40 steps; 10 dark ones of wild error.
+    const auto value = [](std::uint32_t round, std::size_t pixel) {
+        const std::size_t block = pixel % 400 / 8;
+        const float sign = round % 2 == 0 ? 1.0F : -1.0F;
+        if (block >= 40) return 1e-4F * (1 + sign);
+        return 1 + sign * 0.01F * static_cast<float>(block + 1);
+    };
+    const Film film = film_by_round(400, 8, 64, value);
+    // Four rounds of 1 +- d: standard error d / sqrt(3). 38 of 40 blocks are at or below the 38th.
+    EXPECT_NEAR(target_error(film, {})->noise, 0.38 / std::sqrt(3.0), 1e-5);
+    EXPECT_EQ(target_error(film, {})->bias, 0);  // no discs
+    EXPECT_FALSE(relative_bias(film));
+    const Film black = film_by_round(8, 8, 64, [](std::uint32_t, std::size_t) { return 0.0F; });
+    EXPECT_FALSE(target_error(black, {}).has_value());
+}
+
+TEST(TargetError, without_noise_is_nothing) {
+    const Film film = film_by_round(3, 2, 64, [](std::uint32_t, std::size_t) { return 0.1F; });
+    EXPECT_LT(target_error(film, {})->value(), 1e-7);
+}
+
+TEST(TargetError, joins_noise_and_bias) {
+    EXPECT_NEAR((TargetError{0.03, 0.04}.value()), 0.05, 1e-15);
+    // Blocks of slopes 0, 1 and 2 over 4, and a dark one of a large relative slope.
+    const auto line = [](std::size_t pixel) {
+        const auto block = static_cast<double>(pixel % 32 / 8);
+        if (block == 3) return Line{1e-4, 1e-3, 0};
+        return Line{4, block, 0};
+    };
+    const Film film = line_film(line_key(32, 8, 1), numbers(0, 64), line);
+    const auto areas = disc_areas(film);
+    double squares = 0;
+    for (const double slope : {0, 1, 2}) {
+        const double bias = slope * areas->mean;
+        squares += std::pow(bias / (4 + bias), 2) / 3;
+    }
+    // The lines have no noise; what rounds differ by is their slope.
+    EXPECT_NEAR(*relative_bias(film), std::sqrt(squares), 1e-5);
+    EXPECT_NEAR(target_error(film, {})->bias, std::sqrt(squares), 1e-5);
+    EXPECT_EQ(target_error(film, {false, false})->bias, 0);
+    EXPECT_EQ(target_error(film, {false, false})->noise, target_error(film, {})->noise);
+    EXPECT_GT(target_error(film, {})->noise, 0.01);
+    EXPECT_EQ(target_error(film, {true, true})->bias, 0);
+    EXPECT_LT(target_error(film, {true, true})->noise, 1e-4);  // of the line's end
+}
+
+/// 16 blocks, a bias of 5.7% or none, each known to 3.3%: squares of estimates would be wrong by
+/// .0011. Over 100 seeds; four standard errors are .0007 at most.
+TEST(TargetError, square_of_the_bias_is_not_that_of_its_noise) {
+    for (const double slope : {0.0, 0.2}) {
+        RunningMean squares;
+        RunningMean roots;
+        double truth = 0;
+        for (std::uint64_t seed = 0; seed < 100; ++seed) {
+            const Film film = line_film(line_key(128, 8, seed), numbers(0, 80),
+                                        [&](std::size_t) { return Line{1, slope, 0, 1, 0, 0}; });
+            const double bias = slope * disc_areas(film)->mean_of_passes;
+            truth = bias / (1 + bias);
+            double square = 0;
+            for (const Bias& b : block_biases(film))
+                square += (b.value * b.value - b.standard_error * b.standard_error) / 16;
+            squares.add(square / ((1 + bias) * (1 + bias)));
+            roots.add(*relative_bias(film));
+        }
+        EXPECT_NEAR(squares.mean(), truth * truth, 4 * squares.standard_error());
+        EXPECT_LT(squares.standard_error(), 1.7e-4);
+        EXPECT_NEAR(roots.mean(), truth, 0.02) << slope;
+    }
+}
+
+}  // namespace
+}  // namespace sunfleck

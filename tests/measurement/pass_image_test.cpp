@@ -1,0 +1,39 @@
+// What eye paths bring is kept apart when asked for; totals and counts are as without.
+#include "measurement/pass_image.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+double by_photons(const PassImage& image, std::size_t channel) {
+    return image.by_photons(0, channel).to_double();
+}
+
+TEST(PassImage, photons_bring_what_eye_paths_do_not) {
+    PassImage image(1, {}, true);
+    image.add_eye_light(0, Vec3(1, 2, 3), Layer::direct);
+    image.add_light(0, Vec3(10, 20, -30), Layer::caustic);
+    image.add_addable(0, Vec3(100, 0, 0), Layer::indirect, true);
+    EXPECT_EQ(image.value(Layer::total, 0, 0).to_double(), 111);
+    EXPECT_EQ(by_photons(image, 0), 110);
+    EXPECT_EQ(by_photons(image, 1), 20);
+    EXPECT_EQ(by_photons(image, 2), -30);
+    EXPECT_TRUE(image.photons_apart());
+    EXPECT_FALSE(PassImage(1, {}).photons_apart());
+}
+
+TEST(PassImage, light_that_cannot_be_added_is_counted_once) {
+    PassImage image(1, {}, true);
+    image.add_eye_light(0, Vec3(NAN, 1, 1), Layer::direct);
+    image.add_eye_light(0, Vec3(-0x1p60F, 1, 1), Layer::direct);
+    EXPECT_EQ(image.dropped(), 1U);
+    EXPECT_EQ(image.saturated(), 1U);
+    EXPECT_EQ(image.value(Layer::total, 0, 0).to_double(), -kLargestTerm);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(by_photons(image, c), 0);
+}
+
+}  // namespace
+}  // namespace sunfleck
