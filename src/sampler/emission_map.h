@@ -20,9 +20,13 @@ public:
     /// Maps every point to itself.
     EmissionMap() = default;
 
+    struct Growth {
+        double uniform_share = 0.25;  // of all points that are spread evenly, in (0,1]
+        double least_gain = 8;        // in log likelihood, of a cut: there are 35 to try
+    };
+
     /// @param points  samples of the density wanted; none: the identity.
-    /// @param uniform_share  of all points that are spread evenly, in (0,1].
-    static EmissionMap learned(std::vector<WeightedEmission> points, double uniform_share);
+    static EmissionMap learned(std::vector<WeightedEmission> points, const Growth& growth);
 
     /// What became of a path that started at a point.
     struct Trial {

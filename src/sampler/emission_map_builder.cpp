@@ -12,7 +12,6 @@ namespace {
 constexpr std::size_t kBins = 8;         // places where a box may be cut, by slot
 constexpr double kLeastWidth = 0x1p-32;  // of a box that is cut: slots have 52 bits
 constexpr double kLeastEffective = 12;   // points in a box that is cut
-constexpr double kLeastGain = 8;         // of log likelihood, in points: there are 35 cuts to try
 constexpr double kLeastToShear = 40;     // points in a box that is sheared: four slopes are fitted
 constexpr double kLeastShear = 0.35;     // of log likelihood a point: half of the variance
 
@@ -70,8 +69,8 @@ Cut best_cut(std::span<const WeightedEmission> points, const EmissionBox& box, c
 /// Grows the tree, depth first.
 class EmissionMapBuilder {
 public:
-    EmissionMapBuilder(std::vector<WeightedEmission>&& points, double uniform_share)
-        : points_(std::move(points)), uniform_share_(uniform_share) {
+    EmissionMapBuilder(std::vector<WeightedEmission>&& points, const EmissionMap::Growth& growth)
+        : points_(std::move(points)), growth_(growth) {
         for (const WeightedEmission& p : points_) all_points_ += p.weight;
     }
 
@@ -98,7 +97,8 @@ private:
 
     /// @return the box's mass, the uniform share in it.
     double grow(std::uint32_t node, const Part& part) {
-        const double mass = (1 - uniform_share_) * part.share + uniform_share_ * part.volume;
+        const double even = growth_.uniform_share;
+        const double mass = (1 - even) * part.share + even * part.volume;
         map_.nodes_[node].density = mass / part.volume;
         map_.nodes_[node].volume = part.volume;
         const std::span<WeightedEmission> points(points_.data() + part.range.begin,
@@ -109,7 +109,7 @@ private:
         if (all.effective() < kLeastEffective) return mass;
         const std::size_t shears = part.shears + shear(node, points, part, all);
         const Cut cut = best_cut(points, part.box, all);
-        if (cut.gain * all.effective() < kLeastGain) {
+        if (cut.gain * all.effective() < growth_.least_gain) {
             map_.shears_.resize(map_.nodes_[node].first_shear);  // they were for nothing
             map_.nodes_[node].shears = 0;
             return mass;
@@ -178,13 +178,13 @@ private:
     }
 
     std::vector<WeightedEmission> points_;
-    double uniform_share_;
+    EmissionMap::Growth growth_;
     double all_points_ = 0;  // their weights
     EmissionMap map_;
 };
 
-EmissionMap EmissionMap::learned(std::vector<WeightedEmission> points, double uniform_share) {
-    return EmissionMapBuilder(std::move(points), uniform_share).build();
+EmissionMap EmissionMap::learned(std::vector<WeightedEmission> points, const Growth& growth) {
+    return EmissionMapBuilder(std::move(points), growth).build();
 }
 
 }  // namespace sunfleck

@@ -86,11 +86,13 @@ public:
         constexpr double kUniformAtFirst = 0.5;
         constexpr double kUniform = 0.25;
         constexpr double kKept = 0.1;
-        EmissionMap map = EmissionMap::learned(starts, kUniformAtFirst);
+        // Where trials say which boxes are of use, these may be small and some cut by chance.
+        const double least_gain = covering == Covering::often_visible ? 3 : 8;
+        EmissionMap map = EmissionMap::learned(starts, {kUniformAtFirst, least_gain});
         Trials before;
         for (const PassId& round : rounds.first(rounds.size() - 1)) {
             before.add(tried(map, round));
-            map = EmissionMap::learned(joined(starts, before), kUniform);
+            map = EmissionMap::learned(joined(starts, before), {kUniform, least_gain});
             if (covering == Covering::all_known) map = map.widened(kKept);
         }
         const Trials last = tried(map, rounds.back());

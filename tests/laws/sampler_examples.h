@@ -41,7 +41,7 @@ inline MappedPlan mapped_over(double low, double high, std::uint32_t paths, doub
         start.point[0] = low + (high - low) * start.point[0];
         trials.push_back({start.point, true});
     }
-    return {EmissionMap::learned(starts, 0.25).where_visible(trials, 0.5), paths, bridge};
+    return {EmissionMap::learned(starts, {0.25}).where_visible(trials, 0.5), paths, bridge};
 }
 
 /// Passes are as many as the bands of the laws need.

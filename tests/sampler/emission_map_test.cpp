@@ -61,11 +61,11 @@ std::vector<EmissionMap> maps() {
         two[i].point[0] += 0.5;
         two[i].weight = 5;
     }
-    std::vector<EmissionMap> all = {EmissionMap::learned(around(0.5, {0, 1}), 0.25),
-                                    EmissionMap::learned(around(0.02, {0, 3}), 0.5),
-                                    EmissionMap::learned(around(0.1, {4}), 0.1),
-                                    EmissionMap::learned(two, 0.25),
-                                    EmissionMap::learned(tube(0.01), 0.25)};
+    std::vector<EmissionMap> all = {EmissionMap::learned(around(0.5, {0, 1}), {0.25}),
+                                    EmissionMap::learned(around(0.02, {0, 3}), {0.5}),
+                                    EmissionMap::learned(around(0.1, {4}), {0.1}),
+                                    EmissionMap::learned(two, {0.25}),
+                                    EmissionMap::learned(tube(0.01), {0.25})};
     std::vector<EmissionMap::Trial> trials;
     for (const WeightedEmission& p : two) trials.push_back({p.point, p.point[2] < 0.5});
     for (const WeightedEmission& p : tube(0.01)) trials.push_back({p.point, p.point[0] < 0.3});
@@ -101,7 +101,7 @@ TEST(EmissionMap, images_have_the_density_that_they_say) {
 
 TEST(EmissionMap, most_images_lie_where_the_points_did) {
     for (const double width : {0.3, 1e-2, 1e-4, 1e-6}) {
-        const EmissionMap map = EmissionMap::learned(around(width, {0, 1}), 0.25);
+        const EmissionMap map = EmissionMap::learned(around(width, {0, 1}), {0.25});
         RandomStream random(3, Purpose::test, 0, 0);
         int inside = 0;
         for (int i = 0; i < 10'000; ++i)
@@ -114,7 +114,7 @@ TEST(EmissionMap, most_images_lie_where_the_points_did) {
 // Boxes along the tube would be 40 and 400 by 40 and 400.
 TEST(EmissionMap, follows_a_slanted_tube) {
     for (const double width : {1e-2, 1e-3}) {
-        const EmissionMap map = EmissionMap::learned(tube(width), 0.25);
+        const EmissionMap map = EmissionMap::learned(tube(width), {0.25});
         EXPECT_GE(map.shears(), 2U);
         RandomStream random(6, Purpose::test, 0, 0);
         int inside = 0;
@@ -130,7 +130,7 @@ TEST(EmissionMap, follows_a_slanted_tube) {
 }
 
 TEST(EmissionMap, is_nowhere_zero_unless_it_is_asked_to_be) {
-    const EmissionMap map = EmissionMap::learned(around(1e-3, {0, 1}), 0.25);
+    const EmissionMap map = EmissionMap::learned(around(1e-3, {0, 1}), {0.25});
     RandomStream random(4, Purpose::test, 0, 0);
     for (int i = 0; i < 1000; ++i) EXPECT_GE(map.density(uniform(random)), 0.25 * (1 - 1e-12));
     std::vector<EmissionMap::Trial> trials;
@@ -149,7 +149,7 @@ TEST(EmissionMap, where_visible_goes_by_the_root_of_how_often) {
         points[i].weight = left ? 1 : 4;
         trials.push_back({points[i].point, !left || i % 10 == 0});
     }
-    const EmissionMap map = EmissionMap::learned(points, 0.25);
+    const EmissionMap map = EmissionMap::learned(points, {0.25});
     ASSERT_GE(map.boxes(), 2U);
     const EmissionMap cut = map.where_visible(trials, 0.05);
     const EmissionPoint left{0.25, 0.5, 0.5, 0.5, 0.5};
@@ -165,7 +165,7 @@ TEST(EmissionMap, widened_goes_by_the_root_of_what_was_found) {
     Points points = around(1, {}, 9000);
     for (std::size_t i = 0; i < points.size(); ++i)
         points[i].point[0] = 0.25 + points[i].point[0] / 16 + (i % 9 == 0 ? 0 : 0.0625);
-    const EmissionMap map = EmissionMap::learned(points, 0.25);
+    const EmissionMap map = EmissionMap::learned(points, {0.25});
     const EmissionMap wide = map.widened(0);
     const auto at = [](double x) { return EmissionPoint{x, 0.5, 0.5, 0.5, 0.5}; };
     EXPECT_NEAR(wide.density(at(0.35)) / wide.density(at(0.28)), std::sqrt(8.0), 0.3);
@@ -177,7 +177,7 @@ TEST(EmissionMap, widened_goes_by_the_root_of_what_was_found) {
 }
 
 TEST(EmissionMap, without_points_it_is_the_identity) {
-    const EmissionMap map = EmissionMap::learned({}, 0.25);
+    const EmissionMap map = EmissionMap::learned({}, {0.25});
     EXPECT_TRUE(map.is_identity());
     const EmissionPoint p{0.1, 0.2, 0.3, 0.4, 0.5};
     EXPECT_EQ(map(p).point, p);
@@ -187,7 +187,7 @@ TEST(EmissionMap, without_points_it_is_the_identity) {
 
 // A box must hold many numbers of a slot, or a rounded image could fall out of its box.
 TEST(EmissionMap, equal_points_do_not_make_boxes_too_small) {
-    const EmissionMap map = EmissionMap::learned(around(0, {0, 1}), 0.25);
+    const EmissionMap map = EmissionMap::learned(around(0, {0, 1}), {0.25});
     RandomStream random(5, Purpose::test, 0, 0);
     for (int i = 0; i < 10'000; ++i) {
         const EmissionMap::Image image = map(uniform(random));
@@ -200,7 +200,7 @@ TEST(EmissionMap, equal_points_do_not_make_boxes_too_small) {
 
 // Mapped paths have the emission that the map says, and weigh one over its density.
 TEST(MappedPoints, weigh_what_they_should) {
-    const EmissionMap map = EmissionMap::learned(around(0.05, {0, 1}), 0.25);
+    const EmissionMap map = EmissionMap::learned(around(0.05, {0, 1}), {0.25});
     const MappedPoints points({1, 2}, map);
     RunningMean volume;
     for (std::uint32_t i = 0; i < 4096; ++i) {

@@ -63,7 +63,7 @@ TEST(Population, what_a_map_covers_weighs_less) {
         starts.push_back({{0.1 * i / 200, 0.5, 0.5, 0.5, 0.5}, 1});
         trials.push_back({starts.back().point, true});
     }
-    const EmissionMap map = EmissionMap::learned(starts, 0.5).where_visible(trials, 1e-9);
+    const EmissionMap map = EmissionMap::learned(starts, {0.5}).where_visible(trials, 1e-9);
     Population population = four();  // first slots 0, 1/16, 2/16, 3/16
     const Bridge bridge{&map, 0.25};
     ASSERT_TRUE(bridge.covers(population.seeds()[0].sample));
