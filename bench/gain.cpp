@@ -34,6 +34,12 @@ constexpr std::string_view kTogether = "together";
 /// The sampler `adaptive` with all light by photons.
 constexpr std::string_view kGathered = "gathered";
 
+/// The sampler `adaptive` with so many photon paths a pass.
+bool is_number(const std::string& name) {
+    return !name.empty() && name.size() < 10 &&
+           name.find_first_not_of("0123456789") == std::string::npos;
+}
+
 struct Settings {
     std::string scene;
     std::string other_scene;
@@ -65,6 +71,8 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
         job.settings.photon.emission_maps = false;
     else if (sampler == kTogether)
         job.settings.photon.light_groups = false;
+    else if (is_number(sampler))
+        job.settings.photon.paths_per_pass = static_cast<std::uint32_t>(std::stoul(sampler));
     else if (sampler != kGathered)
         job.settings.photon.sampler = sampler_named(sampler).value();
     if (sampler == "paper") use_paper_mode(job.settings);
@@ -196,7 +204,8 @@ int main(int count, char** words) {
     const auto is_sampler = [](const std::string& name) {
         const bool known = sunfleck::sampler_named(name) || sunfleck::integrator_named(name) ||
                            name == sunfleck::bench::kTogether ||
-                           name == sunfleck::bench::kUnmapped || name == sunfleck::bench::kGathered;
+                           name == sunfleck::bench::kUnmapped ||
+                           name == sunfleck::bench::kGathered || sunfleck::bench::is_number(name);
         return known ? std::string() : "there is no sampler or integrator " + name;
     };
     app.add_option("--samplers", settings.samplers,

@@ -19,8 +19,12 @@ inline double mean_of(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-/// Mean over pixels of squared error / (reference^2 + 0.01 mean^2), and the same without the
-/// pixel's own brightness.
+/// Squared error / (reference^2 + 0.01 mean^2). @param mean  of the reference picture.
+inline double relative_square(double square, double reference, double mean) {
+    return square / (reference * reference + 0.01 * mean * mean);
+}
+
+/// Means over pixels: relative squares, and squares over the picture's mean.
 struct Error {
     double relative = 0;
     double plain = 0;
@@ -31,7 +35,7 @@ inline Error error_of(const std::vector<double>& image, const std::vector<double
     Error error;
     for (std::size_t i = 0; i < image.size(); ++i) {
         const double square = (image[i] - reference[i]) * (image[i] - reference[i]);
-        error.relative += square / (reference[i] * reference[i] + 0.01 * mean * mean);
+        error.relative += relative_square(square, reference[i], mean);
         error.plain += square / (mean * mean);
     }
     error.relative /= static_cast<double>(image.size());

@@ -8,6 +8,7 @@
 // leaves out the worst 1% of pixels. Blocks are of 16 x 16 pixels, their differences relative.
 #include "core/parallel.h"
 #include "film/film.h"
+#include "gain_errors.h"
 #include "image/read_file.h"
 #include "image/read_image.h"
 #include "import/load.h"
@@ -77,7 +78,7 @@ public:
             const double square = (grey[i] - reference_[i]) * (grey[i] - reference_[i]);
             plain += square;
             brightness += grey[i];
-            relative.push_back(square / (reference_[i] * reference_[i] + 0.01 * mean_ * mean_));
+            relative.push_back(relative_square(square, reference_[i], mean_));
         }
         const auto count = static_cast<double>(pixels());
         std::sort(relative.begin(), relative.end());

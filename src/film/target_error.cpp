@@ -37,21 +37,10 @@ double noise_of(const Film& film, const std::vector<BrightBlock>& bright, bool e
     return relative[(relative.size() * 95 + 99) / 100 - 1];
 }
 
-}  // namespace
-
-std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {
-    if (film.rounds() < kTargetRounds) return {};
-    const std::vector<BrightBlock> bright = bright_blocks(film);
-    if (bright.empty()) return {};
-    TargetError error{noise_of(film, bright, terms.extrapolated), 0};
-    if (terms.bias && !terms.extrapolated) error.bias = relative_bias(film).value_or(0);
-    return error;
-}
-
-std::optional<double> relative_bias(const Film& film) {
+/// @param bright  at least one. Nothing where no bias is known.
+std::optional<double> bias_of(const Film& film, const std::vector<BrightBlock>& bright) {
     const std::vector<Bias> biases = block_biases(film);
-    const std::vector<BrightBlock> bright = bright_blocks(film);
-    if (biases.empty() || bright.empty()) return {};
+    if (biases.empty()) return {};
     double sum = 0;
     for (const BrightBlock& block : bright) {
         const Bias& bias = biases[block.number];
@@ -59,6 +48,23 @@ std::optional<double> relative_bias(const Film& film) {
         sum += square / (block.luminance.mean * block.luminance.mean);
     }
     return std::sqrt(std::max(0.0, sum / static_cast<double>(bright.size())));
+}
+
+}  // namespace
+
+std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {
+    if (film.rounds() < kTargetRounds) return {};
+    const std::vector<BrightBlock> bright = bright_blocks(film);
+    if (bright.empty()) return {};
+    TargetError error{noise_of(film, bright, terms.extrapolated), 0};
+    if (terms.bias && !terms.extrapolated) error.bias = bias_of(film, bright).value_or(0);
+    return error;
+}
+
+std::optional<double> relative_bias(const Film& film) {
+    const std::vector<BrightBlock> bright = bright_blocks(film);
+    if (bright.empty()) return {};
+    return bias_of(film, bright);
 }
 
 }  // namespace sunfleck

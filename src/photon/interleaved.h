@@ -6,18 +6,12 @@
 #pragma once
 
 #include "photon/tracer.h"
+#include "sampler/path_range.h"
 
 #include <array>
 #include <optional>
 
 namespace sunfleck {
-
-/// Paths begin .. end - 1.
-struct PathRange {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    std::size_t size() const { return end - begin; }
-};
 
 /// @param Points  path(number) gives a slot reader.
 /// @param Visit   called with each photon and the number of its path.

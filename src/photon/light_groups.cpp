@@ -92,7 +92,7 @@ private:
         if (!settings_.emission_maps || view_.index.points().empty() || ground.lights.empty())
             return {settings_.emission_maps};
         return {true,
-                [this, &ground](PassId pass, const WalkRange& walks) {
+                [this, &ground](PassId pass, const PathRange& walks) {
                     return walk_from_view(view_, ground.lights, pass, walks);
                 },
                 [this](PassId pass) { return flux_seen(view_, pass); }};

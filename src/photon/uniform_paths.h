@@ -23,12 +23,15 @@ struct UniformPaths {
     const EmissionMap* map = nullptr;  // of mapped ones
 };
 
-/// Paths of which at least one photon was taken. @param range  their numbers.
-inline std::uint64_t visible_paths(const PhotonBatch& batch, const PathRange& range) {
+/// Paths of which at least one photon was taken, ascending. @param range  of the batch.
+inline std::vector<std::uint32_t> visible_paths(const PhotonBatch& batch, const PathRange& range) {
     std::vector<std::uint8_t> visible(range.size(), 0);
     for (std::size_t i = 0; i < batch.paths.size(); ++i)
         visible[batch.paths[i] - range.begin] |= batch.taken[i];
-    return static_cast<std::uint64_t>(std::count(visible.begin(), visible.end(), 1));
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t i = 0; i < visible.size(); ++i)
+        if (visible[i] != 0) numbers.push_back(static_cast<std::uint32_t>(range.begin + i));
+    return numbers;
 }
 
 /// Traces the paths of one batch.
@@ -71,27 +74,15 @@ std::vector<PhotonBatch> trace_batches(const PhotonTracer& tracer, const Uniform
     return batches;
 }
 
-/// What the paths weigh together of which a photon was taken.
-inline double visible_weight(const std::vector<PhotonBatch>& batches, const MappedPoints& points) {
-    double sum = 0;
-    for (const PhotonBatch& batch : batches) {
-        std::vector<std::uint32_t> visible;
-        for (std::size_t i = 0; i < batch.paths.size(); ++i)
-            if (batch.taken[i] != 0) visible.push_back(batch.paths[i]);
-        std::sort(visible.begin(), visible.end());
-        visible.erase(std::unique(visible.begin(), visible.end()), visible.end());
-        for (const std::uint32_t number : visible) sum += points.path(number).weight();
-    }
-    return sum;
-}
-
 /// Traces all paths of the pass, some at a time so that their photons fit in memory.
 /// @param deposit  called with the batches of many paths; marks the photons that were taken and
 ///                 counts in their statistics.
+/// @param visible  called with the number of each visible path, ascending.
 /// @return counts: paths, rays, visible paths, ends.
-template <class MayTake, class Deposit>
+template <class MayTake, class Deposit, class Visible>
 Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& paths,
-                               const MayTake& may_take, const Deposit& deposit) {
+                               const MayTake& may_take, const Deposit& deposit,
+                               const Visible& visible) {
     constexpr std::size_t kAtOnce = std::size_t{1} << 17U;
     Statistics total;
     for (std::size_t begin = 0; begin < paths.count; begin += kAtOnce) {
@@ -101,11 +92,19 @@ Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& p
         for (std::size_t i = 0; i < batches.size(); ++i) {
             const std::size_t first = begin + i * kBatchPaths;
             total += batches[i].statistics;
-            total[Count::uniform_visible] +=
+            const std::vector<std::uint32_t> numbers =
                 visible_paths(batches[i], {first, std::min(range.end, first + kBatchPaths)});
+            total[Count::uniform_visible] += numbers.size();
+            for (const std::uint32_t number : numbers) visible(number);
         }
     }
     return total;
+}
+
+template <class MayTake, class Deposit>
+Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& paths,
+                               const MayTake& may_take, const Deposit& deposit) {
+    return trace_uniform_paths(tracer, paths, may_take, deposit, [](std::uint32_t) {});
 }
 
 }  // namespace sunfleck

@@ -162,9 +162,9 @@ private:
 
 /// @param kinds  of photons that visible points take; none: what each does.
 WalkedEmission walk(const PhotonView& view, const LightChoice& lights, PassId pass,
-                    const WalkRange& walks, std::uint8_t kinds) {
+                    const PathRange& walks, std::uint8_t kinds) {
     constexpr std::size_t kBlock = 1024;
-    const std::size_t count = walks.end - walks.begin;
+    const std::size_t count = walks.size();
     const std::vector<VisiblePoint>& points = view.index.points();
     std::vector<WalkedEmission> blocks((count + kBlock - 1) / kBlock);
     parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
@@ -188,7 +188,7 @@ WalkedEmission walk(const PhotonView& view, const LightChoice& lights, PassId pa
 }  // namespace
 
 WalkedEmission walk_from_view(const PhotonView& view, const LightChoice& lights, PassId pass,
-                              const WalkRange& walks) {
+                              const PathRange& walks) {
     return walk(view, lights, pass, walks, 0);
 }
 

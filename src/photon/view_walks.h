@@ -16,7 +16,7 @@ namespace sunfleck {
 /// Of walks begin .. end - 1. @param view  with one visible point at least. @param pass  names the
 /// walks' random numbers.
 WalkedEmission walk_from_view(const PhotonView& view, const LightChoice& lights, PassId pass,
-                              const WalkRange& walks);
+                              const PathRange& walks);
 
 /// The flux that a walk finds on average of all the scene's lights, direct light at the visible
 /// points included, whoever brings it. In the unit of the hints' weights.

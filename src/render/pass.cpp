@@ -72,15 +72,12 @@ private:
         const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
         const Depositor deposit(view_.scene, view_.index, result_.image, group.mapped.paths);
         const PassId id = eye_.id.with_part(group.part + kMappedParts);
+        const MappedPoints points(id, group.mapped.map);
         double visible = 0;
         Statistics counts = trace_uniform_paths(
             tracer, {UniformKind::mapped, id, group.mapped.paths, &group.mapped.map},
-            [&](const Photon& photon) { return view_.index.may_take(photon); },
-            [&](std::vector<PhotonBatch>& batches) {
-                const Statistics deposited = deposit(batches);
-                visible += visible_weight(batches, MappedPoints(id, group.mapped.map));
-                return deposited;
-            });
+            [&](const Photon& photon) { return view_.index.may_take(photon); }, deposit,
+            [&](std::uint32_t number) { visible += points.path(number).weight(); });
         counts[Count::mapped_paths] = std::exchange(counts[Count::uniform_paths], 0);
         counts[Count::mapped_visible] = std::exchange(counts[Count::uniform_visible], 0);
         counts[Count::distinct_visible] = counts[Count::visible_states] =

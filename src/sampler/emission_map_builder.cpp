@@ -107,8 +107,8 @@ private:
         for (const WeightedEmission& p : points) all.add(p.weight);
         map_.nodes_[node].found = all.sum / all_points_;
         if (all.effective() < kLeastEffective) return mass;
-        const std::size_t shears = part.shears + shear(node, points, part, all);
-        const Cut cut = best_cut(points, part.box, all);
+        Cut cut = best_cut(points, part.box, all);
+        const std::size_t shears = part.shears + shear(node, points, part, all, cut);
         if (cut.gain * all.effective() < growth_.least_gain) {
             map_.shears_.resize(map_.nodes_[node].first_shear);  // they were for nothing
             map_.nodes_[node].shears = 0;
@@ -160,16 +160,17 @@ private:
     }
 
     /// Shears the box, and the points with it, while that tells more than a cut. @return how often.
+    /// @param cut  the best one, before and after.
     std::size_t shear(std::uint32_t node, std::span<WeightedEmission> points, const Part& part,
-                      const Mass& all) {
+                      const Mass& all, Cut& cut) {
         map_.nodes_[node].first_shear = static_cast<std::uint32_t>(map_.shears_.size());
         if (all.effective() < kLeastToShear) return 0;
         std::size_t count = 0;
         while (part.shears + count < EmissionMap::kMostShears) {
             const FoundShear found = best_shear(points, part.box);
-            if (found.gain < kLeastShear || found.gain < best_cut(points, part.box, all).gain)
-                break;
+            if (found.gain < kLeastShear || found.gain < cut.gain) break;
             for (WeightedEmission& p : points) found.shear.apply(p.point);
+            cut = best_cut(points, part.box, all);
             map_.shears_.push_back(found.shear);
             ++count;
         }

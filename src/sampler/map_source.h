@@ -3,18 +3,13 @@
 
 #include "core/random.h"
 #include "sampler/emission_point.h"
+#include "sampler/path_range.h"
 
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace sunfleck {
-
-/// Numbers of walks.
-struct WalkRange {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
-};
 
 /// What walks from the view found.
 struct WalkedEmission {
@@ -24,8 +19,8 @@ struct WalkedEmission {
 
 /// Where climbing may fail and maps help.
 struct MapSource {
-    /// Walks begin .. end - 1 of a pass.
-    using Walks = std::function<WalkedEmission(PassId, WalkRange)>;
+    /// Walks of a pass, by their numbers.
+    using Walks = std::function<WalkedEmission(PassId, PathRange)>;
 
     bool is_on = true;  // off: no maps at all
     Walks walks = {};   // none: climbing alone

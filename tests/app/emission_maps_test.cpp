@@ -47,16 +47,7 @@ TEST_F(EmissionMaps, are_left_out_where_the_user_says_so) {
 }
 
 TEST_F(EmissionMaps, have_the_same_bytes_for_any_threads_and_parts) {
-    part("whole", "0:3", 1);
-    const Bytes whole = bytes("whole");
-    part("threads", "0:3", 3);
-    EXPECT_TRUE(bytes("threads") == whole);
-    part("low", "0:1", 8);
-    part("high", "1:3", 2);
-    merge("sum", {"high", "low"});
-    EXPECT_TRUE(bytes("sum") == whole);
-    resumed("resumed", "0", {1, 3}, 2);
-    EXPECT_TRUE(bytes("resumed") == whole);
+    expect_same_bytes(3, 1, {1, 3});
 }
 
 }  // namespace

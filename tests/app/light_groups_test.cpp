@@ -71,18 +71,9 @@ TEST_F(LightGroups, films_with_and_without_do_not_mix) {
 
 /// In two epochs of what is learned.
 TEST_F(LightGroups, same_bytes_for_any_threads_and_cuts) {
-    part("whole", "0:18", 1);
-    const Bytes whole = bytes("whole");
-    part("threads", "0:18", 3);
-    EXPECT_TRUE(bytes("threads") == whole);
-    part("low", "0:7", 8);
-    part("high", "7:18", 2);
-    merge("sum", {"high", "low"});
-    EXPECT_TRUE(bytes("sum") == whole);
-    resumed("resumed", "0", {4, 17, 18}, 2);
-    EXPECT_TRUE(bytes("resumed") == whole);
+    expect_same_bytes(18, 7, {4, 17, 18});
     part("other", "1:19", 1);
-    EXPECT_FALSE(bytes("other") == whole);
+    EXPECT_FALSE(bytes("other") == bytes("whole"));
 }
 
 TEST_F(LightGroups, have_a_meaning_with_the_sampler_adaptive_alone) {

@@ -14,6 +14,8 @@
 namespace sunfleck {
 namespace {
 
+using testing_support::film_by_round;
+
 constexpr std::uint32_t kSeeds = 400;
 constexpr std::uint32_t kPasses = 101;  // six rounds and five passes
 constexpr int kWidth = 12;              // blocks of 8 x 8 and of 4 x 8 pixels
@@ -90,20 +92,6 @@ TEST(ErrorBars, need_complete_rounds) {
     merge(film, testing_support::film_of(key, testing_support::numbers(31, 63)));
     EXPECT_EQ(pixel_errors(film).size(), key.pixels());
     EXPECT_EQ(block_errors(film).size(), 6U);
-}
-
-/// A film whose pass values are given by value(round, pixel), grey.
-template <class Value>
-Film film_by_round(int width, int height, std::uint32_t passes, const Value& value) {
-    const FilmKey key{width, height, {}, 1, 0, ""};
-    Film film(key);
-    for (std::uint32_t pass = 0; pass < passes; ++pass) {
-        PassImage image(key.pixels(), key.layers);
-        for (std::size_t i = 0; i < key.pixels(); ++i)
-            image.add_light(i, Vec3(value(pass / kRoundPasses, i)), Layer::direct);
-        film.add_pass(pass, image);
-    }
-    return film;
 }
 
 TEST(ErrorBars, two_rounds_by_hand) {

@@ -44,6 +44,20 @@ inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes
     return film;
 }
 
+/// A film whose pass values are given by value(round, pixel), grey.
+template <class Value>
+Film film_by_round(int width, int height, std::uint32_t passes, const Value& value) {
+    const FilmKey key{width, height, {}, 1, 0, ""};
+    Film film(key);
+    for (std::uint32_t pass = 0; pass < passes; ++pass) {
+        PassImage image(key.pixels(), key.layers);
+        for (std::size_t i = 0; i < key.pixels(); ++i)
+            image.add_light(i, Vec3(value(pass / kRoundPasses, i)), Layer::direct);
+        film.add_pass(pass, image);
+    }
+    return film;
+}
+
 inline std::vector<std::uint32_t> numbers(std::uint32_t begin, std::uint32_t end) {
     std::vector<std::uint32_t> all(end - begin);
     std::iota(all.begin(), all.end(), begin);

@@ -11,24 +11,11 @@
 namespace sunfleck {
 namespace {
 
+using testing_support::film_by_round;
 using testing_support::Line;
 using testing_support::line_film;
 using testing_support::line_key;
 using testing_support::numbers;
-
-/// A film whose pass values are given by value(round, pixel), grey.
-template <class Value>
-Film film_by_round(int width, int height, std::uint32_t passes, const Value& value) {
-    const FilmKey key{width, height, {}, 1, 0, ""};
-    Film film(key);
-    for (std::uint32_t pass = 0; pass < passes; ++pass) {
-        PassImage image(key.pixels(), key.layers);
-        for (std::size_t i = 0; i < key.pixels(); ++i)
-            image.add_light(i, Vec3(value(pass / kRoundPasses, i)), Layer::direct);
-        film.add_pass(pass, image);
-    }
-    return film;
-}
 
 TEST(TargetError, needs_four_rounds) {
     const FilmKey key = testing_support::small_key();

@@ -145,9 +145,9 @@ Hidden hidden() {
 }
 
 /// Emission on both islands, as walks from the other end would find it.
-WalkedEmission hints_of_hidden(PassId pass, const WalkRange& walks) {
+WalkedEmission hints_of_hidden(PassId pass, const PathRange& walks) {
     WalkedEmission found;
-    for (std::uint32_t i = walks.begin; i < walks.end; i += 2000) {
+    for (std::size_t i = walks.begin; i < walks.end; i += 2000) {
         RandomStream stream = pass.stream(Purpose::test, i);
         const bool first = stream.next() < 0.67;
         const double half = first ? 1e-6 : 5e-7;
@@ -197,9 +197,9 @@ TEST(Pilot, asks_for_hints_where_climbing_was_luck) {
 TEST(Pilot, looks_for_hints_while_they_may_matter) {
     const Hidden space = hidden();
     for (const bool matters : {true, false}) {
-        std::uint32_t walked = 0;
+        std::size_t walked = 0;
         const MapSource blocked{true,
-                                [&](PassId, const WalkRange& walks) {
+                                [&](PassId, const PathRange& walks) {
                                     walked = walks.end;
                                     return WalkedEmission{{}, double(walks.end - walks.begin)};
                                 },
