@@ -3,9 +3,10 @@
 //
 // usage: bench_gain SCENE [--samplers random,adaptive] [--passes N] [--seeds N] [--references N]
 //                   [--over SCENE] [--region X0,X1,Y0,Y1]
-// "together" is `adaptive` without light groups, "unmapped" without emission maps, "gathered" with
-// all light by photons, that from lamps to glossy surfaces, too. --over compares the last sampler
-// with itself in another scene.
+// A number is `adaptive` with so many photon paths a pass; "together" is it without light groups,
+// "unmapped" without emission maps, "unbalanced" without balance, "gathered" with all light by
+// photons, that from lamps to glossy surfaces, too. --over compares the last sampler with itself in
+// another scene.
 // Renders of the samplers are interleaved, seed by seed; the last sampler, with other seeds, is the
 // reference, of the same passes and so of the same radii: what is compared is noise alone. Errors
 // are corrected for the reference's own.
@@ -21,18 +22,31 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
 #include <optional>
 
 namespace sunfleck::bench {
 namespace {
 
-/// The sampler `adaptive` without emission maps.
-constexpr std::string_view kUnmapped = "unmapped";
-/// The sampler `adaptive` with all lights in one group.
-constexpr std::string_view kTogether = "together";
-/// The sampler `adaptive` with all light by photons.
-constexpr std::string_view kGathered = "gathered";
+/// The sampler `adaptive` with one of its parts switched off, or all light by photons.
+struct Variant {
+    std::string_view name;
+    void (*apply)(RenderSettings&);
+};
+
+constexpr std::array<Variant, 4> kVariants = {{
+    {"unmapped", [](RenderSettings& s) { s.photon.emission_maps = false; }},
+    {"together", [](RenderSettings& s) { s.photon.light_groups = false; }},
+    {"unbalanced", [](RenderSettings& s) { s.photon.balance = false; }},
+    {"gathered", [](RenderSettings& s) { s.transport.direct = DirectLight::photons; }},
+}};
+
+const Variant* variant_named(const std::string& name) {
+    for (const Variant& variant : kVariants)
+        if (variant.name == name) return &variant;
+    return nullptr;
+}
 
 /// The sampler `adaptive` with so many photon paths a pass.
 bool is_number(const std::string& name) {
@@ -67,17 +81,14 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
     if (const auto integrator = integrator_named(sampler))
         job.settings.integrator = *integrator;
-    else if (sampler == kUnmapped)
-        job.settings.photon.emission_maps = false;
-    else if (sampler == kTogether)
-        job.settings.photon.light_groups = false;
+    else if (const Variant* const variant = variant_named(sampler))
+        variant->apply(job.settings);
     else if (is_number(sampler))
         job.settings.photon.paths_per_pass = static_cast<std::uint32_t>(std::stoul(sampler));
-    else if (sampler != kGathered)
+    else
         job.settings.photon.sampler = sampler_named(sampler).value();
     if (sampler == "paper") use_paper_mode(job.settings);
-    if (settings.photons_only || sampler == kGathered)
-        job.settings.transport.direct = DirectLight::photons;
+    if (settings.photons_only) job.settings.transport.direct = DirectLight::photons;
     job.stop.end_pass = settings.passes;
     Rendered result;
     std::optional<RenderResult> render_result;
@@ -203,13 +214,13 @@ int main(int count, char** words) {
     app.add_option("SCENE", settings.scene, "Scene file")->required();
     const auto is_sampler = [](const std::string& name) {
         const bool known = sunfleck::sampler_named(name) || sunfleck::integrator_named(name) ||
-                           name == sunfleck::bench::kTogether ||
-                           name == sunfleck::bench::kUnmapped ||
-                           name == sunfleck::bench::kGathered || sunfleck::bench::is_number(name);
+                           sunfleck::bench::variant_named(name) != nullptr ||
+                           sunfleck::bench::is_number(name);
         return known ? std::string() : "there is no sampler or integrator " + name;
     };
     app.add_option("--samplers", settings.samplers,
-                   "Or integrators, together, unmapped, gathered (default random,adaptive)")
+                   "Or integrators, a number, or unmapped, together, unbalanced, gathered "
+                   "(default random,adaptive)")
         ->delimiter(',')
         ->check(is_sampler);
     app.add_option("--over", settings.other_scene, "Compare the last sampler with it there");

@@ -1,6 +1,7 @@
 // The flags of every command, row by row.
 #include "apps/cli/options.h"
 
+#include "apps/cli/adaptive_options.h"
 #include "apps/cli/error_options.h"
 #include "apps/cli/experiment_options.h"
 #include "apps/cli/paper_options.h"
@@ -26,8 +27,7 @@ struct RenderTexts {
     std::string pass_range;
     std::string layers;
     std::string sampler = "adaptive";
-    std::string light_groups = "auto";
-    std::string emission_maps = "auto";
+    AdaptiveTexts adaptive;
     PaperTexts paper;
     ErrorTexts error;
     std::string direct = "sampled";
@@ -71,14 +71,7 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
         ->allow_extra_args(false);
     add_choice(app, "--integrator", t.integrator, kIntegrators);
     add_choice(app, "--photon-sampler", t.sampler, kPhotonSamplers);
-    app.add_option("--light-groups", t.light_groups,
-                   "Sampler adaptive: auto: lights of which much and little is seen get photon "
-                   "paths apart; off: all lights together")
-        ->check(CLI::IsMember({"auto", "off"}));
-    app.add_option("--emission-maps", t.emission_maps,
-                   "Sampler adaptive: auto: where few paths are seen, learn from where light must "
-                   "start; off: chains alone")
-        ->check(CLI::IsMember({"auto", "off"}));
+    add_adaptive_flags(app, t.adaptive);
     add_paper_flags(app, t.paper);
     app.add_option("--direct", t.direct, "Who brings direct light: sampled, or photons")
         ->check(CLI::IsMember({"sampled", "photons"}));
@@ -98,7 +91,8 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     add_error_flags(app, t.error);
     app.add_option("--pass-range", t.pass_range, "Render passes a to b - 1 only: a:b");
     app.add_option("--photons-per-pass", o.settings.photon.paths_per_pass,
-                   "Photon paths a pass (default max(200000, pixels))")
+                   "Photon paths a pass (default max(200000, 2 a pixel), then see --balance; "
+                   "paper 200000)")
         ->check(CLI::Range(1U, 1U << 30U));
     app.add_option("--seed", t.seed, "Random seed (default 0)");
     app.add_option("--nthreads", o.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
@@ -142,9 +136,9 @@ void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
 void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     if (t.integrator == "sppm") return;
     for (const char* flag :
-         {"--photon-sampler", "--light-groups", "--emission-maps", "--mode", "--replica-exchange",
-          "--mutation-size", "--target-acceptance", "--direct", "--photons-per-pass", "--radius",
-          "--radius-pixels", "--alpha", "--layers"}) {
+         {"--photon-sampler", "--light-groups", "--emission-maps", "--balance", "--mode",
+          "--replica-exchange", "--mutation-size", "--target-acceptance", "--direct",
+          "--photons-per-pass", "--radius", "--radius-pixels", "--alpha", "--layers"}) {
         const bool counts_paths = std::string_view(flag) == "--photons-per-pass";
         if (given.count(flag) == 0 || (counts_paths && t.integrator == "light")) continue;
         throw Error({flag}, "has no meaning with --integrator " + t.integrator, "leave it out");
@@ -179,15 +173,6 @@ void finish_render(const CLI::App& given, RenderOptions& o, const RenderTexts& t
         o.stop.target_error = 0.02;
         o.stop.seconds = 600;
     }
-}
-
-/// After the sampler is known.
-void finish_adaptive(const CLI::App& given, const RenderTexts& t, PhotonSettings& photon) {
-    for (const char* flag : {"--light-groups", "--emission-maps"})
-        if (given.count(flag) > 0 && photon.sampler != PhotonSampler::adaptive)
-            throw Error({flag}, "has a meaning with the sampler adaptive alone", "leave it out");
-    photon.emission_maps = t.emission_maps == "auto";
-    photon.light_groups = t.light_groups == "auto";
 }
 
 void add_merge(CLI::App& app, MergeOptions& o, ErrorTexts& t) {
@@ -266,7 +251,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
         check_fits_integrator(*render_app, texts);
         finish_render(*render_app, render, texts);
         finish_paper(*render_app, texts.paper, render);
-        finish_adaptive(*render_app, texts, render.settings.photon);
+        finish_adaptive(*render_app, texts.adaptive, render.settings.photon);
         finish_error(*render_app, texts.error, render);
         for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
         options.render = render;

@@ -67,6 +67,20 @@ Json groups_json(const Film& film) {
     }
 }
 
+/// Epochs of which passes were rendered, and the photon paths that a pass of theirs has.
+Json epochs_json(const Film& film) {
+    Json epochs = Json::array();
+    for (std::uint32_t number = 0; number <= epoch_of(~0U); ++number) {
+        const std::string name = fmt::format("epoch.{}.", number);
+        const double passes = film.statistic(name + "passes");
+        if (passes == 0) continue;
+        epochs.push_back({{"epoch", number},
+                          {"passes", static_cast<std::uint64_t>(passes)},
+                          {"photons_per_pass", film.statistic(name + "paths") / passes}});
+    }
+    return epochs;
+}
+
 /// Visible paths per traced path over the same for uniform paths.
 Json visible_ratio(const Film& film, const char* visible) {
     const double traced = film.statistic("uniform_paths") + film.statistic("mapped_paths") +
@@ -142,6 +156,7 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
                             {"accepted", count("accepted_paths")},
                             {"distinct_visible", count("distinct_visible")},
                             {"deposited", count("visible_states")}};
+    json["epochs"] = epochs_json(film);
     json["ladder"] = ladder_json(film);
     json["light_groups"] = groups_json(film);
     json["visible_photon_ratio"] = visible_ratio(film, "distinct_visible");

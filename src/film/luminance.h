@@ -50,10 +50,12 @@ public:
         std::size_t pixels() const { return (x_end - x_begin) * (y_end - y_begin); }
     };
 
-    explicit BlockGrid(const FilmKey& key, std::size_t block_size)
-        : width_(static_cast<std::size_t>(key.width)),
-          height_(static_cast<std::size_t>(key.height)),
+    BlockGrid(int width, int height, std::size_t block_size)
+        : width_(static_cast<std::size_t>(width)),
+          height_(static_cast<std::size_t>(height)),
           size_(block_size) {}
+    BlockGrid(const FilmKey& key, std::size_t block_size)
+        : BlockGrid(key.width, key.height, block_size) {}
 
     std::size_t across() const { return (width_ + size_ - 1) / size_; }
     std::size_t down() const { return (height_ + size_ - 1) / size_; }

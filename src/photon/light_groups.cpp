@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace sunfleck {
 namespace {
@@ -42,12 +43,6 @@ public:
     Lighting(const PhotonView& view, const PhotonSettings& settings, const PilotName& name)
         : view_(view), settings_(settings), name_(name), octree_(octree_of(view)) {}
 
-    PhotonGroup all(std::uint32_t paths) const {
-        Ground ground(view_, octree_, weights());
-        PilotResult learned = GroundPilot(ground.space, name_, maps(ground)).run(paths);
-        return {std::move(ground.lights), std::move(learned.plan), std::move(learned.mapped), 1, 0};
-    }
-
     /// Lights by group.
     std::vector<Lights> groups() const {
         std::vector<Lights> clusters =
@@ -62,29 +57,9 @@ public:
         return groups;
     }
 
-    /// A ladder for each.
-    std::vector<PhotonGroup> planned(const std::vector<Lights>& groups, std::uint32_t paths) const {
-        std::vector<std::unique_ptr<Ground>> grounds;
-        std::vector<GroundPilot> pilots;
-        std::vector<GroupFlux> fluxes;
-        for (const Lights& lights : groups) {
-            grounds.push_back(std::make_unique<Ground>(view_, octree_, weights().among(lights)));
-            pilots.emplace_back(grounds.back()->space, name_, maps(*grounds.back()));
-            const HeightTail& tail = pilots.back().explore();
-            fluxes.push_back({grounds.back()->lights.total(), tail[kVisible], is_rare(tail)});
-        }
-        const std::vector<std::uint32_t> shares = shared_paths(fluxes, paths);
-        std::vector<PhotonGroup> result;
-        for (std::size_t g = 0; g < groups.size(); ++g) {
-            PilotResult learned = pilots[g].plan(shares[g]);
-            result.push_back({grounds[g]->lights, std::move(learned.plan),
-                              std::move(learned.mapped), fluxes[g].power / weights().total(),
-                              static_cast<std::uint32_t>(g)});
-        }
-        return result;
-    }
-
-private:
+    const PhotonView& view() const { return view_; }
+    const PilotName& name() const { return name_; }
+    const ViewOctree& octree() const { return octree_; }
     const LightChoice& weights() const { return view_.scene.scene.light_choice(); }
 
     /// @param ground  must outlive what is returned.
@@ -98,6 +73,7 @@ private:
                 [this](PassId pass) { return flux_seen(view_, pass); }};
     }
 
+private:
     /// A few paths of each cluster; more where these are too few to tell fractions apart.
     std::vector<MeasuredLight> measured(const std::vector<Lights>& clusters) const {
         constexpr std::size_t kLeast = 1000;
@@ -136,19 +112,73 @@ private:
     ViewOctree octree_;
 };
 
+/// Lights by group, each explored by a pilot of its own.
+class Pilots {
+public:
+    Pilots(const Lighting& lighting, std::vector<LightChoice> groups)
+        : power_(lighting.weights().total()) {
+        for (LightChoice& lights : groups) {
+            grounds_.push_back(
+                std::make_unique<Ground>(lighting.view(), lighting.octree(), std::move(lights)));
+            const Ground& ground = *grounds_.back();
+            pilots_.emplace_back(ground.space, lighting.name(), lighting.maps(ground));
+            const HeightTail& tail = pilots_.back().explore();
+            fluxes_.push_back({ground.lights.total(), tail[kVisible], is_rare(tail)});
+        }
+    }
+
+    std::vector<PhotonGroup> plan(std::uint32_t paths) {
+        const std::vector<std::uint32_t> shares = shared_paths(fluxes_, paths);
+        std::vector<PhotonGroup> groups;
+        for (std::size_t g = 0; g < pilots_.size(); ++g) {
+            PilotResult learned = pilots_[g].plan(shares[g]);
+            groups.push_back({grounds_[g]->lights, std::move(learned.plan),
+                              std::move(learned.mapped), power_ > 0 ? fluxes_[g].power / power_ : 1,
+                              static_cast<std::uint32_t>(g)});
+        }
+        return groups;
+    }
+
+private:
+    double power_;  // of all lights
+    std::vector<std::unique_ptr<Ground>> grounds_;
+    std::vector<GroundPilot> pilots_;
+    std::vector<GroupFlux> fluxes_;
+};
+
 }  // namespace
 
-PhotonGroup learn_one_group(const PhotonView& view, const PhotonSettings& settings,
-                            const PilotName& name, std::uint32_t paths) {
-    return Lighting(view, settings, name).all(paths);
+/// Pilots are sent out when a plan asks for them.
+struct LightPlanner::Learned {
+    Lighting lighting;
+    std::vector<Lights> groups;
+    std::optional<Pilots> together;
+    std::optional<Pilots> apart;
+
+    explicit Learned(Lighting all) : lighting(std::move(all)) {}
+};
+
+LightPlanner::LightPlanner(const PhotonView& view, const PhotonSettings& settings,
+                           const PilotName& name)
+    : learned_(std::make_unique<Learned>(Lighting(view, settings, name))) {
+    if (settings.light_groups) learned_->groups = learned_->lighting.groups();
 }
 
-std::vector<PhotonGroup> learn_light_groups(const PhotonView& view, const PhotonSettings& settings,
-                                            const PilotName& name, std::uint32_t paths) {
-    const Lighting lighting(view, settings, name);
-    const std::vector<Lights> groups = lighting.groups();
-    if (groups.size() < 2 || paths < 2 * groups.size()) return {lighting.all(paths)};
-    return lighting.planned(groups, paths);
+LightPlanner::~LightPlanner() = default;
+
+std::vector<PhotonGroup> LightPlanner::plan(std::uint32_t paths) {
+    Learned& l = *learned_;
+    const LightChoice& all = l.lighting.weights();
+    if (l.groups.size() < 2 || paths < 2 * l.groups.size()) {
+        if (!l.together) l.together.emplace(l.lighting, std::vector{all});
+        return l.together->plan(paths);
+    }
+    if (!l.apart) {
+        std::vector<LightChoice> choices;
+        for (const Lights& lights : l.groups) choices.push_back(all.among(lights));
+        l.apart.emplace(l.lighting, std::move(choices));
+    }
+    return l.apart->plan(paths);
 }
 
 }  // namespace sunfleck

@@ -8,17 +8,29 @@
 #include "photon/settings.h"
 #include "sampler/pilot.h"
 
+#include <memory>
 #include <vector>
 
 namespace sunfleck {
 
-/// All lights together, by one ladder. @param paths  of a pass, at least 2.
-PhotonGroup learn_one_group(const PhotonView& view, const PhotonSettings& settings,
-                            const PilotName& name, std::uint32_t paths);
+/// Explores once, plans for any number of paths.
+class LightPlanner {
+public:
+    /// @param view, settings  must outlive it.
+    LightPlanner(const PhotonView& view, const PhotonSettings& settings, const PilotName& name);
+    LightPlanner(const LightPlanner&) = delete;
+    LightPlanner(LightPlanner&&) = delete;
+    LightPlanner& operator=(const LightPlanner&) = delete;
+    LightPlanner& operator=(LightPlanner&&) = delete;
+    ~LightPlanner();
 
-/// As many groups as the lights' visible fractions ask for (photon/group_rules.h), at least one;
-/// one is that of learn_one_group().
-std::vector<PhotonGroup> learn_light_groups(const PhotonView& view, const PhotonSettings& settings,
-                                            const PilotName& name, std::uint32_t paths);
+    /// As many groups as the lights' visible fractions ask for (photon/group_rules.h), at least
+    /// one. @param paths  of a pass, at least 2.
+    std::vector<PhotonGroup> plan(std::uint32_t paths);
+
+private:
+    struct Learned;
+    std::unique_ptr<Learned> learned_;
+};
 
 }  // namespace sunfleck

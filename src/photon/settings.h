@@ -47,9 +47,11 @@ struct PaperSettings {
 
 struct PhotonSettings {
     PhotonSampler sampler = PhotonSampler::adaptive;
-    std::optional<std::uint32_t> paths_per_pass;  // absent: max(200,000, pixels); paper: 200,000
-    bool light_groups = true;                     // of the sampler `adaptive`: may part the lights
-    bool emission_maps = true;                    // of `adaptive`: may learn where light starts
+    /// Absent: 200,000, or two a pixel if these are more; of `paper` 200,000.
+    std::optional<std::uint32_t> paths_per_pass;
+    bool balance = true;        // of `adaptive`, if absent: from pass 16 on as measured
+    bool light_groups = true;   // of the sampler `adaptive`: may part the lights
+    bool emission_maps = true;  // of `adaptive`: may learn where light starts
     PaperSettings paper;
 };
 

@@ -4,14 +4,23 @@
 #include "core/stopwatch.h"
 #include "measurement/radius.h"
 #include "photon/light_groups.h"
+#include "render/balance.h"
 #include "render/pass.h"
 
 namespace sunfleck {
 namespace {
 
 std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels) {
-    constexpr std::uint32_t kLeast = 200'000;
-    return settings.paths_per_pass.value_or(std::max(kLeast, static_cast<std::uint32_t>(pixels)));
+    constexpr std::size_t kLeast = 200'000;
+    constexpr std::size_t kOfPixel = 2;
+    constexpr std::size_t kMost = std::size_t{1} << 30U;
+    const std::size_t usual = std::min(kMost, std::max(kLeast, kOfPixel * pixels));
+    return settings.paths_per_pass.value_or(static_cast<std::uint32_t>(usual));
+}
+
+/// The first epoch is too short for it to pay.
+bool is_balanced(const PhotonSettings& settings, std::uint32_t epoch) {
+    return settings.balance && !settings.paths_per_pass && epoch > 0;
 }
 
 }  // namespace
@@ -28,19 +37,16 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     }
     const PassId first{settings.seed, first_pass_of(epoch.number)};
     const PassScene at_wavelengths(scene, first);
-    PassImage unused(window.pixels(), {});
-    Statistics counts;
     const EyePass eye{at_wavelengths, settings.transport,
                       settings.eye,   window,
                       first,          radius_factor(first.number, settings.alpha)};
-    const VisiblePointIndex index(trace_eye_paths(eye, unused, counts),
-                                  settings.transport.max_depth);
-    const PhotonView view{at_wavelengths, settings.transport, index};
+    const EyeView seen = view_of(eye);
+    const PhotonView view{at_wavelengths, settings.transport, seen.index};
     const PilotName name{settings.seed, epoch.number};
-    if (settings.photon.light_groups)
-        epoch.groups = learn_light_groups(view, settings.photon, name, paths);
-    else
-        epoch.groups.push_back(learn_one_group(view, settings.photon, name, paths));
+    LightPlanner planner(view, settings.photon, name);
+    if (is_balanced(settings.photon, epoch.number))
+        epoch.paths = measured_paths(eye, seen, planner, settings.photon.sampler, name, paths);
+    epoch.groups = planner.plan(epoch.paths);
     epoch.seconds = watch.seconds();
     return epoch;
 }

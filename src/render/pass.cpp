@@ -2,96 +2,16 @@
 #include "render/pass.h"
 
 #include "core/stopwatch.h"
-#include "estimate/deposit.h"
 #include "measurement/radius.h"
-#include "photon/adaptive_paths.h"
-#include "photon/uniform_paths.h"
 #include "reference/bidirectional_integrator.h"
 #include "reference/light_integrator.h"
 #include "reference/metropolis_integrator.h"
+#include "render/photon_stage.h"
 
 #include <utility>
 
 namespace sunfleck {
 namespace {
-
-/// Mapped paths draw their numbers as parts of their own, beyond those of all groups.
-constexpr std::uint32_t kMappedParts = 256;
-
-/// Counts uniform paths. @return the share of visible ones.
-double count_uniform(Statistics& counts, Statistics& all) {
-    const std::uint64_t visible = counts[Count::uniform_visible];
-    counts[Count::distinct_visible] = counts[Count::visible_states] = visible;
-    all += counts;
-    return static_cast<double>(visible) / static_cast<double>(counts[Count::uniform_paths]);
-}
-
-/// The photons of a pass, group by group.
-class PhotonStage {
-public:
-    PhotonStage(const PhotonView& view, const EyePass& eye, const RenderSettings& settings,
-                PassResult& result)
-        : view_(view), eye_(eye), settings_(settings), result_(result) {}
-
-    void trace(const PhotonGroup& group) {
-        const LadderPlan& plan = group.plan;
-        GroupCounts counts{plan.paths() + group.mapped.paths, group.power_share, 0, {}};
-        if (group.mapped.paths > 0) counts.visible_fraction = trace_mapped(group);
-        if (plan.levels.empty()) {
-            counts.visible_fraction = trace_uniform(group);
-        } else {
-            if (!octree_) octree_.emplace(octree_of(view_));
-            const Depositor deposit(view_.scene, view_.index, result_.image, 1);
-            AdaptivePaths paths = trace_adaptive_paths(
-                view_, *octree_, eye_.id.with_part(group.part), group, deposit);
-            result_.statistics += paths.statistics;
-            counts.ladder = std::move(paths.ladder);
-            counts.visible_fraction += counts.ladder.visible_fraction;
-        }
-        result_.visible_fraction += group.power_share * counts.visible_fraction;
-        result_.groups.push_back(std::move(counts));
-    }
-
-private:
-    /// @return the visible fraction.
-    double trace_uniform(const PhotonGroup& group) {
-        const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
-        const std::uint32_t paths = group.plan.uniform_paths;
-        const Depositor deposit(view_.scene, view_.index, result_.image, paths);
-        const UniformKind kind = settings_.photon.sampler == PhotonSampler::random
-                                     ? UniformKind::random
-                                     : UniformKind::uniform;
-        Statistics counts = trace_uniform_paths(
-            tracer, {kind, eye_.id.with_part(group.part), paths, nullptr},
-            [&](const Photon& photon) { return view_.index.may_take(photon); }, deposit);
-        return count_uniform(counts, result_.statistics);
-    }
-
-    /// @return the fraction of uniform paths that are visible and that the map covers.
-    double trace_mapped(const PhotonGroup& group) {
-        const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
-        const Depositor deposit(view_.scene, view_.index, result_.image, group.mapped.paths);
-        const PassId id = eye_.id.with_part(group.part + kMappedParts);
-        const MappedPoints points(id, group.mapped.map);
-        double visible = 0;
-        Statistics counts = trace_uniform_paths(
-            tracer, {UniformKind::mapped, id, group.mapped.paths, &group.mapped.map},
-            [&](const Photon& photon) { return view_.index.may_take(photon); }, deposit,
-            [&](std::uint32_t number) { visible += points.path(number).weight(); });
-        counts[Count::mapped_paths] = std::exchange(counts[Count::uniform_paths], 0);
-        counts[Count::mapped_visible] = std::exchange(counts[Count::uniform_visible], 0);
-        counts[Count::distinct_visible] = counts[Count::visible_states] =
-            counts[Count::mapped_visible];
-        result_.statistics += counts;
-        return visible / group.mapped.paths;
-    }
-
-    const PhotonView& view_;
-    const EyePass& eye_;
-    const RenderSettings& settings_;
-    PassResult& result_;
-    std::optional<ViewOctree> octree_;  // ladders alone need it
-};
 
 void render_sppm(const PassScene& scene, const RenderSettings& settings, const EyePass& eye,
                  const std::vector<PhotonGroup>& groups, PassResult& result) {
@@ -100,9 +20,11 @@ void render_sppm(const PassScene& scene, const RenderSettings& settings, const E
     result.seconds.eye = watch.lap();
     const VisiblePointIndex index(std::move(points), settings.transport.max_depth);
     result.seconds.index = watch.lap();
-    const PhotonView view{scene, settings.transport, index};
-    PhotonStage photons(view, eye, settings, result);
-    for (const PhotonGroup& group : groups) photons.trace(group);
+    PhotonTotals photons = trace_photons({scene, settings.transport, index}, eye.id,
+                                         settings.photon.sampler, groups, result.image);
+    result.statistics += photons.statistics;
+    result.visible_fraction = photons.visible_fraction;
+    result.groups = std::move(photons.groups);
     result.seconds.photon = watch.lap();
 }
 

@@ -25,6 +25,7 @@ std::string RenderSettings::text() const {
     if (energy_compensation) text += "energy_compensation=on\n";
     if (!photon.light_groups) text += "light_groups=off\n";
     if (!photon.emission_maps) text += "emission_maps=off\n";
+    if (!photon.balance) text += "balance=off\n";
     if (photon.sampler != PhotonSampler::paper) return text;
     const PaperSettings& paper = photon.paper;
     return text + fmt::format("replica_exchange={}\nmutation_size={}\ntarget_acceptance={}\n",

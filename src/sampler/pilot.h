@@ -53,19 +53,22 @@ public:
         return result_.tail;
     }
 
-    /// What was found, and the plan for passes of that many paths; the last thing to ask.
+    /// What was found, and the plan for passes of that many paths. May be asked again for others.
     PilotResult plan(std::uint32_t paths) {
         HeightTail tail = result_.tail;
-        if (maps_.is_on && has_climbed_ && needs_several_sets(tail, paths))
+        const bool wants_map = !has_climbed_ || needs_several_sets(tail, paths);
+        if (maps_.is_on && has_climbed_ && wants_map && !has_map_)
             learn_map(Covering::often_visible);
-        if (map_.rest < kMostRest) {
+        result_.mapped = {};
+        result_.last = {};
+        if (wants_map && map_.rest < kMostRest) {
             result_.mapped = mapped_plan(map_, has_climbed_, paths);
             tail[kVisible] = has_climbed_ ? tail[kVisible] * map_.rest : 0;
         }
         result_.plan = ladder_plan(tail, paths - result_.mapped.paths);
         for (LevelPlan& level : result_.plan.levels) level.scales = scales_near(level.height);
         if (result_.plan.levels.size() > 1) refine();
-        return std::move(result_);
+        return result_;
     }
 
     /// Both. @param paths  of the passes that the plan is for.
@@ -181,6 +184,7 @@ private:
         std::vector<PassId> rounds(covering == Covering::all_known ? kRoundsAlone : kRounds);
         for (PassId& round : rounds) round = next_pass();
         map_ = learner.learn(starts_, covering, rounds);
+        has_map_ = true;
         result_.paths += rounds.size() * MapLearner<Space>::kTrials;
     }
 
@@ -236,6 +240,7 @@ private:
     Population visible_;                    // states of that
     std::vector<WeightedEmission> starts_;  // of visible paths
     LearnedMap map_;
+    bool has_map_ = false;  // was it learned?
     PilotResult result_;
 };
 

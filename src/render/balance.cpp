@@ -1,0 +1,134 @@
+// Two views, two sets of photons each, and what they cost.
+#include "render/balance.h"
+
+#include "render/photon_stage.h"
+#include "render/trial_variance.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::size_t kBlock = 16;      // pixels a side: enough of them to tell a variance
+constexpr std::uint32_t kSets = 4;      // of photons, which together are those of one usual pass
+constexpr std::uint32_t kRound = 500;   // of the pilots' numbers: beyond all that they use
+constexpr std::uint64_t kSeeds = 128;   // of a ladder's one set, or more
+constexpr double kRaysOfPixel = 0.6;    // work beside its rays: its point's place in the index
+constexpr double kRaysOfDeposit = 0.6;  // work
+
+std::vector<double> luminance_of(const PassImage& image) {
+    std::vector<double> pixels;
+    pixels.reserve(image.pixels());
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+        const RgbSum sum{{image.value(Layer::total, i, 0), image.value(Layer::total, i, 1),
+                          image.value(Layer::total, i, 2)}};
+        pixels.push_back(sum.mean_luminance(1));
+    }
+    return pixels;
+}
+
+/// Trial passes, and their photons' counts together.
+class Trials {
+public:
+    Trials(const EyePass& first, const std::vector<PhotonGroup>& groups, PhotonSampler sampler,
+           const PilotName& name)
+        : first_(first), groups_(groups), sampler_(sampler), name_(name), seeds_(groups.size()) {}
+
+    /// @param round  of the first of two.
+    TrialPair of(const EyeView& view, std::uint32_t round) {
+        return {pixels(view, round), pixels(view, round + 1)};
+    }
+
+    const Statistics& counts() const { return counts_; }
+
+    /// The share of the usual paths that every ladder's one set needs for its seeds; with more
+    /// sets, or a map beside, fewer paths would be less than their share worth: all.
+    double least_share() const {
+        double share = 0;
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            const PhotonGroup& group = groups_[g];
+            const bool is_simple = group.plan.levels.size() < 2 && group.mapped.paths == 0;
+            if (!is_simple) return 1;
+            if (!group.plan.levels.empty())
+                share =
+                    std::max(share, static_cast<double>(kSeeds) / static_cast<double>(seeds_[g]));
+        }
+        return share;
+    }
+
+private:
+    TrialPixels pixels(const EyeView& view, std::uint32_t round) {
+        PassImage image(first_.window.pixels(), {});
+        const PhotonTotals photons = trace_photons({first_.scene, first_.transport, view.index},
+                                                   name_.round(round), sampler_, groups_, image);
+        counts_ += photons.statistics;
+        for (std::size_t g = 0; g < groups_.size(); ++g)
+            for (const std::uint64_t seeds : photons.groups[g].ladder.survivors) seeds_[g] += seeds;
+        TrialPixels sum = luminance_of(image);
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += view.luminance[i];
+        return sum;
+    }
+
+    const EyePass& first_;
+    const std::vector<PhotonGroup>& groups_;
+    PhotonSampler sampler_;
+    PilotName name_;
+    Statistics counts_;
+    std::vector<std::uint64_t> seeds_;  // by group
+};
+
+/// The same sets and maps, with a part of the paths and chains.
+std::vector<PhotonGroup> part_of(std::vector<PhotonGroup> groups) {
+    const auto part = [](std::uint32_t& number) { number = std::max(1U, number / kSets); };
+    for (PhotonGroup& group : groups) {
+        part(group.plan.uniform_paths);
+        for (LevelPlan& level : group.plan.levels) {
+            part(level.states);
+            part(level.chains);
+        }
+        if (group.mapped.paths > 0) part(group.mapped.paths);
+    }
+    return groups;
+}
+
+double paths_of(const std::vector<PhotonGroup>& groups) {
+    std::uint64_t paths = 0;
+    for (const PhotonGroup& group : groups) paths += group.plan.paths() + group.mapped.paths;
+    return static_cast<double>(paths);
+}
+
+}  // namespace
+
+EyeView view_of(const EyePass& pass) {
+    PassImage image(pass.window.pixels(), {});
+    Statistics counts;
+    std::vector<VisiblePoint> points = trace_eye_paths(pass, image, counts);
+    return {luminance_of(image), counts,
+            VisiblePointIndex(std::move(points), pass.transport.max_depth)};
+}
+
+std::uint32_t measured_paths(const EyePass& first, const EyeView& seen, LightPlanner& planner,
+                             PhotonSampler sampler, const PilotName& name, std::uint32_t usual) {
+    if (usual < 2 * kSets) return usual;
+    const std::vector<PhotonGroup> groups = part_of(planner.plan(usual));
+    Trials trials(first, groups, sampler, name);
+    EyePass second = first;
+    second.id = name.round(kRound);
+    const TrialPair one = trials.of(seen, kRound + 1);
+    const TrialPair other = trials.of(view_of(second), kRound + 3);
+    const auto count = [](const Statistics& counts, Count which) {
+        return static_cast<double>(counts[which]);
+    };
+    const double paths = paths_of(groups);
+    const auto pixels = static_cast<double>(first.window.pixels());
+    const PassCost cost{count(seen.counts, Count::eye_rays) + kRaysOfPixel * pixels,
+                        (count(trials.counts(), Count::photon_rays) +
+                         kRaysOfDeposit * count(trials.counts(), Count::deposits)) /
+                            (kSets * paths)};
+    const BlockGrid grid(first.window.width(), first.window.height(), kBlock);
+    return balanced_paths(block_variances(grid, one, other, paths), cost, usual,
+                          std::max(2.0, trials.least_share() * usual));
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,29 @@
+// How many photon paths the passes of an epoch have: measured on trial passes, which are no part of
+// a picture.
+//
+// In:  an epoch's first view, and a planner that explored it. Out: a number of paths.
+// Source: the rule and its constants are measured ones (docs/decisions.md).
+#pragma once
+
+#include "eye/eye_pass.h"
+#include "photon/light_groups.h"
+
+#include <vector>
+
+namespace sunfleck {
+
+/// What the camera paths of a pass brought.
+struct EyeView {
+    std::vector<double> luminance;  // by pixel: what needs no photon
+    Statistics counts;
+    VisiblePointIndex index;
+};
+
+EyeView view_of(const EyePass& pass);
+
+/// @param first    the epoch's first pass. @param seen  its view: what the planner explored.
+/// @param sampler  of its photons. @param usual  photon paths of a pass, were nothing measured.
+std::uint32_t measured_paths(const EyePass& first, const EyeView& seen, LightPlanner& planner,
+                             PhotonSampler sampler, const PilotName& name, std::uint32_t usual);
+
+}  // namespace sunfleck

@@ -1,0 +1,39 @@
+// The least of a few sums of roots.
+#include "render/balance_rule.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+constexpr int kFewest = -4;  // powers of two of the usual number
+constexpr int kMost = 2;
+constexpr double kGreatest = 0x1p30;
+
+double error_sum(std::span<const BlockVariance> blocks, const PassCost& cost, double paths) {
+    double sum = 0;
+    for (const BlockVariance& block : blocks)
+        sum += std::sqrt(std::max(0.0, block.eye) + std::max(0.0, block.photon) / paths);
+    return sum * std::sqrt(cost.eye + cost.photon * paths);
+}
+
+}  // namespace
+
+std::uint32_t balanced_paths(std::span<const BlockVariance> blocks, const PassCost& cost,
+                             std::uint32_t usual, double fewest) {
+    double best = usual;
+    double least = error_sum(blocks, cost, best);
+    for (int power = kFewest; power <= kMost; ++power) {
+        const double paths = std::floor(std::ldexp(usual, power));
+        if (paths < fewest || paths > kGreatest) continue;
+        const double error = error_sum(blocks, cost, paths);
+        if (error < least) {
+            least = error;
+            best = paths;
+        }
+    }
+    return static_cast<std::uint32_t>(best);
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,100 @@
+// Uniform paths, mapped paths and ladders of each group.
+#include "render/photon_stage.h"
+
+#include "estimate/deposit.h"
+#include "photon/adaptive_paths.h"
+#include "photon/uniform_paths.h"
+
+#include <optional>
+#include <utility>
+
+namespace sunfleck {
+namespace {
+
+/// Mapped paths draw their numbers as parts of their own, beyond those of all groups.
+constexpr std::uint32_t kMappedParts = 256;
+
+class PhotonStage {
+public:
+    PhotonStage(const PhotonView& view, PassId id, PhotonSampler sampler, PassImage& image)
+        : view_(view), id_(id), sampler_(sampler), image_(image) {}
+
+    PhotonTotals take() { return std::move(result_); }
+
+    void trace(const PhotonGroup& group) {
+        const LadderPlan& plan = group.plan;
+        GroupCounts counts{plan.paths() + group.mapped.paths, group.power_share, 0, {}};
+        if (group.mapped.paths > 0) counts.visible_fraction = trace_mapped(group);
+        if (plan.levels.empty()) {
+            counts.visible_fraction = trace_uniform(group);
+        } else {
+            if (!octree_) octree_.emplace(octree_of(view_));
+            const Depositor deposit(view_.scene, view_.index, image_, 1);
+            AdaptivePaths paths =
+                trace_adaptive_paths(view_, *octree_, id_.with_part(group.part), group, deposit);
+            result_.statistics += paths.statistics;
+            counts.ladder = std::move(paths.ladder);
+            counts.visible_fraction += counts.ladder.visible_fraction;
+        }
+        result_.visible_fraction += group.power_share * counts.visible_fraction;
+        result_.groups.push_back(std::move(counts));
+    }
+
+private:
+    /// @return the visible fraction.
+    double trace_uniform(const PhotonGroup& group) {
+        const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
+        const std::uint32_t paths = group.plan.uniform_paths;
+        const Depositor deposit(view_.scene, view_.index, image_, paths);
+        const UniformKind kind =
+            sampler_ == PhotonSampler::random ? UniformKind::random : UniformKind::uniform;
+        Statistics counts = trace_uniform_paths(
+            tracer, {kind, id_.with_part(group.part), paths, nullptr},
+            [&](const Photon& photon) { return view_.index.may_take(photon); }, deposit);
+        return count_uniform(counts, result_.statistics);
+    }
+
+    /// @return the fraction of uniform paths that are visible and that the map covers.
+    double trace_mapped(const PhotonGroup& group) {
+        const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
+        const Depositor deposit(view_.scene, view_.index, image_, group.mapped.paths);
+        const PassId id = id_.with_part(group.part + kMappedParts);
+        const MappedPoints points(id, group.mapped.map);
+        double visible = 0;
+        Statistics counts = trace_uniform_paths(
+            tracer, {UniformKind::mapped, id, group.mapped.paths, &group.mapped.map},
+            [&](const Photon& photon) { return view_.index.may_take(photon); }, deposit,
+            [&](std::uint32_t number) { visible += points.path(number).weight(); });
+        counts[Count::mapped_paths] = std::exchange(counts[Count::uniform_paths], 0);
+        counts[Count::mapped_visible] = std::exchange(counts[Count::uniform_visible], 0);
+        counts[Count::distinct_visible] = counts[Count::visible_states] =
+            counts[Count::mapped_visible];
+        result_.statistics += counts;
+        return visible / group.mapped.paths;
+    }
+
+    const PhotonView& view_;
+    PassId id_;
+    PhotonSampler sampler_;
+    PassImage& image_;
+    PhotonTotals result_;
+    std::optional<ViewOctree> octree_;  // ladders alone need it
+};
+
+}  // namespace
+
+PhotonTotals trace_photons(const PhotonView& view, PassId id, PhotonSampler sampler,
+                           const std::vector<PhotonGroup>& groups, PassImage& image) {
+    PhotonStage stage(view, id, sampler, image);
+    for (const PhotonGroup& group : groups) stage.trace(group);
+    return stage.take();
+}
+
+double count_uniform(Statistics& counts, Statistics& all) {
+    const std::uint64_t visible = counts[Count::uniform_visible];
+    counts[Count::distinct_visible] = counts[Count::visible_states] = visible;
+    all += counts;
+    return static_cast<double>(visible) / static_cast<double>(counts[Count::uniform_paths]);
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,31 @@
+// The photons of a pass, group by group.
+//
+// In:  what is seen in the pass, groups of lights with their plans. Out: their light, added to an
+// image, and counts.
+#pragma once
+
+#include "measurement/pass_image.h"
+#include "measurement/statistics.h"
+#include "photon/photon_group.h"
+#include "photon/settings.h"
+
+#include <vector>
+
+namespace sunfleck {
+
+/// What photons counted.
+struct PhotonTotals {
+    Statistics statistics;
+    double visible_fraction = 0;      // this pass's estimate, of uniform paths from all lights
+    std::vector<GroupCounts> groups;  // as they were given
+};
+
+/// Adds the light of a pass's photons to the image.
+/// @param sampler  random, uniform or adaptive. @param id  names their random numbers.
+PhotonTotals trace_photons(const PhotonView& view, PassId id, PhotonSampler sampler,
+                           const std::vector<PhotonGroup>& groups, PassImage& image);
+
+/// Counts uniform paths: each visible one brought light once. @return the share of these.
+double count_uniform(Statistics& counts, Statistics& all);
+
+}  // namespace sunfleck

@@ -1,0 +1,29 @@
+// Variances of camera paths and of photon paths, from trial passes.
+//
+// In:  two views with other camera paths, each lit by two sets of photons. Out: variances by block.
+// What differs between the two sets of a view is the photons' part; what differs between the views,
+// and alike for both sets, is the camera paths' part.
+// Source: covariance of independent replicates.
+#pragma once
+
+#include "film/luminance.h"
+#include "render/balance_rule.h"
+
+#include <array>
+#include <vector>
+
+namespace sunfleck {
+
+/// Luminance of each pixel.
+using TrialPixels = std::vector<double>;
+
+/// One view's trial passes.
+using TrialPair = std::array<TrialPixels, 2>;
+
+/// Of the blocks that are brighter than 1% of the picture: unbiased but for the division by their
+/// measured brightness. All of them in the order of the grid.
+/// @param paths  photon paths of each set.
+std::vector<BlockVariance> block_variances(const BlockGrid& grid, const TrialPair& one,
+                                           const TrialPair& other, double paths);
+
+}  // namespace sunfleck

@@ -1,0 +1,94 @@
+// The photon paths of a pass, in balance with its camera paths.
+#include "core/parallel.h"
+#include "support/procedural.h"
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+constexpr std::uint32_t kUsual = 200'000;  // of fewer than half as many pixels
+
+/// Few pixels: photons cost far more than camera paths.
+Scene small_room() {
+    return procedural("cornell", 24);
+}
+
+/// A plate in front of nothing: no photon is of use.
+Scene lone_plate() {
+    return scene_of(view("0 0 4  0 0 0  0 1 0", 40, 24) +
+                    "LightSource \"point\" \"rgb I\" [20 20 20] \"point3 from\" [2 1 2]\n" +
+                    diffuse("0.5 0.5 0.5") + quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0"));
+}
+
+/// A white wall that fills a large view, lit by a point.
+Scene even_wall() {
+    return scene_of(view("0 0 4  0 0 0  0 1 0", 20, 400) +
+                    "LightSource \"point\" \"rgb I\" [20 20 20] \"point3 from\" [0 0 3]\n" +
+                    diffuse("0.5 0.5 0.5") + quad("-4 -4 0  4 -4 0  4 4 0  -4 4 0"));
+}
+
+Epoch learned(const Scene& scene, const RenderSettings& settings, std::uint32_t pass = 16) {
+    Epoch epoch = learn_epoch(scene, settings, pass);
+    std::uint64_t planned = 0;
+    for (const PhotonGroup& group : epoch.groups)
+        planned += group.plan.paths() + group.mapped.paths;
+    EXPECT_EQ(planned, epoch.paths);
+    return epoch;
+}
+
+TEST(Balance, spares_photons_that_cost_more_than_they_bring) {
+    EXPECT_LE(learned(small_room(), {}).paths, kUsual / 4);
+}
+
+// They may bring what was not found yet.
+TEST(Balance, spares_none_while_they_have_found_nothing) {
+    EXPECT_EQ(learned(lone_plate(), {}).paths, kUsual);
+}
+
+TEST(Balance, adds_photons_where_they_bring_all_the_noise) {
+    RenderSettings settings;
+    settings.transport.direct = DirectLight::photons;
+    EXPECT_GE(learned(even_wall(), settings).paths, 2 * 2 * 160'000U);
+}
+
+TEST(Balance, holds_for_an_epoch_whatever_the_threads) {
+    const Scene scene = even_wall();
+    RenderSettings settings;
+    settings.transport.direct = DirectLight::photons;
+    const std::uint32_t paths = learned(scene, settings).paths;
+    EXPECT_NE(paths, 2 * 160'000U);
+    for (const std::size_t threads : {1, 3}) {
+        const ThreadLimit limit(threads);
+        EXPECT_EQ(learned(scene, settings, 77).paths, paths);
+    }
+}
+
+TEST(Balance, is_not_asked_in_the_first_epoch_or_where_the_number_is_given) {
+    const Scene scene = small_room();
+    RenderSettings settings;
+    EXPECT_EQ(learned(scene, settings, 15).paths, kUsual);
+    settings.photon.balance = false;
+    EXPECT_EQ(learned(scene, settings).paths, kUsual);
+    settings.photon.balance = true;
+    settings.photon.paths_per_pass = 1234;
+    EXPECT_EQ(learned(scene, settings).paths, 1234U);
+    settings.photon.paths_per_pass.reset();
+    settings.photon.sampler = PhotonSampler::uniform;
+    EXPECT_EQ(learned(scene, settings).paths, kUsual);
+}
+
+// A black picture says nothing.
+TEST(Balance, leaves_a_dark_scene_as_it_is) {
+    EXPECT_EQ(learned(scene_of(view("0 0 4  0 0 0  0 1 0", 40, 8) + diffuse("0.5 0.5 0.5") +
+                               quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0")),
+                      {})
+                  .paths,
+              kUsual);
+}
+
+}  // namespace
+}  // namespace sunfleck
