@@ -72,6 +72,17 @@ inline bool is_dispersive(const Bsdf& bsdf) {
         bsdf);
 }
 
+/// The probability with which sample() takes the first of two delta lobes: with draw.u.x below it.
+/// Zero for a surface that has no two.
+inline float mirror_share(const Bsdf& bsdf, const Vec3& w_from, const LaneChoice& lanes) {
+    return std::visit(
+        [&]<class B>(const B& b) -> float {
+            if constexpr (TwoLobedModel<B>) return b.mirror_share(w_from, lanes);
+            return 0;
+        },
+        bsdf);
+}
+
 /// The same with that lane's index in every lane: no longer dispersive. @param lane  below kLanes.
 inline Bsdf for_lane(const Bsdf& bsdf, std::size_t lane) {
     return std::visit(

@@ -61,4 +61,11 @@ concept DispersiveModel = BsdfModel<B> && requires(const B& b, std::size_t lane)
     { b.for_lane(lane) } -> std::same_as<B>;
 };
 
+/// One of two delta lobes: sample() reflects if draw.u.x is below mirror_share(), else refracts.
+template <class B>
+concept TwoLobedModel = BsdfModel<B> &&
+    requires(const B& b, const Vec3& w, const LaneChoice& lanes) {
+    { b.mirror_share(w, lanes) } -> std::same_as<float>;
+};
+
 }  // namespace sunfleck

@@ -30,6 +30,14 @@ public:
         return refracted(w_from, crossing, Spectrum(crossing.scale(draw.transport)));
     }
 
+    /// The probability with which sample() reflects.
+    float mirror_share(const Vec3& w_from, const LaneChoice& lanes) const {
+        if (w_from.z == 0) return 0;
+        if (dispersive_ && !lanes.single) return reflectances(w_from).mean();
+        const Crossing crossing = cross(w_from, eta_[lanes.chosen]);
+        return crossing.cos_far == 0 ? 1 : crossing.reflectance;
+    }
+
     static constexpr Scattering scattering() { return Scattering::specular; }
     static constexpr bool gathers(float, float) { return false; }
 
@@ -63,13 +71,18 @@ private:
         return {weight, w_to, {}, c.eta};
     }
 
+    Spectrum reflectances(const Vec3& w_from) const {
+        Spectrum reflectance;
+        for (std::size_t i = 0; i < kLanes; ++i)
+            reflectance[i] = cross(w_from, eta_[i]).reflectance;
+        return reflectance;
+    }
+
     /// Reflection with the lanes' mean probability p, weights F / p <= kLanes. Refraction keeps one
     /// lane c, uniform over lanes, weight kLanes (1 - F_c) / (1 - p): the mean over c and u.x is
     /// 1 - F in every lane. Under total reflection of lane c that weight is zero: nothing.
     std::optional<BsdfSample> sample_lanes(const Vec3& w_from, const BsdfDraw& draw) const {
-        Spectrum reflectance;
-        for (std::size_t i = 0; i < kLanes; ++i)
-            reflectance[i] = cross(w_from, eta_[i]).reflectance;
+        const Spectrum reflectance = reflectances(w_from);
         const float p = reflectance.mean();
         if (draw.u.x < p || p >= 1) return BsdfSample{reflectance / p, mirrored(w_from), {}};
 

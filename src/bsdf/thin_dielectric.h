@@ -23,12 +23,18 @@ struct ThinDielectric {
     std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
         if (w_from.z == 0) return {};
         const Spectrum share = reflectance(std::abs(w_from.z));
-        const bool alike = draw.lanes.single || share.min() == share.max();
+        const bool alike = are_alike(share, draw.lanes);
         const float p = alike ? share[draw.lanes.chosen] : share.mean();
         if (draw.u.x < p || p >= 1)
             return BsdfSample{
                 alike ? Spectrum(1) : share / p, Vec3(-w_from.x, -w_from.y, w_from.z), {}};
         return BsdfSample{alike ? Spectrum(1) : (Spectrum(1) - share) / (1 - p), -w_from, {}};
+    }
+
+    /// The probability with which sample() reflects.
+    float mirror_share(const Vec3& w_from, const LaneChoice& lanes) const {
+        const Spectrum share = reflectance(std::abs(w_from.z));
+        return are_alike(share, lanes) ? share[lanes.chosen] : share.mean();
     }
 
     /// What the sheet throws back, per lane. @param cosine  of the incident angle, in (0,1].
@@ -39,6 +45,11 @@ struct ThinDielectric {
             sheet[i] = 2 * face / (1 + face);
         }
         return sheet;
+    }
+
+    /// Do the lanes that are left reflect alike?
+    static bool are_alike(const Spectrum& share, const LaneChoice& lanes) {
+        return lanes.single || share.min() == share.max();
     }
 
     static constexpr Scattering scattering() { return Scattering::specular; }

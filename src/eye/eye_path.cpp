@@ -18,14 +18,20 @@ float smallest_radius(const Vec3& p) {
 /// Roulette begins after this many events: short paths are worth their numbers.
 constexpr int kRouletteFrom = 4;
 
+/// Both lobes of smooth glass are followed if neither is worth less than that share of the pixel.
+constexpr float kLeastBranch = 0.02F;
+
 }  // namespace
 
 void EyePath::trace(std::uint32_t pixel) {
     pixel_ = pixel;
     RoundPoints numbers(pass_.id, pixel);
-    Ray ray = start(numbers);
+    const Ray ray = start(numbers);
+    follow(ray, numbers);
+}
+
+void EyePath::follow(Ray ray, RoundPoints& numbers) {
     const Scene& scene = pass_.scene.scene;
-    bool first = true;
     while (true) {
         ++statistics_[Count::eye_rays];
         auto hit = scene.geometry().intersect(ray);
@@ -39,13 +45,17 @@ void EyePath::trace(std::uint32_t pixel) {
         const bool weighted = emitters_ == Emitters::weighted;
         add_emission(emitter_at(pass_.scene, *hit, weighted ? &glossy_ : nullptr, direction_));
         if (!scene.passes_straight(*hit)) {
-            if (first) first_footprint_ = footprint_;
-            first = false;
+            if (!has_met_) first_footprint_ = footprint_;
+            has_met_ = true;
             if (!meet(*hit, numbers)) return;
         }
-        ray = ray_from(*hit, direction_);
-        medium_ = scene.medium_beyond(*hit, direction_, medium_);
+        ray = ray_beyond(*hit);
     }
+}
+
+Ray EyePath::ray_beyond(const Hit& hit) {
+    medium_ = pass_.scene.scene.medium_beyond(hit, direction_, medium_);
+    return ray_from(hit, direction_);
 }
 
 Ray EyePath::start(RoundPoints& numbers) {
@@ -167,14 +177,27 @@ void EyePath::add_direct_light(const EyeVertex& vertex, RoundPoints& numbers, bo
 bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {
     const Vec2d u = numbers.next_2d();
     const Vec2d choices = numbers.next_2d();
-    const BsdfDraw draw{
-        {static_cast<float>(choices.x), static_cast<float>(u.x), static_cast<float>(u.y)},
-        Transport::radiance,
-        lanes_};
+    BsdfDraw draw{{static_cast<float>(choices.x), static_cast<float>(u.x), static_cast<float>(u.y)},
+                  Transport::radiance,
+                  lanes_};
+    const float mirrored = mirror_share(vertex.bsdf, vertex.w_from, lanes_);
+    if (importance() * std::min(mirrored, 1 - mirrored) < kLeastBranch)
+        return take(vertex, draw, 1, choices.y);
+    draw.u.x = 0.5F * mirrored;
+    add_features(vertex.hit, Spectrum(1));  // all of it is reflected or refracted
+    EyePath branch = *this;
+    RoundPoints others = numbers.branch();
+    if (branch.take(vertex, draw, mirrored, choices.y))
+        branch.follow(branch.ray_beyond(vertex.hit), others);
+    draw.u.x = 0.5F * (1 + mirrored);
+    return take(vertex, draw, 1 - mirrored, choices.y);
+}
+
+bool EyePath::take(const EyeVertex& vertex, const BsdfDraw& draw, float share, double roulette) {
     const auto drawn = sample(vertex.bsdf, vertex.w_from, draw);
     if (!drawn) return false;
     add_features(vertex.hit, drawn->weight * (drawn->eta * drawn->eta));
-    throughput_ *= drawn->weight;
+    throughput_ *= drawn->weight * share;
     if (drawn->dispersed) lanes_.single = true;
     eta_scale_ *= drawn->eta * drawn->eta;
     footprint_angle_ /= drawn->eta;
@@ -190,11 +213,14 @@ bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {
     direction_ = vertex.frame.to_world(drawn->w_to);
     position_ = vertex.hit.position;
     if (bounces_ < kRouletteFrom) return !throughput_.is_zero();
-    const float survival =
-        std::min(1.0F, std::max(0.0F, throughput_.sum() * eta_scale_ / static_cast<float>(kLanes)));
-    if (!(choices.y < survival)) return false;
+    const float survival = std::min(1.0F, std::max(0.0F, importance()));
+    if (!(roulette < survival)) return false;
     throughput_ /= survival;
     return true;
+}
+
+float EyePath::importance() const {
+    return throughput_.sum() * eta_scale_ / static_cast<float>(kLanes);
 }
 
 /// Footprint = pixel angle times path length; a refraction changes the angle by the ratio of

@@ -53,6 +53,13 @@ public:
                 unit(round_detail::owen_scramble(sobol(shuffled, 1), random[1]))};
     }
 
+    /// Other dimensions, for a branch of the path: as far from these as chance has it.
+    RoundPoints branch() const {
+        RoundPoints other = *this;
+        other.name_[0] = name_[0] * 0x9E3779B9U + 0x7F4A7C15U;
+        return other;
+    }
+
     /// One number; takes a pair of dimensions.
     double next() { return next_2d().x; }
 

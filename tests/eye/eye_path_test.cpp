@@ -39,14 +39,15 @@ struct Seen {
 };
 
 Seen trace(const SceneDescription& description, const TransportSettings& transport,
-           double radius_factor = 1, const EyeSettings& settings = {}) {
+           double radius_factor = 1, const EyeSettings& settings = {}, std::uint32_t number = 0) {
     const Scene scene(description);
-    const PassScene pass(scene, {2, 0});
+    const PassId id{2, number};
+    const PassScene pass(scene, id);
     PassImage image(kPixels * kPixels, LayerSet{});
     Seen seen;
-    seen.points = trace_eye_paths(
-        {pass, transport, settings, {0, 0, kPixels, kPixels}, {2, 0}, radius_factor}, image,
-        seen.statistics);
+    seen.points =
+        trace_eye_paths({pass, transport, settings, {0, 0, kPixels, kPixels}, id, radius_factor},
+                        image, seen.statistics);
     for (std::size_t i = 0; i < image.pixels(); ++i)
         seen.emission += image.value(Layer::total, i, 0).to_double();
     return seen;
@@ -88,15 +89,40 @@ TEST(EyePath, first_radius) {
     EXPECT_NEAR(radius(0.5, {2, 0.25}), 0.125, 1e-6);
 }
 
+/// Of thin glass that is met head-on, by far; index 1.5: what both faces throw back together.
+constexpr double kPane = 2 * 0.04 / 1.04;
+
 TEST(EyePath, smooth_glass_is_crossed_and_counted) {
     const Seen seen = trace(seen_from_above({square(0, 0), square(1, 1)}), kSampled);
-    EXPECT_GT(seen.points.size(), 200U);
-    EXPECT_LT(seen.points.size(), 256U);  // what glass reflects goes to the sky
+    // What glass reflects goes to the sky, and is followed, too.
+    ASSERT_EQ(seen.points.size(), static_cast<std::size_t>(kPixels * kPixels));
+    EXPECT_EQ(seen.statistics[Count::eye_rays], 3U * kPixels * kPixels);
     for (const VisiblePoint& p : seen.points) {
         EXPECT_EQ(p.disc.position.z, 0);
         EXPECT_EQ(p.disc.bounces, 1);
         EXPECT_FALSE(p.after_rough);
+        EXPECT_NEAR(p.throughput[0], 0.5 / kPiDouble * (1 - kPane), 2e-4);
     }
+}
+
+/// Light that goes to and fro between two panes (faint, and by chance alone) arrives in the mean:
+/// half a percent of all, and .06% is the standard error.
+TEST(EyePath, both_ways_at_glass_are_followed_until_one_is_faint) {
+    constexpr std::uint32_t kPasses = 64;
+    const SceneDescription scene = seen_from_above({square(0, 0), square(1, 1), square(2, 1)});
+    const auto pixels = static_cast<std::size_t>(kPixels * kPixels);
+    double sum = 0;
+    for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
+        const Seen seen = trace(scene, kSampled, 1, {}, pass);
+        std::size_t straight = 0;
+        for (const VisiblePoint& p : seen.points) {
+            sum += static_cast<double>(p.throughput[0]) / static_cast<double>(pixels * kPasses);
+            straight += p.disc.bounces == 2 ? 1 : 0;
+        }
+        EXPECT_EQ(straight, pixels);
+    }
+    const double passed = (1 - kPane) * (1 - kPane) / (1 - kPane * kPane);
+    EXPECT_NEAR(sum / (0.5 / kPiDouble), passed, 0.002);
 }
 
 /// Sampled: a glossy surface takes caustics only, and the path goes on. Photons: it ends there.

@@ -96,6 +96,29 @@ TEST_P(BsdfDeltaLaws, a_single_lane_is_shared_by_its_own_index) {
         }
 }
 
+/// mirror_share() is where sample() goes over from one lobe to the other.
+TEST_P(BsdfDeltaLaws, the_lobes_part_at_the_mirror_share) {
+    for (const Vec3& w_from : probe_directions())
+        for (std::size_t i = 0; i < 2 * kLanes; ++i) {
+            const LaneChoice lanes{i / 2, i % 2 == 1};
+            const float share = mirror_share(bsdf_, w_from, lanes);
+            EXPECT_GE(share, 0);
+            EXPECT_LE(share, 1);
+            const auto reflects = [&](float u) {
+                const auto drawn = sample(bsdf_, w_from, {Vec3(u, 0.5F, 0.5F), {}, lanes});
+                return drawn && drawn->w_to.z * w_from.z > 0;
+            };
+            if (share == 0) continue;  // no two lobes: as the other laws say
+            EXPECT_TRUE(reflects(share * 0.9999F)) << w_from << i;
+            if (share < 1) {
+                EXPECT_FALSE(reflects(share + (1 - share) * 1e-4F)) << w_from << i;
+            }
+        }
+    const bool is_glass = std::holds_alternative<SmoothDielectric>(bsdf_) ||
+                          std::holds_alternative<ThinDielectric>(bsdf_);
+    EXPECT_EQ(mirror_share(bsdf_, Vec3(0.6F, 0, 0.8F), {0, false}) > 0, is_glass);
+}
+
 /// Weights stay small enough for roulette to have nothing to do: reflection at most kLanes.
 TEST_P(BsdfDeltaLaws, weights_are_bounded) {
     for (const Vec3& w_from : probe_directions())
