@@ -1,9 +1,9 @@
 // Epochs: runs of passes with one plan of their photon paths.
 //
-// In:  scene, settings, number of the epoch. Out: groups of lights and their plans, learned by
-// pilots over the view of the epoch's first pass, and by nothing else: so any pass can be rendered
-// anywhere, without those before it. Radii shrink as passes go on, ever more slowly, and so do
-// epochs grow.
+// In:  scene, settings, number of the epoch. Out: photon paths of a pass, groups of lights and
+// their plans, learned by pilots and trials over the view of the epoch's first pass, and by nothing
+// else: so any pass can be rendered anywhere, without those before it. Radii shrink as passes go
+// on, ever more slowly, and so do epochs grow.
 #pragma once
 
 #include "photon/photon_group.h"

@@ -16,7 +16,7 @@ struct PassTimes {
     double eye = 0;
     double index = 0;
     double photon = 0;  // tracing and deposits
-    double learn = 0;   // pilots
+    double learn = 0;   // pilots and trials
 
     PassTimes& operator+=(const PassTimes& other) {
         build += other.build;
