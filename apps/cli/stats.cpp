@@ -4,6 +4,7 @@
 #include "apps/cli/image_stats.h"
 #include "film/error_bars.h"
 #include "render/count_pass.h"
+#include "render/epoch.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -29,6 +29,8 @@ struct PhotonGroup {
     MappedPlan mapped;       // uniform paths besides
     double power_share = 1;  // of all lights' power
     std::uint32_t part = 0;  // names its random numbers: see PassId
+
+    std::uint64_t paths() const { return plan.paths() + mapped.paths; }
 };
 
 /// What a group's paths brought to one pass.

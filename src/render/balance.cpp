@@ -17,8 +17,8 @@ constexpr std::uint64_t kSeeds = 128;   // of a ladder's one set, or more
 constexpr double kRaysOfPixel = 0.6;    // work beside its rays: its point's place in the index
 constexpr double kRaysOfDeposit = 0.6;  // work
 
-std::vector<double> luminance_of(const PassImage& image) {
-    std::vector<double> pixels;
+TrialPixels luminance_of(const PassImage& image) {
+    TrialPixels pixels;
     pixels.reserve(image.pixels());
     for (std::size_t i = 0; i < image.pixels(); ++i) {
         const RgbSum sum{{image.value(Layer::total, i, 0), image.value(Layer::total, i, 1),
@@ -37,7 +37,8 @@ public:
 
     /// @param round  of the first of two.
     TrialPair of(const EyeView& view, std::uint32_t round) {
-        return {pixels(view, round), pixels(view, round + 1)};
+        const TrialPixels eye = luminance_of(view.image);
+        return {pixels(view.index, eye, round), pixels(view.index, eye, round + 1)};
     }
 
     const Statistics& counts() const { return counts_; }
@@ -58,15 +59,17 @@ public:
     }
 
 private:
-    TrialPixels pixels(const EyeView& view, std::uint32_t round) {
+    /// @param eye  light of the view that needs no photon.
+    TrialPixels pixels(const VisiblePointIndex& index, const TrialPixels& eye,
+                       std::uint32_t round) {
         PassImage image(first_.window.pixels(), {});
-        const PhotonTotals photons = trace_photons({first_.scene, first_.transport, view.index},
+        const PhotonTotals photons = trace_photons({first_.scene, first_.transport, index},
                                                    name_.round(round), sampler_, groups_, image);
         counts_ += photons.statistics;
         for (std::size_t g = 0; g < groups_.size(); ++g)
             for (const std::uint64_t seeds : photons.groups[g].ladder.survivors) seeds_[g] += seeds;
         TrialPixels sum = luminance_of(image);
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += view.luminance[i];
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += eye[i];
         return sum;
     }
 
@@ -94,7 +97,7 @@ std::vector<PhotonGroup> part_of(std::vector<PhotonGroup> groups) {
 
 double paths_of(const std::vector<PhotonGroup>& groups) {
     std::uint64_t paths = 0;
-    for (const PhotonGroup& group : groups) paths += group.plan.paths() + group.mapped.paths;
+    for (const PhotonGroup& group : groups) paths += group.paths();
     return static_cast<double>(paths);
 }
 
@@ -104,7 +107,7 @@ EyeView view_of(const EyePass& pass) {
     PassImage image(pass.window.pixels(), {});
     Statistics counts;
     std::vector<VisiblePoint> points = trace_eye_paths(pass, image, counts);
-    return {luminance_of(image), counts,
+    return {std::move(image), counts,
             VisiblePointIndex(std::move(points), pass.transport.max_depth)};
 }
 

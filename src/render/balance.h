@@ -8,13 +8,11 @@
 #include "eye/eye_pass.h"
 #include "photon/light_groups.h"
 
-#include <vector>
-
 namespace sunfleck {
 
 /// What the camera paths of a pass brought.
 struct EyeView {
-    std::vector<double> luminance;  // by pixel: what needs no photon
+    PassImage image;  // light that needs no photon
     Statistics counts;
     VisiblePointIndex index;
 };

@@ -23,7 +23,7 @@ public:
 
     void trace(const PhotonGroup& group) {
         const LadderPlan& plan = group.plan;
-        GroupCounts counts{plan.paths() + group.mapped.paths, group.power_share, 0, {}};
+        GroupCounts counts{group.paths(), group.power_share, 0, {}};
         if (group.mapped.paths > 0) counts.visible_fraction = trace_mapped(group);
         if (plan.levels.empty()) {
             counts.visible_fraction = trace_uniform(group);

@@ -10,6 +10,8 @@
 #include "sampler/learned_map.h"
 #include "sampler/map_source.h"
 
+#include <optional>
+
 namespace sunfleck {
 
 /// What a pilot found.
@@ -48,7 +50,7 @@ public:
         if (maps_.is_on && maps_.walks && start_from_hints()) {
             has_climbed_ = false;
             learn_map(Covering::all_known);
-            result_.tail[kVisible] = map_.visible_fraction;
+            result_.tail[kVisible] = map_->visible_fraction;
         }
         return result_.tail;
     }
@@ -57,13 +59,12 @@ public:
     PilotResult plan(std::uint32_t paths) {
         HeightTail tail = result_.tail;
         const bool wants_map = !has_climbed_ || needs_several_sets(tail, paths);
-        if (maps_.is_on && has_climbed_ && wants_map && !has_map_)
-            learn_map(Covering::often_visible);
+        if (maps_.is_on && has_climbed_ && wants_map && !map_) learn_map(Covering::often_visible);
         result_.mapped = {};
         result_.last = {};
-        if (wants_map && map_.rest < kMostRest) {
-            result_.mapped = mapped_plan(map_, has_climbed_, paths);
-            tail[kVisible] = has_climbed_ ? tail[kVisible] * map_.rest : 0;
+        if (wants_map && map_ && map_->rest < kMostRest) {
+            result_.mapped = mapped_plan(*map_, has_climbed_, paths);
+            tail[kVisible] = has_climbed_ ? tail[kVisible] * map_->rest : 0;
         }
         result_.plan = ladder_plan(tail, paths - result_.mapped.paths);
         for (LevelPlan& level : result_.plan.levels) level.scales = scales_near(level.height);
@@ -184,7 +185,6 @@ private:
         std::vector<PassId> rounds(covering == Covering::all_known ? kRoundsAlone : kRounds);
         for (PassId& round : rounds) round = next_pass();
         map_ = learner.learn(starts_, covering, rounds);
-        has_map_ = true;
         result_.paths += rounds.size() * MapLearner<Space>::kTrials;
     }
 
@@ -239,8 +239,7 @@ private:
     bool was_lucky_ = false;                // on the way: what it leads to may be little of all
     Population visible_;                    // states of that
     std::vector<WeightedEmission> starts_;  // of visible paths
-    LearnedMap map_;
-    bool has_map_ = false;  // was it learned?
+    std::optional<LearnedMap> map_;         // if it was learned
     PilotResult result_;
 };
 

@@ -109,8 +109,30 @@ protected:
         EXPECT_TRUE(bytes("resumed") == whole) << "resumed";
     }
 
+    /// Films of the scene with the part of the renderer that this flag switches off, and without.
+    /// @param setting  as it names what differs.
+    void expect_films_apart(const std::string& flag, const std::string& setting) const {
+        part("a", "0:1", 1);
+        part("b", "1:2", 1, {flag, "off"});
+        const Ran merged = run({"merge", "a.film", "b.film", "-o", "x.exr"});
+        EXPECT_EQ(merged.code, 2);
+        EXPECT_NE(merged.err.find(setting), std::string::npos) << merged.err;
+    }
+
+    /// Renders of the scene with each of these words: one line that names the flag, no picture.
+    void expect_refused(const std::string& flag, const std::vector<Words>& bad) const {
+        for (const Words& words : bad) {
+            const Ran ran =
+                run(Words{render_words_[0], render_words_[1], "-o", "refused.exr"} + words);
+            EXPECT_EQ(ran.code, 2) << words.back();
+            EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+            EXPECT_NE(ran.err.find(flag), std::string::npos) << ran.err;
+            EXPECT_FALSE(exists("refused.exr"));
+        }
+    }
+
 private:
-    Words render_words_;
+    Words render_words_;  // "render", the scene, and what each render of it has
 };
 
 }  // namespace sunfleck::testing_support

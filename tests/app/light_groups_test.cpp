@@ -7,9 +7,7 @@ namespace {
 
 using testing_support::DeterminismTest;
 using testing_support::operator+;
-using testing_support::Ran;
 using testing_support::read_text;
-using testing_support::Words;
 
 class LightGroups : public DeterminismTest {
 protected:
@@ -62,11 +60,7 @@ TEST_F(LightGroups, are_on_unless_they_are_switched_off) {
 }
 
 TEST_F(LightGroups, films_with_and_without_do_not_mix) {
-    part("a", "0:1", 1);
-    part("b", "1:2", 1, {"--light-groups", "off"});
-    const Ran merged = run({"merge", "a.film", "b.film", "-o", "x.exr"});
-    EXPECT_EQ(merged.code, 2);
-    EXPECT_NE(merged.err.find("light_groups"), std::string::npos) << merged.err;
+    expect_films_apart("--light-groups", "light_groups");
 }
 
 /// In two epochs of what is learned.
@@ -77,21 +71,12 @@ TEST_F(LightGroups, same_bytes_for_any_threads_and_cuts) {
 }
 
 TEST_F(LightGroups, have_a_meaning_with_the_sampler_adaptive_alone) {
-    const std::vector<Words> bad = {
-        {"--light-groups", "on"},
-        {"--light-groups"},
-        {"--light-groups", "auto", "--photon-sampler", "uniform"},
-        {"--light-groups", "off", "--photon-sampler", "random"},
-        {"--light-groups", "off", "--mode", "paper"},
-        {"--light-groups", "off", "--integrator", "path"},
-    };
-    for (const Words& words : bad) {
-        const Ran ran = render(Words{"-o", "x.exr"} + words);
-        EXPECT_EQ(ran.code, 2) << words.back();
-        EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-        EXPECT_NE(ran.err.find("--light-groups"), std::string::npos) << ran.err;
-        EXPECT_FALSE(exists("x.exr"));
-    }
+    expect_refused("--light-groups", {{"--light-groups", "on"},
+                                      {"--light-groups"},
+                                      {"--light-groups", "auto", "--photon-sampler", "uniform"},
+                                      {"--light-groups", "off", "--photon-sampler", "random"},
+                                      {"--light-groups", "off", "--mode", "paper"},
+                                      {"--light-groups", "off", "--integrator", "path"}});
 }
 
 }  // namespace

@@ -34,8 +34,7 @@ Scene even_wall() {
 Epoch learned(const Scene& scene, const RenderSettings& settings, std::uint32_t pass = 16) {
     Epoch epoch = learn_epoch(scene, settings, pass);
     std::uint64_t planned = 0;
-    for (const PhotonGroup& group : epoch.groups)
-        planned += group.plan.paths() + group.mapped.paths;
+    for (const PhotonGroup& group : epoch.groups) planned += group.paths();
     EXPECT_EQ(planned, epoch.paths);
     return epoch;
 }
