@@ -19,7 +19,7 @@ void add_adaptive_flags(CLI::App& app, AdaptiveTexts& texts) {
         "off: chains alone");
     add("--balance", texts.balance,
         "Sampler adaptive: auto: from pass 16 on as many photon paths a pass as pay beside its "
-        "camera paths, measured; off: as before");
+        "camera paths, measured; off: as many in all passes");
 }
 
 void finish_adaptive(const CLI::App& given, const AdaptiveTexts& texts, PhotonSettings& photon) {
