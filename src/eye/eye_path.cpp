@@ -2,6 +2,7 @@
 #include "eye/eye_path.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sunfleck {
 namespace {
@@ -198,6 +199,7 @@ bool EyePath::take(const EyeVertex& vertex, const BsdfDraw& draw, float share, d
     if (!drawn) return false;
     add_features(vertex.hit, drawn->weight * (drawn->eta * drawn->eta));
     throughput_ *= drawn->weight * share;
+    share_ *= share;
     if (drawn->dispersed) lanes_.single = true;
     eta_scale_ *= drawn->eta * drawn->eta;
     footprint_angle_ /= drawn->eta;
@@ -213,7 +215,9 @@ bool EyePath::take(const EyeVertex& vertex, const BsdfDraw& draw, float share, d
     direction_ = vertex.frame.to_world(drawn->w_to);
     position_ = vertex.hit.position;
     if (bounces_ < kRouletteFrom) return !throughput_.is_zero();
-    const float survival = std::min(1.0F, std::max(0.0F, importance()));
+    // A branch is worth little from its start: ended as other paths are, it would bring its light
+    // in flashes as bright as a whole pixel; never ended, it would cost as much as a whole path.
+    const float survival = std::min(1.0F, std::max(0.0F, importance() / std::sqrt(share_)));
     if (!(roulette < survival)) return false;
     throughput_ /= survival;
     return true;

@@ -73,6 +73,7 @@ private:
     float footprint_angle_ = 0;  // its growth per distance
     float first_footprint_ = 0;  // at the first surface
     float eta_scale_ = 1;        // undoes the radiance's factor of refraction for roulette
+    float share_ = 1;            // of the light: of the branches taken where the path parted
     std::uint16_t bounces_ = 0;
     Emitters emitters_ = Emitters::all;
     float bsdf_pdf_ = 0;     // of the last glossy sample
