@@ -23,6 +23,14 @@ inline void expect_one(const RunningMean& ratio, double confidence, double band,
         what, std::to_string(ratio.mean() - 1) + " +- " + std::to_string(half_width));
 }
 
+/// Flux and visible fraction have the right means over so many passes. See expect_one().
+inline void expect_unbiased(const SamplerExample& example, std::uint64_t seed, std::uint32_t passes,
+                            double confidence, double band) {
+    const Ratios ratios = run_passes(example, seed, passes);
+    expect_one(ratios.flux, confidence, band, "flux");
+    expect_one(ratios.visible_fraction, confidence, band, "visible fraction");
+}
+
 /// All that a pass gave, in one number.
 inline std::uint64_t bytes_of(const PassSums& sums) {
     SummingSink::Collector hash;
