@@ -1,6 +1,7 @@
 // `sunfleck experiment`: the paper's figures and tables, made again.
 #include "apps/cli/commands.h"
 #include "apps/cli/interrupt.h"
+#include "apps/cli/progress.h"
 #include "core/parallel.h"
 #include "experiment/run.h"
 
@@ -21,12 +22,6 @@ std::vector<Figure> chosen(const std::vector<std::string>& names) {
             some.push_back(figure);
     for (const std::string& name : names) figure_named(name);
     return some;
-}
-
-std::string duration_text(double seconds) {
-    if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-    if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-    return fmt::format("{:.1f} h", seconds / 3600);
 }
 
 void say(const RunProgress& p) {

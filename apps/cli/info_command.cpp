@@ -41,6 +41,18 @@ void print_lights(const Scene& scene) {
     if (kinds.empty()) fmt::print("lights      none\n");
 }
 
+/// What the file says of lights, one by one: the numbers that --light-layer takes.
+void list_lights(const Scene& scene) {
+    const std::vector<LightStatement>& statements = scene.light_statements();
+    std::vector<double> shares(statements.size());
+    for (std::size_t i = 0; i < scene.lights().size(); ++i)
+        if (const std::uint32_t statement = scene.stated_in()[i]; statement != kNone)
+            shares[statement] += scene.light_choice().probability(i);
+    for (std::size_t i = 0; i < statements.size(); ++i)
+        fmt::print("light       {} {} at {} ({:.3g}% of the photons)\n", i + 1, statements[i].what,
+                   statements[i].where.text(), 100 * shares[i]);
+}
+
 /// How each word of the scene is treated; of what is not exact, also what is done instead.
 void print_words(const std::vector<UsedWord>& words) {
     for (const UsedWord& used : words) {
@@ -85,6 +97,7 @@ int run_info(const InfoOptions& options) {
         ++materials[kMaterialNames.at(material.index())];
     for (const auto& [name, count] : materials) fmt::print("materials   {} {}\n", count, name);
     print_lights(scene);
+    if (options.lights) list_lights(scene);
     const SceneSphere& sphere = scene.sphere();
     fmt::print("bounds      centre {:.6g} {:.6g} {:.6g}, radius {:.6g}\n", sphere.center.x,
                sphere.center.y, sphere.center.z, sphere.radius);

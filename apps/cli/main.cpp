@@ -24,6 +24,7 @@ int run(int count, char** words, const Ranks& ranks) {
     if (options->info) return sunfleck::run_info(*options->info);
     if (options->scene) return sunfleck::run_scene(*options->scene);
     if (options->merge) return sunfleck::run_merge(*options->merge);
+    if (options->relight) return sunfleck::run_relight(*options->relight);
     if (options->experiment) return sunfleck::run_experiment(*options->experiment);
     return sunfleck::run_compare(*options->compare);
 }

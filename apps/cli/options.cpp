@@ -1,179 +1,15 @@
-// The flags of every command, row by row.
+// The commands and their flags: each command's rows are here, or in a file of their own.
 #include "apps/cli/options.h"
 
-#include "apps/cli/adaptive_options.h"
-#include "apps/cli/error_options.h"
 #include "apps/cli/experiment_options.h"
-#include "apps/cli/paper_options.h"
+#include "apps/cli/number_check.h"
+#include "apps/cli/render_options.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
-#include <charconv>
-#include <functional>
 
 namespace sunfleck {
 namespace {
-
-/// Flags whose text needs a reader of its own.
-struct RenderTexts {
-    std::string time;
-    std::string cpu_time;
-    std::string every;
-    std::string target_error;
-    std::string resolution;
-    std::string crop;
-    std::string pass_range;
-    std::string layers;
-    std::string sampler = "adaptive";
-    AdaptiveTexts adaptive;
-    PaperTexts paper;
-    ErrorTexts error;
-    std::string direct = "sampled";
-    std::string energy_compensation = "off";
-    std::string integrator = "sppm";
-    std::string seed;
-    std::string log_level;
-    bool quiet = false;
-    std::optional<std::uint32_t> passes;
-};
-
-/// A finite number within [low, high]. (CLI::Range lets pass what is not a number.)
-CLI::Validator between(double low, double high) {
-    return CLI::Validator(
-        [=](std::string& text) {
-            double value = 0;
-            const auto [stop, fault] =
-                std::from_chars(text.data(), text.data() + text.size(), value);
-            const bool is_number = fault == std::errc() && stop == text.data() + text.size();
-            if (is_number && value >= low && value <= high) return std::string();
-            return fmt::format("\"{}\" is no number between {} and {}", text, low, high);
-        },
-        fmt::format("{} to {}", low, high));
-}
-
-/// An option that takes one of the names of a table, whose rows say what each means.
-template <class Rows>
-void add_choice(CLI::App& app, const char* flag, std::string& text, const Rows& rows) {
-    std::string what;
-    std::vector<std::string> names;
-    for (const auto& row : rows) {
-        names.emplace_back(row.name);
-        what += fmt::format("{}{}: {}", what.empty() ? "" : "; ", row.name, row.what);
-    }
-    app.add_option(flag, text, what)->check(CLI::IsMember(names));
-}
-
-void add_render(CLI::App& app, RenderOptions& o, RenderTexts& t) {
-    app.add_option("SCENE", o.scene, "Scene file (pbrt-v4)")->required();
-    app.add_option("-o,--output", o.outputs, "Output file: .exr, .png, .film; may be repeated")
-        ->allow_extra_args(false);
-    add_choice(app, "--integrator", t.integrator, kIntegrators);
-    add_choice(app, "--photon-sampler", t.sampler, kPhotonSamplers);
-    add_adaptive_flags(app, t.adaptive);
-    add_paper_flags(app, t.paper);
-    app.add_option("--direct", t.direct, "Who brings direct light: sampled, or photons")
-        ->check(CLI::IsMember({"sampled", "photons"}));
-    app.add_option("--energy-compensation", t.energy_compensation,
-                   "on: rough metals and glass give back what is lost between their facets")
-        ->check(CLI::IsMember({"on", "off"}));
-    app.add_option("--passes,--spp", t.passes, "End after this many passes")
-        ->check(CLI::Range(1U, 1U << 30U));
-    app.add_option("--time", t.time,
-                   "End after this time of rendering: 60s, 5m, 2h. Reading the scene does not "
-                   "count; all rendering before --resume does");
-    app.add_option("--cpu-time", t.cpu_time,
-                   "The same of processor time, all threads together: for comparisons");
-    app.add_option("--target-error", t.target_error,
-                   "End when the noise of 95% of the blocks and the bias together come to this "
-                   "relative error: 2%");
-    add_error_flags(app, t.error);
-    app.add_option("--pass-range", t.pass_range, "Render passes a to b - 1 only: a:b");
-    app.add_option("--photons-per-pass", o.settings.photon.paths_per_pass,
-                   "Photon paths a pass (default max(200000, 2 a pixel), then see --balance; "
-                   "paper 200000)")
-        ->check(CLI::Range(1U, 1U << 30U));
-    app.add_option("--seed", t.seed, "Random seed (default 0)");
-    app.add_option("--nthreads", o.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
-    app.add_option("--resolution", t.resolution, "Picture size instead of the scene's: WxH");
-    app.add_option("--crop", t.crop, "Render only these pixels: x0,x1,y0,y1");
-    app.add_option("--radius-pixels", o.settings.eye.radius_pixels,
-                   "First radius in pixel footprints (default 2)")
-        ->check(between(1e-3, 1e3));
-    app.add_option("--radius", o.settings.eye.radius, "First radius in scene units")
-        ->check(between(1e-30, 1e30));
-    app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3)")
-        ->check(between(1e-6, 1 - 1e-6));
-    app.add_option("--max-depth", o.max_depth,
-                   "Scattering events on a path, eye and light together")
-        ->check(CLI::Range(1, 10000));
-    app.add_option("--layers", t.layers,
-                   "EXR layers: direct,caustic,indirect,emission,albedo,normal,depth,samples");
-    app.add_option("--exposure", o.exposure, "Stops for PNG (default 0)")
-        ->check(between(-100, 100));
-    app.add_option("--camera", o.camera, "Which of the scene's cameras, by name");
-    app.add_option("--isa", o.isa, "avx2 (same bytes on every such machine), or native")
-        ->check(CLI::IsMember({"avx2", "native"}));
-    app.add_option("--stats", o.stats, "Write statistics as JSON");
-    app.add_option(
-        "--snapshots", o.snapshots,
-        "Also write picture and statistics to this folder after 1, 2, 4, 8 ... passes and "
-        "at the end");
-    auto* const checkpoint = app.add_option(
-        "--checkpoint", o.checkpoint, "Keep the render so far in this file, to --resume from");
-    app.add_option("--every", t.every, "Time between checkpoints (default 60s)")->needs(checkpoint);
-    app.add_option("--resume", o.resume,
-                   "Go on from this checkpoint of the same render; limits may be others");
-    CLI::Option* const level =
-        app.add_option("--log-level", t.log_level,
-                       "quiet, warning, or info (default: notes and a progress line, too)")
-            ->check(CLI::IsMember({"quiet", "warning", "info"}));
-    app.add_flag("--quiet", t.quiet, "The same as --log-level quiet")->excludes(level);
-}
-
-/// What the reference integrators have no use for is refused rather than passed over.
-void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
-    if (t.integrator == "sppm") return;
-    for (const char* flag :
-         {"--photon-sampler", "--light-groups", "--emission-maps", "--balance", "--mode",
-          "--replica-exchange", "--mutation-size", "--target-acceptance", "--direct",
-          "--photons-per-pass", "--radius", "--radius-pixels", "--alpha", "--layers"}) {
-        const bool counts_paths = std::string_view(flag) == "--photons-per-pass";
-        if (given.count(flag) == 0 || (counts_paths && t.integrator == "light")) continue;
-        throw Error({flag}, "has no meaning with --integrator " + t.integrator, "leave it out");
-    }
-}
-
-void finish_render(const CLI::App& given, RenderOptions& o, const RenderTexts& t) {
-    o.settings.integrator = *integrator_named(t.integrator);  // one of those names: checked
-    o.settings.photon.sampler = *sampler_named(t.sampler);    // one of those names: checked
-    o.settings.transport.direct =
-        t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
-    o.settings.energy_compensation = t.energy_compensation == "on";
-    if (!t.seed.empty()) o.settings.seed = read_seed(t.seed, "--seed");
-    if (t.quiet || t.log_level == "quiet") o.log = LogLevel::quiet;
-    if (t.log_level == "warning") o.log = LogLevel::warning;
-    if (!t.resolution.empty()) o.resolution = read_size(t.resolution, "--resolution");
-    if (!t.crop.empty()) o.crop = read_crop(t.crop, "--crop");
-    o.settings.layers = read_layers(t.layers, "--layers");
-    if (!t.time.empty()) o.stop.seconds = read_duration(t.time, "--time");
-    for (const char* flag : {"--checkpoint", "--resume"})
-        if (given.count(flag) > 0 && given[flag]->as<std::string>().empty())
-            throw Error({flag}, "the file has no name", "name one");
-    if (!t.cpu_time.empty()) o.stop.cpu_seconds = read_duration(t.cpu_time, "--cpu-time");
-    if (!t.every.empty()) o.checkpoint_seconds = read_duration(t.every, "--every");
-    if (!t.target_error.empty()) o.stop.target_error = read_share(t.target_error, "--target-error");
-    if (t.passes) o.stop.end_pass = *t.passes;
-    if (!t.pass_range.empty()) {
-        if (t.passes) throw Error({"--pass-range"}, "given together with --passes", "give one");
-        read_pass_range(t.pass_range, "--pass-range", o.stop);
-    }
-    if (!o.stop.end_pass && !o.stop.seconds && !o.stop.cpu_seconds && !o.stop.target_error) {
-        o.stop.target_error = 0.02;
-        o.stop.seconds = 600;
-    }
-}
 
 void add_merge(CLI::App& app, MergeOptions& o, ErrorTexts& t) {
     app.add_option("FILES", o.inputs, ".film files")->required();
@@ -183,6 +19,17 @@ void add_merge(CLI::App& app, MergeOptions& o, ErrorTexts& t) {
     app.add_option("--exposure", o.exposure, "Stops for PNG")->check(between(-100, 100));
     add_extrapolate_flag(app, t);
     app.add_option("--stats", o.stats, "Write statistics as JSON");
+}
+
+void add_relight(CLI::App& app, RelightOptions& o, std::vector<std::string>& factors) {
+    app.add_option("PICTURE", o.picture, "EXR picture rendered with --light-layer")->required();
+    app.add_option("FACTORS", factors,
+                   "How bright a layer's lights are to be: NAME=0.5, or of R, G, B: NAME=1,0.8,0.6")
+        ->required();
+    app.add_option("-o,--output", o.outputs, ".exr, .png; may be repeated")
+        ->allow_extra_args(false)
+        ->required();
+    app.add_option("--exposure", o.exposure, "Stops for PNG")->check(between(-100, 100));
 }
 
 void add_compare(CLI::App& app, CompareOptions& o) {
@@ -208,9 +55,11 @@ std::optional<Options> read_options(int count, const char* const* words) {
     MergeOptions merge;
     CompareOptions compare;
     CLI::App* const render_app = app.add_subcommand("render", "Render a scene");
-    add_render(*render_app, render, texts);
+    add_render_flags(*render_app, render, texts);
     CLI::App* const info_app = app.add_subcommand("info", "Say what a scene file holds");
     auto* const info_scene = info_app->add_option("SCENE", info.scene, "Scene file");
+    info_app->add_flag("--lights", info.lights, "Also each light, by its number")
+        ->needs(info_scene);
     info_app->add_flag("--words", info.words, "Instead: all words of the language, as Markdown")
         ->excludes(info_scene);
     CLI::App* const scene_app =
@@ -220,6 +69,11 @@ std::optional<Options> read_options(int count, const char* const* words) {
     CLI::App* const merge_app = app.add_subcommand("merge", "Add up pass ranges of one render");
     ErrorTexts merge_texts;
     add_merge(*merge_app, merge, merge_texts);
+    RelightOptions relight;
+    std::vector<std::string> factors;
+    CLI::App* const relight_app =
+        app.add_subcommand("relight", "Dim or brighten lights of a picture that has them apart");
+    add_relight(*relight_app, relight, factors);
     CLI::App* const compare_app =
         app.add_subcommand("compare", "Measure pictures against a reference, and show them");
     add_compare(*compare_app, compare);
@@ -237,7 +91,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
         const std::vector<std::string> rest = app.remaining();
         if (app.get_subcommands().empty() && !rest.empty())
             throw Error({"sunfleck"}, "unknown command \"" + rest.front() + "\"",
-                        "use render, info, scene, merge, compare or experiment");
+                        "use render, info, scene, merge, relight, compare or experiment");
         throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
     } catch (const CLI::ParseError& fault) {
         if (fault.get_exit_code() == 0) {
@@ -248,11 +102,7 @@ std::optional<Options> read_options(int count, const char* const* words) {
     }
     Options options;
     if (render_app->parsed()) {
-        check_fits_integrator(*render_app, texts);
-        finish_render(*render_app, render, texts);
-        finish_paper(*render_app, texts.paper, render);
-        finish_adaptive(*render_app, texts.adaptive, render.settings.photon);
-        finish_error(*render_app, texts.error, render);
+        finish_render(*render_app, texts, render);
         for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
         options.render = render;
     } else if (info_app->parsed()) {
@@ -264,6 +114,9 @@ std::optional<Options> read_options(int count, const char* const* words) {
     } else if (merge_app->parsed()) {
         merge.extrapolate = merge_texts.extrapolate == "on";
         options.merge = merge;
+    } else if (relight_app->parsed()) {
+        for (const std::string& factor : factors) relight.factors.push_back(read_factor(factor));
+        options.relight = relight;
     } else if (experiment_app->parsed()) {
         finish_experiment(experiment_texts, experiment);
         options.experiment = experiment;

@@ -1,7 +1,10 @@
-// The command line, read: every flag has its place here and its row in options.cpp.
+// The command line, read: every flag has its place here and its row in options.cpp or
+// *_options.cpp.
 #pragma once
 
+#include "apps/cli/light_layers.h"
 #include "experiment/cell.h"
+#include "film/relight.h"
 #include "render/settings.h"
 
 #include <array>
@@ -23,6 +26,7 @@ struct RenderOptions {
     std::vector<std::string> outputs;
     RenderSettings settings;
     StopSettings stop;
+    std::vector<AskedLightLayer> light_layers;
     std::optional<int> max_depth;  // wins over the scene's
     std::optional<Vec2i> resolution;
     std::optional<std::array<int, 4>> crop;
@@ -41,7 +45,8 @@ struct RenderOptions {
 
 struct InfoOptions {
     std::string scene;
-    bool words = false;  // no scene: the table of all words
+    bool lights = false;  // the list of its lights, too
+    bool words = false;   // no scene: the table of all words
 };
 
 struct SceneOptions {
@@ -62,6 +67,13 @@ struct MergeOptions {
     bool extrapolate = false;
 };
 
+struct RelightOptions {
+    std::string picture;
+    std::vector<LayerFactor> factors;
+    std::vector<std::string> outputs;
+    double exposure = 0;
+};
+
 struct CompareOptions {
     std::string reference;
     std::vector<std::string> inputs;
@@ -75,6 +87,7 @@ struct Options {
     std::optional<InfoOptions> info;
     std::optional<SceneOptions> scene;
     std::optional<MergeOptions> merge;
+    std::optional<RelightOptions> relight;
     std::optional<ExperimentOptions> experiment;
     std::optional<CompareOptions> compare;
 };
@@ -93,6 +106,8 @@ double read_positive(const std::string& text, const std::string& flag, int most)
 std::uint64_t read_seed(const std::string& text, const std::string& flag);
 /// "640x480". @throws Error naming the flag.
 Vec2i read_size(const std::string& text, const std::string& flag);
+/// NAME=FACTOR or NAME=R,G,B. @throws Error naming the text.
+LayerFactor read_factor(const std::string& text);
 /// "a,b,c,d". @throws Error naming the flag.
 std::array<int, 4> read_crop(const std::string& text, const std::string& flag);
 /// "caustic,depth"; empty: none. @throws Error naming the flag.

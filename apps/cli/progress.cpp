@@ -11,14 +11,6 @@
 namespace sunfleck {
 namespace {
 
-/// 7s, 3m12s, 2h05m.
-std::string duration_text(double seconds) {
-    const auto s = static_cast<long>(std::ceil(seconds));
-    if (s < 60) return fmt::format("{}s", s);
-    if (s < 3600) return fmt::format("{}m{:02}s", s / 60, s % 60);
-    return fmt::format("{}h{:02}m", s / 3600, s / 60 % 60);
-}
-
 /// In 3 levels; of groups of lights, in 0 and 3 levels.
 std::string levels_text(const Progress& p) {
     const bool grouped = p.levels.size() > 1;
@@ -45,6 +37,13 @@ std::string progress_text(const Progress& p) {
 }
 
 }  // namespace
+
+std::string duration_text(double seconds) {
+    const auto s = static_cast<long>(std::ceil(seconds));
+    if (s < 60) return fmt::format("{}s", s);
+    if (s < 3600) return fmt::format("{}m{:02}s", s / 60, s % 60);
+    return fmt::format("{}h{:02}m", s / 3600, s / 60 % 60);
+}
 
 ProgressLine::ProgressLine(bool wanted) : terminal_(wanted && isatty(STDERR_FILENO) != 0) {}
 

@@ -5,8 +5,12 @@
 #include "render/progressive.h"
 
 #include <chrono>
+#include <string>
 
 namespace sunfleck {
+
+/// Rounded up: 7s, 3m12s, 2h05m.
+std::string duration_text(double seconds);
 
 class ProgressLine {
 public:

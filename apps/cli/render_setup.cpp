@@ -70,7 +70,9 @@ RenderSetup::RenderSetup(const RenderOptions& from, SceneDescription description
     : options(from),
       origin{SUNFLECK_VERSION, from.isa, hashes_of(description.files)},
       scene(std::move(description), from.isa),
-      job{scene, settings_of(from, scene.hints()), from.stop, joined(origin.files)} {}
+      job{scene, settings_of(from, scene.hints()), from.stop, joined(origin.files)} {
+    job.settings.transport.light_layers = light_layers_of(scene, from.light_layers);
+}
 
 RenderOptions options_of(const RenderOptions& options, const Ranks& ranks) {
     RenderOptions mine = options;
@@ -96,7 +98,8 @@ std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& 
     setup->checkpoint = std::move(checkpoint);
     setup->outputs = std::move(outputs);
     if (setup->checkpoint)
-        check_same_render(options.resume, *setup->checkpoint, setup->origin, setup->job);
+        check_same_render(options.resume, *setup->checkpoint, setup->origin, key_of(setup->job),
+                          setup->job.stop);
     return setup;
 }
 

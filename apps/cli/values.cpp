@@ -83,6 +83,25 @@ Vec2i read_size(const std::string& text, const std::string& flag) {
     return {v[0], v[1]};
 }
 
+LayerFactor read_factor(const std::string& text) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    std::vector<float> factors;
+    std::string rest = text.substr(equals);
+    bool are_right = true;
+    while (are_right && !rest.empty()) {
+        const bool follows = rest[0] == (factors.empty() ? '=' : ',');
+        const double value = leading_number(rest.substr(1), rest);
+        are_right = follows && value >= 0 && value <= 1e6;
+        factors.push_back(static_cast<float>(value));
+    }
+    if (!are_right || equals == 0 || (factors.size() != 1 && factors.size() != 3))
+        throw Error({"sunfleck relight"},
+                    "\"" + text + "\" says of no layer how bright it is to be",
+                    "write NAME=0.5 or NAME=1,0.8,0.6, of numbers from 0 to 1000000");
+    factors.resize(3, factors[0]);
+    return {text.substr(0, equals), Vec3(factors[0], factors[1], factors[2])};
+}
+
 std::array<int, 4> read_crop(const std::string& text, const std::string& flag) {
     const std::vector<int> v = integers(text, ',');
     if (v.size() != 4)

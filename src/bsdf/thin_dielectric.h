@@ -24,7 +24,7 @@ struct ThinDielectric {
         if (w_from.z == 0) return {};
         const Spectrum share = reflectance(std::abs(w_from.z));
         const bool alike = are_alike(share, draw.lanes);
-        const float p = alike ? share[draw.lanes.chosen] : share.mean();
+        const float p = mirror_share(share, draw.lanes);
         if (draw.u.x < p || p >= 1)
             return BsdfSample{
                 alike ? Spectrum(1) : share / p, Vec3(-w_from.x, -w_from.y, w_from.z), {}};
@@ -33,8 +33,7 @@ struct ThinDielectric {
 
     /// The probability with which sample() reflects.
     float mirror_share(const Vec3& w_from, const LaneChoice& lanes) const {
-        const Spectrum share = reflectance(std::abs(w_from.z));
-        return are_alike(share, lanes) ? share[lanes.chosen] : share.mean();
+        return mirror_share(reflectance(std::abs(w_from.z)), lanes);
     }
 
     /// What the sheet throws back, per lane. @param cosine  of the incident angle, in (0,1].
@@ -45,6 +44,11 @@ struct ThinDielectric {
             sheet[i] = 2 * face / (1 + face);
         }
         return sheet;
+    }
+
+    /// The same of a given reflectance.
+    static float mirror_share(const Spectrum& share, const LaneChoice& lanes) {
+        return are_alike(share, lanes) ? share[lanes.chosen] : share.mean();
     }
 
     /// Do the lanes that are left reflect alike?

@@ -1,6 +1,7 @@
 // A picture to be compared: linear RGB in floats, from any file that we read.
 #pragma once
 
+#include "math/colour.h"
 #include "math/vector.h"
 
 #include <cstddef>
@@ -26,9 +27,9 @@ inline bool is_finite(const Vec3& v) {
 /// Pixels of which a channel is NaN or infinite.
 std::size_t broken_pixels(const RgbImage& image);
 
-/// Luminance of linear sRGB (IEC 61966-2-1).
 inline float luminance(const Vec3& rgb) {
-    return 0.2126F * rgb.x + 0.7152F * rgb.y + 0.0722F * rgb.z;
+    constexpr auto weight = [](std::size_t c) { return static_cast<float>(kLuminanceWeights[c]); };
+    return weight(0) * rgb.x + weight(1) * rgb.y + weight(2) * rgb.z;
 }
 
 }  // namespace sunfleck

@@ -91,8 +91,38 @@ private:
         for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
             for (unsigned rest = met[kind]; rest != 0; rest &= rest - 1)
                 finish(static_cast<unsigned>(__builtin_ctz(rest)), kKinds[kind]);
+        if (all_.image.light_layers() > 0) add_to_light_layers();
         if (all_.counts != nullptr) count(*all_.counts);
         return deposits;
+    }
+
+    /// The same light again, by the layers of the lights that it comes from.
+    void add_to_light_layers() const {
+        std::uint64_t layers = 0;
+        for (std::size_t t = 0; t < count_; ++t) {
+            const std::uint8_t layer = all_.photons[taken_[t].photon].light_layer;
+            if (layer != kNoLightLayer) layers |= std::uint64_t{1} << layer;
+        }
+        for (; layers != 0; layers &= layers - 1)
+            add_to_light_layer(static_cast<std::uint8_t>(__builtin_ctzll(layers)));
+    }
+
+    void add_to_light_layer(std::uint8_t layer) const {
+        Lights light{};
+        unsigned met = 0;
+        for (std::size_t t = 0; t < count_; ++t) {
+            const Photon& photon = all_.photons[taken_[t].photon];
+            if (photon.light_layer != layer) continue;
+            met |= taken_[t].takers;
+            for (unsigned rest = taken_[t].takers; rest != 0; rest &= rest - 1)
+                add(static_cast<unsigned>(__builtin_ctz(rest)), photon, light);
+        }
+        for (; met != 0; met &= met - 1) {
+            const auto i = static_cast<unsigned>(__builtin_ctz(met));
+            const Spectrum share = share_of(point(i), all_.index.radius(block_, i), all_.paths);
+            all_.image.add_to_light_layer(point(i).pixel,
+                                          all_.pass.wavelengths.to_rgb(light[i] * share), layer);
+        }
     }
 
     /// Calls into the cache what the next blocks will need: the points of the one after next (the

@@ -13,10 +13,15 @@ float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen
     return *drawn.pdf * static_cast<float>(light.probability);
 }
 
+void note(LightParts* parts, std::size_t light, const Spectrum& radiance) {
+    if (parts != nullptr && !radiance.is_zero())
+        parts->push_back({static_cast<std::uint32_t>(light), radiance});
+}
+
 }  // namespace
 
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
-                       const Vec2d& u, Statistics& statistics) {
+                       const Vec2d& u, Statistics& statistics, LightParts* parts) {
     const Scene& scene = pass.scene;
     const auto choice = scene.light_tree().choose(receiver_at(scene, vertex), u_choice);
     if (!choice) return Spectrum(0);
@@ -35,7 +40,10 @@ Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_
     if (light->pdf)
         weight *= mis_weight(density(pass, vertex.hit.position, *choice, *light),
                              pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance));
-    return f * seen * pass.tinted(pass.emission[choice->index], light->tint) * weight;
+    const Spectrum found =
+        f * seen * pass.tinted(pass.emission[choice->index], light->tint) * weight;
+    note(parts, choice->index, found);
+    return found;
 }
 
 Receiver receiver_at(const Scene& scene, const EyeVertex& vertex) {
@@ -45,38 +53,46 @@ Receiver receiver_at(const Scene& scene, const EyeVertex& vertex) {
 }
 
 EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* from,
-                      const Vec3& direction) {
+                      const Vec3& direction, LightParts* parts) {
     const std::uint32_t index = pass.scene.light_of(hit);
     if (index == kNone) return {};
     const auto& light = std::get<AreaLight>(pass.scene.lights()[index]);
     if (!light.emits(hit.normal, -direction)) return {};
     const Spectrum radiance = pass.emitted(index, light, hit);
+    note(parts, index, radiance);
     if (from == nullptr) return {radiance};
     const double chosen = pass.scene.light_tree().probability(*from, index);
     return {radiance, static_cast<float>(chosen) *
                           light.direct_pdf(from->position, hit.position, hit.normal)};
 }
 
-EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction) {
+EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction,
+                          LightParts* parts) {
     EmitterMet all;
     for (const std::uint32_t index : pass.scene.infinite_lights()) {
         const Beyond there = beyond(pass.scene.lights()[index], from, direction);
-        all.radiance += pass.tinted(pass.emission[index] * there.factor, there.tint);
+        const Spectrum radiance = pass.tinted(pass.emission[index] * there.factor, there.tint);
+        note(parts, index, radiance);
+        all.radiance += radiance;
         all.pdf += static_cast<float>(pass.scene.light_tree().probability({}, index)) * there.pdf;
     }
     return all;
 }
 
 Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
-                            Statistics& statistics) {
+                            Statistics& statistics, LightParts* parts) {
     const Vec3 direction = vertex.frame.to_world(drawn.w_to);
     const Scene& scene = pass.scene;
     const Receiver from = receiver_at(scene, vertex);
     Spectrum sum;
     Spectrum weight = drawn.weight;
+    std::size_t added = parts != nullptr ? parts->size() : 0;
     const auto add = [&](const EmitterMet& met) {
-        if (!met.radiance.is_zero())
-            sum += weight * met.radiance * mis_weight(drawn.pdf.value_or(1), met.pdf);
+        if (met.radiance.is_zero()) return;
+        const float mis = mis_weight(drawn.pdf.value_or(1), met.pdf);
+        sum += weight * met.radiance * mis;
+        if (parts == nullptr) return;
+        for (; added < parts->size(); ++added) (*parts)[added].radiance *= weight * mis;
     };
     Ray ray = ray_from(vertex.hit, direction);
     MediumNumber medium = scene.medium_beyond(vertex.hit, direction, vertex.medium);
@@ -85,10 +101,10 @@ Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, cons
         const auto hit = scene.geometry().intersect(ray);
         if (scene.has_media()) weight *= pass.left_after(medium, hit ? hit->distance : kInfinity);
         if (!hit) {
-            add(emitter_beyond(pass, vertex.hit.position, direction));
+            add(emitter_beyond(pass, vertex.hit.position, direction, parts));
             return sum;
         }
-        add(emitter_at(pass, *hit, &from, direction));
+        add(emitter_at(pass, *hit, &from, direction, parts));
         if (!scene.passes_straight(*hit)) return sum;
         ray = ray_from(*hit, direction);
         medium = scene.medium_beyond(*hit, direction, medium);

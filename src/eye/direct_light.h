@@ -8,6 +8,7 @@
 #include "scene/pass_scene.h"
 
 #include <optional>
+#include <vector>
 
 namespace sunfleck {
 
@@ -26,9 +27,17 @@ struct EmitterMet {
     float pdf = 0;  // per steradian, of sample_lights() at the ray's origin, choice included
 };
 
+/// What one light has to do with a result of the functions below. Where a list of these is given,
+/// they append to it; a result is the sum of its parts. Null: nobody asks.
+struct LightPart {
+    std::uint32_t light = 0;
+    Spectrum radiance;
+};
+using LightParts = std::vector<LightPart>;
+
 /// One light sample: f * |cos| * radiance * weight / pdf, unoccluded. @param u  choice; position.
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
-                       const Vec2d& u, Statistics& statistics);
+                       const Vec2d& u, Statistics& statistics, LightParts* parts = nullptr);
 
 /// Where light is wanted: what cannot come through the surface is not chosen from the tree.
 Receiver receiver_at(const Scene& scene, const EyeVertex& vertex);
@@ -36,15 +45,16 @@ Receiver receiver_at(const Scene& scene, const EyeVertex& vertex);
 /// The emitter at a hit, seen along `direction` (unit, of the ray); zero if it shows its dark side
 /// or is none. @param from  the vertex that the ray comes from; null: without a density.
 EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* from,
-                      const Vec3& direction);
+                      const Vec3& direction, LightParts* parts = nullptr);
 
 /// The infinite lights along a ray from a vertex, at `from`, that leaves the scene.
-EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction);
+EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction,
+                          LightParts* parts = nullptr);
 
 /// Light found by following one bsdf sample from a vertex to the first thing it meets: weighted
 /// for MIS, the sample's weight included.
 Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
-                            Statistics& statistics);
+                            Statistics& statistics, LightParts* parts = nullptr);
 
 /// Weight of the strategy with density `mine` against one with density `other`, not both zero.
 /// (By their ratio, for squares of densities need not fit into a float.)

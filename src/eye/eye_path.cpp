@@ -39,12 +39,13 @@ void EyePath::follow(Ray ray, RoundPoints& numbers) {
         if (scene.has_media())
             throughput_ *= pass_.scene.left_after(medium_, hit ? hit->distance : kInfinity);
         if (!hit) {
-            add_emission(emitter_beyond(pass_.scene, position_, direction_));
+            add_emission(emitter_beyond(pass_.scene, position_, direction_, wanted_parts()));
             return;
         }
         grow_footprint(*hit);
         const bool weighted = emitters_ == Emitters::weighted;
-        add_emission(emitter_at(pass_.scene, *hit, weighted ? &glossy_ : nullptr, direction_));
+        add_emission(emitter_at(pass_.scene, *hit, weighted ? &glossy_ : nullptr, direction_,
+                                wanted_parts()));
         if (!scene.passes_straight(*hit)) {
             if (!has_met_) first_footprint_ = footprint_;
             has_met_ = true;
@@ -125,10 +126,13 @@ bool EyePath::go_on(const EyeVertex& vertex, RoundPoints& numbers) {
 }
 
 void EyePath::add_emission(const EmitterMet& met) {
-    if (met.radiance.is_zero() || emitters_ == Emitters::none) return;
+    if (met.radiance.is_zero() || emitters_ == Emitters::none) {
+        parts_.clear();
+        return;
+    }
     const float weight = emitters_ == Emitters::all ? 1 : mis_weight(bsdf_pdf_, met.pdf);
     constexpr std::array<Layer, 3> kOwners = {Layer::emission, Layer::direct, Layer::indirect};
-    add_light(throughput_ * met.radiance * weight, kOwners.at(std::min<std::size_t>(rough_, 2)));
+    add_light(met.radiance, weight, kOwners.at(std::min<std::size_t>(rough_, 2)));
 }
 
 void EyePath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
@@ -153,15 +157,23 @@ void EyePath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
     points_.push_back(point);
 }
 
-void EyePath::add_light(const Spectrum& radiance, Layer owner) {
-    image_.add_eye_light(pixel_, pass_.scene.wavelengths.to_rgb(radiance * weight_), owner);
+void EyePath::add_light(const Spectrum& radiance, float weight, Layer owner) {
+    const auto rgb = [&](const Spectrum& arriving) {
+        return pass_.scene.wavelengths.to_rgb(throughput_ * arriving * weight * weight_);
+    };
+    image_.add_eye_light(pixel_, rgb(radiance), owner);
+    for (const LightPart& part : parts_)
+        image_.add_to_light_layer(pixel_, rgb(part.radiance),
+                                  pass_.transport.light_layers.of(part.light));
+    parts_.clear();
 }
 
 /// @param follow  trace a bsdf sample for the other half of MIS (a path that goes on needs none).
 void EyePath::add_direct_light(const EyeVertex& vertex, RoundPoints& numbers, bool follow) {
     const PassScene& pass = pass_.scene;
     const double u_choice = numbers.next();
-    Spectrum light = sample_lights(pass, vertex, u_choice, numbers.next_2d(), statistics_);
+    Spectrum light =
+        sample_lights(pass, vertex, u_choice, numbers.next_2d(), statistics_, wanted_parts());
     if (follow && pass.scene.has_lights_to_meet()) {
         const Vec2d u = numbers.next_2d();
         const BsdfDraw draw{
@@ -169,10 +181,10 @@ void EyePath::add_direct_light(const EyeVertex& vertex, RoundPoints& numbers, bo
             Transport::radiance,
             lanes_};
         if (const auto drawn = sample(vertex.bsdf, vertex.w_from, draw))
-            light += follow_bsdf_sample(pass, vertex, *drawn, statistics_);
+            light += follow_bsdf_sample(pass, vertex, *drawn, statistics_, wanted_parts());
     }
     if (light.is_zero()) return;
-    add_light(throughput_ * light, rough_ > 0 ? Layer::indirect : Layer::direct);
+    add_light(light, 1, rough_ > 0 ? Layer::indirect : Layer::direct);
 }
 
 bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {

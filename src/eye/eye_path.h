@@ -40,7 +40,9 @@ private:
     void meet_base(const EyeVertex& vertex, RoundPoints& numbers);
     bool go_on(const EyeVertex& vertex, RoundPoints& numbers);
     void add_emission(const EmitterMet& met);
-    void add_light(const Spectrum& radiance, Layer owner);
+    /// @param radiance  that arrives, of which parts_ are parts.
+    void add_light(const Spectrum& radiance, float weight, Layer owner);
+    LightParts* wanted_parts() { return image_.light_layers() > 0 ? &parts_ : nullptr; }
     void add_features(const Hit& hit, const Spectrum& reflectance);
     void gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds);
     void add_direct_light(const EyeVertex& vertex, RoundPoints& numbers, bool follow);
@@ -79,6 +81,7 @@ private:
     float bsdf_pdf_ = 0;     // of the last glossy sample
     Receiver glossy_;        // its vertex
     std::size_t rough_ = 0;  // glossy vertices so far
+    LightParts parts_;       // of light that is about to be added
 };
 
 }  // namespace sunfleck

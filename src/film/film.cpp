@@ -23,6 +23,11 @@ void check_image(const FilmKey& key, std::uint32_t number, const PassImage& imag
         if (key.has(i) && !image.has(kLayers.at(i).layer))
             throw Error(where, "lacks the layer \"" + std::string(kLayers.at(i).name) + "\"",
                         "render it with the film's layers");
+    if (image.light_layers() != key.light_layers.size())
+        throw Error(where,
+                    "has " + std::to_string(image.light_layers()) + " layers of lights, the film " +
+                        std::to_string(key.light_layers.size()),
+                    "render it with the film's layers");
     if (key.has_discs() && !image.photons_apart())
         throw Error(where, "does not hold apart what photons have brought",
                     "add it to a film without discs");
@@ -87,6 +92,8 @@ void Film::add_pass(std::uint32_t number, const PassImage& image) {
     check_image(sums_.key, number, image);
     for (std::size_t i = 0; i < kLayerCount; ++i)
         if (key().has(i)) add_layer(sums_.layers.at(i), image, kLayers.at(i));
+    for (std::size_t i = 0; i < sums_.light_layers.size(); ++i)
+        add_light_layer(sums_.light_layers[i], image, i);
     count("dropped_nonfinite", image.dropped());
     count("saturated", image.saturated());
     sums_.passes.insert(range);

@@ -8,7 +8,7 @@ namespace sunfleck {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x0A'6D'6C'69'66'6E'75'73;  // "sunfilm\n"
-constexpr std::uint64_t kVersion = 2;
+constexpr std::uint64_t kVersion = 3;
 constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
@@ -31,6 +31,8 @@ FilmKey read_key(WordReader& in) {
     key.seed = in.word();
     key.scene_hash = in.word();
     key.settings = in.text();
+    const std::uint64_t light_layers = in.word_up_to(kMostLightLayers);
+    for (std::uint64_t i = 0; i < light_layers; ++i) key.light_layers.push_back(in.text());
     return key;
 }
 
@@ -67,7 +69,7 @@ bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_round
         return static_cast<std::uint64_t>((pixels + kErrorBlock - 1) / kErrorBlock);
     };
     const std::uint64_t discs = key.has_discs() ? 1 : 0;
-    std::uint64_t a_pixel = 1 + 3 * open_round_count + 6 * discs;
+    std::uint64_t a_pixel = 1 + 3 * open_round_count + 6 * discs + 3 * key.light_layers.size();
     for (std::size_t i = 0; i < kLayerCount; ++i)
         if (key.has(i)) a_pixel += kLayers.at(i).channels.size();
     if (a_pixel > words / key.pixels()) return false;  // so that the product cannot overflow
@@ -89,6 +91,8 @@ void put_film(WordWriter& out, const Film& film) {
           std::bit_cast<std::uint64_t>(sums.key.alpha), sums.key.seed, sums.key.scene_hash})
         out.put(word);
     out.put(sums.key.settings);
+    out.put(sums.key.light_layers.size());
+    for (const std::string& name : sums.key.light_layers) out.put(name);
     out.put(sums.passes.ranges().size());
     for (const PassRange& range : sums.passes.ranges()) {
         out.put(range.begin);

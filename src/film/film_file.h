@@ -2,11 +2,12 @@
 //
 // Layout, in 64-bit little-endian words: magic, version, width, height, layers (bit i: row i of
 // kLayers; bit 63: sequential), alpha (the bits of a double; zero: no discs), seed, scene hash,
-// settings; count of pass ranges, and each begin and end; count of statistics, and each name, high
-// and low word; the sums (high, low) of each layer, pixel squares, block squares, the picture's
-// square; with discs, of what photons have brought: RGB sums, those by area, block squares, the
-// picture's square; for each open round its RGB sums and, with discs, photons' RGB of each block (a
-// sequential film has none); checksum of all before. One film has one file.
+// settings; count of layers of lights, and each name; count of pass ranges, and each begin and end;
+// count of statistics, and each name, high and low word; the sums (high, low) of each layer, of
+// each layer of lights, pixel squares, block squares, the picture's square; with discs, of what
+// photons have brought: RGB sums, those by area, block squares, the picture's square; for each open
+// round its RGB sums and, with discs, photons' RGB of each block (a sequential film has none);
+// checksum of all before. One film has one file.
 #pragma once
 
 #include "film/film.h"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sunfleck {
 
@@ -20,6 +21,7 @@ struct FilmKey {
     bool sequential = false;       // a pass builds on those before: no error bars, no merging
     double alpha = 0;  // of the radii of discs (measurement/radius.h), which bias the picture;
                        // zero: there are none, or they follow no such sequence
+    std::vector<std::string> light_layers{};  // their names: measurement/light_layers.h
 
     friend bool operator==(const FilmKey&, const FilmKey&) = default;
 

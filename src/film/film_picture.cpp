@@ -12,11 +12,13 @@ bool is_light(Layer layer) {
            layer != Layer::samples;
 }
 
-void add_layer(Picture& picture, const FixedPoints& sums, const LayerRow& row, double scale) {
-    const std::size_t channels = row.channels.size();
+/// @param names  of the channels, a letter each.
+void add_layer(Picture& picture, const FixedPoints& sums, std::string_view layer,
+               std::string_view names, double scale) {
+    const std::size_t channels = names.size();
     for (std::size_t c = 0; c < channels; ++c) {
-        const std::string prefix = row.name.empty() ? "" : std::string(row.name) + ".";
-        std::vector<float>& values = picture.add(prefix + row.channels[c]).values;
+        const std::string prefix = layer.empty() ? "" : std::string(layer) + ".";
+        std::vector<float>& values = picture.add(prefix + names[c]).values;
         parallel_blocks(values.size(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 values[i] = static_cast<float>(sums[i * channels + c].to_double() * scale);
@@ -60,8 +62,15 @@ Picture film_picture(const Film& film, FilmPictureOptions options) {
     for (std::size_t i = 0; i < kLayerCount; ++i) {
         const LayerRow& row = kLayers.at(i);
         if (film.key().has(i))
-            add_layer(picture, film.sums().layers.at(i), row,
+            add_layer(picture, film.sums().layers.at(i), row.name, row.channels,
                       is_light(row.layer) ? share * options.scale : share);
+    }
+    for (std::size_t i = 0; i < film.key().light_layers.size(); ++i)
+        add_layer(picture, film.sums().light_layers[i], film.key().light_layers[i], "RGB",
+                  share * options.scale);
+    for (const std::string& name : film.key().light_layers) {
+        std::string& names = picture.metadata[kLightLayerNames];
+        names += (names.empty() ? "" : " ") + name;
     }
     add_error(picture, film, options);
     add_bias(picture, film, options);

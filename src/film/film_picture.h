@@ -9,12 +9,16 @@ namespace sunfleck {
 /// Name of the metadata that says of a picture that its bias has been subtracted.
 inline constexpr const char* kExtrapolated = "extrapolated";
 
+/// Name of the metadata that names the layers of lights, with spaces between.
+inline constexpr const char* kLightLayerNames = "light_layers";
+
 struct FilmPictureOptions {
     double scale = 1;          // of all light, its error and bias; features keep theirs
     bool extrapolate = false;  // subtract the bias, where it is known (film/bias.h)
 };
 
-/// Channels R, G, B, then those of each layer that the film has ("direct.R", "depth.Z", ...); from
+/// Channels R, G, B, then those of each layer that the film has ("direct.R", "depth.Z", ...), those
+/// of lights last; from
 /// two complete rounds on "error.Y", the standard error of the pixel's luminance (from complete
 /// rounds alone); and where the bias of the discs is known "bias.R", "bias.G", "bias.B": what to
 /// subtract from RGB, or what has been subtracted. Then metadata say so, the error is that of the

@@ -11,6 +11,7 @@ namespace {
 template <class Sum, class Sums>
 std::vector<std::span<Sum>> totals(Sums& sums) {
     std::vector<std::span<Sum>> all(sums.layers.begin(), sums.layers.end());
+    all.insert(all.end(), sums.light_layers.begin(), sums.light_layers.end());
     auto& photons = sums.photons;
     all.insert(all.end(), {sums.pixel_squares, sums.block_squares, {&sums.image_square, 1}});
     all.insert(all.end(), {photons.rgb, photons.rgb_by_area, photons.block_squares});
@@ -27,6 +28,7 @@ FilmSums empty_sums(FilmKey key) {
     const std::size_t blocks = BlockGrid(key, kErrorBlock).count();
     for (std::size_t i = 0; i < kLayerCount; ++i)
         if (key.has(i)) sums.layers.at(i).resize(pixels * kLayers.at(i).channels.size());
+    sums.light_layers.assign(key.light_layers.size(), FixedPoints(3 * pixels));
     sums.pixel_squares.resize(pixels);
     sums.block_squares.resize(blocks);
     if (key.has_discs()) {

@@ -50,6 +50,7 @@ struct FilmSums {
     PassSet passes;
     FilmStatistics statistics;
     std::array<FixedPoints, kLayerCount> layers;  // pixel after pixel, channel after channel
+    std::vector<FixedPoints> light_layers;        // the same, RGB
     FixedPoints pixel_squares;                    // of complete rounds' luminance
     FixedPoints block_squares;                    // row after row of blocks
     FixedPoint image_square;

@@ -3,6 +3,7 @@
 
 #include "core/exact_sum.h"
 #include "film/film_key.h"
+#include "math/colour.h"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +12,9 @@
 
 namespace sunfleck {
 
-/// Luminance of linear sRGB (Rec. 709 primaries): IEC 61966-2-1, rows of its matrix to XYZ.
-inline double luminance(const std::array<double, 3>& rgb) {
-    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+inline double luminance(const Triple& rgb) {
+    return kLuminanceWeights[0] * rgb[0] + kLuminanceWeights[1] * rgb[1] +
+           kLuminanceWeights[2] * rgb[2];
 }
 
 /// Three exact sums.

@@ -61,6 +61,13 @@ void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row) {
     });
 }
 
+void add_light_layer(FixedPoints& sums, const PassImage& image, std::size_t light_layer) {
+    parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            sums[i] += image.light_value(light_layer, i / 3, i % 3);
+    });
+}
+
 std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenRound& round) {
     const BlockGrid grid(sums.key, kErrorBlock);
     Terms term;

@@ -14,6 +14,9 @@ void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms);
 /// Adds a layer of a pass, pixel after pixel, channel after channel.
 void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row);
 
+/// Adds a layer of lights of a pass, pixel after pixel, RGB.
+void add_light_layer(FixedPoints& sums, const PassImage& image, std::size_t light_layer);
+
 /// Adds what photons have brought in one pass of a round. The image holds it apart.
 /// @param area  the round's. @return terms beyond kLargestTerm, which were cut there.
 std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenRound& round);

@@ -2,6 +2,7 @@
 #include "light/light_picture.h"
 
 #include "core/parallel.h"
+#include "math/colour.h"
 #include "math/sigmoid_table.h"
 
 #include <algorithm>
@@ -37,7 +38,8 @@ void normalise(double* sums, std::size_t count) {
 
 TexelLight texel_light(const Vec3& given) {
     const Vec3d rgb(std::max(0.0F, given.x), std::max(0.0F, given.y), std::max(0.0F, given.z));
-    const double luminance = 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;  // IEC 61966-2-1
+    const double luminance =
+        rgb.dot({kLuminanceWeights[0], kLuminanceWeights[1], kLuminanceWeights[2]});
     if (!(luminance > 0)) return {};
     if (rgb.x == rgb.y && rgb.y == rgb.z) return {rgb.x, Vec3(1)};
     return {luminance, Vec3(rgb / luminance)};

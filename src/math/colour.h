@@ -20,6 +20,9 @@ inline constexpr double kYIntegral = 106.856895;
 /// Three numbers in double: XYZ or linear sRGB, as said where used.
 using Triple = std::array<double, 3>;
 
+/// Luminance of linear sRGB: IEC 61966-2-1, the row of its matrix to XYZ, as printed.
+inline constexpr Triple kLuminanceWeights = {0.2126, 0.7152, 0.0722};
+
 /// At 1 nm, kFirstNm..kLastNm: the linear sRGB of a radiance of one per nm, so that the sum over
 /// all of radiance times response is the colour. Components sum over all wavelengths to the
 /// colour of the constant 1.

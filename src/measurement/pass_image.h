@@ -10,6 +10,7 @@
 #include "core/exact_sum.h"
 #include "math/vector.h"
 #include "measurement/channels.h"
+#include "measurement/light_layers.h"
 
 #include <algorithm>
 #include <array>
@@ -26,17 +27,20 @@ class PassImage {
 public:
     using Pixel = std::array<AtomicFixedPoint, 3>;
 
-    /// @param photons_apart  by_photons() will be asked for.
-    PassImage(std::size_t pixels, const LayerSet& wanted, bool photons_apart = false)
+    /// @param photons_apart  by_photons() will be asked for. @param light_layers  how many.
+    PassImage(std::size_t pixels, const LayerSet& wanted, bool photons_apart = false,
+              std::size_t light_layers = 0)
         : pixels_(pixels) {
         for (std::size_t i = 0; i < kLayerCount; ++i)
             if (i == 0 || wanted.at(i)) layers_.at(i) = std::vector<Pixel>(pixels);
         if (photons_apart) eye_ = std::vector<Pixel>(pixels);
+        for (std::size_t i = 0; i < light_layers; ++i) lights_.emplace_back(pixels);
     }
 
     std::size_t pixels() const { return pixels_; }
     bool has(Layer layer) const { return !at(layer).empty(); }
     bool photons_apart() const { return !eye_.empty(); }
+    std::size_t light_layers() const { return lights_.size(); }
 
     /// Adds to the total and, if measured, to the layer that owns this light. A value that is not
     /// finite is dropped and counted; one beyond kLargestTerm is cut there and counted.
@@ -53,6 +57,14 @@ public:
         if (!photons_apart() || !finite(rgb)) return;
         for (unsigned c = 0; c < 3; ++c)
             eye_[pixel][c].add(FixedPoint::from_double(cut(rgb[static_cast<int>(c)])));
+    }
+
+    /// Adds what add_light() has added already to the layer of the light that it comes from: cut
+    /// and dropped alike, and not counted again. @param layer  kNoLightLayer: nothing is added.
+    void add_to_light_layer(std::size_t pixel, const Vec3& rgb, std::uint8_t layer) {
+        if (layer == kNoLightLayer || !finite(rgb)) return;
+        for (unsigned c = 0; c < 3; ++c)
+            lights_[layer][pixel][c].add(FixedPoint::from_double(cut(rgb[static_cast<int>(c)])));
     }
 
     /// add_light() of what is_addable(), with no other thread at this pixel if `alone`.
@@ -87,6 +99,10 @@ public:
 
     FixedPoint value(Layer layer, std::size_t pixel, std::size_t channel) const {
         return at(layer)[pixel][channel].value();
+    }
+
+    FixedPoint light_value(std::size_t light_layer, std::size_t pixel, std::size_t channel) const {
+        return lights_[light_layer][pixel][channel].value();
     }
 
     /// Of the total, what eye paths have not brought. @param channel  of RGB.
@@ -146,6 +162,7 @@ private:
     std::size_t pixels_;
     std::array<std::vector<Pixel>, kLayerCount> layers_;
     std::vector<Pixel> eye_;  // part of the total
+    std::vector<std::vector<Pixel>> lights_;
     std::vector<std::atomic<std::uint64_t>> counts_ = std::vector<std::atomic<std::uint64_t>>(2);
 };
 

@@ -1,5 +1,8 @@
-// Choices that eye paths, photon paths and reference integrators share: who brings which light.
+// Choices that eye paths, photon paths and reference integrators share: who brings which light, and
+// where it counts.
 #pragma once
+
+#include "measurement/light_layers.h"
 
 namespace sunfleck {
 
@@ -14,6 +17,7 @@ inline constexpr int kDefaultMaxDepth = 64;
 struct TransportSettings {
     DirectLight direct = DirectLight::sampled;
     int max_depth = kDefaultMaxDepth;  // scattering events on a whole path, eye and light together
+    LightLayers light_layers{};
 };
 
 }  // namespace sunfleck

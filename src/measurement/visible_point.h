@@ -7,6 +7,7 @@
 #include "bsdf/bsdf.h"
 #include "math/spectrum.h"
 #include "math/vector.h"
+#include "measurement/light_layers.h"
 
 #include <cstdint>
 
@@ -26,8 +27,9 @@ struct Photon {
     Vec3 w{0};                  // unit, back along the photon
     std::uint16_t bounces = 0;  // scattering events so far
     PhotonKind kind = PhotonKind::direct;
-    std::uint32_t copies = 1;  // so many alike
-    Spectrum flux;             // of all copies
+    std::uint8_t light_layer = kNoLightLayer;  // of the light that it comes from
+    std::uint32_t copies = 1;                  // so many alike
+    Spectrum flux;                             // of all copies
 };
 
 /// The part of a visible point that decides which photons it takes. 40 bytes.

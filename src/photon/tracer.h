@@ -45,6 +45,7 @@ struct PhotonState {
     bool lane_read = false;
     std::uint16_t bounces = 0;
     PhotonKind kind = PhotonKind::direct;
+    std::uint8_t light_layer = kNoLightLayer;
     bool at_light = true;     // about to leave it
     MediumNumber medium = 0;  // of the next ray
     float faded = 1;          // what media left of the flux since the last roulette
@@ -181,6 +182,7 @@ private:
                              unit(EmissionSlot::direction_u), unit(EmissionSlot::direction_v)},
                             pass_.scene.sphere());
         if (!(start.factor > 0)) return {};  // from a dark place of a picture
+        state.light_layer = transport_.light_layers.of(choice.index);
         const Vec3d normal(start.normal);
         start.origin += normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
         state.flux =
@@ -193,7 +195,8 @@ private:
 
     static Photon arrive(const Hit& hit, const PhotonState& state) {
         const Vec3 normal = hit.normal.dot(state.direction) > 0 ? -hit.normal : hit.normal;
-        return {hit.position, normal, -state.direction, state.bounces, state.kind, 1, state.flux};
+        return {hit.position,      normal, -state.direction, state.bounces, state.kind,
+                state.light_layer, 1,      state.flux};
     }
 
     /// One scattering event. @return false when the photon is absorbed.

@@ -11,7 +11,7 @@ namespace sunfleck {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x0A'74'70'6B'63'6E'75'73;     // "sunckpt\n"
-constexpr std::uint64_t kVersion = 2;                           // films of version 2
+constexpr std::uint64_t kVersion = 3;                           // films of version 3
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 30U;  // as --passes
 constexpr WordFileKind kKind{"checkpoint", "use another copy, or render anew without --resume"};
 
@@ -174,23 +174,21 @@ Checkpoint read_checkpoint(const std::string& path) {
 }
 
 void check_same_render(const std::string& name, const Checkpoint& checkpoint, const Origin& origin,
-                       const RenderJob& job) {
+                       const FilmKey& key, const StopSettings& stop) {
     const Origin& before = checkpoint.origin;
     const Film& film = checkpoint.state.film;
     check_same(name, "version of the program", before.program, origin.program);
     check_same(name, "isa", before.isa, origin.isa);
-    const FilmKey key = key_of(job);
     if (film.key().scene_hash != key.scene_hash)
         refuse(name, changed_file(before.files, origin.files));
     if (const auto differs = difference(film.key(), key))
         refuse(name, differs->what, differs->here, differs->there);
     const PassRange& passes = film.passes().ranges().at(0);
-    check_same(name, "first pass", std::to_string(passes.begin),
-               std::to_string(job.stop.first_pass));
-    if (job.stop.end_pass && passes.end > *job.stop.end_pass)
+    check_same(name, "first pass", std::to_string(passes.begin), std::to_string(stop.first_pass));
+    if (stop.end_pass && passes.end > *stop.end_pass)
         throw Error({name},
                     "holds passes up to " + std::to_string(passes.end) + ", and " +
-                        std::to_string(*job.stop.end_pass) + " are asked for",
+                        std::to_string(*stop.end_pass) + " are asked for",
                     "ask for " + std::to_string(passes.end) + " or more");
 }
 

@@ -46,10 +46,10 @@ Checkpoint read_checkpoint(const std::string& path);
 /// The same from a stream of that many bytes. @param name  for errors.
 Checkpoint read_checkpoint(std::istream& stream, std::uint64_t size, const std::string& name);
 
-/// May the job go on from it?
-/// @param name  of the checkpoint's file.
+/// May a job go on from it?
+/// @param name  of the checkpoint's file. @param key, stop  the job's.
 /// @throws Error that names the first difference, with the value in the file and the one asked for.
 void check_same_render(const std::string& name, const Checkpoint& checkpoint, const Origin& origin,
-                       const RenderJob& job);
+                       const FilmKey& key, const StopSettings& stop);
 
 }  // namespace sunfleck

@@ -10,7 +10,7 @@ namespace {
 
 using Words = std::vector<std::uint64_t>;
 
-/// Texts: the settings, then the statistics' names, a line each.
+/// Texts: the settings, then names, a line each: of the layers of lights, of the statistics.
 struct Head {
     Words numbers;
     std::string settings;
@@ -25,9 +25,10 @@ Head head_of(const FilmSums& sums) {
     Head head{{static_cast<std::uint64_t>(key.width), static_cast<std::uint64_t>(key.height),
                layers, key.sequential ? 1U : 0U, std::bit_cast<std::uint64_t>(key.alpha), key.seed,
                key.scene_hash, sums.passes.ranges().size(), sums.statistics.size(),
-               sums.open_rounds.size()},
+               sums.open_rounds.size(), key.light_layers.size()},
               key.settings,
               {}};
+    for (const std::string& name : key.light_layers) head.names += name + "\n";
     for (const PassRange& range : sums.passes.ranges()) {
         head.numbers.push_back(range.begin);
         head.numbers.push_back(range.end);
@@ -58,12 +59,14 @@ FilmSums empty_film(const Head& head) {
     const std::uint64_t ranges = take();
     const std::uint64_t statistics = take();
     const std::uint64_t open_rounds = take();
+    std::istringstream names(head.names);
+    for (std::uint64_t left = take(); left > 0; --left)
+        std::getline(names, key.light_layers.emplace_back());
     FilmSums sums = empty_sums(std::move(key));
     for (std::uint64_t i = 0; i < ranges; ++i) {
         const std::uint64_t begin = take();
         sums.passes.insert({begin, take()});
     }
-    std::istringstream names(head.names);
     for (std::uint64_t i = 0; i < statistics; ++i) {
         std::string name;
         std::getline(names, name);

@@ -61,9 +61,7 @@ void follow_groups(const std::vector<GroupCounts>& groups, Progress& progress) {
         progress.levels.push_back(sets == 0 ? 0 : sets - 1);
         mutations += group.ladder.mutations();
     }
-    progress.acceptance = mutations.proposed == 0 ? 0
-                                                  : static_cast<double>(mutations.accepted) /
-                                                        static_cast<double>(mutations.proposed);
+    progress.acceptance = mutations.share();
 }
 
 }  // namespace

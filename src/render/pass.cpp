@@ -41,7 +41,8 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     const PixelWindow window = window_of(scene.film());
     const PassId id{settings.seed, number};
     const bool has_discs = settings.integrator == Integrator::sppm;
-    PassResult result{PassImage(window.pixels(), settings.layers, has_discs),
+    PassResult result{PassImage(window.pixels(), settings.layers, has_discs,
+                                settings.transport.light_layers.names.size()),
                       {},
                       {},
                       radius_factor(number, settings.alpha),

@@ -71,6 +71,7 @@ FilmKey key_of(const RenderJob& job) {
     key.settings += "resolution=" + std::to_string(whole.x) + "x" + std::to_string(whole.y) +
                     "\nwindow=" + std::to_string(window.x0) + "," + std::to_string(window.y0) +
                     "\n";
+    key.light_layers = job.settings.transport.light_layers.names;
     key.sequential = is_sequential(job.settings);
     if (job.settings.integrator == Integrator::sppm && !key.sequential)
         key.alpha = job.settings.alpha;

@@ -18,7 +18,7 @@ std::string RenderSettings::text() const {
     std::string text = fmt::format(
         "integrator={}\nphoton_sampler={}\ndirect={}\nmax_depth={}\nphotons_per_pass={}\n"
         "radius_pixels={}\nradius={}\nalpha={}\n",
-        kIntegrators.at(static_cast<std::size_t>(integrator)).name, name_of(photon.sampler),
+        name_of(integrator), name_of(photon.sampler),
         transport.direct == DirectLight::sampled ? "sampled" : "photons", transport.max_depth,
         optional_number(photon.paths_per_pass), eye.radius_pixels, optional_number(eye.radius),
         alpha);
@@ -26,6 +26,8 @@ std::string RenderSettings::text() const {
     if (!photon.light_groups) text += "light_groups=off\n";
     if (!photon.emission_maps) text += "emission_maps=off\n";
     if (!photon.balance) text += "balance=off\n";
+    if (!transport.light_layers.names.empty())
+        text += fmt::format("light_layers={}\n", transport.light_layers.text);
     if (photon.sampler != PhotonSampler::paper) return text;
     const PaperSettings& paper = photon.paper;
     return text + fmt::format("replica_exchange={}\nmutation_size={}\ntarget_acceptance={}\n",

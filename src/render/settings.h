@@ -32,6 +32,10 @@ inline constexpr std::array<IntegratorRow, 5> kIntegrators = {{
     {Integrator::mlt, "mlt", "reference Metropolis light transport"},
 }};
 
+inline std::string_view name_of(Integrator integrator) {
+    return kIntegrators.at(static_cast<std::size_t>(integrator)).name;
+}
+
 /// Nothing for a word that names none.
 inline std::optional<Integrator> integrator_named(std::string_view name) {
     for (const IntegratorRow& row : kIntegrators)

@@ -31,6 +31,10 @@ struct Acceptance {
         accepted += other.accepted;
         return *this;
     }
+    /// Zero where nothing was proposed.
+    double share() const {
+        return proposed == 0 ? 0 : static_cast<double>(accepted) / static_cast<double>(proposed);
+    }
     friend bool operator==(const Acceptance&, const Acceptance&) = default;
 };
 using Acceptances = std::array<Acceptance, kMutationKinds>;

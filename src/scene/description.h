@@ -17,6 +17,12 @@
 
 namespace sunfleck {
 
+/// Light as the scene's file states it: one statement may make many lights.
+struct LightStatement {
+    std::string what;  // as the file has it: LightSource "point"
+    SourceLocation where;
+};
+
 /// Diffuse emission of a whole shape.
 struct AreaEmission {
     SpectralCurve radiance;
@@ -27,6 +33,7 @@ struct AreaEmission {
     double power = 0;
     /// What the radiance is multiplied by, by the (u, v) of the surface; null: one.
     std::shared_ptr<const SurfacePicture> picture = nullptr;
+    std::uint32_t statement = kNone;  // index into SceneDescription::light_statements
 };
 
 struct ShapeDescription {
@@ -78,8 +85,11 @@ struct SceneDescription {
     std::vector<ShapeDescription> shapes;                // in the world
     std::vector<std::vector<ShapeDescription>> objects;  // each list once, placed by instances
     std::vector<InstanceDescription> instances;
-    std::vector<Light> lights;  // all but area lights
-    Media media;                // at_lights: of `lights`
+    std::vector<LightStatement> light_statements;  // in the order of the file
+    std::vector<Light> lights;                     // all but area lights
+    std::vector<std::uint32_t> stated_in;  // of `lights`: light_statements; by none where there
+                                           // are fewer
+    Media media;                           // at_lights: of `lights`
     /// Illuminance lights (pbrt "illuminance" on infinite lights) and spot/point "power" are
     /// already in the curves.
     Warnings warnings;

@@ -31,7 +31,7 @@ Scene::Scene(SceneDescription description, const std::string& isa)
     const Bounds& bounds = geometry_.bounds();
     if (!bounds.is_empty()) sphere_ = {bounds.center(), std::max(bounds.radius(), 1e-6)};
     reliefs_.resize(materials_.size());
-    finish_lights(description.lights);
+    finish_lights(description);
     if (has_media_) finish_media(std::move(description.media));
 }
 
@@ -72,11 +72,15 @@ void Scene::add_area_lights(const ShapeDescription& shape, std::uint32_t index) 
     light_sources_.push_back(
         {static_cast<std::uint32_t>(lights_.size()), static_cast<std::uint32_t>(made.size())});
     lights_.insert(lights_.end(), made.begin(), made.end());
+    stated_in_.insert(stated_in_.end(), made.size(), shape.emission->statement);
     media_.at_lights.insert(media_.at_lights.end(), made.size(), shape.media);
 }
 
-void Scene::finish_lights(const std::vector<Light>& others) {
-    for (const Light& light : others) {
+void Scene::finish_lights(SceneDescription& description) {
+    light_statements_ = std::move(description.light_statements);
+    description.stated_in.resize(description.lights.size(), kNone);
+    stated_in_.insert(stated_in_.end(), description.stated_in.begin(), description.stated_in.end());
+    for (const Light& light : description.lights) {
         light_sources_.push_back({static_cast<std::uint32_t>(lights_.size()), 1});
         lights_.push_back(light);
     }

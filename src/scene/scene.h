@@ -36,6 +36,10 @@ public:
     const LightChoice& light_choice() const { return light_choice_; }
     /// Lights that belong together: those of one shape, or one by itself; in the order of lights().
     const std::vector<LightRange>& light_sources() const { return light_sources_; }
+    /// What the file says of lights, in its order.
+    const std::vector<LightStatement>& light_statements() const { return light_statements_; }
+    /// By light, the one of these that it comes from, or kNone.
+    const std::vector<std::uint32_t>& stated_in() const { return stated_in_; }
     /// By what arrives at a point: direct light is sampled at lights chosen by it.
     const LightTree& light_tree() const { return light_tree_; }
     const SceneSphere& sphere() const { return sphere_; }
@@ -75,7 +79,7 @@ public:
 private:
     GeometryInput take_shapes(SceneDescription& description);
     void add_area_lights(const ShapeDescription& shape, std::uint32_t index);
-    void finish_lights(const std::vector<Light>& others);
+    void finish_lights(SceneDescription& description);
     void finish_media(Media media);
 
     std::vector<Material> materials_;
@@ -83,6 +87,8 @@ private:
     std::vector<ShapeRecord> shapes_;
     std::vector<Light> lights_;
     std::vector<LightRange> light_sources_;
+    std::vector<LightStatement> light_statements_;
+    std::vector<std::uint32_t> stated_in_;
     std::vector<std::uint32_t> infinite_lights_;
     bool has_lights_to_meet_ = false;
     bool has_straight_hits_ = false;

@@ -21,19 +21,24 @@ TEST(FilmPicture, is_the_mean_over_passes) {
     std::vector<std::string> names;
     for (const Channel& channel : picture.channels) names.push_back(channel.name);
     EXPECT_EQ(names, (std::vector<std::string>{"R", "G", "B", "caustic.R", "caustic.G", "caustic.B",
-                                               "depth.Z"}));
+                                               "depth.Z", "sun.R", "sun.G", "sun.B", "lamp.R",
+                                               "lamp.G", "lamp.B"}));
     double red = 0;
     double caustic = 0;
     double depth = 0;
+    double lamp = 0;
     for (std::uint32_t pass = 0; pass < 20; ++pass) {
         const PassImage image = noise_pass(key, pass);
         red += image.value(Layer::total, 33, 0).to_double();
         caustic += image.value(Layer::caustic, 33, 1).to_double();
         depth += image.value(Layer::depth, 33, 0).to_double();
+        lamp += image.light_value(1, 33, 2).to_double();
     }
     EXPECT_FLOAT_EQ(picture.find("R")->values[33], static_cast<float>(2 * red / 20));
     EXPECT_FLOAT_EQ(picture.find("caustic.G")->values[33], static_cast<float>(2 * caustic / 20));
     EXPECT_FLOAT_EQ(picture.find("depth.Z")->values[33], static_cast<float>(depth / 20));
+    EXPECT_FLOAT_EQ(picture.find("lamp.B")->values[33], static_cast<float>(2 * lamp / 20));
+    EXPECT_EQ(picture.metadata.at(kLightLayerNames), "sun lamp");
 }
 
 TEST(FilmPicture, has_an_error_from_two_rounds_on) {
@@ -55,7 +60,7 @@ TEST(FilmPicture, has_a_bias_from_four_rounds_on) {
     for (std::size_t c = 0; c < 3; ++c)
         EXPECT_FLOAT_EQ(picture.find(std::string("bias.") + "RGB"[c])->values[7],
                         static_cast<float>(3 * pixel_biases(film)[7].at(c)));
-    EXPECT_TRUE(picture.metadata.empty());
+    EXPECT_FALSE(picture.metadata.contains(kExtrapolated));
     EXPECT_EQ(film_picture(film_of(small_key(), numbers(0, 63))).find("bias.R"), nullptr);
 }
 

@@ -205,7 +205,12 @@ TEST(Film, parts_of_other_renders_are_refused_by_name) {
     starts(merge_fault(key, {90}), other + "sequence of radii differs;");
     key = small_key();
     key.layers[static_cast<std::size_t>(Layer::direct)] = true;
-    starts(merge_fault(key, {90}), other + "set of layers differs: RGB caustic depth and RGB dir");
+    starts(merge_fault(key, {90}),
+           other + "set of layers differs: RGB caustic depth sun lamp and RGB dir");
+    key = small_key();
+    key.light_layers[1] = "lamps";
+    starts(merge_fault(key, {90}),
+           other + "set of layers differs: RGB caustic depth sun lamp and RGB");
     EXPECT_EQ(merge_fault(small_key(), {90}), "");
 }
 

@@ -11,18 +11,19 @@
 
 namespace sunfleck::testing_support {
 
-/// With discs: photons bring a part of the light.
+/// With discs: photons bring a part of the light. With layers of two lights.
 inline FilmKey small_key(int width = 19, int height = 10) {
     FilmKey key{width, height, {}, 7, 0xABCDEF, "alpha=0.667\nphotons_per_pass=1000\n"};
     key.alpha = 2.0 / 3;
     key.layers[static_cast<std::size_t>(Layer::caustic)] = true;
     key.layers[static_cast<std::size_t>(Layer::depth)] = true;
+    key.light_layers = {"sun", "lamp"};
     return key;
 }
 
 /// A pass of skewed noise, some of it negative, of many magnitudes: a function of (seed, number).
 inline PassImage noise_pass(const FilmKey& key, std::uint32_t number) {
-    PassImage image(key.pixels(), key.layers, key.has_discs());
+    PassImage image(key.pixels(), key.layers, key.has_discs(), key.light_layers.size());
     for (std::size_t i = 0; i < key.pixels(); ++i) {
         RandomStream random(key.seed, Purpose::test, number, static_cast<std::uint32_t>(i));
         const float size = std::exp(20 * random.next_float() - 12);
@@ -30,6 +31,9 @@ inline PassImage noise_pass(const FilmKey& key, std::uint32_t number) {
         image.add_light(i, rgb, random.next_float() < 0.5F ? Layer::caustic : Layer::indirect);
         image.add_eye_light(i, Vec3(random.next_float(), 2 * size, 1), Layer::direct);
         image.add_feature(i, Vec3(3 + random.next_float(), 0, 0), Layer::depth);
+        for (std::size_t layer = 0; layer < image.light_layers(); ++layer)
+            image.add_to_light_layer(i, rgb * random.next_float(),
+                                     static_cast<std::uint8_t>(layer));
     }
     return image;
 }

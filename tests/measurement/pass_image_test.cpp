@@ -35,5 +35,22 @@ TEST(PassImage, light_that_cannot_be_added_is_counted_once) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(by_photons(image, c), 0);
 }
 
+TEST(PassImage, layers_of_lights_count_nothing_twice) {
+    PassImage image(1, {}, true, 2);
+    image.add_to_light_layer(0, Vec3(1, 2, 3), 0);
+    image.add_to_light_layer(0, Vec3(10, 0, 0), 0);
+    image.add_to_light_layer(0, Vec3(5, 5, 5), kNoLightLayer);
+    image.add_to_light_layer(0, Vec3(NAN, 1, 1), 1);
+    image.add_to_light_layer(0, Vec3(-0x1p60F, 1, 0), 1);
+    EXPECT_EQ(image.light_layers(), 2U);
+    EXPECT_EQ(image.light_value(0, 0, 0).to_double(), 11);
+    EXPECT_EQ(image.light_value(0, 0, 2).to_double(), 3);
+    EXPECT_EQ(image.light_value(1, 0, 0).to_double(), -kLargestTerm);
+    EXPECT_EQ(image.light_value(1, 0, 1).to_double(), 1);
+    EXPECT_EQ(image.dropped(), 0U);
+    EXPECT_EQ(image.saturated(), 0U);
+    EXPECT_EQ(image.value(Layer::total, 0, 0).to_double(), 0);
+}
+
 }  // namespace
 }  // namespace sunfleck

@@ -71,10 +71,11 @@ TEST(FilmTransfer, a_film_arrives_as_it_is) {
 }
 
 /// docs/clusters.md: 160.5 bytes a pixel, 48.75 for an open round, some hundreds for the
-/// head; 64.25 and 48 without discs.
+/// head; 64.25 and 48 without discs; 48 for a layer of lights.
 TEST(FilmTransfer, sends_the_sums_and_little_more) {
     FilmKey key = small_key(64, 64);
     key.layers = {};
+    key.light_layers = {};
     const auto sent = [&key](std::uint32_t begin, std::uint32_t end) {
         const Film film = film_of(key, numbers(begin, end));
         return on_ranks(2, [&](const Ranks& ranks) {
@@ -91,6 +92,8 @@ TEST(FilmTransfer, sends_the_sums_and_little_more) {
     EXPECT_NEAR(static_cast<double>(sent(0, 16)), 64.25 * kPixels + 300, 200);
     EXPECT_NEAR(static_cast<double>(sent(0, 20)), (64.25 + 48) * kPixels + 300, 200);
     EXPECT_NEAR(static_cast<double>(sent(5, 20)), (64.25 + 96) * kPixels + 300, 200);
+    key.light_layers = {"sun", "lamp"};
+    EXPECT_NEAR(static_cast<double>(sent(0, 16)), (64.25 + 2 * 48) * kPixels + 300, 200);
 }
 
 void expect_even_blocks(const PassRange& turn, int size) {

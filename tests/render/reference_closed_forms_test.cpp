@@ -100,10 +100,7 @@ LightSource "infinite" "rgb L" [5 5 5]
 INSTANTIATE_TEST_SUITE_P(Of, ReferenceClosedForms,
                          ::testing::Values(Integrator::path, Integrator::light, Integrator::bdpt,
                                            Integrator::mlt),
-                         [](const auto& info) {
-                             return std::string(
-                                 kIntegrators.at(static_cast<std::size_t>(info.param)).name);
-                         });
+                         [](const auto& info) { return std::string(name_of(info.param)); });
 
 }  // namespace
 }  // namespace sunfleck

@@ -93,10 +93,7 @@ TEST_P(ReferenceSameBytes, with_any_number_of_threads_and_merged) {
 INSTANTIATE_TEST_SUITE_P(Of, ReferenceSameBytes,
                          ::testing::Values(Integrator::path, Integrator::light, Integrator::bdpt,
                                            Integrator::mlt),
-                         [](const auto& info) {
-                             return std::string(
-                                 kIntegrators.at(static_cast<std::size_t>(info.param)).name);
-                         });
+                         [](const auto& info) { return std::string(name_of(info.param)); });
 
 }  // namespace
 }  // namespace sunfleck

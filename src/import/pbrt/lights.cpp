@@ -130,6 +130,13 @@ constexpr std::array<Row, 6> kRows = {{{"point", point_light},
                                        {"goniometric", goniometric_light},
                                        {"projection", projection_light}}};
 
+/// @return the statement's number in the description.
+std::uint32_t note(const Statement& statement, Reading& reading) {
+    std::vector<LightStatement>& all = reading.scene.light_statements;
+    all.push_back({statement.title(), statement.where});
+    return static_cast<std::uint32_t>(all.size() - 1);
+}
+
 }  // namespace
 
 void add_light(const Statement& statement, Reading& reading) {
@@ -142,6 +149,7 @@ void add_light(const Statement& statement, Reading& reading) {
     }
     reading.count_word(statement.keyword, statement.type);
     reading.scene.lights.push_back(row->maker(statement, reading));
+    reading.scene.stated_in.push_back(note(statement, reading));
     const MediumNumber around =
         reading.media.number_of(reading.state.outside_medium, statement.where);
     reading.scene.media.at_lights.push_back({around, around});
@@ -163,6 +171,7 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
     emission.radiance = scaled(emission_of(statement, "L", reading), scale_of(statement));
     emission.two_sided = statement.flag("twosided", false);
     emission.power = std::max(statement.real("power", 0), 0.0);
+    emission.statement = note(statement, reading);
     reading.warn_unused(statement);
     return emission;
 }

@@ -1,0 +1,147 @@
+// Reading the flags of `sunfleck render`, row by row.
+#include "apps/cli/render_options.h"
+
+#include "apps/cli/number_check.h"
+#include "core/error.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace sunfleck {
+namespace {
+
+/// An option that takes one of the names of a table, whose rows say what each means.
+template <class Rows>
+void add_choice(CLI::App& app, const char* flag, std::string& text, const Rows& rows) {
+    std::string what;
+    std::vector<std::string> names;
+    for (const auto& row : rows) {
+        names.emplace_back(row.name);
+        what += fmt::format("{}{}: {}", what.empty() ? "" : "; ", row.name, row.what);
+    }
+    app.add_option(flag, text, what)->check(CLI::IsMember(names));
+}
+
+/// What the reference integrators have no use for is refused rather than passed over.
+void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
+    if (t.integrator == "sppm") return;
+    for (const char* flag : {"--photon-sampler", "--light-groups", "--emission-maps", "--balance",
+                             "--mode", "--replica-exchange", "--mutation-size",
+                             "--target-acceptance", "--direct", "--photons-per-pass", "--radius",
+                             "--radius-pixels", "--alpha", "--layers", "--light-layer"}) {
+        const bool counts_paths = std::string_view(flag) == "--photons-per-pass";
+        if (given.count(flag) == 0 || (counts_paths && t.integrator == "light")) continue;
+        throw Error({flag}, "has no meaning with --integrator " + t.integrator, "leave it out");
+    }
+}
+
+}  // namespace
+
+void add_render_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
+    app.add_option("SCENE", o.scene, "Scene file (pbrt-v4)")->required();
+    app.add_option("-o,--output", o.outputs, "Output file: .exr, .png, .film; may be repeated")
+        ->allow_extra_args(false);
+    add_choice(app, "--integrator", t.integrator, kIntegrators);
+    add_choice(app, "--photon-sampler", t.sampler, kPhotonSamplers);
+    add_adaptive_flags(app, t.adaptive);
+    add_paper_flags(app, t.paper);
+    app.add_option("--direct", t.direct, "Who brings direct light: sampled, or photons")
+        ->check(CLI::IsMember({"sampled", "photons"}));
+    app.add_option("--energy-compensation", t.energy_compensation,
+                   "on: rough metals and glass give back what is lost between their facets")
+        ->check(CLI::IsMember({"on", "off"}));
+    app.add_option("--passes,--spp", t.passes, "End after this many passes")
+        ->check(CLI::Range(1U, 1U << 30U));
+    app.add_option("--time", t.time,
+                   "End after this time of rendering: 60s, 5m, 2h. Reading the scene does not "
+                   "count; all rendering before --resume does");
+    app.add_option("--cpu-time", t.cpu_time,
+                   "The same of processor time, all threads together: for comparisons");
+    app.add_option("--target-error", t.target_error,
+                   "End when the noise of 95% of the blocks and the bias together come to this "
+                   "relative error: 2%");
+    add_error_flags(app, t.error);
+    app.add_option("--pass-range", t.pass_range, "Render passes a to b - 1 only: a:b");
+    app.add_option("--photons-per-pass", o.settings.photon.paths_per_pass,
+                   "Photon paths a pass (default max(200000, 2 a pixel), then see --balance; "
+                   "paper 200000)")
+        ->check(CLI::Range(1U, 1U << 30U));
+    app.add_option("--seed", t.seed, "Random seed (default 0)");
+    app.add_option("--nthreads", o.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
+    app.add_option("--resolution", t.resolution, "Picture size instead of the scene's: WxH");
+    app.add_option("--crop", t.crop, "Render only these pixels: x0,x1,y0,y1");
+    app.add_option("--radius-pixels", o.settings.eye.radius_pixels,
+                   "First radius in pixel footprints (default 2)")
+        ->check(between(1e-3, 1e3));
+    app.add_option("--radius", o.settings.eye.radius, "First radius in scene units")
+        ->check(between(1e-30, 1e30));
+    app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3)")
+        ->check(between(1e-6, 1 - 1e-6));
+    app.add_option("--max-depth", o.max_depth,
+                   "Scattering events on a path, eye and light together")
+        ->check(CLI::Range(1, 10000));
+    app.add_option("--layers", t.layers,
+                   "EXR layers: direct,caustic,indirect,emission,albedo,normal,depth,samples");
+    app.add_option(
+           "--light-layer", t.light_layers,
+           "EXR layer NAME for some lights alone, by their numbers in sunfleck info "
+           "--lights: NAME=1,3-5; may be repeated. each: a layer a light, light1, light2 ...")
+        ->allow_extra_args(false);
+    app.add_option("--exposure", o.exposure, "Stops for PNG (default 0)")
+        ->check(between(-100, 100));
+    app.add_option("--camera", o.camera, "Which of the scene's cameras, by name");
+    app.add_option("--isa", o.isa, "avx2 (same bytes on every such machine), or native")
+        ->check(CLI::IsMember({"avx2", "native"}));
+    app.add_option("--stats", o.stats, "Write statistics as JSON");
+    app.add_option(
+        "--snapshots", o.snapshots,
+        "Also write picture and statistics to this folder after 1, 2, 4, 8 ... passes and "
+        "at the end");
+    auto* const checkpoint = app.add_option(
+        "--checkpoint", o.checkpoint, "Keep the render so far in this file, to --resume from");
+    app.add_option("--every", t.every, "Time between checkpoints (default 60s)")->needs(checkpoint);
+    app.add_option("--resume", o.resume,
+                   "Go on from this checkpoint of the same render; limits may be others");
+    CLI::Option* const level =
+        app.add_option("--log-level", t.log_level,
+                       "quiet, warning, or info (default: notes and a progress line, too)")
+            ->check(CLI::IsMember({"quiet", "warning", "info"}));
+    app.add_flag("--quiet", t.quiet, "The same as --log-level quiet")->excludes(level);
+}
+
+void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o) {
+    check_fits_integrator(given, t);
+    o.settings.integrator = *integrator_named(t.integrator);  // one of those names: checked
+    o.settings.photon.sampler = *sampler_named(t.sampler);    // one of those names: checked
+    o.settings.transport.direct =
+        t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
+    o.settings.energy_compensation = t.energy_compensation == "on";
+    if (!t.seed.empty()) o.settings.seed = read_seed(t.seed, "--seed");
+    if (t.quiet || t.log_level == "quiet") o.log = LogLevel::quiet;
+    if (t.log_level == "warning") o.log = LogLevel::warning;
+    if (!t.resolution.empty()) o.resolution = read_size(t.resolution, "--resolution");
+    if (!t.crop.empty()) o.crop = read_crop(t.crop, "--crop");
+    o.settings.layers = read_layers(t.layers, "--layers");
+    if (!t.time.empty()) o.stop.seconds = read_duration(t.time, "--time");
+    for (const char* flag : {"--checkpoint", "--resume"})
+        if (given.count(flag) > 0 && given[flag]->as<std::string>().empty())
+            throw Error({flag}, "the file has no name", "name one");
+    if (!t.cpu_time.empty()) o.stop.cpu_seconds = read_duration(t.cpu_time, "--cpu-time");
+    if (!t.every.empty()) o.checkpoint_seconds = read_duration(t.every, "--every");
+    if (!t.target_error.empty()) o.stop.target_error = read_share(t.target_error, "--target-error");
+    if (t.passes) o.stop.end_pass = *t.passes;
+    if (!t.pass_range.empty()) {
+        if (t.passes) throw Error({"--pass-range"}, "given together with --passes", "give one");
+        read_pass_range(t.pass_range, "--pass-range", o.stop);
+    }
+    if (!o.stop.end_pass && !o.stop.seconds && !o.stop.cpu_seconds && !o.stop.target_error) {
+        o.stop.target_error = 0.02;
+        o.stop.seconds = 600;
+    }
+    finish_paper(given, t.paper, o);
+    finish_adaptive(given, t.adaptive, o.settings.photon);
+    o.light_layers = read_light_layers(t.light_layers, o.settings.photon.sampler);
+    finish_error(given, t.error, o);
+}
+
+}  // namespace sunfleck

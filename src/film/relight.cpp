@@ -1,0 +1,89 @@
+// Adds what each layer of lights gains, channel by channel.
+#include "film/relight.h"
+
+#include "core/error.h"
+#include "film/film_picture.h"
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::string_view kRgb = "RGB";
+
+std::set<std::string> light_layers_of(const Picture& picture) {
+    const auto found = picture.metadata.find(kLightLayerNames);
+    std::istringstream names(found == picture.metadata.end() ? std::string() : found->second);
+    std::set<std::string> layers;
+    for (std::string name; names >> name;) layers.insert(name);
+    return layers;
+}
+
+std::string joined(const std::set<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+Channel& channel_of(Picture& picture, const std::string& channel, const std::string& name) {
+    for (Channel& one : picture.channels)
+        if (one.name == channel) return one;
+    throw Error({name}, "has no channel \"" + channel + "\"",
+                "use a picture that sunfleck has rendered");
+}
+
+void apply(const LayerFactor& factor, Picture& picture, const std::string& name) {
+    for (std::size_t c = 0; c < kRgb.size(); ++c) {
+        const float by = factor.rgb[static_cast<int>(c)];
+        std::vector<float>& all = channel_of(picture, {kRgb[c]}, name).values;
+        std::vector<float>& layer = channel_of(picture, factor.name + "." + kRgb[c], name).values;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i] += (by - 1) * layer[i];
+            layer[i] *= by;
+        }
+    }
+}
+
+/// Is the channel still true when lights change?
+bool stays(const std::string& channel, const std::set<std::string>& lights) {
+    constexpr std::array<std::string_view, 3> kFeatures = {"albedo", "normal", "depth"};
+    const std::size_t dot = channel.rfind('.');
+    if (dot == std::string::npos) return true;  // R, G, B
+    const std::string layer = channel.substr(0, dot);
+    return lights.contains(layer) ||
+           std::find(kFeatures.begin(), kFeatures.end(), layer) != kFeatures.end();
+}
+
+}  // namespace
+
+Relit relit(const Picture& picture, const std::vector<LayerFactor>& factors,
+            const std::string& name) {
+    const std::set<std::string> lights = light_layers_of(picture);
+    if (lights.empty())
+        throw Error({name}, "has no layers of lights", "render it with --light-layer, as .exr");
+    Relit result{picture, {}};
+    std::set<std::string> named;
+    for (const LayerFactor& factor : factors) {
+        if (!lights.contains(factor.name))
+            throw Error({name}, "has no layer of lights \"" + factor.name + "\"",
+                        "use some of " + joined(lights));
+        if (!named.insert(factor.name).second)
+            throw Error({name}, "the layer \"" + factor.name + "\" is named twice",
+                        "name each once");
+        apply(factor, result.picture, name);
+    }
+    std::set<std::string> left_out;
+    std::erase_if(result.picture.channels, [&](const Channel& channel) {
+        if (stays(channel.name, lights)) return false;
+        left_out.insert(channel.name.substr(0, channel.name.rfind('.')));
+        return true;
+    });
+    result.left_out.assign(left_out.begin(), left_out.end());
+    return result;
+}
+
+}  // namespace sunfleck

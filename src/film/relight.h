@@ -1,0 +1,32 @@
+// Light changed after the render: a picture whose layers hold the light of some lights apart
+// (measurement/light_layers.h), with other brightness for these.
+#pragma once
+
+#include "image/picture.h"
+#include "math/vector.h"
+
+#include <string>
+#include <vector>
+
+namespace sunfleck {
+
+/// What to multiply a layer of lights by.
+struct LayerFactor {
+    std::string name;
+    Vec3 rgb{1};  // not negative
+};
+
+struct Relit {
+    Picture picture;
+    std::vector<std::string> left_out;  // layers of the picture as it was, which no longer hold
+};
+
+/// RGB and the layers of lights as they would be; layers of features (albedo, normal, depth) as
+/// they are. All other layers are left out: they are of all lights together. What `extrapolated`
+/// pictures have lost as bias stays as it was.
+/// @param name  of the picture, for errors.
+/// @throws Error for a layer that the picture does not have, or that is named twice.
+Relit relit(const Picture& picture, const std::vector<LayerFactor>& factors,
+            const std::string& name);
+
+}  // namespace sunfleck
