@@ -20,7 +20,13 @@ float smallest_radius(const Vec3& p) {
 constexpr int kRouletteFrom = 4;
 
 /// Both lobes of smooth glass are followed if neither is worth less than that share of the pixel.
-constexpr float kLeastBranch = 0.02F;
+constexpr float kLeastBranch = 0.002F;
+
+/// What a glossy surface adds to the angle of the footprint, of the width of its lobe (the root of
+/// the solid angle in which it samples, at most one). What lies beyond is seen blurred by all of
+/// the lobe: discs of a hundredth of it blur no more, and where they stayed as small as the pixel
+/// few met a photon.
+constexpr float kGlossySpread = 0.01F;
 
 }  // namespace
 
@@ -215,6 +221,8 @@ bool EyePath::take(const EyeVertex& vertex, const BsdfDraw& draw, float share, d
     if (drawn->dispersed) lanes_.single = true;
     eta_scale_ *= drawn->eta * drawn->eta;
     footprint_angle_ /= drawn->eta;
+    spread_angle_ /= drawn->eta;
+    if (drawn->pdf) spread_angle_ += kGlossySpread * std::min(1.0F, 1 / std::sqrt(*drawn->pdf));
     ++bounces_;
     if (drawn->pdf) {
         emitters_ = Emitters::weighted;
@@ -243,6 +251,7 @@ float EyePath::importance() const {
 /// indices. Curvature and grazing angles are left out: the radius shrinks anyway.
 void EyePath::grow_footprint(const Hit& hit) {
     footprint_ += footprint_angle_ * hit.distance;
+    spread_ += spread_angle_ * hit.distance;
     length_ += hit.distance;
 }
 
@@ -252,7 +261,8 @@ float EyePath::radius_at(const Hit& hit) const {
     const float floor = smallest_radius(hit.position);
     if (settings.radius) return std::max(floor, static_cast<float>(*settings.radius) * factor);
     // A footprint that swings from pass to pass would give 1 / (pi r^2) a heavy tail.
-    const float width = std::clamp(footprint_, 0.25F * first_footprint_, 4 * first_footprint_);
+    const float width =
+        std::clamp(footprint_, 0.25F * first_footprint_, 4 * first_footprint_) + spread_;
     return std::max(floor, static_cast<float>(settings.radius_pixels) * width * factor);
 }
 

@@ -74,6 +74,8 @@ private:
     float footprint_ = 0;        // width of the pixel here
     float footprint_angle_ = 0;  // its growth per distance
     float first_footprint_ = 0;  // at the first surface
+    float spread_ = 0;           // width that glossy lobes add here
+    float spread_angle_ = 0;     // its growth per distance
     float eta_scale_ = 1;        // undoes the radiance's factor of refraction for roulette
     float share_ = 1;            // of the light: of the branches taken where the path parted
     std::uint16_t bounces_ = 0;

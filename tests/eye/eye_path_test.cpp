@@ -151,6 +151,27 @@ TEST(EyePath, glossy_surfaces_gather_and_go_on) {
     for (const VisiblePoint& p : photons.points) EXPECT_EQ(p.disc.kinds, 7);
 }
 
+/// In a mirror discs are as wide as the pixel; in brushed metal wider, by a hundredth of what the
+/// lobe is wide: .18 where it is densest, and never more than one. (Pixels off the axis are
+/// narrower, by up to .0013.)
+TEST(EyePath, discs_seen_in_a_glossy_lobe_are_a_hundredth_of_it_wider) {
+    constexpr double kPixel = 0.3526540 / kPixels;  // 2 tan(10 degrees), at distance one
+    for (const float alpha : {0.0F, 0.05F}) {
+        SceneDescription scene = seen_from_above({square(0, 2), square(6, 0)});
+        std::get<ConductorMaterial>(scene.materials[2]).roughness = {alpha, alpha};
+        int beyond = 0;
+        for (const VisiblePoint& p : trace(scene, kSampled).points) {
+            if (p.disc.position.z == 0) continue;
+            ++beyond;
+            const double ways = static_cast<double>(p.disc.position.z) / -p.w_from.z;
+            const double added = p.disc.radius / 2 - kPixel * (4 + ways);
+            EXPECT_GT(added / ways, alpha > 0 ? 0.0006 : -0.0013);
+            EXPECT_LT(added / ways, alpha > 0 ? 0.0102 : 0.0004);
+        }
+        EXPECT_GT(beyond, 20);
+    }
+}
+
 TEST(EyePath, depth_limits_the_eye) {
     const SceneDescription scene = seen_from_above({square(0, 0), square(1, 1)});
     EXPECT_TRUE(trace(scene, {DirectLight::sampled, 0}).points.empty());
