@@ -4,8 +4,8 @@
 #include "core/error.h"
 #include "film/film_picture.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 #include <sstream>
 #include <string_view>
