@@ -2,14 +2,16 @@
 // one over another's.
 //
 // usage: bench_gain SCENE [--samplers random,adaptive] [--passes N] [--seeds N] [--references N]
-//                   [--over SCENE] [--region X0,X1,Y0,Y1]
+//                   [--over SCENE] [--region X0,X1,Y0,Y1] [--reference-radius SHARE]
 // A number is `adaptive` with so many photon paths a pass; "together" is it without light groups,
 // "unmapped" without emission maps, "unbalanced" without balance, "gathered" with all light by
 // photons, that from lamps to glossy surfaces, too. --over compares the last sampler with itself in
 // another scene.
 // Renders of the samplers are interleaved, seed by seed; the last sampler, with other seeds, is the
-// reference, of the same passes and so of the same radii: what is compared is noise alone. Errors
-// are corrected for the reference's own.
+// reference, of the same passes and so of the same radii: what is compared is noise alone (that of
+// `paper`, whose radii differ, around its own mean). --reference-radius .25 gives the reference
+// discs of a quarter of the radius: then bias counts, for all. Errors are corrected for the
+// reference's own.
 #include "core/parallel.h"
 #include "film/film.h"
 #include "film/luminance.h"
@@ -61,6 +63,7 @@ struct Settings {
     std::uint32_t passes = 16;
     std::uint32_t seeds = 8;
     std::uint32_t references = 16;
+    double reference_radius = 1;  // over that of what is measured
     int resolution = 256;
     std::size_t threads = 2;
     bool photons_only = false;
@@ -75,8 +78,9 @@ struct Rendered {
 };
 
 Rendered rendered(const Scene& scene, const Settings& settings, const std::string& sampler,
-                  std::uint64_t seed) {
+                  std::uint64_t seed, double radius = 1) {
     RenderJob job{scene, {}, {}, 0};
+    job.settings.eye.radius_pixels *= radius;
     job.settings.seed = seed;
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
     if (const auto integrator = integrator_named(sampler))
@@ -118,12 +122,12 @@ public:
           name_(scene),
           samplers_(samplers),
           scene_(loaded(scene, settings.resolution)) {
-        for (std::uint32_t i = 0; i < settings.references; ++i) {
-            const Rendered r = rendered(scene_, settings, last(), 1'000'000 + i);
-            reference_.resize(r.luminance.size());
-            for (std::size_t k = 0; k < reference_.size(); ++k)
-                reference_[k] += r.luminance[k] / settings.references;
-        }
+        std::vector<Sample> renders;
+        for (std::uint32_t i = 0; i < settings.references; ++i)
+            renders.push_back(sample_of(
+                rendered(scene_, settings, last(), 1'000'000 + i, settings.reference_radius)));
+        reference_ = mean_image(renders);
+        reference_error_ = error_of_mean(std::move(renders));
     }
 
     const std::string& last() const { return samplers_.back(); }
@@ -131,18 +135,20 @@ public:
 
     void render_seed(std::uint32_t seed) {
         for (const std::string& sampler : samplers_) {
-            Rendered r = rendered(scene_, settings_, sampler, seed);
-            samples_[sampler].push_back(
-                {error_of(r.luminance, reference_), r.seconds, mean_of(r.luminance), {}});
-            if (sampler == "paper") samples_[sampler].back().image = std::move(r.luminance);
+            const Rendered r = rendered(scene_, settings_, sampler, seed);
+            samples_[sampler].push_back(sample_of(r));
             facts_[sampler].visible_fraction += r.visible_fraction / settings_.seeds;
             facts_[sampler].starved += r.starved;
         }
     }
 
     void finish() {
-        if (samples_.contains("paper")) measure_by_own_mean(samples_["paper"]);
-        correct(samples_, last(), settings_.references);
+        for (auto& [sampler, list] : samples_) {
+            if (sampler == "paper" && settings_.reference_radius == 1)
+                measure_by_own_mean(list, reference_);
+            else
+                measure_by(list, reference_, reference_error_);
+        }
         fmt::print("{}: {} seeds of {} passes, reference brightness {:.5g}\n", name_,
                    settings_.seeds, settings_.passes, mean_of(reference_));
         for (const std::string& sampler : samplers_) print(sampler);
@@ -157,6 +163,10 @@ private:
         SceneDescription description = load_scene(name);
         set_resolution(description, {resolution, resolution});
         return Scene(std::move(description));
+    }
+
+    static Sample sample_of(const Rendered& r) {
+        return {{}, r.seconds, mean_of(r.luminance), r.luminance};
     }
 
     void print(const std::string& sampler) {
@@ -185,6 +195,7 @@ private:
     std::vector<std::string> samplers_;
     Scene scene_;
     std::vector<double> reference_;
+    Error reference_error_;
     Samples samples_;
     std::map<std::string, Rendered> facts_;
 };
@@ -226,7 +237,11 @@ int main(int count, char** words) {
     app.add_option("--over", settings.other_scene, "Compare the last sampler with it there");
     app.add_option("--passes", settings.passes, "Of each render (default 16)");
     app.add_option("--seeds", settings.seeds, "Renders of each sampler (default 8)");
-    app.add_option("--references", settings.references, "Renders of the reference (default 16)");
+    app.add_option("--references", settings.references, "Renders of the reference (default 16)")
+        ->check(CLI::Range(2, 10'000));
+    app.add_option("--reference-radius", settings.reference_radius,
+                   "Of the reference's discs, over those measured (default 1)")
+        ->check(CLI::Range(0.01, 1.0));
     app.add_option("--resolution", settings.resolution, "Pixels a side (default 256)");
     app.add_option("--threads", settings.threads, "Default 2");
     app.add_flag("--photons-only", settings.photons_only, "Direct light by photons, too");

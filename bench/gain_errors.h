@@ -30,11 +30,14 @@ struct Error {
     double plain = 0;
 };
 
-inline Error error_of(const std::vector<double>& image, const std::vector<double>& reference) {
+/// @param expected  what the image is compared with. @param reference  what relative squares are
+/// relative to: one for all samplers, or spikes of a sampler would excuse themselves.
+inline Error error_of(const std::vector<double>& image, const std::vector<double>& expected,
+                      const std::vector<double>& reference) {
     const double mean = mean_of(reference);
     Error error;
     for (std::size_t i = 0; i < image.size(); ++i) {
-        const double square = (image[i] - reference[i]) * (image[i] - reference[i]);
+        const double square = (image[i] - expected[i]) * (image[i] - expected[i]);
         error.relative += relative_square(square, reference[i], mean);
         error.plain += square / (mean * mean);
     }
@@ -47,20 +50,50 @@ struct Sample {
     Error error;
     double seconds;
     double brightness;
-    std::vector<double> image;  // of the sampler `paper` alone
+    std::vector<double> image;
 };
 
-/// Errors around the mean of the samples, corrected for what the mean shares with each.
-inline void measure_by_own_mean(std::vector<Sample>& samples) {
-    const auto count = static_cast<double>(samples.size());
+inline std::vector<double> mean_image(const std::vector<Sample>& samples) {
     std::vector<double> mean(samples.front().image.size());
     for (const Sample& s : samples)
-        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += s.image[i] / count;
+        for (std::size_t i = 0; i < mean.size(); ++i)
+            mean[i] += s.image[i] / static_cast<double>(samples.size());
+    return mean;
+}
+
+/// Errors of the samples around their mean, corrected for what the mean shares with each.
+inline void measure_by_own_mean(std::vector<Sample>& samples,
+                                const std::vector<double>& reference) {
+    const std::vector<double> mean = mean_image(samples);
+    const auto count = static_cast<double>(samples.size());
     for (Sample& s : samples) {
-        s.error = error_of(s.image, mean);
+        s.error = error_of(s.image, mean, reference);
         s.error.relative *= count / (count - 1);
         s.error.plain *= count / (count - 1);
     }
+}
+
+/// Errors of the samples against a reference, corrected for its own. @param own  squared error of
+/// the reference.
+inline void measure_by(std::vector<Sample>& samples, const std::vector<double>& reference,
+                       const Error& own) {
+    for (Sample& s : samples) {
+        s.error = error_of(s.image, reference, reference);
+        s.error.relative -= own.relative;
+        s.error.plain -= own.plain;
+    }
+}
+
+/// The error of the mean of renders, from their spread.
+inline Error error_of_mean(std::vector<Sample> renders) {
+    measure_by_own_mean(renders, mean_image(renders));
+    const auto count = static_cast<double>(renders.size());
+    Error error;
+    for (const Sample& s : renders) {
+        error.relative += s.error.relative / (count * count);
+        error.plain += s.error.plain / (count * count);
+    }
+    return error;
 }
 
 using Samples = std::map<std::string, std::vector<Sample>>;
@@ -104,23 +137,6 @@ inline void print_ratios(const std::string& names, const std::vector<Sample>& a,
                          const std::vector<Sample>& b) {
     print_ratio(names + ", relMSE x cpu s", a, b, &Error::relative);
     print_ratio(names + ", MSE x cpu s", a, b, &Error::plain);
-}
-
-/// Takes the references' own errors out: each is the mean of so many renders of `last`.
-/// @param samples  of one scene.
-inline void correct(Samples& samples, const std::string& last, std::uint32_t references) {
-    Error own;
-    for (const Sample& s : samples[last]) {
-        own.relative += s.error.relative;
-        own.plain += s.error.plain;
-    }
-    const double share = static_cast<double>(samples[last].size()) * (references + 1.0);
-    for (auto& [name, list] : samples)
-        for (Sample& s : list) {
-            if (name == "paper") continue;
-            s.error.relative -= own.relative / share;
-            s.error.plain -= own.plain / share;
-        }
 }
 
 }  // namespace sunfleck::bench

@@ -31,7 +31,7 @@ WorldBegin
 # The sun, 42 degrees high, from behind on the left: perpendicular irradiance 4; and its sky.
 LightSource "distant" "point3 from" [ -0.52 0.53 0.67 ] "point3 to" [ 0 0 0 ]
     "rgb L" [ 1 0.96 0.9 ] "float scale" 4
-LightSource "infinite" "string filename" "geometry/sky.pfm" "float scale" 0.7
+LightSource "infinite" "string filename" "geometry/tea-sky.pfm" "float scale" 0.7
 
 # The table, under a cloth of squares.
 AttributeBegin
@@ -45,7 +45,7 @@ constexpr std::string_view kGlass = R"(AttributeEnd
 
 # Glass (1.52) and air; the normal points to the air.
 Material "dielectric" "float eta" 1.52
-Shape "plymesh" "string filename" "geometry/glass-air.ply"
+Shape "plymesh" "string filename" "geometry/tumbler-air.ply"
 
 # Tea (1.333) and glass: the ratio across, 1.333 / 1.52. No air between them.
 AttributeBegin
@@ -77,12 +77,12 @@ std::vector<SceneFile> iced_tea_scene() {
     const IcedTea tea = iced_tea();
     return {{"iced-tea.pbrt",
              std::string(kHead) + shape_text(square_mesh(40, 0)) + std::string(kGlass)},
-            {"geometry/glass-air.ply", ply_bytes(tea.glass_air)},
+            {"geometry/tumbler-air.ply", ply_bytes(tea.glass_air)},
             {"geometry/tea-glass.ply", ply_bytes(tea.tea_glass)},
             {"geometry/tea-air.ply", ply_bytes(tea.tea_air)},
             {"geometry/ice-tea.ply", ply_bytes(tea.ice_tea)},
             {"geometry/ice-air.ply", ply_bytes(tea.ice_air)},
-            {"geometry/sky.pfm", clear_sky_pfm(Vec3d(-0.52, 0.53, 0.67).normalized(), 64)}};
+            {"geometry/tea-sky.pfm", clear_sky_pfm(Vec3d(-0.52, 0.53, 0.67).normalized(), 64)}};
 }
 
 }  // namespace sunfleck

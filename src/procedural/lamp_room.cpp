@@ -91,13 +91,13 @@ void add_lamp(SceneFolder& folder) {
 
 void add_furniture(SceneFolder& folder) {
     const Placement table = at({0.5, 0.6, 0});
-    folder.add("table", "wood", placed(round_table(), table));
-    folder.add("bowl", "clay", placed(bowl(), table * at({0, 0, 0.441})));
-    folder.add("fruit", "paper", placed(fruit(), table * at({0, 0, 0.441})));
+    folder.add("low-table", "wood", placed(round_table(), table));
+    folder.add("clay-bowl", "clay", placed(bowl(), table * at({0, 0, 0.441})));
+    folder.add("paper-fruit", "paper", placed(fruit(), table * at({0, 0, 0.441})));
     const Placement seat = turned(-0.25, {2.05, 0.2, 0});
     const Seat sofa_mesh = sofa(2);
     folder.add("cushions", "cloth", placed(sofa_mesh.cloth, seat));
-    folder.add("frame", "wood", placed(sofa_mesh.wood, seat));
+    folder.add("sofa-frame", "wood", placed(sofa_mesh.wood, seat));
     folder.add("stool", "wood", box_mesh({-0.9F, 1.2F, -0.02F}, {-0.45F, 1.6F, 0.42F}));
 }
 

@@ -22,7 +22,8 @@ struct SceneFile {
 };
 
 /// The files of one scene. The first is NAME.pbrt; it names the others relative to itself
-/// (geometry/*.ply, binary).
+/// (geometry/*.ply, binary). Files of one name have the same bytes in all scenes: one folder can
+/// hold them all.
 /// @throws Error for a name that procedural_scenes() does not have; the message lists them.
 std::vector<SceneFile> make_scene(const std::string& name);
 

@@ -118,7 +118,7 @@ TEST(IcedTea, media_agree_along_any_line) {
 /// The number after the last "float eta" before a file's name.
 TEST(IcedTea, each_surface_has_the_ratio_of_its_two_media) {
     const std::vector<std::string> words = pbrt_words(iced_tea_scene().at(0).bytes);
-    EXPECT_NEAR(eta_of(words, "geometry/glass-air.ply"), kTumblerIndex, 1e-7);
+    EXPECT_NEAR(eta_of(words, "geometry/tumbler-air.ply"), kTumblerIndex, 1e-7);
     EXPECT_NEAR(eta_of(words, "geometry/tea-glass.ply"), kTeaIndex / kTumblerIndex, 1e-7);
     EXPECT_NEAR(eta_of(words, "geometry/tea-air.ply"), kTeaIndex, 1e-7);
     EXPECT_NEAR(eta_of(words, "geometry/ice-tea.ply"), kIceIndex / kTeaIndex, 1e-7);
