@@ -27,6 +27,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace sunfleck::bench {
 namespace {
@@ -127,7 +128,7 @@ public:
             renders.push_back(sample_of(
                 rendered(scene_, settings, last(), 1'000'000 + i, settings.reference_radius)));
         reference_ = mean_image(renders);
-        reference_error_ = error_of_mean(std::move(renders));
+        reference_error_ = error_of_mean(renders, reference_);
     }
 
     const std::string& last() const { return samplers_.back(); }
@@ -135,10 +136,10 @@ public:
 
     void render_seed(std::uint32_t seed) {
         for (const std::string& sampler : samplers_) {
-            const Rendered r = rendered(scene_, settings_, sampler, seed);
-            samples_[sampler].push_back(sample_of(r));
+            Rendered r = rendered(scene_, settings_, sampler, seed);
             facts_[sampler].visible_fraction += r.visible_fraction / settings_.seeds;
             facts_[sampler].starved += r.starved;
+            samples_[sampler].push_back(sample_of(std::move(r)));
         }
     }
 
@@ -165,8 +166,9 @@ private:
         return Scene(std::move(description));
     }
 
-    static Sample sample_of(const Rendered& r) {
-        return {{}, r.seconds, mean_of(r.luminance), r.luminance};
+    static Sample sample_of(Rendered r) {
+        const double brightness = mean_of(r.luminance);
+        return {{}, r.seconds, brightness, std::move(r.luminance)};
     }
 
     void print(const std::string& sampler) {

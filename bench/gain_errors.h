@@ -84,14 +84,14 @@ inline void measure_by(std::vector<Sample>& samples, const std::vector<double>& 
     }
 }
 
-/// The error of the mean of renders, from their spread.
-inline Error error_of_mean(std::vector<Sample> renders) {
-    measure_by_own_mean(renders, mean_image(renders));
+/// The error of the mean of renders, from their spread. @param mean  theirs.
+inline Error error_of_mean(const std::vector<Sample>& renders, const std::vector<double>& mean) {
     const auto count = static_cast<double>(renders.size());
     Error error;
     for (const Sample& s : renders) {
-        error.relative += s.error.relative / (count * count);
-        error.plain += s.error.plain / (count * count);
+        const Error around = error_of(s.image, mean, mean);
+        error.relative += around.relative / (count * (count - 1));
+        error.plain += around.plain / (count * (count - 1));
     }
     return error;
 }

@@ -193,7 +193,7 @@ TEST(Scenes, are_these) {
 TEST(Scenes, name_files_apart_that_differ) {
     std::map<std::string, std::string> bytes;
     for (const ProceduralScene& scene : procedural_scenes())
-        for (SceneFile& file : make_scene(scene.name)) {
+        for (const SceneFile& file : make_scene(scene.name)) {
             const auto [known, is_new] = bytes.try_emplace(file.name, file.bytes);
             EXPECT_TRUE(is_new || known->second == file.bytes) << scene.name << ": " << file.name;
         }
