@@ -7,8 +7,8 @@ cmake --preset release -DSUNFLECK_TESTS=ON >/dev/null
 
 files=("$@")
 if [[ $# == 0 ]]; then
-    mapfile -t files < <(find src apps tests -name '*.cpp' -not -path 'tests/fuzz/*' \
-        -not -path 'tests/must_not_compile/*' | sort)
+    mapfile -t files < <(sed -n "s|^ *\"file\": \"$PWD/\(.*\)\",*$|\1|p" \
+        build/release/compile_commands.json | grep -E '^(src|apps|tests)/' | sort -u)
 fi
 jobs=$(nproc)
 printf '%s\n' "${files[@]}" |

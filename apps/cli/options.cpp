@@ -42,88 +42,118 @@ void add_compare(CLI::App& app, CompareOptions& o) {
     app.add_option("--json", o.json, "Write the numbers as JSON");
 }
 
+void add_info(CLI::App& app, InfoOptions& o) {
+    auto* const scene = app.add_option("SCENE", o.scene, "Scene file");
+    app.add_flag("--lights", o.lights, "Also each light, by its number")->needs(scene);
+    app.add_flag("--words", o.words, "Instead: all words of the language, as Markdown")
+        ->excludes(scene);
+}
+
+void add_scene(CLI::App& app, SceneOptions& o) {
+    app.add_option("NAME", o.name, "Its name");
+    app.add_option("-o,--output", o.folder, "Folder to write to (default .)");
+}
+
+/// All commands; one of them is given.
+class CommandLine {
+public:
+    CommandLine() {
+        app_.set_version_flag("--version", "sunfleck " SUNFLECK_VERSION);
+        app_.require_subcommand(1);
+        add_render_flags(*render_app_, render_, render_texts_);
+        add_info(*info_app_, info_);
+        add_scene(*scene_app_, scene_);
+        add_merge(*merge_app_, merge_, merge_texts_);
+        add_relight(*relight_app_, relight_, factors_);
+        add_compare(*compare_app_, compare_);
+        add_experiment_flags(*experiment_app_, experiment_, experiment_texts_);
+    }
+
+    /// @return false where help or the version was asked for, and has been printed.
+    bool parse(int count, const char* const* words) {
+        try {
+            app_.parse(count, words);
+        } catch (const CLI::ExtrasError&) {
+            throw Error({"sunfleck"},
+                        "unknown flag or word \"" + app_.remaining(true).front() + "\"",
+                        "see sunfleck --help and sunfleck COMMAND --help");
+        } catch (const CLI::RequiredError& fault) {
+            const std::vector<std::string> rest = app_.remaining();
+            if (app_.get_subcommands().empty() && !rest.empty())
+                throw Error({"sunfleck"}, "unknown command \"" + rest.front() + "\"",
+                            "use render, info, scene, merge, relight, compare or experiment");
+            throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
+        } catch (const CLI::ParseError& fault) {
+            if (fault.get_exit_code() != 0)
+                throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
+            app_.exit(fault);
+            return false;
+        }
+        for (int i = 1; i < count; ++i) render_.command += std::string(i > 1 ? " " : "") + words[i];
+        return true;
+    }
+
+    /// What was given.
+    Options finish() {
+        Options options;
+        if (render_app_->parsed()) {
+            finish_render(*render_app_, render_texts_, render_);
+            options.render = render_;
+        } else if (info_app_->parsed()) {
+            if (info_.scene.empty() && !info_.words)
+                throw Error({"sunfleck info"}, "SCENE is required",
+                            "name a scene file, or --words");
+            options.info = info_;
+        } else if (scene_app_->parsed()) {
+            options.scene = scene_;
+        } else if (merge_app_->parsed()) {
+            merge_.extrapolate = merge_texts_.extrapolate == "on";
+            options.merge = merge_;
+        } else if (relight_app_->parsed()) {
+            for (const std::string& factor : factors_)
+                relight_.factors.push_back(read_factor(factor));
+            options.relight = relight_;
+        } else if (experiment_app_->parsed()) {
+            finish_experiment(experiment_texts_, experiment_);
+            options.experiment = experiment_;
+        } else {
+            options.compare = compare_;
+        }
+        return options;
+    }
+
+private:
+    CLI::App app_{"Sunfleck: a renderer for caustics, sun through windows and small gaps."};
+    CLI::App* render_app_ = app_.add_subcommand("render", "Render a scene");
+    CLI::App* info_app_ = app_.add_subcommand("info", "Say what a scene file holds");
+    CLI::App* scene_app_ =
+        app_.add_subcommand("scene", "Write one of Sunfleck's own scenes; without NAME, list them");
+    CLI::App* merge_app_ = app_.add_subcommand("merge", "Add up pass ranges of one render");
+    CLI::App* relight_app_ =
+        app_.add_subcommand("relight", "Dim or brighten lights of a picture that has them apart");
+    CLI::App* compare_app_ =
+        app_.add_subcommand("compare", "Measure pictures against a reference, and show them");
+    CLI::App* experiment_app_ = app_.add_subcommand(
+        "experiment", "Make the paper's figures and tables; without NAMES, list them");
+    RenderOptions render_;
+    RenderTexts render_texts_;
+    InfoOptions info_;
+    SceneOptions scene_;
+    MergeOptions merge_;
+    ErrorTexts merge_texts_;
+    RelightOptions relight_;
+    std::vector<std::string> factors_;
+    CompareOptions compare_;
+    ExperimentOptions experiment_;
+    ExperimentTexts experiment_texts_;
+};
+
 }  // namespace
 
 std::optional<Options> read_options(int count, const char* const* words) {
-    CLI::App app("Sunfleck: a renderer for caustics, sun through windows and small gaps.");
-    app.set_version_flag("--version", "sunfleck " SUNFLECK_VERSION);
-    app.require_subcommand(1);
-    RenderOptions render;
-    RenderTexts texts;
-    InfoOptions info;
-    SceneOptions scene;
-    MergeOptions merge;
-    CompareOptions compare;
-    CLI::App* const render_app = app.add_subcommand("render", "Render a scene");
-    add_render_flags(*render_app, render, texts);
-    CLI::App* const info_app = app.add_subcommand("info", "Say what a scene file holds");
-    auto* const info_scene = info_app->add_option("SCENE", info.scene, "Scene file");
-    info_app->add_flag("--lights", info.lights, "Also each light, by its number")
-        ->needs(info_scene);
-    info_app->add_flag("--words", info.words, "Instead: all words of the language, as Markdown")
-        ->excludes(info_scene);
-    CLI::App* const scene_app =
-        app.add_subcommand("scene", "Write one of Sunfleck's own scenes; without NAME, list them");
-    scene_app->add_option("NAME", scene.name, "Its name");
-    scene_app->add_option("-o,--output", scene.folder, "Folder to write to (default .)");
-    CLI::App* const merge_app = app.add_subcommand("merge", "Add up pass ranges of one render");
-    ErrorTexts merge_texts;
-    add_merge(*merge_app, merge, merge_texts);
-    RelightOptions relight;
-    std::vector<std::string> factors;
-    CLI::App* const relight_app =
-        app.add_subcommand("relight", "Dim or brighten lights of a picture that has them apart");
-    add_relight(*relight_app, relight, factors);
-    CLI::App* const compare_app =
-        app.add_subcommand("compare", "Measure pictures against a reference, and show them");
-    add_compare(*compare_app, compare);
-    ExperimentOptions experiment;
-    ExperimentTexts experiment_texts;
-    CLI::App* const experiment_app = app.add_subcommand(
-        "experiment", "Make the paper's figures and tables; without NAMES, list them");
-    add_experiment_flags(*experiment_app, experiment, experiment_texts);
-    try {
-        app.parse(count, words);
-    } catch (const CLI::ExtrasError&) {
-        throw Error({"sunfleck"}, "unknown flag or word \"" + app.remaining(true).front() + "\"",
-                    "see sunfleck --help and sunfleck COMMAND --help");
-    } catch (const CLI::RequiredError& fault) {
-        const std::vector<std::string> rest = app.remaining();
-        if (app.get_subcommands().empty() && !rest.empty())
-            throw Error({"sunfleck"}, "unknown command \"" + rest.front() + "\"",
-                        "use render, info, scene, merge, relight, compare or experiment");
-        throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
-    } catch (const CLI::ParseError& fault) {
-        if (fault.get_exit_code() == 0) {
-            app.exit(fault);
-            return {};
-        }
-        throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
-    }
-    Options options;
-    if (render_app->parsed()) {
-        finish_render(*render_app, texts, render);
-        for (int i = 1; i < count; ++i) render.command += std::string(i > 1 ? " " : "") + words[i];
-        options.render = render;
-    } else if (info_app->parsed()) {
-        if (info.scene.empty() && !info.words)
-            throw Error({"sunfleck info"}, "SCENE is required", "name a scene file, or --words");
-        options.info = info;
-    } else if (scene_app->parsed()) {
-        options.scene = scene;
-    } else if (merge_app->parsed()) {
-        merge.extrapolate = merge_texts.extrapolate == "on";
-        options.merge = merge;
-    } else if (relight_app->parsed()) {
-        for (const std::string& factor : factors) relight.factors.push_back(read_factor(factor));
-        options.relight = relight;
-    } else if (experiment_app->parsed()) {
-        finish_experiment(experiment_texts, experiment);
-        options.experiment = experiment;
-    } else {
-        options.compare = compare;
-    }
-    return options;
+    CommandLine line;
+    if (!line.parse(count, words)) return {};
+    return line.finish();
 }
 
 }  // namespace sunfleck

@@ -35,12 +35,7 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     }
 }
 
-}  // namespace
-
-void add_render_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
-    app.add_option("SCENE", o.scene, "Scene file (pbrt-v4)")->required();
-    app.add_option("-o,--output", o.outputs, "Output file: .exr, .png, .film; may be repeated")
-        ->allow_extra_args(false);
+void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     add_choice(app, "--integrator", t.integrator, kIntegrators);
     add_choice(app, "--photon-sampler", t.sampler, kPhotonSamplers);
     add_adaptive_flags(app, t.adaptive);
@@ -50,6 +45,24 @@ void add_render_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--energy-compensation", t.energy_compensation,
                    "on: rough metals and glass give back what is lost between their facets")
         ->check(CLI::IsMember({"on", "off"}));
+    app.add_option("--photons-per-pass", o.settings.photon.paths_per_pass,
+                   "Photon paths a pass (default max(200000, 2 a pixel), then see --balance; "
+                   "paper 200000)")
+        ->check(CLI::Range(1U, 1U << 30U));
+    app.add_option("--radius-pixels", o.settings.eye.radius_pixels,
+                   "First radius in pixel footprints (default 2)")
+        ->check(between(1e-3, 1e3));
+    app.add_option("--radius", o.settings.eye.radius, "First radius in scene units")
+        ->check(between(1e-30, 1e30));
+    app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3)")
+        ->check(between(1e-6, 1 - 1e-6));
+    app.add_option("--max-depth", o.max_depth,
+                   "Scattering events on a path, eye and light together")
+        ->check(CLI::Range(1, 10000));
+    app.add_option("--seed", t.seed, "Random seed (default 0)");
+}
+
+void add_stop_flags(CLI::App& app, RenderTexts& t) {
     app.add_option("--passes,--spp", t.passes, "End after this many passes")
         ->check(CLI::Range(1U, 1U << 30U));
     app.add_option("--time", t.time,
@@ -62,24 +75,12 @@ void add_render_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
                    "relative error: 2%");
     add_error_flags(app, t.error);
     app.add_option("--pass-range", t.pass_range, "Render passes a to b - 1 only: a:b");
-    app.add_option("--photons-per-pass", o.settings.photon.paths_per_pass,
-                   "Photon paths a pass (default max(200000, 2 a pixel), then see --balance; "
-                   "paper 200000)")
-        ->check(CLI::Range(1U, 1U << 30U));
-    app.add_option("--seed", t.seed, "Random seed (default 0)");
-    app.add_option("--nthreads", o.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
+}
+
+void add_picture_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
+    app.add_option("--camera", o.camera, "Which of the scene's cameras, by name");
     app.add_option("--resolution", t.resolution, "Picture size instead of the scene's: WxH");
     app.add_option("--crop", t.crop, "Render only these pixels: x0,x1,y0,y1");
-    app.add_option("--radius-pixels", o.settings.eye.radius_pixels,
-                   "First radius in pixel footprints (default 2)")
-        ->check(between(1e-3, 1e3));
-    app.add_option("--radius", o.settings.eye.radius, "First radius in scene units")
-        ->check(between(1e-30, 1e30));
-    app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3)")
-        ->check(between(1e-6, 1 - 1e-6));
-    app.add_option("--max-depth", o.max_depth,
-                   "Scattering events on a path, eye and light together")
-        ->check(CLI::Range(1, 10000));
     app.add_option("--layers", t.layers,
                    "EXR layers: direct,caustic,indirect,emission,albedo,normal,depth,samples");
     app.add_option(
@@ -89,7 +90,10 @@ void add_render_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
         ->allow_extra_args(false);
     app.add_option("--exposure", o.exposure, "Stops for PNG (default 0)")
         ->check(between(-100, 100));
-    app.add_option("--camera", o.camera, "Which of the scene's cameras, by name");
+}
+
+void add_run_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
+    app.add_option("--nthreads", o.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
     app.add_option("--isa", o.isa, "avx2 (same bytes on every such machine), or native")
         ->check(CLI::IsMember({"avx2", "native"}));
     app.add_option("--stats", o.stats, "Write statistics as JSON");
@@ -107,6 +111,18 @@ void add_render_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
                        "quiet, warning, or info (default: notes and a progress line, too)")
             ->check(CLI::IsMember({"quiet", "warning", "info"}));
     app.add_flag("--quiet", t.quiet, "The same as --log-level quiet")->excludes(level);
+}
+
+}  // namespace
+
+void add_render_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
+    app.add_option("SCENE", o.scene, "Scene file (pbrt-v4)")->required();
+    app.add_option("-o,--output", o.outputs, "Output file: .exr, .png, .film; may be repeated")
+        ->allow_extra_args(false);
+    add_method_flags(app, o, t);
+    add_stop_flags(app, t);
+    add_picture_flags(app, o, t);
+    add_run_flags(app, o, t);
 }
 
 void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o) {

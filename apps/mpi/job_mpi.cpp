@@ -20,9 +20,9 @@ constexpr int kBytes = 2;
 constexpr std::size_t kBytesAtOnce = std::size_t{1} << 30U;
 
 void wait_for(int from, int tag) {
-    constexpr std::chrono::microseconds kLongest(1000);
+    const std::chrono::microseconds longest(1000);
     int there = 0;
-    for (std::chrono::microseconds pause(1);; pause = std::min(2 * pause, kLongest)) {
+    for (std::chrono::microseconds pause(1);; pause = std::min(2 * pause, longest)) {
         MPI_Iprobe(from, tag, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE);
         if (there != 0) return;
         std::this_thread::sleep_for(pause);

@@ -4,6 +4,8 @@
 #include "camera/screen.h"
 #include "math/warp.h"
 
+#include <utility>
+
 namespace sunfleck {
 namespace {
 
@@ -27,7 +29,7 @@ std::pair<Vec2d, double> on_square(SphereMap map, const Vec3d& z_up) {
 
 }  // namespace
 
-Projection::Projection(const Camera& camera) : camera_(camera) {
+Projection::Projection(Camera camera) : camera_(std::move(camera)) {
     const Matrix& to_world =
         std::visit([](const auto& c) -> const Matrix& { return c.camera_to_world; }, camera_);
     world_to_camera_ = to_world.inverse();

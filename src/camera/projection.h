@@ -18,7 +18,7 @@ struct Sight {
 
 class Projection {
 public:
-    explicit Projection(const Camera& camera);
+    explicit Projection(Camera camera);
 
     /// @param lens  in (0,1)^2, as for camera_ray(). @return nothing for what lies behind the
     /// camera, or in its very point.

@@ -62,7 +62,7 @@ CompareInput compare_input(const std::string& text) {
     std::error_code code;
     const std::size_t equals = text.find('=');
     if (equals != std::string::npos && !fs::exists(text, code)) {
-        const CompareInput input{text.substr(0, equals), text.substr(equals + 1)};
+        CompareInput input{text.substr(0, equals), text.substr(equals + 1)};
         if (input.label.empty() || input.path.empty())
             throw Error({text}, "is no LABEL=PATH", "write both, as in uniform=u.exr");
         return input;

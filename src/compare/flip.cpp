@@ -21,21 +21,21 @@ constexpr float kFeatureExponent = 0.5F;
 
 /// The ACES curve: (a x^2 + b x) / (c x^2 + d x + e), with its pre-exposure of 0.6 taken out.
 struct Aces {
-    static constexpr float a = 0.6F * 0.6F * 2.51F;
-    static constexpr float b = 0.6F * 0.03F;
-    static constexpr float c = 0.6F * 0.6F * 2.43F;
-    static constexpr float d = 0.6F * 0.59F;
-    static constexpr float e = 0.14F;
+    static constexpr float kA = 0.6F * 0.6F * 2.51F;
+    static constexpr float kB = 0.6F * 0.03F;
+    static constexpr float kC = 0.6F * 0.6F * 2.43F;
+    static constexpr float kD = 0.6F * 0.59F;
+    static constexpr float kE = 0.14F;
 
     static float curve(float x) {
         x = std::max(x, 0.0F);
         if (x > 1e9F) return 1;  // and its squares do not overflow
-        return std::min((a * x * x + b * x) / (c * x * x + d * x + e), 1.0F);
+        return std::min((kA * x * x + kB * x) / (kC * x * x + kD * x + kE), 1.0F);
     }
     /// Where the curve is y; y below its limit.
     static float inverse(float y) {
-        const float half = -0.5F * (b - y * d) / (a - y * c);
-        return half + std::sqrt(half * half + y * e / (a - y * c));
+        const float half = -0.5F * (kB - y * kD) / (kA - y * kC);
+        return half + std::sqrt(half * half + y * kE / (kA - y * kC));
     }
 };
 
@@ -152,6 +152,7 @@ std::vector<float> hdr_exposures(const RgbImage& reference) {
     const float stop = std::log2(limit / median);
     const int count = std::max(2, static_cast<int>(std::ceil(stop - start)));
     std::vector<float> exposures;
+    exposures.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         exposures.push_back(start +
                             static_cast<float>(i) * (stop - start) / static_cast<float>(count - 1));

@@ -10,7 +10,7 @@ namespace sunfleck {
 
 RgbImage read_rgb(const std::string& path) {
     const Image image = parse_image(read_file(path), path);
-    const Vec2i size = image.resolution();
+    const Vec2i& size = image.resolution();
     RgbImage rgb{size.x, size.y, {}};
     rgb.pixels.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     for (int y = 0; y < size.y; ++y)

@@ -28,7 +28,7 @@ inline bool is_finite(const Vec3& v) {
 std::size_t broken_pixels(const RgbImage& image);
 
 inline float luminance(const Vec3& rgb) {
-    constexpr auto weight = [](std::size_t c) { return static_cast<float>(kLuminanceWeights[c]); };
+    const auto weight = [](std::size_t c) { return static_cast<float>(kLuminanceWeights[c]); };
     return weight(0) * rgb.x + weight(1) * rgb.y + weight(2) * rgb.z;
 }
 

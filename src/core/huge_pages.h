@@ -16,7 +16,7 @@ namespace sunfleck {
 /// An allocator that asks for large pages for all that fills one. Nothing else differs.
 template <class T>
 struct HugePages {
-    using value_type = T;
+    using value_type = T;  // NOLINT(readability-identifier-naming): the name containers ask for
     static constexpr std::size_t kPage = std::size_t{1} << 21U;
 
     HugePages() = default;

@@ -72,8 +72,11 @@ std::vector<double> Axis::ticks() const {
     const double rough = (high - low) / 5;
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
     const double step = power * (rough / power > 5 ? 10 : rough / power > 2 ? 5 : 2);
-    for (double tick = std::ceil(low / step) * step; tick <= high; tick += step)
+    const double first = std::ceil(low / step) * step;
+    for (int i = 0; first + i * step <= high; ++i) {
+        const double tick = first + i * step;
         ticks.push_back(std::abs(tick) < 1e-9 * step ? 0 : tick);
+    }
     return ticks;
 }
 
@@ -117,7 +120,7 @@ std::string line_svg(const ChartLine& line, const Axis& x, const Axis& y, const 
                              y.place(p.y), colour);
         if (!y.shows(p.low) || !y.shows(p.high)) continue;
         upper += fmt::format("{}{:.1f} {:.1f}", upper.empty() ? "M" : "L", at, y.place(p.high));
-        lower = fmt::format("L{:.1f} {:.1f}", at, y.place(p.low)) + lower;
+        lower.insert(0, fmt::format("L{:.1f} {:.1f}", at, y.place(p.low)));
     }
     if (path.empty()) return {};
     return fmt::format(

@@ -9,7 +9,7 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstring>
+#include <system_error>
 #include <thread>
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): glibc has it for GNU alone
@@ -20,6 +20,7 @@ int run_child(const std::vector<std::string>& words, const std::string& log,
               const std::atomic<bool>* interrupted) {
     std::vector<std::string> copies = words;
     std::vector<char*> argv;
+    argv.reserve(copies.size() + 1);
     for (std::string& word : copies) argv.push_back(word.data());
     argv.push_back(nullptr);
     posix_spawn_file_actions_t files;
@@ -30,7 +31,7 @@ int run_child(const std::vector<std::string>& words, const std::string& log,
     const int fault = posix_spawn(&child, argv[0], &files, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&files);
     if (fault != 0)
-        throw Error({words[0]}, std::string("cannot be started: ") + std::strerror(fault),
+        throw Error({words[0]}, "cannot be started: " + std::system_category().message(fault),
                     "check that you may write to " + log);
     int status = 0;
     bool told = false;

@@ -116,6 +116,7 @@ std::vector<CellFacts> Results::snapshots(const Cell& cell) const {
     if (pictures.empty())
         throw Error({store_.folder(cell)}, "holds no picture", "remove it, to render again");
     std::vector<CellFacts> all;
+    all.reserve(pictures.size());
     for (const fs::path& picture : pictures) all.push_back(read_facts(picture));
     return all;
 }

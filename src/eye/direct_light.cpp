@@ -20,13 +20,13 @@ void note(LightParts* parts, std::size_t light, const Spectrum& radiance) {
 
 }  // namespace
 
-Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
-                       const Vec2d& u, Statistics& statistics, LightParts* parts) {
+Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,
+                       Statistics& statistics, LightParts* parts) {
     const Scene& scene = pass.scene;
-    const auto choice = scene.light_tree().choose(receiver_at(scene, vertex), u_choice);
+    const auto choice = scene.light_tree().choose(receiver_at(scene, vertex), u.choice);
     if (!choice) return Spectrum(0);
-    const auto light =
-        sample_direct(scene.lights()[choice->index], vertex.hit.position, Vec2(u), scene.sphere());
+    const auto light = sample_direct(scene.lights()[choice->index], vertex.hit.position,
+                                     Vec2(u.place), scene.sphere());
     if (!light) return Spectrum(0);
     const Vec3 w_to = vertex.frame.to_local(light->direction);
     const Spectrum f = eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance);

@@ -35,9 +35,15 @@ struct LightPart {
 };
 using LightParts = std::vector<LightPart>;
 
-/// One light sample: f * |cos| * radiance * weight / pdf, unoccluded. @param u  choice; position.
-Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, double u_choice,
-                       const Vec2d& u, Statistics& statistics, LightParts* parts = nullptr);
+/// Numbers in [0,1) of one light sample.
+struct LightNumbers {
+    double choice = 0;
+    Vec2d place;
+};
+
+/// One light sample: f * |cos| * radiance * weight / pdf, unoccluded.
+Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,
+                       Statistics& statistics, LightParts* parts = nullptr);
 
 /// Where light is wanted: what cannot come through the surface is not chosen from the tree.
 Receiver receiver_at(const Scene& scene, const EyeVertex& vertex);

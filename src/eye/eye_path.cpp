@@ -179,7 +179,7 @@ void EyePath::add_direct_light(const EyeVertex& vertex, RoundPoints& numbers, bo
     const PassScene& pass = pass_.scene;
     const double u_choice = numbers.next();
     Spectrum light =
-        sample_lights(pass, vertex, u_choice, numbers.next_2d(), statistics_, wanted_parts());
+        sample_lights(pass, vertex, {u_choice, numbers.next_2d()}, statistics_, wanted_parts());
     if (follow && pass.scene.has_lights_to_meet()) {
         const Vec2d u = numbers.next_2d();
         const BsdfDraw draw{

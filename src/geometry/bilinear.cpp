@@ -98,7 +98,9 @@ Vec2d Bilinear::locate(const Vec3d& on, const Vec3d& direction) const {
     constexpr int kSide = 4;
     Vec2d best(0.5);
     for (int i = 0; i <= kSide * kSide + 2 * kSide; ++i) {
-        const Vec2d uv(double(i % (kSide + 1)) / kSide, double(i / (kSide + 1)) / kSide);
+        const int row = i / (kSide + 1);
+        const Vec2d uv(static_cast<double>(i % (kSide + 1)) / kSide,
+                       static_cast<double>(row) / kSide);
         if ((point(uv) - on).length2() < (point(best) - on).length2()) best = uv;
     }
     for (int step = 0; step < 8; ++step) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sunfleck {
 namespace {
@@ -22,8 +23,8 @@ class Search {
 public:
     using Found = std::array<CurveMeeting, CurvePiece::kMostCrossings>;
 
-    Search(const CurvePiece& piece, const Vec3d& origin, const Vec3d& direction, Found& found)
-        : piece_(piece), found_(found), length_(direction.length()) {
+    Search(CurvePiece piece, const Vec3d& origin, const Vec3d& direction, Found& found)
+        : piece_(std::move(piece)), found_(found), length_(direction.length()) {
         const Vec3d z = direction / length_;
         const Vec3d aside = std::abs(z.x) < 0.7 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
         const Vec3d x = aside.cross(z).normalized();

@@ -22,7 +22,7 @@ struct CurvePoint {
 /// The four control points of a cubic Bezier curve.
 using Bezier = std::array<Vec3d, 4>;
 
-CurvePoint evaluate(const Bezier& curve, double u);
+CurvePoint evaluate(const Bezier& p, double u);
 /// The control points of the part with u in [from, to] (blossoming).
 Bezier part_of(const Bezier& curve, double from, double to);
 

@@ -32,6 +32,18 @@ void write_bounds(const RTCBoundsFunctionArguments* args) {
     args->bounds_o->upper_z = outwards(box.max.z, size, 1);
 }
 
+/// The least of the crossings strictly between the ends; kNone if there is none.
+template <class Crossings>
+std::uint32_t next_after(const Crossings& met, double after, double before) {
+    std::uint32_t which = kNone;
+    for (std::uint32_t i = 0; i < met.t.size(); ++i) {
+        if (!met.on[i] || !(met.t[i] > after && met.t[i] < before)) continue;
+        before = met.t[i];
+        which = i;
+    }
+    return which;
+}
+
 /// The least t strictly between the ends at which the query's line meets the surface.
 /// @param number  of the surface in its group.
 std::optional<double> nearest(const BuiltShape& shape, std::uint32_t element, const Query& query,
@@ -44,17 +56,11 @@ std::optional<double> nearest(const BuiltShape& shape, std::uint32_t element, co
         const auto met = surface.crossings(line.origin, line.direction);
         double after = ray.tnear;
         while (true) {
-            double t = ray.tfar;
-            std::uint32_t which = kNone;
-            for (std::uint32_t i = 0; i < met.t.size(); ++i) {
-                if (!met.on[i] || !(met.t[i] > after && met.t[i] < t)) continue;
-                t = met.t[i];
-                which = i;
-            }
+            const std::uint32_t which = next_after(met, after, ray.tfar);
             if (which == kNone) return {};
-            const Found found{&shape, instance, element, {}, t};
-            if (!shape.cover() || is_there(found, query, number, which)) return t;
-            after = t;
+            after = met.t[which];
+            const Found found{&shape, instance, element, {}, after};
+            if (!shape.cover() || is_there(found, query, number, which)) return after;
         }
     };
     const std::optional<double> none;

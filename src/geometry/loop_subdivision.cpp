@@ -48,7 +48,7 @@ Vec3d middle_of(const Mesh& mesh, const HalfEdges& edges, std::uint32_t edge) {
     const std::uint32_t twin = edges.twin(edge);
     if (twin == HalfEdges::kNoEdge) return ends * 0.5;
     const auto opposite = [&](std::uint32_t e) {
-        return mesh.points[edges.from(edges.previous(e))];
+        return mesh.points[edges.from(HalfEdges::previous(e))];
     };
     return ends * 0.375 + (opposite(edge) + opposite(twin)) * 0.125;
 }

@@ -130,17 +130,18 @@ Picture read_all_channels(std::string_view bytes, const std::string& name) {
 
 /// R, G, B and perhaps A; or the only one there is.
 std::vector<std::string> colours_of(const Imf::ChannelList& channels, const std::string& name) {
-    if (channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B")) {
-        if (channels.findChannel("A")) return {"R", "G", "B", "A"};
+    const auto has = [&](const char* channel) { return channels.findChannel(channel) != nullptr; };
+    if (has("R") && has("G") && has("B")) {
+        if (has("A")) return {"R", "G", "B", "A"};
         return {"R", "G", "B"};
     }
     std::string all;
     for (auto c = channels.begin(); c != channels.end(); ++c)
         all += (all.empty() ? "" : ", ") + std::string(c.name());
     if (channels.begin() == channels.end()) refuse(name, "has no channels");
-    if (++channels.begin() != channels.end() && !channels.findChannel("Y"))
+    if (++channels.begin() != channels.end() && !has("Y"))
         refuse(name, "has no channels R, G and B, but " + all.substr(0, 100));
-    return {channels.findChannel("Y") ? "Y" : channels.begin().name()};
+    return {has("Y") ? "Y" : channels.begin().name()};
 }
 
 template <class Value>

@@ -28,20 +28,18 @@ Vec2i read_head(ByteSource& source) {
 
 /// A row whose four components stand one after the other, each in runs.
 void read_new_runs(ByteSource& source, std::vector<Rgbe>& row) {
-    for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t c = 0; c < 4; ++c)
         for (std::size_t x = 0; x < row.size();) {
             const unsigned packet = source.byte();
-            const unsigned count = packet > 128 ? packet - 128 : packet;
+            const bool repeats = packet > 128;
+            const unsigned count = repeats ? packet - 128 : packet;
             if (count == 0 || count > row.size() - x) source.refuse("a run leaves its row");
-            if (packet > 128) {
-                const std::uint8_t value = source.byte();
-                for (unsigned i = 0; i < count; ++i) row[x++].at(c) = value;
-            } else {
-                for (const char value : source.take(count))
-                    row[x++].at(c) = static_cast<std::uint8_t>(value);
+            std::uint8_t value = repeats ? source.byte() : 0;
+            for (unsigned i = 0; i < count; ++i) {
+                if (!repeats) value = source.byte();
+                row[x++].at(c) = value;
             }
         }
-    }
 }
 
 /// A row of whole texels; 1 1 1 n repeats the one before n times, 256 n where two follow.

@@ -43,6 +43,15 @@ void on_warning(j_common_ptr info, int level) {
     if (level < 0 && info->err->msg_code == JWRN_JPEG_EOF) on_fault(info);
 }
 
+void read_rows(jpeg_decompress_struct& info, Job& job) {
+    jpeg_start_decompress(&info);
+    const std::size_t width = std::size_t{info.image_width} * static_cast<unsigned>(job.channels);
+    while (info.output_scanline < info.output_height) {
+        JSAMPROW row = job.texels.data() + info.output_scanline * width;
+        jpeg_read_scanlines(&info, &row, 1);
+    }
+}
+
 void decode(Job& job) {
     jpeg_decompress_struct info;
     info.err = jpeg_std_error(&job.manager);
@@ -65,13 +74,7 @@ void decode(Job& job) {
                           "it claims more pixels than its size can hold");
         } else {
             job.texels.resize(pixels * static_cast<std::uint64_t>(job.channels));
-            jpeg_start_decompress(&info);
-            while (info.output_scanline < info.output_height) {
-                JSAMPROW row = job.texels.data() + std::size_t{info.output_scanline} *
-                                                       info.image_width *
-                                                       static_cast<unsigned>(job.channels);
-                jpeg_read_scanlines(&info, &row, 1);
-            }
+            read_rows(info, job);
         }
     }
     jpeg_destroy_decompress(&info);

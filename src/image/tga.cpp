@@ -106,6 +106,15 @@ private:
     std::string_view texel_;
 };
 
+Colour texel_colour(const ByteSource& source, const Header& h, const std::vector<Colour>& palette,
+                    std::string_view texel) {
+    const Colour colour = colour_of(h.type == 3 ? texel.substr(0, 1) : texel);
+    if (h.type != 1) return colour;
+    const std::size_t index = colour[0] - std::size_t{h.palette_first};
+    if (index >= palette.size()) source.refuse("a colour that its palette has not");
+    return palette[index];
+}
+
 }  // namespace
 
 Image parse_tga(std::string_view bytes, const std::string& name) {
@@ -123,12 +132,7 @@ Image parse_tga(std::string_view bytes, const std::string& name) {
         for (std::size_t column = 0; column < h.width; ++column) {
             const std::size_t x = h.from_right ? h.width - 1 - column : column;
             const std::string_view texel = reader.next();
-            Colour colour = colour_of(h.type == 3 ? texel.substr(0, 1) : texel);
-            if (h.type == 1) {
-                const std::size_t index = colour[0] - std::size_t{h.palette_first};
-                if (index >= palette.size()) source.refuse("a colour that its palette has not");
-                colour = palette[index];
-            }
+            const Colour colour = texel_colour(source, h, palette, texel);
             for (std::size_t c = 0; c < channels; ++c)
                 texels[(y * h.width + x) * channels + c] = colour.at(c);
         }

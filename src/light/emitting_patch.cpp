@@ -14,7 +14,8 @@ struct Density {
 
     explicit Density(const Bilinear& surface) {
         for (std::size_t i = 0; i < 4; ++i)
-            at_corner.at(i) = surface.area_vector({double(i % 2), double(i / 2)}).length();
+            at_corner.at(i) =
+                surface.area_vector({i % 2 == 0 ? 0.0 : 1.0, i < 2 ? 0.0 : 1.0}).length();
     }
     double side(std::size_t first, double v) const {
         return at_corner.at(first) * (1 - v) + at_corner.at(first + 2) * v;

@@ -59,7 +59,7 @@ Beyond ImageInfiniteLight::beyond(const Vec3&, const Vec3& direction) const {
 }
 
 double illuminance_from_above(const LightPicture& picture) {
-    const Vec2i size = picture.resolution();
+    const Vec2i& size = picture.resolution();
     double sum = 0;
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {

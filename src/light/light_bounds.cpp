@@ -46,7 +46,7 @@ void bound_surface(const EmittingPatch& patch, LightBounds& bounds) {
     std::array<Vec3d, 4> normals;
     bool given = false;
     for (std::size_t i = 0; i < 4; ++i) {
-        const Vec3d area = patch.surface.area_vector({double(i % 2), double(i / 2)});
+        const Vec3d area = patch.surface.area_vector({i % 2 == 0 ? 0.0 : 1.0, i < 2 ? 0.0 : 1.0});
         normals.at(i) = (patch.flip ? -area : area).normalized();
         sum += normals.at(i);
         given = given || patch.normals.at(i) != Vec3d(0);

@@ -21,7 +21,7 @@ struct TexelLight {
 };
 
 /// Of a colour in linear sRGB; negative components count as none.
-TexelLight texel_light(const Vec3& rgb);
+TexelLight texel_light(const Vec3& given);
 
 /// Builds the table of colours if the texels are no greys: now, for it may not be within parallel
 /// work.

@@ -30,25 +30,29 @@ double cell_mean(int x, int y, int side, const Value& value) {
     return sum / (kLooks * kLooks);
 }
 
+/// The sky's mean over the directions of a cell.
+Vec3 mean_of_sky(int x, int y, int side, const PortalPicture::Sky& sky) {
+    double solid_angle = 0;
+    Vec3d sum(0);
+    looks(x, y, side, [&](const Vec2d& uv) {
+        const PortalDirection there = portal_direction(uv);
+        solid_angle += there.solid_angle;
+        sum += Vec3d(sky(there.w)) * there.solid_angle;
+    });
+    return Vec3(sum / solid_angle);
+}
+
 Image rectified(int side, const PortalPicture::Sky& sky) {
     const auto n = static_cast<std::size_t>(side);
     std::vector<float> texels(3 * n * n);
     parallel_for(n, [&](std::size_t row) {
         for (std::size_t x = 0; x < n; ++x) {
-            double solid_angle = 0;
-            Vec3d sum(0);
-            looks(static_cast<int>(x), static_cast<int>(row), side, [&](const Vec2d& uv) {
-                const PortalDirection there = portal_direction(uv);
-                solid_angle += there.solid_angle;
-                sum += Vec3d(sky(there.w)) * there.solid_angle;
-            });
-            const Vec3d rgb = sum / solid_angle;
+            const Vec3 rgb = mean_of_sky(static_cast<int>(x), static_cast<int>(row), side, sky);
             for (int c = 0; c < 3; ++c)
-                texels[3 * (row * n + x) + static_cast<std::size_t>(c)] =
-                    static_cast<float>(rgb[c]);
+                texels[3 * (row * n + x) + static_cast<std::size_t>(c)] = rgb[c];
         }
     });
-    return Image({side, side}, 3, std::move(texels));
+    return {{side, side}, 3, std::move(texels)};
 }
 
 double projected_share(int x, int y, int side) {

@@ -51,6 +51,7 @@ TexelLight SurfacePicture::at(const Vec2& uv) const {
     return texel_light(image_.channels() < 3 ? Vec3(v[0]) : Vec3(v[0], v[1], v[2]));
 }
 
+// NOLINTNEXTLINE(modernize-pass-by-value): moving it costs as much, and GCC 12 warns of it
 LaidPicture::LaidPicture(std::shared_ptr<const SurfacePicture> picture, const CornerUvs& uvs,
                          const EmittingSurface& surface, int most_cells)
     : picture_(std::move(picture)), uvs_(uvs) {
@@ -60,20 +61,26 @@ LaidPicture::LaidPicture(std::shared_ptr<const SurfacePicture> picture, const Co
     std::vector<float> cells;
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
-            double sum = 0;
-            for (const double right : {0.25, 0.75})
-                for (const double below : {0.25, 0.75}) {
-                    const Vec2d u((x + right) / side, (y + below) / side);
-                    const auto sample = [&](const auto& s) { return sample_surface(s, u); };
-                    const SurfaceSample on = std::visit(sample, surface);
-                    sum += on.spread * at(surface, on.position, on.normal).luminance / 4;
-                }
-            flux_ += sum / (double{1} * side * side);
-            cells.push_back(static_cast<float>(sum));
+            const double luminance = mean_over(surface, {x, y}, side);
+            flux_ += luminance / (double{1} * side * side);
+            cells.push_back(static_cast<float>(luminance));
         }
     const auto floor = static_cast<float>(kEverywhere * flux_);
     for (float& cell : cells) cell += floor;
     slots_ = std::make_unique<const LightPicture>(Image({side, side}, 1, std::move(cells)));
+}
+
+/// Of a cell of so many a side: luminance by area, from four samples.
+double LaidPicture::mean_over(const EmittingSurface& surface, const Vec2i& cell, int side) const {
+    double sum = 0;
+    for (const double right : {0.25, 0.75})
+        for (const double below : {0.25, 0.75}) {
+            const Vec2d u((cell.x + right) / side, (cell.y + below) / side);
+            const auto sample = [&](const auto& s) { return sample_surface(s, u); };
+            const SurfaceSample on = std::visit(sample, surface);
+            sum += on.spread * at(surface, on.position, on.normal).luminance / 4;
+        }
+    return sum;
 }
 
 /// Eight cells a texel, as far as there is room.

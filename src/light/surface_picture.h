@@ -62,6 +62,7 @@ public:
     double flux() const { return flux_; }
 
 private:
+    double mean_over(const EmittingSurface& surface, const Vec2i& cell, int side) const;
     int cells_across(int most_cells) const;
 
     std::shared_ptr<const SurfacePicture> picture_;

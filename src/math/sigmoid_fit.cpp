@@ -46,23 +46,24 @@ const Nodes& fine_nodes() {
     return built;
 }
 
+Nodes every_fifth(const Nodes& fine) {
+    constexpr std::size_t kStep = 5;
+    Nodes nodes((kVisibleCount - 1) / kStep + 1);
+    for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n].t = fine[n * kStep].t;
+    for (std::size_t i = 0; i < kVisibleCount; ++i) {
+        const std::size_t below = std::min(i / kStep, nodes.size() - 2);
+        const double part = static_cast<double>(i - below * kStep) / kStep;
+        for (std::size_t k = 0; k < 3; ++k) {
+            nodes[below].share[k] += fine[i].share[k] * (1 - part);
+            nodes[below + 1].share[k] += fine[i].share[k] * part;
+        }
+    }
+    return nodes;
+}
+
 /// Every 5 nm: the shares of a reflectance that is linear in between, to be fitted faster.
 const Nodes& coarse_nodes() {
-    constexpr std::size_t kStep = 5;
-    static const Nodes built = [] {
-        const Nodes& fine = fine_nodes();
-        Nodes nodes((kVisibleCount - 1) / kStep + 1);
-        for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n].t = fine[n * kStep].t;
-        for (std::size_t i = 0; i < kVisibleCount; ++i) {
-            const std::size_t below = std::min(i / kStep, nodes.size() - 2);
-            const double part = static_cast<double>(i - below * kStep) / kStep;
-            for (std::size_t k = 0; k < 3; ++k) {
-                nodes[below].share[k] += fine[i].share[k] * (1 - part);
-                nodes[below + 1].share[k] += fine[i].share[k] * part;
-            }
-        }
-        return nodes;
-    }();
+    static const Nodes built = every_fifth(fine_nodes());
     return built;
 }
 

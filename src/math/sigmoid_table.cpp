@@ -110,7 +110,7 @@ Spectrum SigmoidTable::albedo(const Vec3& rgb, const Wavelengths& wavelengths) c
 
 Spectrum SigmoidTable::unbounded(const Vec3& rgb, const Wavelengths& wavelengths) const {
     const float most = std::max({rgb.x, rgb.y, rgb.z});
-    if (!(most > 0)) return Spectrum();
+    if (!(most > 0)) return {};
     return albedo(rgb * (0.5F / most), wavelengths) * (2 * most);
 }
 

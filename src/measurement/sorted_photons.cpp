@@ -25,6 +25,12 @@ std::vector<MortonKey> in_order(const std::vector<PhotonBatch>& batches, const M
     return keys;
 }
 
+void call_into_cache(const std::vector<PhotonBatch>& batches, const MortonKey& key) {
+    const Photon& photon = batches[key.list].photons[key.item];
+    __builtin_prefetch(&photon);
+    __builtin_prefetch(&photon.flux.lane.back());
+}
+
 }  // namespace
 
 SortedPhotons::SortedPhotons(const std::vector<PhotonBatch>& batches, const MortonGrid& grid)
@@ -37,12 +43,7 @@ SortedPhotons::SortedPhotons(const std::vector<PhotonBatch>& batches, const Mort
     parallel_blocks(leaves_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         const std::size_t last = std::min(end * kWidth, order_.size());
         for (std::size_t i = begin * kWidth; i < last; ++i) {
-            if (i + kAhead < last) {
-                const MortonKey& next = order_[i + kAhead];
-                const Photon& photon = batches[next.list].photons[next.item];
-                __builtin_prefetch(&photon);
-                __builtin_prefetch(&photon.flux.lane.back());
-            }
+            if (i + kAhead < last) call_into_cache(batches, order_[i + kAhead]);
             photons_[i] = batches[order_[i].list].photons[order_[i].item];
         }
         for (std::size_t leaf = begin; leaf < end; ++leaf) boxes[leaf] = fill(leaf);

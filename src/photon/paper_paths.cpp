@@ -123,6 +123,11 @@ private:
     std::vector<Place> places_;
 };
 
+/// @param number  of the path in its batch.
+void add_path(PhotonBatch& batch, const SeenPath& path, std::uint32_t number, std::uint32_t steps) {
+    for (const Photon& photon : path.photons) batch.add_copies(photon, number, steps);
+}
+
 void count_step(Statistics& counts, PaperStep step) {
     const bool accepted = step == PaperStep::accepted;
     counts[Count::mutated_paths] += accepted || step == PaperStep::rejected ? 1 : 0;
@@ -147,8 +152,7 @@ Statistics trace_paper_paths(const PhotonView& view, const PaperPass& pass, Pape
         const auto leave = [&](const SeenPath& path, std::uint32_t steps) {
             if (!path.visible) return;
             counts[Count::visible_states] += steps;
-            for (const Photon& photon : path.photons) batches[0].add_copies(photon, left, steps);
-            ++left;
+            add_path(batches[0], path, left++, steps);
         };
         for (std::uint32_t i = begin; i < end; ++i) {
             if ((i - begin) % kAhead == 0) uniform.trace(i, std::min(kAhead, end - i), counts);

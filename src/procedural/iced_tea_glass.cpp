@@ -35,7 +35,8 @@ std::vector<HalfSpace> cube(const Placed& placed) {
     constexpr std::array<double, 3> kDistance = {kHalfEdge, 1.86 * kHalfEdge, 2.62 * kHalfEdge};
     std::vector<HalfSpace> half_spaces;
     for (int i = 0; i < 27; ++i) {
-        const Vec3d direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        const int up = i / 9;
+        const Vec3d direction(i % 3 - 1, i / 3 % 3 - 1, up - 1);
         const auto axes = static_cast<int>(direction.dot(direction));
         if (axes == 0) continue;
         const Vec3d normal = turned(placed.turn, direction);
@@ -81,6 +82,7 @@ TumblerProfile tumbler_profile() {
 
 std::vector<std::vector<HalfSpace>> ice_cubes() {
     std::vector<std::vector<HalfSpace>> cubes;
+    cubes.reserve(kCubes.size());
     for (const Placed& placed : kCubes) cubes.push_back(cube(placed));
     return cubes;
 }

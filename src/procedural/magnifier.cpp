@@ -107,6 +107,16 @@ Mesh holder() {
     return holder;
 }
 
+/// A word's letters as bars, low and tall. @param state  of the rule; changed.
+void append_word(Mesh& words, const Vec3d& start, double length, std::uint32_t& state) {
+    for (double letter = 0; letter + 0.1 < length; letter += 0.17) {
+        state = state * 1664525U + 1013904223U;
+        const double height = (state >> 28U) < 4 ? 0.42 : 0.28;
+        words.append(box_mesh(rounded_point({start.x + letter, start.y, start.z}),
+                              rounded_point({start.x + letter + 0.11, start.y + height, 0.072})));
+    }
+}
+
 /// Lines of words: bars of the width of words, their lengths by a small rule.
 Mesh print() {
     Mesh words;
@@ -118,13 +128,7 @@ Mesh print() {
             double length = 0.35 + 1.1 * static_cast<double>(state >> 8U) / 16777216;
             if (x + length > 5.2) length = 5.2 - x;
             if (line % 6 == 5 && x > -1) break;  // the end of a paragraph
-            for (double letter = 0; letter + 0.1 < length; letter += 0.17) {
-                state = state * 1664525U + 1013904223U;
-                const bool tall = (state >> 28U) < 4;
-                words.append(
-                    box_mesh(rounded_point({x + letter, y, 0.05}),
-                             rounded_point({x + letter + 0.11, y + (tall ? 0.42 : 0.28), 0.072})));
-            }
+            append_word(words, {x, y, 0.05}, length, state);
             x += length + 0.25;
         }
     }

@@ -90,7 +90,7 @@ Mesh closed_tube(const std::vector<Vec3d>& chain, double radius, std::size_t aro
     const auto off_y = static_cast<float>(side.dot(sides[0].cross(ways[0])));
     const double off = static_cast<double>(std::atan2(off_y, off_x)) / (2 * kPiDouble);
     return ring_grid(size, around, [&](double along, double turn) {
-        const auto i = static_cast<std::size_t>(along * static_cast<double>(size) + 0.5);
+        const auto i = static_cast<std::size_t>(std::lround(along * static_cast<double>(size)));
         const SinCos t = sin_cos_turn(turn - off * along);
         return chain[i] + (sides[i] * t.cos + sides[i].cross(ways[i]) * t.sin) * radius;
     });

@@ -18,16 +18,21 @@ constexpr double kMiddle = 5.2;      // height of crown and bow
 constexpr double kLidOpen = 0.253;   // turns from closed
 constexpr double kLidRadius = 22.6;
 
-/// Appends points of a spherical cap about the axis between two radii, in `steps` steps.
-/// @param height  of the cap on the axis. @param sag  by how much it is lower at radius `rim`.
-void append_cap(Profile& profile, double height, double sag, double rim,
-                const std::array<double, 2>& radii, int steps) {
-    const double curvature_radius = (rim * rim + sag * sag) / (2 * sag);
+/// Part of a sphere about the axis.
+struct Cap {
+    double height;  // on the axis
+    double sag;     // by how much it is lower at radius `rim`
+    double rim;
+};
+
+/// Appends points of a cap between two radii, in `steps` steps.
+void append_cap(Profile& profile, const Cap& cap, const std::array<double, 2>& radii, int steps) {
+    const double curvature_radius = (cap.rim * cap.rim + cap.sag * cap.sag) / (2 * cap.sag);
     for (int i = 0; i <= steps; ++i) {
         const double r = radii[0] + (radii[1] - radii[0]) * i / steps;
         const double drop =
             curvature_radius - std::sqrt(curvature_radius * curvature_radius - r * r);
-        profile.push_back({r, height - drop});
+        profile.push_back({r, cap.height - drop});
     }
 }
 
@@ -98,9 +103,9 @@ Mesh watch_case() {
 Mesh watch_lid() {
     constexpr double kSag = 6;
     Profile profile;
-    append_cap(profile, kSag - 0.7, kSag - 0.9, kLidRadius - 0.8, {0, kLidRadius - 0.8}, 18);
+    append_cap(profile, {kSag - 0.7, kSag - 0.9, kLidRadius - 0.8}, {0, kLidRadius - 0.8}, 18);
     append_bezier(profile, {{{kLidRadius - 0.5, -0.4}, {kLidRadius, -0.4}, {kLidRadius, 0.3}}}, 6);
-    append_cap(profile, kSag, kSag - 0.6, kLidRadius - 0.1, {kLidRadius - 0.1, 0}, 18);
+    append_cap(profile, {kSag, kSag - 0.6, kLidRadius - 0.1}, {kLidRadius - 0.1, 0}, 18);
     const SinCos open = sin_cos_turn(kLidOpen);
     const Placement opened = {
         .x = {open.cos, 0, open.sin}, .z = {-open.sin, 0, open.cos}, .origin = {-23.6, 0, 8}};
@@ -109,10 +114,10 @@ Mesh watch_lid() {
 
 Mesh watch_cover() {
     Profile profile;
-    append_cap(profile, 10.3, 2.6, 19.7, {0, 19.7}, 24);
+    append_cap(profile, {10.3, 2.6, 19.7}, {0, 19.7}, 24);
     profile.push_back({20.3, 7.7});
     profile.push_back({20.3, 8.2});
-    append_cap(profile, 11.3, 2.8, 20, {20, 0}, 24);
+    append_cap(profile, {11.3, 2.8, 20}, {20, 0}, 24);
     return revolve(profile, kRound);
 }
 

@@ -25,8 +25,9 @@ void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image,
                                       PathNumbers(pass.id.stream(Purpose::pair_light, pixel)),
                                       PathNumbers(pass.id.stream(Purpose::pair_joints, pixel))};
             const FilterSample filtered = filter.sample(numbers.eye.next_two());
+            const std::size_t row = pixel / width;
             const Vec2d film(x + static_cast<double>(pixel % width) + 0.5 + filtered.offset.x,
-                             y + static_cast<double>(pixel / width) + 0.5 + filtered.offset.y);
+                             y + static_cast<double>(row) + 0.5 + filtered.offset.y);
             const Spectrum scattered = pair.trace(film, numbers);
             const Spectrum radiance = (scattered + pair.unscattered()) *
                                       (filtered.weight * pass.scene.scene.film().imaging_ratio);

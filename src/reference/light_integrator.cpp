@@ -68,8 +68,8 @@ private:
         const auto choice = scene_.light_choice().choose(number());
         const Vec2d place = two_numbers();
         const Vec2d way = two_numbers();
-        const Emission start = sample_emission(scene_.lights()[choice.index],
-                                               {place.x, place.y, way.x, way.y}, scene_.sphere());
+        Emission start = sample_emission(scene_.lights()[choice.index],
+                                         {place.x, place.y, way.x, way.y}, scene_.sphere());
         flux_ = pass_.scene.tinted(pass_.scene.emission[choice.index], start.tint) *
                 (share * static_cast<float>(start.factor / choice.probability));
         medium_ = pass_.scene.start_medium(choice.index, start, flux_);

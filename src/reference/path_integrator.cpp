@@ -45,28 +45,35 @@ private:
     std::optional<Hit> next_surface(Ray& ray) {
         while (true) {
             ++rays_;
-            const auto hit = scene_.geometry().intersect(ray);
+            auto hit = scene_.geometry().intersect(ray);
             if (scene_.has_media())
                 throughput_ *= pass_.scene.left_after(medium_, hit ? hit->distance : kInfinity);
             if (!hit) {
-                for (const std::uint32_t i : scene_.infinite_lights()) {
-                    const Beyond met = beyond(scene_.lights()[i], last_, ray.direction);
-                    add_emitter(i, met.pdf,
-                                pass_.scene.tinted(pass_.scene.emission[i] * met.factor, met.tint));
-                }
+                add_emitters_beyond(ray.direction);
                 return {};
             }
-            if (const std::uint32_t i = scene_.light_of(*hit); i != kNone) {
-                const auto& light = std::get<AreaLight>(scene_.lights()[i]);
-                if (light.emits(hit->normal, -ray.direction)) {
-                    const float pdf = light.direct_pdf(last_, hit->position, hit->normal);
-                    add_emitter(i, pdf, pass_.scene.emitted(i, light, *hit));
-                }
-            }
+            add_emitter_at(*hit, ray.direction);
             if (!scene_.passes_straight(*hit)) return hit;
             medium_ = scene_.medium_beyond(*hit, ray.direction, medium_);
             ray = ray_from(*hit, ray.direction);
         }
+    }
+
+    void add_emitters_beyond(const Vec3& direction) {
+        for (const std::uint32_t i : scene_.infinite_lights()) {
+            const Beyond met = beyond(scene_.lights()[i], last_, direction);
+            add_emitter(i, met.pdf,
+                        pass_.scene.tinted(pass_.scene.emission[i] * met.factor, met.tint));
+        }
+    }
+
+    void add_emitter_at(const Hit& hit, const Vec3& direction) {
+        const std::uint32_t i = scene_.light_of(hit);
+        if (i == kNone) return;
+        const auto& light = std::get<AreaLight>(scene_.lights()[i]);
+        if (!light.emits(hit.normal, -direction)) return;
+        const float pdf = light.direct_pdf(last_, hit.position, hit.normal);
+        add_emitter(i, pdf, pass_.scene.emitted(i, light, hit));
     }
 
     /// An emitter that the last bsdf sample found. @param light_pdf  of direct samples of it.
@@ -158,8 +165,9 @@ void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statisti
                 RandomStream numbers = pass.id.stream(Purpose::reference_path, pixel);
                 const Vec2d u{numbers.next(), numbers.next()};
                 const FilterSample filtered = filter.sample(u);
+                const std::size_t row = pixel / width;
                 const Vec2d film(x + static_cast<double>(pixel % width) + 0.5 + filtered.offset.x,
-                                 y + static_cast<double>(pixel / width) + 0.5 + filtered.offset.y);
+                                 y + static_cast<double>(row) + 0.5 + filtered.offset.y);
                 const Vec2d lens{numbers.next(), numbers.next()};
                 const CameraRay camera = camera_ray(pass.scene.scene.camera(), film, lens);
                 ReferencePath path(pass, numbers, rays);

@@ -17,8 +17,8 @@ constexpr double kMostMove = 1.0 / 64;
 double PathNumbers::moved(double value, double u) {
     const double side = u < 0.5 ? 1 : -1;
     const auto along = static_cast<float>(u < 0.5 ? 2 * u : 2 * u - 1);
-    static const float kSpan = std::log(static_cast<float>(kMostMove / kLeastMove));
-    const double size = kMostMove * static_cast<double>(std::exp(-kSpan * along));
+    static const float span = std::log(static_cast<float>(kMostMove / kLeastMove));
+    const double size = kMostMove * static_cast<double>(std::exp(-span * along));
     const double sum = value + side * size;
     return std::clamp(sum - std::floor(sum), 0x1p-53, 1 - 0x1p-53);
 }

@@ -91,10 +91,10 @@ Spectrum PathPair::joined(const SubpathVertex& eye, const SubpathVertex& light) 
     const Spectrum left = seen(eye, way, static_cast<float>(distance));
     if (left.is_zero()) return {};
     const double weight = connection_weight(
-        eye.weighing, at_eye.leaving,
-        at_light.leaving.forward * static_cast<double>(at_eye.cosine) / distance2, light.weighing,
-        at_light.leaving,
-        at_eye.leaving.forward * static_cast<double>(at_light.cosine) / distance2);
+        {eye.weighing, at_eye.leaving,
+         at_light.leaving.forward * static_cast<double>(at_eye.cosine) / distance2},
+        {light.weighing, at_light.leaving,
+         at_eye.leaving.forward * static_cast<double>(at_light.cosine) / distance2});
     // Both subpaths' shares of one chosen lane count all lanes for it.
     const double lanes = eye.lanes.single && light.lanes.single ? kLanes : 1;
     return eye.arriving * at_eye.weight * left * at_light.weight * light.arriving *

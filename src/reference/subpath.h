@@ -56,8 +56,8 @@ struct Scattered {
 /// Of a vertex that is wide. @param way  unit, world. @param transport  of its own subpath.
 Scattered scattered(const SubpathVertex& vertex, const Vec3& way, Transport transport);
 
-/// What the light of number `light` is to a surface at its ray's other end.
-EndDensities end_densities(const Scene& scene, std::uint32_t light, const LightRay& ray,
+/// What the light of that number is to a surface at its ray's other end.
+EndDensities end_densities(const Scene& scene, std::uint32_t number, const LightRay& ray,
                            const Hit& at);
 
 /// Traces subpaths; one for each thread, used again and again.

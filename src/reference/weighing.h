@@ -85,13 +85,17 @@ inline Weighing first_of_eye(double density, double light_paths) {
     return {std::max(density, 1e-200), light_paths, 0};
 }
 
-/// Two wide vertices joined. @param at_eye, at_light  the densities with which the other end would
-/// make them, per m^2.
-inline double connection_weight(const Weighing& eye, const Departure& from_eye, double at_eye,
-                                const Weighing& light, const Departure& from_light,
-                                double at_light) {
-    return 1 / (1 + at_eye * from_other_end(eye, from_eye) +
-                at_light * from_other_end(light, from_light));
+/// One of two vertices that are joined.
+struct Joined {
+    const Weighing& weighing;
+    const Departure& leaving;
+    double from_other;  // the density with which the other end would make it, per m^2
+};
+
+/// Two wide vertices joined.
+inline double connection_weight(const Joined& eye, const Joined& light) {
+    return 1 / (1 + eye.from_other * from_other_end(eye.weighing, eye.leaving) +
+                light.from_other * from_other_end(light.weighing, light.leaving));
 }
 
 /// A vertex of a light's subpath seen by the camera. @param at_light, light_paths  the two

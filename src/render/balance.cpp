@@ -112,7 +112,8 @@ EyeView view_of(const EyePass& pass) {
 }
 
 std::uint32_t measured_paths(const EyePass& first, const EyeView& seen, LightPlanner& planner,
-                             PhotonSampler sampler, const PilotName& name, std::uint32_t usual) {
+                             const EpochPhotons& photons) {
+    const auto& [sampler, name, usual] = photons;
     if (usual < 2 * kSets) return usual;
     const std::vector<PhotonGroup> groups = part_of(planner.plan(usual));
     Trials trials(first, groups, sampler, name);

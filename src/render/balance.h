@@ -19,9 +19,15 @@ struct EyeView {
 
 EyeView view_of(const EyePass& pass);
 
-/// @param first    the epoch's first pass. @param seen  its view: what the planner explored.
-/// @param sampler  of its photons. @param usual  photon paths of a pass, were nothing measured.
+/// The photons of an epoch.
+struct EpochPhotons {
+    PhotonSampler sampler;
+    PilotName name;
+    std::uint32_t usual;  // paths of a pass, were nothing measured
+};
+
+/// @param first  the epoch's first pass. @param seen  its view: what the planner explored.
 std::uint32_t measured_paths(const EyePass& first, const EyeView& seen, LightPlanner& planner,
-                             PhotonSampler sampler, const PilotName& name, std::uint32_t usual);
+                             const EpochPhotons& photons);
 
 }  // namespace sunfleck

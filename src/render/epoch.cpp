@@ -45,7 +45,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const PilotName name{settings.seed, epoch.number};
     LightPlanner planner(view, settings.photon, name);
     if (is_balanced(settings.photon, epoch.number))
-        epoch.paths = measured_paths(eye, seen, planner, settings.photon.sampler, name, paths);
+        epoch.paths = measured_paths(eye, seen, planner, {settings.photon.sampler, name, paths});
     epoch.groups = planner.plan(epoch.paths);
     epoch.seconds = watch.seconds();
     return epoch;

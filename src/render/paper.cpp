@@ -78,14 +78,15 @@ void PaperRender::add_photon_light(const PassImage& photons, PassImage& image) {
         if (!photons.has(layer)) continue;
         FixedPoints& flux = memory_.flux.at(l);
         flux.resize(3 * photons.pixels());
+        const auto add = [&](std::size_t i) {
+            const FixedPoint shown = scaled(flux[i], before);
+            flux[i] += photons.value(layer, i / 3, i % 3);
+            FixedPoint term = scaled(flux[i], memory_.shown);
+            term += -shown;
+            image.add_term(layer, i / 3, i % 3, term);
+        };
         parallel_blocks(flux.size(), 4096, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const FixedPoint shown = scaled(flux[i], before);
-                flux[i] += photons.value(layer, i / 3, i % 3);
-                FixedPoint term = scaled(flux[i], memory_.shown);
-                term += -shown;
-                image.add_term(layer, i / 3, i % 3, term);
-            }
+            for (std::size_t i = begin; i < end; ++i) add(i);
         });
     }
 }

@@ -9,7 +9,6 @@ using testing_support::ProgramTest;
 using testing_support::Ran;
 using testing_support::read_text;
 using testing_support::Words;
-using testing_support::write_text;
 
 class Compare : public ProgramTest {
 protected:

@@ -178,7 +178,7 @@ TEST_F(Flags, log_levels) {
     std::string text = room_text("0.6");
     text.erase(text.find("Integrator"), text.find("WorldBegin") - text.find("Integrator"));
     text.erase(text.find("AreaLightSource"),
-               text.find("\n", text.find("AreaLightSource")) - text.find("AreaLightSource"));
+               text.find('\n', text.find("AreaLightSource")) - text.find("AreaLightSource"));
     write_text(path("room.pbrt"), text);
     const Words base{"-o", "x.exr", "--passes", "1"};
     const std::string depth = "--max-depth 64";

@@ -12,7 +12,6 @@ using testing_support::DeterminismTest;
 using testing_support::Ran;
 using testing_support::Words;
 using testing_support::operator+;
-using testing_support::read_text;
 using testing_support::write_text;
 
 class LightLayersApp : public DeterminismTest {

@@ -50,6 +50,7 @@ public:
         : out_(folder + "/stdout~"), err_(folder + "/stderr~") {
         std::vector<std::string> all = Words{program} + words;
         std::vector<char*> argv;
+        argv.reserve(all.size() + 1);
         for (std::string& word : all) argv.push_back(word.data());
         argv.push_back(nullptr);
         pid_ = ::fork();

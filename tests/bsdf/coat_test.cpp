@@ -53,8 +53,8 @@ public:
     Walk(const Coat& coat, float thickness, float albedo, std::uint32_t seed)
         : coat_(coat), thickness_(thickness), albedo_(albedo), random_(seed, Purpose::test, 0, 0) {}
 
-    std::optional<Vec3> run(Vec3 w) {
-        const auto entered = cross(w, coat_.eta());
+    std::optional<Vec3> run(const Vec3& w) {
+        auto entered = cross(w, coat_.eta());
         if (!entered || entered->z > 0) return entered;
         Vec3 down = *entered;
         while (true) {

@@ -35,6 +35,7 @@ protected:
     std::string refusal(const std::string& reference, const std::vector<std::string>& texts) const {
         try {
             std::vector<CompareInput> inputs;
+            inputs.reserve(texts.size());
             for (const std::string& text : texts) inputs.push_back(compare_input(text));
             compare(compare_input(reference), inputs);
         } catch (const Error& error) {

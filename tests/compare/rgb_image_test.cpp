@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
 #include <fstream>
 
 namespace sunfleck {
@@ -41,10 +43,10 @@ TEST_F(RgbImages, png_becomes_linear_light) {
 }
 
 TEST_F(RgbImages, grey_counts_as_three_and_rows_are_from_the_top) {
-    const float rows[2] = {1, 2};  // a PFM's are from the bottom
+    const auto rows = std::bit_cast<std::array<char, 8>>(std::array{1.0F, 2.0F});
     std::ofstream file(path("x.pfm"), std::ios::binary);
     file << "Pf\n1 2\n-1.0\n";
-    file.write(reinterpret_cast<const char*>(rows), sizeof rows);
+    file.write(rows.data(), rows.size());  // a PFM's rows are from the bottom
     file.close();
     const RgbImage image = read_rgb(path("x.pfm"));
     EXPECT_EQ(image.pixels[0], Vec3(2));

@@ -56,10 +56,11 @@ public:
         for (std::size_t light = 1; light < vertices(); ++light) {
             const std::size_t at = vertices() - light;  // of the last one from the light
             const bool joins = !eye_[at - 1].leaving.is_delta && !eye_[at].leaving.is_delta;
-            all.push_back(!joins ? 0
-                                 : connection_weight(eye_[at - 1].weighing, eye_[at - 1].leaving,
-                                                     made_by_light(at - 1), light_[at].weighing,
-                                                     light_[at].leaving, made_by_eye(at)));
+            all.push_back(
+                !joins ? 0
+                       : connection_weight(
+                             {eye_[at - 1].weighing, eye_[at - 1].leaving, made_by_light(at - 1)},
+                             {light_[at].weighing, light_[at].leaving, made_by_eye(at)}));
         }
         all.push_back(
             eye_[0].leaving.is_delta

@@ -64,7 +64,7 @@ public:
     const EyeVertex& vertex() const { return vertex_; }
 
     Spectrum by_light(double u_choice, const Vec2d& u, Statistics& statistics) const {
-        return sample_lights(pass_, vertex_, u_choice, u, statistics);
+        return sample_lights(pass_, vertex_, {u_choice, u}, statistics);
     }
     Spectrum by_bsdf(const Vec3& u, Statistics& statistics) const {
         const auto drawn = sample(vertex_.bsdf, vertex_.w_from, {u, Transport::radiance, {}});

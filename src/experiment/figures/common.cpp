@@ -16,6 +16,7 @@ double mean_of(const Results& results, const std::vector<Cell>& cells, double Ce
 
 std::vector<double> mses(const Results& results, const std::vector<Cell>& cells) {
     std::vector<double> all;
+    all.reserve(cells.size());
     for (const Cell& cell : cells) all.push_back(results.error(cell).mse);
     return all;
 }
@@ -65,6 +66,7 @@ std::vector<ChartPoint> error_points(const Results& results, const std::string& 
     std::vector<ChartPoint> points;
     for (std::size_t i = 0; i < shared; ++i) {
         std::vector<const CellFacts*> column;
+        column.reserve(seeds.size());
         for (const auto& seed : seeds) column.push_back(i + 1 < shared ? &seed[i] : &seed.back());
         points.push_back(error_point(results, scene, column));
     }

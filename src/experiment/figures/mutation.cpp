@@ -92,7 +92,7 @@ Section fig8_section(const Results& results) {
                                 number_text(furthest), interval_text(mean_interval(size))});
     }
     section.tables.push_back(reached);
-    section.findings.push_back(
+    section.findings.emplace_back(
         "Equation 11 moves the mutation size by |A - A*| for each factor e in the number of "
         "mutations, and A is the acceptance since the first one: a target far from the "
         "acceptance at size 1 is come near to, not reached, in any but the longest renders.");

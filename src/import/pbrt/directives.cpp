@@ -12,14 +12,14 @@ namespace {
 using Table = std::map<std::string_view, Directive>;
 
 const Table& table() {
-    static const Table kTable = [] {
+    static const Table table = [] {
         Table all;
         for (const auto part : {transform_directives(), block_directives(), option_directives(),
                                 world_directives(), file_directives()})
             for (const Directive& directive : part) all.emplace(directive.word, directive);
         return all;
     }();
-    return kTable;
+    return table;
 }
 
 [[noreturn]] void unknown(const Token& token) {

@@ -56,7 +56,10 @@ std::optional<SpectralCurve> even_curve(const Statement& statement, const std::s
 
 SpectralCurve tabulated(const std::function<float(float)>& value) {
     std::vector<TableCurve::Point> points;
-    for (float nm = 360; nm <= 830; nm += 5) points.push_back({nm, value(nm)});
+    for (int i = 360; i <= 830; i += 5) {
+        const auto nm = static_cast<float>(i);
+        points.push_back({nm, value(nm)});
+    }
     return SpectralCurve::table(std::move(points));
 }
 

@@ -136,8 +136,8 @@ void finish_filter(Reading& reading) {
                                                   {"mitchell", FilterKind::mitchell, 2},
                                                   {"sinc", FilterKind::sinc, 4}}};
     const Statement& filter = *reading.options.filter;
-    const auto row = std::find_if(kRows.begin(), kRows.end(),
-                                  [&](const Row& r) { return r.word == filter.type; });
+    const auto* const row = std::find_if(kRows.begin(), kRows.end(),
+                                         [&](const Row& r) { return r.word == filter.type; });
     if (row == kRows.end()) {
         throw Error(filter.where, "unknown filter " + in_quotes(filter.type),
                     use_one_of(words_of(kRows), filter.type));

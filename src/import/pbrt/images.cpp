@@ -34,7 +34,7 @@ void ImageTable::load(const Reading& reading) {
         }
     });
     for (const std::optional<Error>& fault : faults)
-        if (fault) throw *fault;
+        if (fault) throw Error(*fault);
 }
 
 }  // namespace sunfleck

@@ -47,7 +47,7 @@ std::shared_ptr<const LightPicture> directions_picture(const Statement& statemen
 std::shared_ptr<const LightPicture> intensity_picture(const Statement& statement,
                                                       Reading& reading) {
     const Image image = directions_image(statement, reading);
-    const Vec2i size = image.resolution();
+    const Vec2i& size = image.resolution();
     std::vector<float> means;
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {

@@ -140,8 +140,8 @@ std::uint32_t note(const Statement& statement, Reading& reading) {
 }  // namespace
 
 void add_light(const Statement& statement, Reading& reading) {
-    const auto row = std::find_if(kRows.begin(), kRows.end(),
-                                  [&](const Row& r) { return r.word == statement.type; });
+    const auto* const row = std::find_if(kRows.begin(), kRows.end(),
+                                         [&](const Row& r) { return r.word == statement.type; });
     if (row == kRows.end()) {
         throw Error(statement.where, "unknown light " + in_quotes(statement.type),
                     statement.type == "diffuse" ? "use AreaLightSource \"diffuse\""

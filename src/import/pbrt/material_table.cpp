@@ -63,7 +63,8 @@ const Statement& MaterialTable::named(const std::string& name, const SourceLocat
 void MaterialTable::finish(Reading& reading) {
     std::vector<Material>& materials = reading.scene.materials;
     std::vector<Relief>& reliefs = reading.scene.reliefs;
-    for (std::size_t i = 0; i < slots_.size(); ++i) {  // mixes add slots of their parts
+    // NOLINTNEXTLINE(modernize-loop-convert): mixes add slots of their parts
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
         const Slot slot = slots_[i];
         if (!slot.statement && !slot.used && !named_.contains(slot.name)) {
             reading.warn(slot.from,

@@ -20,7 +20,7 @@ constexpr int kDeepestMix = 32;
 
 FloatTexture checked_roughness(const Statement& statement, const std::string& name,
                                const FloatTexture& fallback, Reading& reading) {
-    const FloatTexture value = find_float_texture(statement, name, reading).value_or(fallback);
+    FloatTexture value = find_float_texture(statement, name, reading).value_or(fallback);
     if (!value.is_constant() || value.constant() >= 0) return value;
     throw Error(statement.find(name)->where, in_quotes(name) + " is negative", "use 0 or more");
 }

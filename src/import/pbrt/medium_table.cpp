@@ -66,13 +66,14 @@ SpectralCurve absorption_of(const std::string& name, const Statement& medium, Re
 }  // namespace
 
 const Substance& substance_of(const std::string& name, const SourceLocation& from) {
-    const auto row = std::find_if(kSubstances.begin(), kSubstances.end(),
-                                  [&](const Substance& s) { return s.word == name; });
+    const auto* const row = std::find_if(kSubstances.begin(), kSubstances.end(),
+                                         [&](const Substance& s) { return s.word == name; });
     if (row != kSubstances.end()) return *row;
-    static const auto kWords = words_of(kSubstances);
-    throw Error(from, "unknown substance " + in_quotes(name), did_you_mean(kWords, name));
+    throw Error(from, "unknown substance " + in_quotes(name),
+                did_you_mean(words_of(kSubstances), name));
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved from
 void MediumTable::make(Statement statement) {
     const auto type = statement.text("type");
     if (!type)

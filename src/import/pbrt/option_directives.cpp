@@ -86,9 +86,9 @@ void option(Reading& reading, TokenStream& tokens, const Token& keyword) {
     if (value.kind == TokenKind::word && !flag) real_of(value);
     if (value.kind == TokenKind::open || value.kind == TokenKind::close)
         throw Error(value.where(), "a list for option " + in_quotes(name), "give one value");
-    const auto known = std::find_if(kOptions.begin(), kOptions.end(), [&](const KnownOption& o) {
-        return o.name == plain(name.substr(name.rfind(' ') + 1));
-    });
+    const auto* const known = std::find_if(
+        kOptions.begin(), kOptions.end(),
+        [&](const KnownOption& o) { return o.name == plain(name.substr(name.rfind(' ') + 1)); });
     if (known == kOptions.end())
         reading.warn(keyword.where(), "unknown Option " + in_quotes(name) + " is ignored");
     else if (!known->instead.empty() && value.text != "false")

@@ -62,7 +62,7 @@ std::string_view name_of(ParameterType type) {
 }
 
 std::optional<ParameterType> parameter_type(std::string_view word) {
-    const auto found =
+    const auto* const found =
         std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return t.first == word; });
     if (found == kTypes.end()) return std::nullopt;
     return found->second;

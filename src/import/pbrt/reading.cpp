@@ -57,7 +57,7 @@ Matrix Reading::still(const Motion& motion, const SourceLocation& where) {
     const double close = options.camera ? options.camera->real("shutterclose", 1) : 1;
     const double span = transform_times[1] - transform_times[0];
     const double elapsed = 0.5 * (open + close) - transform_times[0];
-    const double share = span > 0 ? std::clamp(elapsed / span, 0.0, 1.0) : elapsed > 0;
+    const double share = span > 0 ? std::clamp(elapsed / span, 0.0, 1.0) : elapsed > 0 ? 1 : 0;
     return between(motion[0], motion[1], share);
 }
 

@@ -95,8 +95,8 @@ constexpr std::array<Row, 8> kRows = {{{"trianglemesh", triangles},
                                        {"loopsubdiv", subdivision}}};
 
 const Row& row_of(const Statement& statement) {
-    const auto row = std::find_if(kRows.begin(), kRows.end(),
-                                  [&](const Row& r) { return r.word == statement.type; });
+    const auto* const row = std::find_if(kRows.begin(), kRows.end(),
+                                         [&](const Row& r) { return r.word == statement.type; });
     if (row != kRows.end()) return *row;
     throw Error(statement.where, "unknown shape " + in_quotes(statement.type),
                 use_one_of(words_of(kRows), statement.type));

@@ -29,7 +29,7 @@ struct Making {
         if (!found) return fallback;
         if (found->numbers.size() != 3)
             throw Error(found->where, "parameter " + found->title() + " is no vector", "give 3");
-        return Vec3(Vec3d(found->numbers[0], found->numbers[1], found->numbers[2]));
+        return {Vec3d(found->numbers[0], found->numbers[1], found->numbers[2])};
     }
     /// A word out of a list; its first one where there is none.
     std::size_t choice(std::string_view name, std::span<const std::string_view> words) const {

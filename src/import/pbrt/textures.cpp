@@ -77,7 +77,7 @@ SpectrumTexture TextureTable::spectrum(const Parameter& parameter, SpectrumUse u
                                        Reading& reading) {
     Entry& entry = entry_of("spectrum", parameter);
     const auto known = entry.spectra.find(use);
-    const SpectrumTexture texture =
+    SpectrumTexture texture =
         known != entry.spectra.end() ? known->second : make<SpectrumTexture>(entry, use, reading);
     entry.spectra.try_emplace(use, texture);
     depth_ = std::max(depth_, entry.depth);
