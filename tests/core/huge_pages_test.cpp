@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstdint>
 #include <numeric>
 
@@ -19,7 +20,7 @@ TEST(HugePages, arrays_below_and_above_a_page) {
         copy.shrink_to_fit();
         EXPECT_EQ(copy, values);
         EXPECT_EQ(copy[count - 1], static_cast<double>(count - 1));
-        const auto place = reinterpret_cast<std::uintptr_t>(copy.data());
+        const auto place = std::bit_cast<std::uintptr_t>(copy.data());
         EXPECT_TRUE(count < kOfPage || place % HugePages<double>::kPage == 0);
     }
 }

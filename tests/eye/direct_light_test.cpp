@@ -70,9 +70,9 @@ TEST(DirectLight, what_hides_it) {
         {SpotLight{one, kPoint + Vec3d(0, 0, 2), {0, 0, -1}, 0.5, 0.9}, 0.25},
         {DistantLight{one, {0, 0, -1}}, 1}};
     for (const auto& [light, lit] : lights) {
-        const auto expect = [&](ShapeDescription shape, double irradiance) {
+        const auto expect = [&lamp = light](ShapeDescription shape, double irradiance) {
             SceneDescription scene = floor_of();
-            scene.lights = {light};
+            scene.lights = {lamp};
             scene.shapes.push_back(std::move(shape));
             expect_irradiance(LitPoint(std::move(scene)), irradiance, 1e-5);
         };
@@ -180,7 +180,7 @@ void expect_weights_sum_to_one(const LitPoint& point, double u_choice, const Vec
         emitted = emitter_at(pass, *hit, &from, light->direction).radiance[0];
     else
         emitted = emitter_beyond(pass, vertex.hit.position, light->direction).radiance[0];
-    const double bsdf_weight = static_cast<double>(by_bsdf[0] / emitted);
+    const auto bsdf_weight = static_cast<double>(by_bsdf[0] / emitted);
     EXPECT_NEAR(light_weight + bsdf_weight, 1, 2e-4) << light_weight << ' ' << bsdf_weight;
     EXPECT_GT(light_weight, 0);
     EXPECT_LT(light_weight, 1);

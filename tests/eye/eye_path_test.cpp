@@ -53,8 +53,8 @@ Seen trace(const SceneDescription& description, const TransportSettings& transpo
     return seen;
 }
 
-constexpr TransportSettings kSampled{DirectLight::sampled, 64};
-constexpr TransportSettings kPhotons{DirectLight::photons, 64};
+const TransportSettings kSampled{DirectLight::sampled, 64};
+const TransportSettings kPhotons{DirectLight::photons, 64};
 
 TEST(EyePath, a_diffuse_surface_ends_every_path) {
     const Seen seen = trace(seen_from_above({square(0, 0)}), kSampled);

@@ -35,7 +35,7 @@ Film noisy_film(std::uint64_t seed) {
             float u = stratum + shift.next_float();
             if (u >= 1) u -= 1;
             RandomStream own(seed, Purpose::test, pass, i);
-            const float level = static_cast<float>(1 + i % 3);
+            const auto level = static_cast<float>(1 + i % 3);
             const float value = level * brightness * (u + own.next_float());
             image.add_light(i, Vec3(value, value, value), Layer::direct);
         }

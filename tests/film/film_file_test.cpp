@@ -94,11 +94,11 @@ TEST_F(FilmFile, a_sequence_of_radii_that_cannot_be_is_refused) {
     for (const double alpha : {0.0, -0.5, 1.0, 1e9, std::nan("")})
         EXPECT_NE(fault_with(alpha), "") << alpha;
     const std::string bytes = bytes_of(film_of(key, numbers(0, 16)));
-    std::uint64_t layers = 0;
-    std::memcpy(&layers, bytes.data() + 8 * kLayersWord, 8);
-    EXPECT_EQ(fault_of(with_word(bytes, kLayersWord, layers)), "");
+    std::uint64_t held = 0;
+    std::memcpy(&held, bytes.data() + 8 * kLayersWord, 8);
+    EXPECT_EQ(fault_of(with_word(bytes, kLayersWord, held)), "");
     const std::uint64_t sequential = std::uint64_t{1} << 63U;
-    EXPECT_NE(fault_of(with_word(bytes, kLayersWord, layers | sequential)), "");
+    EXPECT_NE(fault_of(with_word(bytes, kLayersWord, held | sequential)), "");
     key.alpha = 0;
     EXPECT_EQ(fault_with(0.0), "");
     EXPECT_NE(fault_with(-0.0), "");  // one film has one file

@@ -49,9 +49,9 @@ TEST(TargetError, joins_noise_and_bias) {
     EXPECT_NEAR((TargetError{0.03, 0.04}.value()), 0.05, 1e-15);
     // Blocks of slopes 0, 1 and 2 over 4, and a dark one of a large relative slope.
     const auto line = [](std::size_t pixel) {
-        const auto block = static_cast<double>(pixel % 32 / 8);
+        const std::size_t block = pixel % 32 / 8;
         if (block == 3) return Line{1e-4, 1e-3, 0};
-        return Line{4, block, 0};
+        return Line{4, static_cast<double>(block), 0};
     };
     const Film film = line_film(line_key(32, 8, 1), numbers(0, 64), line);
     const auto areas = disc_areas(film);

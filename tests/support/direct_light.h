@@ -57,7 +57,10 @@ public:
         vertex_.w_from = vertex_.frame.to_local(-direction);
     }
     LitPoint(const LitPoint&) = delete;
+    LitPoint(LitPoint&&) = delete;
     LitPoint& operator=(const LitPoint&) = delete;
+    LitPoint& operator=(LitPoint&&) = delete;
+    ~LitPoint() = default;
 
     const Scene& scene() const { return scene_; }
     const PassScene& pass() const { return pass_; }
