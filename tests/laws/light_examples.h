@@ -148,7 +148,7 @@ inline Image example_image(int side) {
             for (const float c : {0.2F + part(x), 0.5F, 1.5F - part(y)})
                 texels.push_back(black ? 0 : c + sun);
         }
-    return Image({side, side}, 3, texels);
+    return {{side, side}, 3, texels};
 }
 
 inline std::shared_ptr<const LightPicture> example_sky(int side) {

@@ -152,8 +152,7 @@ TEST(Materials, that_cannot_be_are_errors) {
     for (const char* text :
          {"Material \"glas\"", "MakeNamedMaterial \"a\"",
           "MakeNamedMaterial \"a\" \"string type\" \"glas\"",
-          "MakeNamedMaterial \"a\" \"string type\" \"\" MakeNamedMaterial \"a\" \"string type\" "
-          "\"\"",
+          R"(MakeNamedMaterial "a" "string type" "" MakeNamedMaterial "a" "string type" "")",
           "NamedMaterial \"a\" Shape \"sphere\"", "Material \"dielectric\" \"float eta\" 0",
           "Material \"dielectric\" \"float roughness\" -1",
           "Material \"conductor\" \"rgb eta\" [ 1 1 1 ] \"rgb reflectance\" [ 1 1 1 ]",

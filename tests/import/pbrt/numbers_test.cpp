@@ -7,8 +7,8 @@ namespace sunfleck {
 namespace {
 
 Token word(std::string_view text) {
-    static const std::string kFile = "a.pbrt";
-    return {TokenKind::word, text, &kFile, 1, 1};
+    static const std::string file = "a.pbrt";
+    return {TokenKind::word, text, &file, 1, 1};
 }
 
 TEST(Numbers, reads_all_forms) {

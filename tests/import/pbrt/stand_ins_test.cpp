@@ -134,7 +134,7 @@ TEST(Measured, mean_is_over_evenly_spread_light) {
 
 TEST(Measured, broken_files_are_errors) {
     const auto error = [](const std::string& bytes) {
-        const std::string text = world_error(kMeasured + " Shape \"sphere\"", {{"x.bsdf", bytes}});
+        std::string text = world_error(kMeasured + " Shape \"sphere\"", {{"x.bsdf", bytes}});
         EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 0);
         return text;
     };
