@@ -89,15 +89,16 @@ public:
             app_.exit(fault);
             return false;
         }
-        for (int i = 1; i < count; ++i) render_.command += std::string(i > 1 ? " " : "") + words[i];
         return true;
     }
 
-    /// What was given.
-    Options finish() {
+    /// What was given. @param words  as for parse().
+    Options finish(int count, const char* const* words) {
         Options options;
         if (render_app_->parsed()) {
             finish_render(*render_app_, render_texts_, render_);
+            for (int i = 1; i < count; ++i)
+                render_.command += std::string(i > 1 ? " " : "") + words[i];
             options.render = render_;
         } else if (info_app_->parsed()) {
             if (info_.scene.empty() && !info_.words)
@@ -153,7 +154,7 @@ private:
 std::optional<Options> read_options(int count, const char* const* words) {
     CommandLine line;
     if (!line.parse(count, words)) return {};
-    return line.finish();
+    return line.finish(count, words);
 }
 
 }  // namespace sunfleck

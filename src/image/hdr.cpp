@@ -34,11 +34,9 @@ void read_new_runs(ByteSource& source, std::vector<Rgbe>& row) {
             const bool repeats = packet > 128;
             const unsigned count = repeats ? packet - 128 : packet;
             if (count == 0 || count > row.size() - x) source.refuse("a run leaves its row");
-            std::uint8_t value = repeats ? source.byte() : 0;
-            for (unsigned i = 0; i < count; ++i) {
-                if (!repeats) value = source.byte();
-                row[x++].at(c) = value;
-            }
+            const std::string_view values = source.take(repeats ? 1 : count);
+            for (unsigned i = 0; i < count; ++i)
+                row[x++].at(c) = static_cast<std::uint8_t>(values[repeats ? 0 : i]);
         }
 }
 

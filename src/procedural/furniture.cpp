@@ -7,26 +7,12 @@
 #include "procedural/placement.h"
 #include "procedural/revolution.h"
 #include "procedural/surfaces.h"
+#include "procedural/whim.h"
 
 #include <cmath>
 
 namespace sunfleck {
 namespace {
-
-/// Numbers of [0, 1) that vary from piece to piece, of a linear congruential rule (Numerical
-/// Recipes).
-class Whim {
-public:
-    explicit Whim(std::uint32_t state) : state_(state) {}
-    double operator()() {
-        state_ = state_ * 1664525U + 1013904223U;
-        return static_cast<double>(state_ >> 8U) / 16777216;
-    }
-    double between(double low, double high) { return low + (high - low) * (*this)(); }
-
-private:
-    std::uint32_t state_;
-};
 
 Mesh cushion(const Vec3d& half, const Vec3d& middle, float power = 0.4F) {
     return placed(superellipsoid(half, power, 75, 39), at(middle));

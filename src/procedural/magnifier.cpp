@@ -8,6 +8,7 @@
 #include "procedural/revolution.h"
 #include "procedural/scene_folder.h"
 #include "procedural/surfaces.h"
+#include "procedural/whim.h"
 
 #include <cmath>
 
@@ -107,11 +108,10 @@ Mesh holder() {
     return holder;
 }
 
-/// A word's letters as bars, low and tall. @param state  of the rule; changed.
-void append_word(Mesh& words, const Vec3d& start, double length, std::uint32_t& state) {
+/// A word's letters as bars, low and tall.
+void append_word(Mesh& words, const Vec3d& start, double length, Whim& whim) {
     for (double letter = 0; letter + 0.1 < length; letter += 0.17) {
-        state = state * 1664525U + 1013904223U;
-        const double height = (state >> 28U) < 4 ? 0.42 : 0.28;
+        const double height = whim() < 0.25 ? 0.42 : 0.28;
         words.append(box_mesh(rounded_point({start.x + letter, start.y, start.z}),
                               rounded_point({start.x + letter + 0.11, start.y + height, 0.072})));
     }
@@ -120,15 +120,14 @@ void append_word(Mesh& words, const Vec3d& start, double length, std::uint32_t& 
 /// Lines of words: bars of the width of words, their lengths by a small rule.
 Mesh print() {
     Mesh words;
-    std::uint32_t state = 7;
+    Whim whim(7);
     for (int line = 0; line < 17; ++line) {
         const double y = 6.6 - 0.8 * line;
         for (double x = -5.2; x < 5;) {
-            state = state * 1664525U + 1013904223U;
-            double length = 0.35 + 1.1 * static_cast<double>(state >> 8U) / 16777216;
+            double length = 0.35 + 1.1 * whim();
             if (x + length > 5.2) length = 5.2 - x;
             if (line % 6 == 5 && x > -1) break;  // the end of a paragraph
-            append_word(words, {x, y, 0.05}, length, state);
+            append_word(words, {x, y, 0.05}, length, whim);
             x += length + 0.25;
         }
     }
