@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Checks what each C++ file must be: short and introduced; in src/ and apps/ deterministic, too;
-in tests/ named after a file of src/. Number tables (.inc) may be long.
+in tests/ named after a file of src/. Number tables (.inc) may be long. And there are no programs:
+these are built.
 
 Usage: check_files.py [REPOSITORY]. Prints one line for each fault; exit code 1 when there is one.
 """
 
+import os
 import re
 import sys
 from pathlib import Path
@@ -44,10 +46,20 @@ def check_file(root, file):
                 yield f"{name}:{number}: {match[0]}: {why}"
 
 
+def programs(root):
+    for folder, folders, names in os.walk(root):
+        folders[:] = [f for f in folders if f not in (".git", "out") and not f.startswith("build")]
+        for name in names:
+            file = Path(folder, name)
+            if file.is_file() and file.open("rb").read(4) == b"\x7fELF":
+                yield f"{file.relative_to(root)}: a program; build it instead"
+
+
 def check(root):
     files = [f for top in PRODUCT + OTHERS for f in sorted((root / top).rglob("*"))
              if f.suffix in SUFFIXES | TABLES]
     faults = [fault for file in files for fault in check_file(root, file)]
+    faults += programs(root)
     for test in sorted((root / "tests").rglob("*_test.cpp")):
         if str(test.parent.relative_to(root)) in UNMIRRORED:
             continue

@@ -39,7 +39,8 @@ Vec3 mean_of_sky(int x, int y, int side, const PortalPicture::Sky& sky) {
         solid_angle += there.solid_angle;
         sum += Vec3d(sky(there.w)) * there.solid_angle;
     });
-    return Vec3(sum / solid_angle);
+    const Vec3 mean(sum / solid_angle);
+    return mean;
 }
 
 Image rectified(int side, const PortalPicture::Sky& sky) {

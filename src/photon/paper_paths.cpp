@@ -96,10 +96,12 @@ public:
 
     bool visible(std::uint32_t i) const { return places_[i - first_].path.visible; }
 
-    /// Gives path i away.
-    void take(std::uint32_t i, StoredSample& sample, SeenPath& path) {
-        std::swap(sample, at(i).sample);
-        std::swap(path, at(i).path);
+    /// Gives path i away when it is called.
+    auto taking(std::uint32_t i) {
+        return [&place = at(i)](StoredSample& sample, SeenPath& path) {
+            std::swap(sample, place.sample);
+            std::swap(path, place.path);
+        };
     }
 
 private:
@@ -156,8 +158,7 @@ Statistics trace_paper_paths(const PhotonView& view, const PaperPass& pass, Pape
         };
         for (std::uint32_t i = begin; i < end; ++i) {
             if ((i - begin) % kAhead == 0) uniform.trace(i, std::min(kAhead, end - i), counts);
-            const auto take = [&](auto& sample, auto& path) { uniform.take(i, sample, path); };
-            count_step(counts, chain.step(uniform.visible(i), take, leave, counts));
+            count_step(counts, chain.step(uniform.visible(i), uniform.taking(i), leave, counts));
         }
         chain.finish(leave);
         counts += deposit(batches);

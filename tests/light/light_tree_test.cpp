@@ -39,6 +39,7 @@ std::vector<Light> many_lights(int count) {
 
 std::vector<double> weights_of(const std::vector<Light>& lights) {
     std::vector<double> weights;
+    weights.reserve(lights.size());
     for (const Light& light : lights)
         weights.push_back(power(light, kExampleSphere) *
                           static_cast<double>(curve(light).luminance()));

@@ -33,8 +33,11 @@ Vec3 random_place(RandomStream& stream) {
 std::vector<VisiblePoint> random_points(int count) {
     RandomStream stream(1, Purpose::test, 0, 0);
     std::vector<VisiblePoint> points;
-    for (int i = 0; i < count; ++i)
-        points.push_back(point_at(random_place(stream), std::exp2(-13 * stream.next_float())));
+    points.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        const Vec3 place = random_place(stream);
+        points.push_back(point_at(place, std::exp2(-13 * stream.next_float())));
+    }
     return points;
 }
 

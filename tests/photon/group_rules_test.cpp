@@ -14,6 +14,7 @@ using Groups = std::vector<std::vector<std::size_t>>;
 /// Lights of these powers and of these counts in 4000 paths.
 std::vector<MeasuredLight> lights(const std::vector<std::pair<double, std::uint64_t>>& rows) {
     std::vector<MeasuredLight> lights;
+    lights.reserve(rows.size());
     for (const auto& [power, visible] : rows) lights.push_back({power, 4000, visible});
     return lights;
 }

@@ -92,7 +92,10 @@ TEST(IcedTea, no_piece_of_ice_touches_another_or_the_glass) {
     }
 }
 
-enum Medium { kAir, kGlass, kTea, kIce };
+constexpr int kAir = 0;
+constexpr int kGlass = 1;
+constexpr int kTea = 2;
+constexpr int kIce = 3;
 
 TEST(IcedTea, media_agree_along_any_line) {
     const IcedTea tea = iced_tea();

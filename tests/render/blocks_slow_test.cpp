@@ -41,6 +41,7 @@ std::vector<Estimate> blocks(const Scene& scene, RenderSettings settings, int re
         }
     }
     std::vector<Estimate> result;
+    result.reserve(values.size());
     for (const auto& of_block : values) result.push_back(Estimate::of(of_block));
     return result;
 }

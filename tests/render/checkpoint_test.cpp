@@ -130,7 +130,8 @@ TEST_F(Checkpoints, are_due_when_the_interval_has_passed_and_at_the_end) {
 TEST_F(Checkpoints, limits_that_are_reached_end_without_another_pass) {
     const auto passes_after = [&](const StopSettings& stop) {
         RenderJob more = job(PhotonSampler::uniform, 70);
-        RenderState earlier = render(more, {});
+        const RenderResult first = render(more, {});
+        RenderState earlier = static_cast<const RenderState&>(first);
         more.stop = stop;
         return render(more, {}, std::move(earlier)).film.pass_count();
     };
@@ -171,7 +172,7 @@ TEST_F(Checkpoints, huge_claims_are_refused) {
 TEST_F(Checkpoints, numbers_that_cannot_be_are_refused) {
     const RenderResult result = render(job(PhotonSampler::paper, 2), {});
     const auto fault_with = [&](const auto& change) {
-        RenderState state = result;
+        RenderState state = static_cast<const RenderState&>(result);
         change(state);
         return fault_of(bytes_of(state));
     };

@@ -75,8 +75,8 @@ Scene prism(double incidence) {
 /// 2 asin(n sin(A / 2)) - A. The steps themselves add less than 0.001 degrees.
 TEST(Refraction, prism_of_minimum_deviation) {
     std::map<float, double> least;  // by wavelength, in radians
-    for (double degrees = 58; degrees <= 74; degrees += 0.25) {
-        const Scene scene = prism(degrees * kDegree);
+    for (int quarters = 4 * 58; quarters <= 4 * 74; ++quarters) {
+        const Scene scene = prism(0.25 * quarters * kDegree);
         for (std::uint32_t pass = 0; pass < 4; ++pass) {
             std::map<float, double> seen;
             trace(scene, {1, pass}, 3000, 2, [&](float nm, const Photon& photon) {

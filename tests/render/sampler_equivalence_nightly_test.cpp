@@ -93,10 +93,10 @@ protected:
 };
 
 TEST_P(SamplerEquivalence, adaptive_random_uniform) {
-    const Scene scene = this->scene();
-    const auto adaptive = blocks(scene, PhotonSampler::adaptive);
-    expect_equal(adaptive, blocks(scene, PhotonSampler::random), "random");
-    expect_equal(adaptive, blocks(scene, PhotonSampler::uniform), "uniform");
+    const Scene world = scene();
+    const auto adaptive = blocks(world, PhotonSampler::adaptive);
+    expect_equal(adaptive, blocks(world, PhotonSampler::random), "random");
+    expect_equal(adaptive, blocks(world, PhotonSampler::uniform), "uniform");
 }
 
 INSTANTIATE_TEST_SUITE_P(

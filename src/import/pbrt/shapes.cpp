@@ -135,10 +135,11 @@ bool take_alpha(const Statement& statement, Reading& reading, ShapeDescription& 
 bool joined(ShapeDescription& before, ShapeDescription& shape) {
     auto* first = std::get_if<Curves>(&before.placed.shape);
     const auto* second = std::get_if<Curves>(&shape.placed.shape);
-    const bool same =
-        first && second && first->kind == second->kind && before.material == shape.material &&
-        !before.placed.cover && !shape.placed.cover && before.media == shape.media &&
-        before.placed.flip == shape.placed.flip && before.placed.to_world == shape.placed.to_world;
+    const bool same = first != nullptr && second != nullptr && first->kind == second->kind &&
+                      before.material == shape.material && !before.placed.cover &&
+                      !shape.placed.cover && before.media == shape.media &&
+                      before.placed.flip == shape.placed.flip &&
+                      before.placed.to_world == shape.placed.to_world;
     if (same)
         first->segments.insert(first->segments.end(), second->segments.begin(),
                                second->segments.end());
