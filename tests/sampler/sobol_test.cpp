@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 namespace sunfleck {
@@ -11,11 +12,12 @@ namespace {
 // First points of new-joe-kuo-6.21201 in natural (not Gray code) order, as fractions of 8.
 TEST(Sobol, begins_as_published) {
     constexpr std::uint32_t kEighth = 1U << 29U;
-    const std::uint32_t first_two[8][2] = {{0, 0}, {4, 4}, {2, 6}, {6, 2},
-                                           {1, 5}, {5, 1}, {3, 3}, {7, 7}};
-    for (std::uint32_t i = 0; i < 8; ++i)
-        for (std::size_t d = 0; d < 2; ++d)
-            EXPECT_EQ(sobol(i, d), first_two[i][d] * kEighth) << i << " " << d;
+    const std::array<std::uint32_t, 8> first = {0, 4, 2, 6, 1, 5, 3, 7};
+    const std::array<std::uint32_t, 8> second = {0, 4, 6, 2, 5, 1, 3, 7};
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(sobol(i, 0), first.at(i) * kEighth) << i;
+        EXPECT_EQ(sobol(i, 1), second.at(i) * kEighth) << i;
+    }
 }
 
 TEST(Sobol, every_dimension_visits_each_interval_once) {

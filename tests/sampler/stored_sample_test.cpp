@@ -9,7 +9,7 @@ namespace {
 /// Gives 1000 + slot and counts how often it is asked.
 struct CountingReader {
     int* asked;
-    std::uint64_t operator()(std::uint32_t slot) {
+    std::uint64_t operator()(std::uint32_t slot) const {
         ++*asked;
         return 1000 + slot;
     }

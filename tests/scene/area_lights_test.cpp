@@ -90,7 +90,7 @@ TEST(AreaLights, a_triangle_shines_to_the_side_of_its_hits) {
         const bool up_by_winding = !turned;
         const bool up_in_object = normals == 0 ? up_by_winding : normals == 1;
         EXPECT_EQ(side.z > 0, up_in_object != flip);
-        up += side.z > 0;
+        up += side.z > 0 ? 1 : 0;
         EXPECT_EQ(light.emits(hit->normal, {0, 0, 1}), side.z > 0);
     }
     EXPECT_EQ(up, 12);
