@@ -13,7 +13,9 @@ TEST_P(DeterminismTable, threads_by_splits) {
                      "direct,caustic,indirect,albedo,normal,depth"});
     part("reference", "0:16", 1);
     const Bytes reference = bytes("reference");
-    for (const int threads : {1, 2, 3, 8}) expect_one_render(threads, reference);
+    const std::vector<int> numbers = {1, 2, 3, 8};
+    for (const int threads : numbers) expect_one_render(threads, reference);
+    expect_one_render_of_passes(numbers, reference);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, DeterminismTable,

@@ -61,7 +61,7 @@ protected:
         return {read_text(path(name + ".film")), read_text(path(name + ".exr"))};
     }
 
-    /// Whole; two parts either way round; single passes in a shuffled order; merges of merges.
+    /// Whole; two parts either way round; stopped and resumed.
     void expect_one_render(int threads, const Bytes& expected) const {
         part("whole", "0:16", threads);
         EXPECT_TRUE(bytes("whole") == expected) << "whole, threads " << threads;
@@ -76,20 +76,26 @@ protected:
         resumed("high", "5", {6, 11, 16}, threads);
         merge("sum", {"high", "low"});
         EXPECT_TRUE(bytes("sum") == expected) << "0:5 + resumed 5:16, threads " << threads;
+    }
+
+    /// Single passes in a shuffled order, each by another number of threads; merges of merges.
+    /// @param threads  their numbers, taken in turn.
+    void expect_one_render_of_passes(const std::vector<int>& threads, const Bytes& expected) const {
         Words single;
-        for (int i = 0; i < 16; ++i) {
-            const int pass = (11 * i + 3) % 16;  // every pass once, not in order
+        for (std::size_t i = 0; i < 16; ++i) {
+            const std::size_t pass = (11 * i + 3) % 16;  // every pass once, not in order
             single.push_back("pass" + std::to_string(pass));
-            part(single.back(), std::to_string(pass) + ":" + std::to_string(pass + 1), threads);
+            part(single.back(), std::to_string(pass) + ":" + std::to_string(pass + 1),
+                 threads[i % threads.size()]);
         }
         merge("sum", single);
-        EXPECT_TRUE(bytes("sum") == expected) << "single passes, threads " << threads;
+        EXPECT_TRUE(bytes("sum") == expected) << "single passes";
         merge("first", {single.begin(), single.begin() + 6});
         merge("second", {single.begin() + 6, single.begin() + 9});
         merge("third", {"second", single[9], single[10]});
         merge("fourth", {single.begin() + 11, single.end()});
         merge("sum", {"fourth", "first", "third"});
-        EXPECT_TRUE(bytes("sum") == expected) << "nested merges, threads " << threads;
+        EXPECT_TRUE(bytes("sum") == expected) << "nested merges";
     }
 
     /// Passes 0 .. end - 1 whole, by other threads, in two parts cut at `cut`, and stopped at each

@@ -15,6 +15,7 @@ TEST_F(Determinism, small_cornell) {
     part("threads", "0:16", 3);
     EXPECT_TRUE(bytes("threads") == reference);
     expect_one_render(2, reference);
+    expect_one_render_of_passes({2}, reference);
     // The table can tell: one pass more is another picture.
     part("other", "0:17", 1);
     EXPECT_FALSE(bytes("other") == reference);
