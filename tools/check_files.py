@@ -51,8 +51,11 @@ def programs(root):
         folders[:] = [f for f in folders if f not in (".git", "out") and not f.startswith("build")]
         for name in names:
             file = Path(folder, name)
-            if file.is_file() and file.open("rb").read(4) == b"\x7fELF":
-                yield f"{file.relative_to(root)}: a program; build it instead"
+            if not file.is_file():
+                continue
+            with file.open("rb") as opened:
+                if opened.read(4) == b"\x7fELF":
+                    yield f"{file.relative_to(root)}: a program; build it instead"
 
 
 def check(root):

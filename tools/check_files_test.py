@@ -12,7 +12,7 @@ class CheckFiles(unittest.TestCase):
     def expect(self, start, name, text):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, name)
-            path.parent.mkdir(parents=True)
+            path.parent.mkdir(parents=True, exist_ok=True)
             Path(folder, "src/core").mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
             faults = check(Path(folder))
@@ -34,6 +34,11 @@ class CheckFiles(unittest.TestCase):
     def test_foreign_random_numbers(self):
         self.expect("apps/cli/a.cpp:2: std::mt19937_64", "apps/cli/a.cpp",
                     "// A.\nstd::mt19937_64 g;\n")
+
+    def test_program(self):
+        self.expect("thin: a program", "thin", "\x7fELF\x02")
+        self.expect("docs/thin: a program", "docs/thin", "\x7fELF\x02")
+        self.expect("", "build/bin/thin", "\x7fELF\x02")
 
     def test_bare_nolint(self):
         self.expect("src/core/a.h:2: NOLINT", "src/core/a.h", "// A.\nint x;  // NOLINT\n")

@@ -24,11 +24,10 @@ constexpr std::size_t kBlocks = 16;
 /// A camera above a floor. @param up  the direction of the picture's upper edge.
 std::string floor_text(const std::string& up, const std::string& light, const std::string& size) {
     const double fov = 2 * std::atan(0.25) * 180 / kPiDouble;
-    const std::string& s = size;
     const std::string m = "-" + size;
     return view("0 0 4  0 0 0  " + up, fov, kSize) + light + diffuse("0.5 0.5 0.5") +
-           quad(m + " " + m + " 0  " + s + " " + m + " 0  " + s + " " + s + " 0  " + m + " " + s +
-                " 0");
+           quad(m + " " + m + " 0  " + size + " " + m + " 0  " + size + " " + size + " 0  " + m +
+                " " + size + " 0");
 }
 
 RenderSettings settings_for(double radius_pixels, std::uint32_t paths) {

@@ -130,10 +130,9 @@ TEST_F(Checkpoints, are_due_when_the_interval_has_passed_and_at_the_end) {
 TEST_F(Checkpoints, limits_that_are_reached_end_without_another_pass) {
     const auto passes_after = [&](const StopSettings& stop) {
         RenderJob more = job(PhotonSampler::uniform, 70);
-        const RenderResult first = render(more, {});
-        RenderState earlier = static_cast<const RenderState&>(first);
+        const RenderResult earlier = render(more, {});
         more.stop = stop;
-        return render(more, {}, std::move(earlier)).film.pass_count();
+        return render(more, {}, static_cast<const RenderState&>(earlier)).film.pass_count();
     };
     EXPECT_EQ(passes_after({0, 70, {}, {}, {}}), 70U);
     EXPECT_EQ(passes_after({0, {}, 1e-9, {}, {}}), 70U);
