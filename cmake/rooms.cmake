@@ -1,3 +1,7 @@
+# What nearly every file includes, compiled once: see cmake/flags.cmake.
+set(SUNFLECK_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <memory>
+  <optional> <span> <string> <variant> <vector> <fmt/format.h>)
+
 # One static library a room of src/: its files are globbed, its libraries named here and nowhere
 # else. src/layers.txt says who may include whom; tools/check_layers.py checks it.
 function(sunfleck_room name)
@@ -9,6 +13,17 @@ function(sunfleck_room name)
   if(sources)
     add_library(room_${name} STATIC ${sources})
     target_link_libraries(room_${name} PUBLIC sunfleck_flags ${ROOM_NEEDS})
+    # Whoever includes the scene does so in nearly every file; the others share the common headers.
+    if(name STREQUAL "core")
+      target_precompile_headers(room_core PRIVATE ${SUNFLECK_COMMON_HEADERS})
+    elseif(name STREQUAL "scene")
+      target_precompile_headers(room_scene PRIVATE ${SUNFLECK_COMMON_HEADERS}
+        "${PROJECT_SOURCE_DIR}/src/scene/scene.h")
+    elseif("room_scene" IN_LIST ROOM_NEEDS)
+      target_precompile_headers(room_${name} REUSE_FROM room_scene)
+    else()
+      target_precompile_headers(room_${name} REUSE_FROM room_core)
+    endif()
   else()
     add_library(room_${name} INTERFACE)
     target_link_libraries(room_${name} INTERFACE sunfleck_flags ${ROOM_NEEDS})

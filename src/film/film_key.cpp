@@ -14,7 +14,7 @@ std::string resolution(const FilmKey& key) {
 std::string layer_names(const FilmKey& key) {
     std::string names = "RGB";
     for (std::size_t i = 1; i < kLayerCount; ++i)
-        if (key.has(i)) names += " " + std::string(kLayers.at(i).name);
+        if (key.has(i)) names.append(" ").append(kLayers.at(i).name);
     for (const std::string& name : key.light_layers) names += " " + name;
     return names;
 }

@@ -3,6 +3,8 @@
 
 #include "import/pbrt/data_vocabulary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace sunfleck {
@@ -51,15 +53,14 @@ const WordRow* find_word(std::string_view directive, std::string_view word) {
 }
 
 std::string vocabulary_table(std::string_view directive) {
-    std::string text = "| " + std::string(directive) + " | | Read as |\n|---|---|---|\n";
+    std::string text = fmt::format("| {} | | Read as |\n|---|---|---|\n", directive);
     for (const WordRow& row : kVocabulary) {
         if (row.directive != directive) continue;
         const bool is_plain = row.word.starts_with("any");
         const std::string word = is_plain           ? std::string(row.word)
                                  : row.word.empty() ? "`\"\"`"
-                                                    : "`" + std::string(row.word) + "`";
-        text += "| " + word + " | " + std::string(name_of(row.treatment)) + " | " +
-                std::string(row.read_as) + " |\n";
+                                                    : fmt::format("`{}`", row.word);
+        text += fmt::format("| {} | {} | {} |\n", word, name_of(row.treatment), row.read_as);
     }
     return text;
 }

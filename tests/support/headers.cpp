@@ -1,0 +1,1 @@
+// Nothing of its own: CMake compiles the headers that tests share beside a file.
