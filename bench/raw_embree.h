@@ -1,12 +1,16 @@
 // Embree alone: the yardstick of the benchmarks.
 //
-// In:  recorded rays. Out: how long Embree takes for them, on the very tree that the renderer
-// uses (same device, same build, same kernels), with nothing computed about the hits.
+// In:  a piece of the renderer's work. Out: the rays that it asked Embree for, and how long Embree
+// takes for them, in the same order on the very tree, with nothing computed about the hits.
+// A program that links this has an rtcIntersect1 and an rtcOccluded1 of its own before Embree's:
+// all rays pass there, a nanosecond each, and are kept while record() runs.
 #pragma once
 
-#include "geometry/built.h"
-#include "scene/scene.h"
+#include "geometry/ray.h"
 
+#include <embree3/rtcore.h>
+
+#include <functional>
 #include <vector>
 
 namespace sunfleck::bench {
@@ -18,27 +22,23 @@ struct RecordedRay {
 
 class RawEmbree {
 public:
-    /// @param scene  without instances; must outlive this.
-    explicit RawEmbree(const Scene& scene);
+    /// Runs work() on one thread and keeps its rays.
+    /// @param work  on one scene, without covers and of triangles alone: nothing else is traced as
+    /// it was.
+    static RawEmbree record(const std::function<void()>& work);
+
+    std::size_t size() const { return rays_.size(); }
 
     /// Traces all on the threads that the limit allows. @return how many met something.
-    std::size_t trace(const std::vector<RecordedRay>& rays) const;
+    std::size_t trace() const;
 
 private:
-    std::size_t trace_block(const RecordedRay* begin, const RecordedRay* end) const;
+    std::size_t trace_block(std::size_t begin, std::size_t end) const;
 
-    embree::Device device_;
-    std::vector<BuiltShape::Corners> counting_;
-    std::vector<BuiltShape> shapes_;
-    ShapeGroup world_;
+    RTCScene world_ = nullptr;
+    std::vector<RecordedRay> rays_;
+
+    friend struct Recorder;
 };
-
-/// The rays of the photon pass `pass`: those that met a surface.
-/// @param paths  photon paths. @param scene  diffuse surfaces alone.
-std::vector<RecordedRay> photon_rays(const Scene& scene, std::uint32_t paths, PassId pass);
-
-/// For each pixel what an eye path traces at a diffuse surface: the camera ray, a shadow ray to a
-/// light, and a ray by the cosine.
-std::vector<RecordedRay> eye_rays(const Scene& scene, PassId pass);
 
 }  // namespace sunfleck::bench

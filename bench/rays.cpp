@@ -1,14 +1,16 @@
 // bench_rays: rays a second of the photon pass and of the eye pass over those of Embree alone.
 //
-// usage: bench_rays [--triangles N] [--paths N] [--repeats N] [--resolution N] [--profile N]
-// Only ratios within one run mean something: all is measured in turn, several times, and medians
-// are printed. docs/performance.md says how to read the figures.
+// usage: bench_rays [SCENE] [--sampler NAME] [--paths N] [--repeats N] [--resolution N] [--profile
+// N] Without a scene: a bumpy room of --triangles N. Only ratios within one run mean something: all
+// is measured in turn, several times, and medians are printed. docs/performance.md says how to read
+// the figures.
 #include "core/parallel.h"
-#include "estimate/deposit.h"
-#include "photon/uniform_paths.h"
+#include "import/load.h"
 #include "raw_embree.h"
 #include "render/pass.h"
+#include "render/photon_stage.h"
 #include "room.h"
+#include "scene/adjust.h"
 #include "timing.h"
 
 #include <CLI/CLI.hpp>
@@ -20,8 +22,11 @@ namespace sunfleck::bench {
 namespace {
 
 struct Settings {
-    RoomSettings room;
+    std::string scene;  // a file; or none
+    std::size_t triangles = 131'072;
+    int resolution = 512;
     std::uint32_t paths = 100'000;
+    PhotonSampler sampler = PhotonSampler::uniform;
     int repeats = 5;
     std::uint32_t profile = 0;  // photon passes and nothing else, for a profiler
 };
@@ -31,71 +36,98 @@ struct Rate {
     std::vector<double> wall;
     std::vector<double> cpu;
 
-    void add(double rays, const Elapsed& elapsed) {
-        wall.push_back(rays / elapsed.wall);
-        cpu.push_back(rays / elapsed.cpu);
+    void add(std::size_t rays, const Elapsed& elapsed) {
+        wall.push_back(static_cast<double>(rays) / elapsed.wall);
+        cpu.push_back(static_cast<double>(rays) / elapsed.cpu);
     }
 };
 
 struct Rates {
     Rate photon;
     Rate raw_photon;
-    Rate trace;  // photon paths where nothing gathers: the tracer alone
+    Rate trace;  // photon paths where nothing gathers: the tracer alone; of `uniform`
     Rate eye;
     Rate raw_eye;
 };
 
-struct Recorded {
-    std::vector<RecordedRay> photon;
-    std::vector<RecordedRay> eye;
+/// Pass 0 of a scene in its stages.
+class Pass {
+public:
+    explicit Pass(const Settings& settings)
+        : settings_(settings),
+          scene_(scene_of(settings)),
+          groups_(groups_of(scene_, settings)),
+          at_wavelengths_(scene_, kId) {
+        PassImage to = image();
+        points_ = eye_paths(to);
+    }
+
+    std::size_t triangles() const { return scene_.geometry().triangle_count(); }
+
+    PassImage image() const { return {window_of(scene_.film()).pixels(), {}}; }
+
+    std::vector<VisiblePoint> eye_paths(PassImage& image) const {
+        const PixelWindow window = window_of(scene_.film());
+        Statistics counts;
+        return trace_eye_paths({at_wavelengths_, transport_, eye_, window, kId, 1}, image, counts);
+    }
+
+    VisiblePointIndex index() const { return {points_, transport_.max_depth}; }
+    VisiblePointIndex index_of_nothing() const {
+        return {std::vector<VisiblePoint>(), transport_.max_depth};
+    }
+
+    /// The photons of a pass like this one. @param number  names its random numbers.
+    void photons(const VisiblePointIndex& index, PassImage& image, std::uint32_t number = 0) const {
+        trace_photons({at_wavelengths_, transport_, index}, {0, number}, settings_.sampler, groups_,
+                      image);
+    }
+
+private:
+    static constexpr PassId kId{0, 0};
+
+    static Scene scene_of(const Settings& settings) {
+        const Vec2i resolution(settings.resolution, settings.resolution);
+        if (settings.scene.empty()) return Scene(bumpy_room({settings.triangles, resolution}));
+        SceneDescription description = load_scene(settings.scene);
+        set_resolution(description, resolution);
+        return Scene(std::move(description));
+    }
+
+    static std::vector<PhotonGroup> groups_of(const Scene& scene, const Settings& settings) {
+        RenderSettings render;
+        render.photon.sampler = settings.sampler;
+        render.photon.paths_per_pass = settings.paths;
+        return learn_epoch(scene, render, 0).groups;
+    }
+
+    const Settings& settings_;
+    Scene scene_;
+    std::vector<PhotonGroup> groups_;
+    PassScene at_wavelengths_;
+    TransportSettings transport_;
+    EyeSettings eye_;
+    std::vector<VisiblePoint> points_;
 };
 
 struct Bench {
-    const Scene& scene;
-    const RawEmbree& raw;
-    const Recorded& rays;
-    std::uint32_t paths;
+    const Pass& pass;
+    const RawEmbree& photon_rays;
+    const RawEmbree& eye_rays;
+    bool paths_alone;
 
-    void run(Rates& rates) const;
-};
-
-/// A pass as far as its photons: what they are traced through and deposited in.
-struct Prepared {
-    PassId id{0, 0};
-    PassScene scene;
-    TransportSettings transport;
-    PassImage image;
-    std::vector<VisiblePoint> points;
-    Statistics eye;
-    Elapsed eye_time;
-
-    explicit Prepared(const Scene& of) : scene(of, id), image(window_of(of.film()).pixels(), {}) {
-        const EyeSettings settings;
-        const EyePass pass{scene, transport, settings, window_of(of.film()), id, 1};
-        eye_time = time_of([&] { points = trace_eye_paths(pass, image, eye); });
+    void run(Rates& rates) const {
+        PassImage image = pass.image();
+        rates.eye.add(eye_rays.size(), time_of([&] { pass.eye_paths(image); }));
+        rates.raw_eye.add(eye_rays.size(), time_of([&] { eye_rays.trace(); }));
+        const VisiblePointIndex index = pass.index();
+        rates.photon.add(photon_rays.size(), time_of([&] { pass.photons(index, image); }));
+        rates.raw_photon.add(photon_rays.size(), time_of([&] { photon_rays.trace(); }));
+        if (!paths_alone) return;
+        const VisiblePointIndex nothing = pass.index_of_nothing();
+        rates.trace.add(photon_rays.size(), time_of([&] { pass.photons(nothing, image); }));
     }
 };
-
-void Bench::run(Rates& rates) const {
-    Prepared pass(scene);
-    rates.eye.add(static_cast<double>(pass.eye[Count::eye_rays]), pass.eye_time);
-    rates.raw_eye.add(static_cast<double>(rays.eye.size()), time_of([&] { raw.trace(rays.eye); }));
-
-    const VisiblePointIndex index(std::move(pass.points), pass.transport.max_depth);
-    const PhotonTracer tracer(pass.scene, pass.transport);
-    const Depositor deposit(pass.scene, index, pass.image, paths);
-    const UniformPaths uniform{UniformKind::uniform, pass.id, paths};
-    const auto may_take = [&](const Photon& photon) { return index.may_take(photon); };
-    Statistics photon;
-    const Elapsed photon_time =
-        time_of([&] { photon = trace_uniform_paths(tracer, uniform, may_take, deposit); });
-    const auto count = static_cast<double>(photon[Count::photon_rays]);
-    rates.photon.add(count, photon_time);
-    rates.raw_photon.add(static_cast<double>(rays.photon.size()),
-                         time_of([&] { raw.trace(rays.photon); }));
-    const auto nowhere = [](const Photon&) { return false; };
-    rates.trace.add(count, time_of([&] { trace_batches(tracer, uniform, {0, paths}, nowhere); }));
-}
 
 double median_ratio(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> ratios;
@@ -125,31 +157,27 @@ void print_scaling(const char* name, const Rate& one, const Rate& many, const Ra
 
 /// Photons of many passes over the visible points of one.
 void profile(const Settings& settings) {
-    const Scene scene(bumpy_room(settings.room));
     const ThreadLimit limit(1);
-    Prepared pass(scene);
-    const VisiblePointIndex index(std::move(pass.points), pass.transport.max_depth);
-    const PhotonTracer tracer(pass.scene, pass.transport);
-    const Depositor deposit(pass.scene, index, pass.image, settings.paths);
-    const auto may_take = [&](const Photon& photon) { return index.may_take(photon); };
+    const Pass pass(settings);
+    const VisiblePointIndex index = pass.index();
+    PassImage image = pass.image();
     const Elapsed elapsed = time_of([&] {
-        for (std::uint32_t i = 0; i < settings.profile; ++i)
-            trace_uniform_paths(tracer, {UniformKind::uniform, {0, i}, settings.paths}, may_take,
-                                deposit);
+        for (std::uint32_t i = 0; i < settings.profile; ++i) pass.photons(index, image, i);
     });
     fmt::print("{} photon passes: {:.3f} s, {:.3f} s of the processor\n", settings.profile,
                elapsed.wall, elapsed.cpu);
 }
 
 void run(const Settings& settings, std::size_t threads) {
-    const Scene scene(bumpy_room(settings.room));
-    const RawEmbree raw(scene);
-    const PassId id{0, 0};
-    const Recorded rays{photon_rays(scene, settings.paths, id), eye_rays(scene, id)};
+    const Pass pass(settings);
+    PassImage image = pass.image();
+    const RawEmbree eye_rays = RawEmbree::record([&] { pass.eye_paths(image); });
+    const VisiblePointIndex index = pass.index();
+    const RawEmbree photon_rays = RawEmbree::record([&] { pass.photons(index, image); });
     fmt::print("{} triangles, {} photon paths, {} photon rays and {} eye rays recorded\n",
-               scene.geometry().triangle_count(), settings.paths, rays.photon.size(),
-               rays.eye.size());
-    const Bench bench{scene, raw, rays, settings.paths};
+               pass.triangles(), settings.paths, photon_rays.size(), eye_rays.size());
+    const bool paths_alone = settings.sampler == PhotonSampler::uniform;
+    const Bench bench{pass, photon_rays, eye_rays, paths_alone};
     std::map<std::size_t, Rates> rates;
     for (int repeat = 0; repeat < settings.repeats; ++repeat)
         for (const std::size_t count : {std::size_t{1}, threads}) {
@@ -158,7 +186,7 @@ void run(const Settings& settings, std::size_t threads) {
         }
     for (const auto& [count, r] : rates) {
         print_rate("photon pass", count, r.photon, r.raw_photon);
-        print_rate("photon paths alone", count, r.trace, r.raw_photon);
+        if (paths_alone) print_rate("photon paths alone", count, r.trace, r.raw_photon);
         print_rate("eye pass", count, r.eye, r.raw_eye);
         print_rate("Embree, photon rays", count, r.raw_photon, r.raw_photon);
         print_rate("Embree, eye rays", count, r.raw_eye, r.raw_eye);
@@ -173,19 +201,24 @@ void run(const Settings& settings, std::size_t threads) {
 }  // namespace sunfleck::bench
 
 int main(int count, char** words) {
+    using sunfleck::PhotonSampler;
     sunfleck::bench::Settings settings;
     std::size_t threads = 2;
-    int resolution = 512;
     CLI::App app("Rays a second of the photon and the eye pass over those of Embree alone");
-    app.add_option("--triangles", settings.room.triangles, "About so many (default 131072)");
+    app.add_option("scene", settings.scene, "Of triangles alone (default a bumpy room)");
+    app.add_option("--triangles", settings.triangles, "Of that room, about (default 131072)");
+    const std::map<std::string, PhotonSampler> samplers = {{"random", PhotonSampler::random},
+                                                           {"uniform", PhotonSampler::uniform},
+                                                           {"adaptive", PhotonSampler::adaptive}};
+    app.add_option("--sampler", settings.sampler, "Of photons (default uniform)")
+        ->transform(CLI::CheckedTransformer(samplers));
     app.add_option("--paths", settings.paths, "Photon paths (default 100000)");
     app.add_option("--repeats", settings.repeats, "Measurements of each (default 5)");
-    app.add_option("--resolution", resolution, "Pixels a side (default 512)");
+    app.add_option("--resolution", settings.resolution, "Pixels a side (default 512)");
     app.add_option("--threads", threads, "Compared with one thread (default 2)");
     app.add_option("--profile", settings.profile,
                    "Only run the photons of so many passes on one thread, for a profiler");
     CLI11_PARSE(app, count, words);
-    settings.room.resolution = {resolution, resolution};
     if (settings.profile > 0)
         sunfleck::bench::profile(settings);
     else
