@@ -17,11 +17,11 @@
 #include "film/luminance.h"
 #include "gain_errors.h"
 #include "import/load.h"
+#include "program.h"
 #include "render/progressive.h"
 #include "scene/adjust.h"
 #include "timing.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <array>
@@ -252,7 +252,5 @@ int main(int count, char** words) {
         ->delimiter(',')
         ->expected(4)
         ->check(CLI::Range(0.0, 1.0));
-    CLI11_PARSE(app, count, words);
-    sunfleck::bench::run(settings);
-    return 0;
+    return sunfleck::bench::run_program(app, count, words, [&] { sunfleck::bench::run(settings); });
 }

@@ -12,10 +12,10 @@
 #include "image/read_file.h"
 #include "image/read_image.h"
 #include "import/load.h"
+#include "program.h"
 #include "render/progressive.h"
 #include "scene/adjust.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <optional>
@@ -176,7 +176,5 @@ int main(int count, char** words) {
         ->expected(4);
     app.add_option("--threads", settings.threads, "Default 1");
     app.add_option("--seed", settings.seed, "Default 0");
-    CLI11_PARSE(app, count, words);
-    sunfleck::bench::run(settings);
-    return 0;
+    return sunfleck::bench::run_program(app, count, words, [&] { sunfleck::bench::run(settings); });
 }

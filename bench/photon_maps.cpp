@@ -9,11 +9,11 @@
 #include "import/load.h"
 #include "photon/paper_chain.h"
 #include "photon/photon_space.h"
+#include "program.h"
 #include "render/epoch.h"
 #include "render/pass.h"
 #include "sampler/emission_points.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -244,7 +244,5 @@ int main(int count, char** words) {
     app.add_option("--centre", settings.centre, "Middle of the square: x y");
     app.add_option("--width", settings.width, "Of the square");
     app.add_option("--paths", settings.paths, "Uniform ones");
-    CLI11_PARSE(app, count, words);
-    sunfleck::bench::run(settings);
-    return 0;
+    return sunfleck::bench::run_program(app, count, words, [&] { sunfleck::bench::run(settings); });
 }

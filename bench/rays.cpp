@@ -6,6 +6,7 @@
 // the figures.
 #include "core/parallel.h"
 #include "import/load.h"
+#include "program.h"
 #include "raw_embree.h"
 #include "render/pass.h"
 #include "render/photon_stage.h"
@@ -13,7 +14,6 @@
 #include "scene/adjust.h"
 #include "timing.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <map>
@@ -91,6 +91,10 @@ private:
         if (settings.scene.empty()) return Scene(bumpy_room({settings.triangles, resolution}));
         SceneDescription description = load_scene(settings.scene);
         set_resolution(description, resolution);
+        for (const ShapeDescription& shape : description.shapes)
+            if (!std::holds_alternative<TriangleMesh>(shape.placed.shape) || shape.placed.cover)
+                throw Error({settings.scene}, "it has other shapes than triangles, or cut-outs",
+                            "rays to these cannot be traced by Embree alone: take another scene");
         return Scene(std::move(description));
     }
 
@@ -218,10 +222,10 @@ int main(int count, char** words) {
     app.add_option("--threads", threads, "Compared with one thread (default 2)");
     app.add_option("--profile", settings.profile,
                    "Only run the photons of so many passes on one thread, for a profiler");
-    CLI11_PARSE(app, count, words);
-    if (settings.profile > 0)
-        sunfleck::bench::profile(settings);
-    else
-        sunfleck::bench::run(settings, threads);
-    return 0;
+    return sunfleck::bench::run_program(app, count, words, [&] {
+        if (settings.profile > 0)
+            sunfleck::bench::profile(settings);
+        else
+            sunfleck::bench::run(settings, threads);
+    });
 }

@@ -6,11 +6,11 @@
 // are medians. docs/performance.md says how to read the figures.
 #include "core/parallel.h"
 #include "measurement/visible_point_index.h"
+#include "program.h"
 #include "render/pass.h"
 #include "room.h"
 #include "timing.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace sunfleck::bench {
@@ -123,7 +123,6 @@ int main(int count, char** words) {
     CLI::App app("What a pass costs against triangles, photons, pixels and threads");
     app.add_flag("--large", large, "Also ten million triangles (some 3 GB)");
     app.add_option("--repeats", repeats, "Passes of each (default 3)");
-    CLI11_PARSE(app, count, words);
-    sunfleck::bench::run(large, repeats);
-    return 0;
+    return sunfleck::bench::run_program(app, count, words,
+                                        [&] { sunfleck::bench::run(large, repeats); });
 }
