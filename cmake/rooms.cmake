@@ -53,7 +53,7 @@ sunfleck_room(compare NEEDS room_image nlohmann_json::nlohmann_json)
 sunfleck_room(import NEEDS room_import_pbrt)
 sunfleck_room(render NEEDS room_eye room_photon room_estimate room_film room_reference)
 file(GLOB figures CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/experiment/figures/*.cpp)
-sunfleck_room(experiment NEEDS room_import room_procedural room_image nlohmann_json::nlohmann_json)
+sunfleck_room(experiment NEEDS room_import room_procedural room_report nlohmann_json::nlohmann_json)
 target_sources(room_experiment PRIVATE ${figures})
 sunfleck_room(report NEEDS room_compare)
 

@@ -13,10 +13,16 @@ namespace sunfleck {
 
 /// A picture of a cell on the page, with what stands below it.
 struct ShownPicture {
-    std::string scene;  // pictures of one scene have one exposure
+    std::string scene;  // all of one scene have one exposure
     std::string file;   // .exr
     std::string name;   // of the .png, without ending
     std::string caption;
+};
+
+/// Pictures of one scene side by side; on a page of their own they lie over its reference.
+struct PictureRow {
+    std::string name;  // of that page, without ending
+    std::vector<ShownPicture> pictures;
 };
 
 /// What the page shows of a figure, in this order.
@@ -24,7 +30,7 @@ struct Section {
     std::vector<std::string> findings;  // paragraphs: our figures, in words
     std::vector<Table> tables;
     std::vector<Chart> charts;
-    std::vector<std::vector<ShownPicture>> pictures;  // row by row
+    std::vector<PictureRow> rows;
 };
 
 struct Figure {

@@ -2,16 +2,19 @@
 #include "experiment/page.h"
 
 #include "experiment/machine.h"
+#include "experiment/methods.h"
 #include "experiment/record.h"
 #include "image/atomic_file.h"
 #include "image/exr.h"
 #include "image/png.h"
+#include "report/page.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 namespace sunfleck {
 namespace {
@@ -48,11 +51,33 @@ float exposure_of(const Reference& reference) {
     return bright > 0 ? static_cast<float>(std::log2(0.85 / bright)) : 0;
 }
 
+/// A caption without its scene.
+std::string label_of(const ShownPicture& shown) {
+    const std::string scene = shown.scene + ", ";
+    return shown.caption.starts_with(scene) ? shown.caption.substr(scene.size()) : shown.caption;
+}
+
+/// Writes the page of a row over the reference of its scene. @return a link to it.
+std::string comparison_html(const Results& results, const PictureRow& row) {
+    const RunSettings& settings = results.settings();
+    const std::string& scene = row.pictures[0].scene;
+    const std::string reference = results.facts(reference_cell(scene, settings)).picture;
+    std::set<std::string> done = {reference};
+    std::vector<CompareInput> others;
+    for (const ShownPicture& shown : row.pictures)
+        if (done.insert(shown.file).second) others.push_back({label_of(shown), shown.file});
+    const std::string name = "compare/" + row.name + ".html";
+    write_text(fs::path(settings.folder) / name,
+               report_page(compare({scene + ", reference", reference}, others)));
+    return fmt::format("<p><a href=\"{}\">Over the reference, pixel by pixel</a></p>\n",
+                       escaped(name));
+}
+
 std::string pictures_html(const Results& results, const Section& section) {
     std::string html;
-    for (const auto& row : section.pictures) {
+    for (const PictureRow& row : section.rows) {
         html += "<div class=\"row\">\n";
-        for (const ShownPicture& shown : row) {
+        for (const ShownPicture& shown : row.pictures) {
             const std::string name = "pictures/" + shown.name + ".png";
             const fs::path path = fs::path(results.settings().folder) / name;
             fs::create_directories(path.parent_path());
@@ -63,7 +88,7 @@ std::string pictures_html(const Results& results, const Section& section) {
                 "<figcaption>{1}</figcaption></figure>\n",
                 escaped(name), escaped(shown.caption));
         }
-        html += "</div>\n";
+        html += "</div>\n" + comparison_html(results, row);
     }
     return html;
 }

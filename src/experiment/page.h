@@ -1,5 +1,6 @@
 // What a run leaves: index.html with tables, charts and pictures, each table as CSV, each chart as
-// SVG, and results.json with all of it and every cell.
+// SVG, each row of pictures as a page over its reference, and results.json with all of it and every
+// cell.
 #pragma once
 
 #include "experiment/figure.h"
@@ -14,8 +15,8 @@ struct FinishedFigure {
     std::string html;
 };
 
-/// Makes what the page shows of a figure, and writes its tables, charts and pictures to the folder
-/// of the run: once, however often the page is written.
+/// Makes what the page shows of a figure, and writes its tables, charts and rows of pictures to the
+/// folder of the run: once, however often the page is written.
 FinishedFigure finish_figure(const Results& results, const Figure& figure);
 
 /// Writes index.html and results.json of the figures so far.

@@ -34,6 +34,11 @@ TEST_F(ExperimentRun, makes_a_figure_and_goes_on) {
     EXPECT_NE(file("index.html").find("pictures/fig8-cornell-door-target-0.9.png"),
               std::string::npos);
     EXPECT_FALSE(file("pictures/fig8-cornell-door-target-0.9.png").empty());
+    EXPECT_NE(file("index.html").find("<a href=\"compare/fig8-cornell-door.html\">"),
+              std::string::npos);
+    const std::string comparison = file("compare/fig8-cornell-door.html");
+    for (const char* shown : {"\"cornell-door, reference\"", "\"target-0.05, ", "\"target-0.9, "})
+        EXPECT_NE(comparison.find(shown), std::string::npos) << shown;
 
     const auto written = fs::last_write_time(path("run/cells/cornell-door/target-0.9/seed-2"));
     const Ran again = run(small("fig8"));

@@ -20,8 +20,9 @@ Chart error_chart(const Results& results, const std::string& name, const std::st
                   const std::vector<Method>& methods);
 
 /// The first seed's pictures of one scene, and the reference last.
-std::vector<ShownPicture> picture_row(const Results& results, const std::string& name,
-                                      const std::string& scene, const std::vector<Method>& methods);
+/// @param name  of the figure.
+PictureRow picture_row(const Results& results, const std::string& name, const std::string& scene,
+                       const std::vector<Method>& methods);
 
 /// "relMSE x time of A over B in SCENE: 3.1 [2.8, 3.4]".
 std::string ratio_sentence(const Results& results, const std::string& scene, const Method& a,

@@ -31,7 +31,7 @@ Section fig9_section(const Results& results) {
             section.findings.push_back(
                 ratio_sentence(results, scene, sampler_method(name), sampler_method("random")));
         section.findings.push_back(least_cost(results, scene));
-        section.pictures.push_back(picture_row(results, "fig9", scene, methods()));
+        section.rows.push_back(picture_row(results, "fig9", scene, methods()));
     }
     section.tables.push_back(error_table(results, "fig9-errors", kScenes, methods()));
     return section;

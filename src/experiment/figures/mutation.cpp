@@ -60,7 +60,7 @@ Section fig7_section(const Results& results) {
             " (The best of the fixed sizes, chosen after the fact.)");
     }
     section.charts.push_back(chart);
-    section.pictures.push_back(picture_row(
+    section.rows.push_back(picture_row(
         results, "fig7", "watch",
         {sampler_method("random"), fixed_size(0.01), sampler_method("paper"), fixed_size(4)}));
     return section;
@@ -97,7 +97,7 @@ Section fig8_section(const Results& results) {
         "mutations, and A is the acceptance since the first one: a target far from the "
         "acceptance at size 1 is come near to, not reached, in any but the longest renders.");
     section.tables.push_back(error_table(results, "fig8-errors", {"cornell-door"}, targets()));
-    section.pictures.push_back(picture_row(results, "fig8", "cornell-door", targets()));
+    section.rows.push_back(picture_row(results, "fig8", "cornell-door", targets()));
     return section;
 }
 

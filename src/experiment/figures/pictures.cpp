@@ -13,7 +13,7 @@ Figure equal_time(const std::string& name, const std::string& title, const std::
         Section shown;
         shown.tables.push_back(error_table(results, name + "-errors", scenes, methods));
         for (const std::string& scene : scenes)
-            shown.pictures.push_back(picture_row(results, name, scene, methods));
+            shown.rows.push_back(picture_row(results, name, scene, methods));
         return shown;
     };
     return {name, title, claim, scenes, cells, section};

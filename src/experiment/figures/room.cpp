@@ -27,14 +27,14 @@ Section fig5_section(const Results& results) {
     Section section;
     for (const Method& method : sampler_methods()) {
         const auto all = results.snapshots({"room", method});
-        std::vector<ShownPicture> row;
+        PictureRow row{"fig5-" + method.name, {}};
         for (const double share : {1.0 / 60, 0.25, 0.5, 1.0}) {
             const CellFacts& facts = nearest(all, share);
-            row.push_back({"room", facts.picture,
-                           fmt::format("fig5-{}-{:.0f}", method.name, 1000 * share),
-                           fmt::format("{}, {:.1f} s", method.name, facts.cpu_seconds)});
+            row.pictures.push_back({"room", facts.picture,
+                                    fmt::format("{}-{:.0f}", row.name, 1000 * share),
+                                    fmt::format("{}, {:.3g} s", method.name, facts.cpu_seconds)});
         }
-        section.pictures.push_back(row);
+        section.rows.push_back(row);
     }
     return section;
 }

@@ -91,7 +91,7 @@ Section fig11_section(const Results& results) {
     section.charts.push_back(chart);
     section.tables.push_back(table);
     section.tables.push_back(error_table(results, "fig11-errors", {kScene}, methods()));
-    section.pictures.push_back(picture_row(results, "fig11", kScene, methods()));
+    section.rows.push_back(picture_row(results, "fig11", kScene, methods()));
     return section;
 }
 
