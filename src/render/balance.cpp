@@ -16,6 +16,7 @@ constexpr std::uint32_t kRound = 500;   // of the pilots' numbers: beyond all th
 constexpr std::uint64_t kSeeds = 128;   // of a ladder's one set, or more
 constexpr double kRaysOfPixel = 0.6;    // work beside its rays: its point's place in the index
 constexpr double kRaysOfDeposit = 0.6;  // work
+constexpr double kBefore = 0.25;        // passes before epoch 1, over its own: it may end early
 
 TrialPixels luminance_of(const PassImage& image) {
     TrialPixels pixels;
@@ -132,7 +133,8 @@ std::uint32_t measured_paths(const EyePass& first, const EyeView& seen, LightPla
                             (kSets * paths)};
     const BlockGrid grid(first.window.width(), first.window.height(), kBlock);
     return balanced_paths(block_variances(grid, one, other, paths), cost, usual,
-                          std::max(2.0, trials.least_share() * usual));
+                          std::max(2.0, trials.least_share() * usual),
+                          name.epoch == 1 ? kBefore : 0);
 }
 
 }  // namespace sunfleck

@@ -24,10 +24,14 @@ struct PassCost {
 
 /// The number among usual * {1/16, 1/8, 1/4, 1/2, 1, 2, 4} that makes the relative standard error
 /// of a block least after some work, in the mean over blocks: so that a few blocks of wild light do
-/// not speak for all. A block's error after work w is sqrt((eye + photon / n) (c + n p) / w).
+/// not speak for all. A block's error after work w is sqrt((eye + photon / n) (c + n p) / w), to
+/// which passes that were rendered before with the usual number add their variance and work: in the
+/// picture each pass weighs the same, and many cheap ones would undo what a few good ones have
+/// brought.
 /// @param fewest  no number below it is taken, unless it is `usual`; at least 2.
+/// @param before  passes rendered before, over those to come.
 /// @return `usual` if there is no block, or no variance at all.
 std::uint32_t balanced_paths(std::span<const BlockVariance> blocks, const PassCost& cost,
-                             std::uint32_t usual, double fewest = 2);
+                             std::uint32_t usual, double fewest = 2, double before = 0);
 
 }  // namespace sunfleck

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace sunfleck {
@@ -34,6 +36,27 @@ TEST(BalanceRule, the_best_number_between) {
         EXPECT_EQ(of({{1, photon}}, {7 * kCost.eye, 7 * kCost.photon}),
                   static_cast<std::uint32_t>(best));
     }
+}
+
+// Least is ((1 + b) E + b P / u + P / n) ((1 + b) c + b p u + p n), of n among powers of two.
+TEST(BalanceRule, passes_before_draw_it_towards_their_own) {
+    const auto after = [](double before, double eye, double photon) {
+        return balanced_paths(std::vector<BlockVariance>{{eye, photon}}, kCost, kUsual, 2, before);
+    };
+    const auto best_after = [](double before, double eye, double photon) {
+        const double work = (1 + before) * kCost.eye + before * kCost.photon * kUsual;
+        const double rest = (1 + before) * eye + before * photon / kUsual;
+        return std::sqrt(photon * work / (kCost.photon * rest));
+    };
+    for (const double eye : {1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1.0})
+        for (const double before : {0.0, 0.25, 1.0, 4.0}) {
+            const double best = std::clamp(best_after(before, eye, 1), kUsual / 16.0, kUsual * 4.0);
+            const double ratio = after(before, eye, 1) / best;
+            EXPECT_GT(ratio, 0.7) << eye << ' ' << before;
+            EXPECT_LT(ratio, 1.42) << eye << ' ' << before;
+        }
+    EXPECT_EQ(after(0, 1, 0), kUsual / 16);
+    EXPECT_EQ(after(1, 1, 0), kUsual / 16);  // photons bring nothing at all
 }
 
 // In the mean of squares it would: 50 of camera paths, 25 of the usual photons, best at 0.4 of
