@@ -10,10 +10,10 @@
 
 #include "geometry/embree.h"
 #include "procedural/mesh.h"
+#include "program.h"
 #include "scene/scene.h"
 #include "timing.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -151,13 +151,7 @@ void measure(std::size_t triangles, int repeats, const std::string& folder) {
                e.megabytes - idle, s.megabytes - idle, (s.megabytes - idle) / (e.megabytes - idle));
 }
 
-int run(int argc, char** argv) {
-    CLI::App app("loading of meshes, against Embree's own build");
-    std::vector<std::size_t> triangles = {100'000, 1'000'000, 10'000'000};
-    int repeats = 3;
-    app.add_option("--triangles", triangles);
-    app.add_option("--repeats", repeats);
-    CLI11_PARSE(app, argc, argv);
+void run(const std::vector<std::size_t>& triangles, int repeats) {
     const auto folder = std::filesystem::temp_directory_path() /
                         fmt::format("sunfleck-bench-load-{}", static_cast<long>(getpid()));
     std::filesystem::create_directories(folder);
@@ -166,12 +160,17 @@ int run(int argc, char** argv) {
                "embree s", "ours s", "ratio", "embree MB", "ours MB", "ratio");
     for (const std::size_t count : triangles) measure(count, repeats, folder.string());
     std::filesystem::remove_all(folder);
-    return 0;
 }
 
 }  // namespace
 }  // namespace sunfleck::bench
 
-int main(int argc, char** argv) {
-    return sunfleck::bench::run(argc, argv);
+int main(int count, char** words) {
+    CLI::App app("loading of meshes, against Embree's own build");
+    std::vector<std::size_t> triangles = {100'000, 1'000'000, 10'000'000};
+    int repeats = 3;
+    app.add_option("--triangles", triangles);
+    app.add_option("--repeats", repeats);
+    return sunfleck::bench::run_program(app, count, words,
+                                        [&] { sunfleck::bench::run(triangles, repeats); });
 }

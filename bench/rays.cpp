@@ -1,8 +1,9 @@
 // bench_rays: rays a second of the photon pass and of the eye pass over those of Embree alone.
 //
-// usage: bench_rays [SCENE] [--sampler NAME] [--paths N] [--repeats N] [--resolution N] [--profile
-// N] Without a scene: a bumpy room of --triangles N. Only ratios within one run mean something: all
-// is measured in turn, several times, and medians are printed. docs/performance.md says how to read
+// usage: bench_rays [SCENE] [--sampler NAME] [--paths N] [--repeats N] [--resolution N]
+//                   [--profile N]
+// Without a scene: a bumpy room of --triangles N. Only ratios within one run mean something: all is
+// measured in turn, several times, and medians are printed. docs/performance.md says how to read
 // the figures.
 #include "core/parallel.h"
 #include "import/load.h"
@@ -205,15 +206,14 @@ void run(const Settings& settings, std::size_t threads) {
 }  // namespace sunfleck::bench
 
 int main(int count, char** words) {
-    using sunfleck::PhotonSampler;
     sunfleck::bench::Settings settings;
     std::size_t threads = 2;
     CLI::App app("Rays a second of the photon and the eye pass over those of Embree alone");
     app.add_option("scene", settings.scene, "Of triangles alone (default a bumpy room)");
     app.add_option("--triangles", settings.triangles, "Of that room, about (default 131072)");
-    const std::map<std::string, PhotonSampler> samplers = {{"random", PhotonSampler::random},
-                                                           {"uniform", PhotonSampler::uniform},
-                                                           {"adaptive", PhotonSampler::adaptive}};
+    std::map<std::string, sunfleck::PhotonSampler> samplers;
+    for (const sunfleck::PhotonSamplerRow& row : sunfleck::kPhotonSamplers)
+        if (row.sampler != sunfleck::PhotonSampler::paper) samplers.emplace(row.name, row.sampler);
     app.add_option("--sampler", settings.sampler, "Of photons (default uniform)")
         ->transform(CLI::CheckedTransformer(samplers));
     app.add_option("--paths", settings.paths, "Photon paths (default 100000)");

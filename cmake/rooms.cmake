@@ -19,7 +19,7 @@ function(sunfleck_room name)
     elseif(name STREQUAL "scene")
       target_precompile_headers(room_scene PRIVATE ${SUNFLECK_COMMON_HEADERS}
         "${PROJECT_SOURCE_DIR}/src/scene/scene.h")
-    elseif("room_scene" IN_LIST ROOM_NEEDS)
+    elseif(ROOM_NEEDS MATCHES "room_(scene|eye|import_pbrt)")
       target_precompile_headers(room_${name} REUSE_FROM room_scene)
     else()
       target_precompile_headers(room_${name} REUSE_FROM room_core)

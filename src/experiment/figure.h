@@ -13,15 +13,15 @@ namespace sunfleck {
 
 /// A picture of a cell on the page, with what stands below it.
 struct ShownPicture {
-    std::string scene;  // all of one scene have one exposure
-    std::string file;   // .exr
-    std::string name;   // of the .png, without ending
+    std::string file;  // .exr
+    std::string name;  // of the .png, without ending
     std::string caption;
 };
 
 /// Pictures of one scene side by side; on a page of their own they lie over its reference.
 struct PictureRow {
-    std::string name;  // of that page, without ending
+    std::string name;   // of that page, without ending
+    std::string scene;  // gives them one exposure
     std::vector<ShownPicture> pictures;
 };
 

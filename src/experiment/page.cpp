@@ -51,24 +51,23 @@ float exposure_of(const Reference& reference) {
     return bright > 0 ? static_cast<float>(std::log2(0.85 / bright)) : 0;
 }
 
-/// A caption without its scene.
-std::string label_of(const ShownPicture& shown) {
-    const std::string scene = shown.scene + ", ";
+/// Its caption without the scene.
+std::string label_of(const ShownPicture& shown, const PictureRow& row) {
+    const std::string scene = row.scene + ", ";
     return shown.caption.starts_with(scene) ? shown.caption.substr(scene.size()) : shown.caption;
 }
 
 /// Writes the page of a row over the reference of its scene. @return a link to it.
 std::string comparison_html(const Results& results, const PictureRow& row) {
     const RunSettings& settings = results.settings();
-    const std::string& scene = row.pictures[0].scene;
-    const std::string reference = results.facts(reference_cell(scene, settings)).picture;
+    const std::string reference = results.facts(reference_cell(row.scene, settings)).picture;
     std::set<std::string> done = {reference};
     std::vector<CompareInput> others;
     for (const ShownPicture& shown : row.pictures)
-        if (done.insert(shown.file).second) others.push_back({label_of(shown), shown.file});
+        if (done.insert(shown.file).second) others.push_back({label_of(shown, row), shown.file});
     const std::string name = "compare/" + row.name + ".html";
     write_text(fs::path(settings.folder) / name,
-               report_page(compare({scene + ", reference", reference}, others)));
+               report_page(compare({row.scene + ", reference", reference}, others)));
     return fmt::format("<p><a href=\"{}\">Over the reference, pixel by pixel</a></p>\n",
                        escaped(name));
 }
@@ -76,13 +75,13 @@ std::string comparison_html(const Results& results, const PictureRow& row) {
 std::string pictures_html(const Results& results, const Section& section) {
     std::string html;
     for (const PictureRow& row : section.rows) {
+        const float exposure = exposure_of(results.reference(row.scene));
         html += "<div class=\"row\">\n";
         for (const ShownPicture& shown : row.pictures) {
             const std::string name = "pictures/" + shown.name + ".png";
             const fs::path path = fs::path(results.settings().folder) / name;
             fs::create_directories(path.parent_path());
-            write_png(path.string(), read_exr(shown.file),
-                      exposure_of(results.reference(shown.scene)));
+            write_png(path.string(), read_exr(shown.file), exposure);
             html += fmt::format(
                 "<figure><img src=\"{0}\" alt=\"{1}\" loading=\"lazy\">"
                 "<figcaption>{1}</figcaption></figure>\n",

@@ -117,17 +117,17 @@ Chart error_chart(const Results& results, const std::string& name, const std::st
 
 PictureRow picture_row(const Results& results, const std::string& name, const std::string& scene,
                        const std::vector<Method>& methods) {
-    PictureRow row{fmt::format("{}-{}", name, scene), {}};
+    PictureRow row{fmt::format("{}-{}", name, scene), scene, {}};
     const auto add = [&](const Cell& cell) {
         const CellFacts facts = results.facts(cell);
         row.pictures.push_back(
-            {scene, facts.picture, fmt::format("{}-{}", row.name, cell.method.name),
+            {facts.picture, fmt::format("{}-{}", row.name, cell.method.name),
              fmt::format("{}, {}, {:.0f} s", scene, cell.method.name, facts.cpu_seconds)});
     };
     for (const Method& method : methods) add({scene, method, 1});
     for (const OtherPicture& other : results.settings().others)
         if (other.scene == scene)
-            row.pictures.push_back({scene, other.file, fmt::format("{}-{}", row.name, other.label),
+            row.pictures.push_back({other.file, fmt::format("{}-{}", row.name, other.label),
                                     scene + ", " + other.label});
     add(reference_cell(scene, results.settings()));
     return row;

@@ -27,11 +27,10 @@ Section fig5_section(const Results& results) {
     Section section;
     for (const Method& method : sampler_methods()) {
         const auto all = results.snapshots({"room", method});
-        PictureRow row{"fig5-" + method.name, {}};
+        PictureRow row{"fig5-" + method.name, "room", {}};
         for (const double share : {1.0 / 60, 0.25, 0.5, 1.0}) {
             const CellFacts& facts = nearest(all, share);
-            row.pictures.push_back({"room", facts.picture,
-                                    fmt::format("{}-{:.0f}", row.name, 1000 * share),
+            row.pictures.push_back({facts.picture, fmt::format("{}-{:.0f}", row.name, 1000 * share),
                                     fmt::format("{}, {:.3g} s", method.name, facts.cpu_seconds)});
         }
         section.rows.push_back(row);
