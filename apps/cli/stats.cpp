@@ -77,6 +77,7 @@ Json epochs_json(const Film& film) {
         if (passes == 0) continue;
         epochs.push_back({{"epoch", number},
                           {"passes", static_cast<std::uint64_t>(passes)},
+                          {"draws_per_pass", film.statistic(name + "draws") / passes},
                           {"photons_per_pass", film.statistic(name + "paths") / passes}});
     }
     return epochs;

@@ -101,14 +101,18 @@ private:
 struct PassId {
     std::uint64_t seed = 0;
     std::uint32_t number = 0;  // from 0
-    std::uint32_t part = 0;    // of its photon paths, where lights are in groups; below 2^16
+    std::uint32_t part = 0;    // of its numbers: see draw() and with_part(); below 2^16
 
     /// The stream of one pixel, uniform path or chain of this pass. @param index  below 2^32.
     constexpr RandomStream stream(Purpose purpose, std::size_t index) const {
         return {seed, purpose, number, static_cast<std::uint32_t>(index), part};
     }
-    /// The same pass's photon paths of another part.
-    constexpr PassId with_part(std::uint32_t other) const { return {seed, number, other}; }
+    /// The pass drawn once more, camera and photon paths. @param which  below 128.
+    constexpr PassId draw(std::uint32_t which) const { return {seed, number, which * kParts}; }
+    /// Some of the draw's photon paths, where lights are in groups. @param which  below kParts.
+    constexpr PassId with_part(std::uint32_t which) const { return {seed, number, part + which}; }
+
+    static constexpr std::uint32_t kParts = 512;  // of a draw
 };
 
 }  // namespace sunfleck

@@ -1,7 +1,8 @@
 // What one pass adds to each pixel: exact sums that many threads fill at once.
 //
 // Terms are pixel values of this pass alone (radiance in linear sRGB, or a feature), already
-// divided by the number of photon paths; the film's picture is the mean over passes.
+// divided by the number of photon paths; the film's picture is the mean over passes, and a pass
+// the mean over its draws.
 //
 // What eye paths bring can be kept apart: the rest was brought by photons, gathered from discs, and
 // alone carries the bias of the disc's radius.
@@ -28,9 +29,10 @@ public:
     using Pixel = std::array<AtomicFixedPoint, 3>;
 
     /// @param photons_apart  by_photons() will be asked for. @param light_layers  how many.
+    /// @param draws  of the pass, each of which adds all its light: the image is their mean.
     PassImage(std::size_t pixels, const LayerSet& wanted, bool photons_apart = false,
-              std::size_t light_layers = 0)
-        : pixels_(pixels) {
+              std::size_t light_layers = 0, std::uint32_t draws = 1)
+        : pixels_(pixels), share_(1 / static_cast<double>(draws)) {
         for (std::size_t i = 0; i < kLayerCount; ++i)
             if (i == 0 || wanted.at(i)) layers_.at(i) = std::vector<Pixel>(pixels);
         if (photons_apart) eye_ = std::vector<Pixel>(pixels);
@@ -55,8 +57,7 @@ public:
     void add_eye_light(std::size_t pixel, const Vec3& rgb, Layer owner) {
         add_light(pixel, rgb, owner);
         if (!photons_apart() || !finite(rgb)) return;
-        for (unsigned c = 0; c < 3; ++c)
-            eye_[pixel][c].add(FixedPoint::from_double(cut(rgb[static_cast<int>(c)])));
+        for (unsigned c = 0; c < 3; ++c) eye_[pixel][c].add(term_of(rgb[static_cast<int>(c)]));
     }
 
     /// Adds what add_light() has added already to the layer of the light that it comes from: cut
@@ -64,14 +65,12 @@ public:
     void add_to_light_layer(std::size_t pixel, const Vec3& rgb, std::uint8_t layer) {
         if (layer == kNoLightLayer || !finite(rgb)) return;
         for (unsigned c = 0; c < 3; ++c)
-            lights_[layer][pixel][c].add(FixedPoint::from_double(cut(rgb[static_cast<int>(c)])));
+            lights_[layer][pixel][c].add(term_of(rgb[static_cast<int>(c)]));
     }
 
     /// add_light() of what is_addable(), with no other thread at this pixel if `alone`.
     void add_addable(std::size_t pixel, const Vec3& rgb, Layer owner, bool alone) {
-        const std::array<FixedPoint, 3> terms{FixedPoint::from_double(rgb.x),
-                                              FixedPoint::from_double(rgb.y),
-                                              FixedPoint::from_double(rgb.z)};
+        const std::array<FixedPoint, 3> terms{share_of(rgb.x), share_of(rgb.y), share_of(rgb.z)};
         add(layers_[0][pixel], terms, alone);
         if (owner != Layer::total && has(owner))
             add(layers_[static_cast<std::size_t>(owner)][pixel], terms, alone);
@@ -92,7 +91,7 @@ public:
             add(layers_[static_cast<std::size_t>(layer)][pixel], value);
     }
 
-    /// Adds to one channel of one layer alone: for light that was summed up elsewhere.
+    /// Adds to one channel of one layer alone: for light that was summed up elsewhere, as it is.
     void add_term(Layer layer, std::size_t pixel, std::size_t channel, const FixedPoint& term) {
         layers_[static_cast<std::size_t>(layer)][pixel].at(channel).add(term);
     }
@@ -132,6 +131,9 @@ private:
         return std::abs(term) > kLargestTerm ? std::copysign(kLargestTerm, term) : term;
     }
 
+    FixedPoint share_of(double term) const { return FixedPoint::from_double(term * share_); }
+    FixedPoint term_of(float x) const { return share_of(cut(x)); }
+
     /// Counts what is not.
     bool is_finite(const Vec3& v) {
         if (finite(v)) return true;
@@ -155,11 +157,12 @@ private:
             const double term = cut(x);
             if (term != static_cast<double>(x))
                 counts_[kSaturated].fetch_add(1, std::memory_order_relaxed);
-            pixel[c].add(FixedPoint::from_double(term));
+            pixel[c].add(share_of(term));
         }
     }
 
     std::size_t pixels_;
+    double share_;  // of a draw
     std::array<std::vector<Pixel>, kLayerCount> layers_;
     std::vector<Pixel> eye_;  // part of the total
     std::vector<std::vector<Pixel>> lights_;

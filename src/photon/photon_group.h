@@ -39,6 +39,14 @@ struct GroupCounts {
     double power_share = 1;
     double visible_fraction = 0;  // of uniform paths from its lights, estimated
     LadderCounts ladder;          // of a plan with levels
+
+    /// Another draw of the same pass, with its share in the mean over draws.
+    void add(const GroupCounts& draw, double share) {
+        paths += draw.paths;
+        power_share = draw.power_share;
+        visible_fraction += draw.visible_fraction * share;
+        ladder.add(draw.ladder, share);
+    }
 };
 
 }  // namespace sunfleck

@@ -16,7 +16,7 @@ constexpr std::uint32_t kRound = 500;   // of the pilots' numbers: beyond all th
 constexpr std::uint64_t kSeeds = 128;   // of a ladder's one set, or more
 constexpr double kRaysOfPixel = 0.6;    // work beside its rays: its point's place in the index
 constexpr double kRaysOfDeposit = 0.6;  // work
-constexpr double kBefore = 0.25;        // passes before epoch 1, over its own: it may end early
+constexpr double kOfRound = 0.25;       // variance of a round's spread camera paths, over chance's
 
 TrialPixels luminance_of(const PassImage& image) {
     TrialPixels pixels;
@@ -112,10 +112,10 @@ EyeView view_of(const EyePass& pass) {
             VisiblePointIndex(std::move(points), pass.transport.max_depth)};
 }
 
-std::uint32_t measured_paths(const EyePass& first, const EyeView& seen, LightPlanner& planner,
-                             const EpochPhotons& photons) {
+Balance measured_balance(const EyePass& first, const EyeView& seen, LightPlanner& planner,
+                         const EpochPhotons& photons) {
     const auto& [sampler, name, usual] = photons;
-    if (usual < 2 * kSets) return usual;
+    if (usual < 2 * kSets) return {usual};
     const std::vector<PhotonGroup> groups = part_of(planner.plan(usual));
     Trials trials(first, groups, sampler, name);
     EyePass second = first;
@@ -127,14 +127,14 @@ std::uint32_t measured_paths(const EyePass& first, const EyeView& seen, LightPla
     };
     const double paths = paths_of(groups);
     const auto pixels = static_cast<double>(first.window.pixels());
-    const PassCost cost{count(seen.counts, Count::eye_rays) + kRaysOfPixel * pixels,
+    const DrawCost cost{count(seen.counts, Count::eye_rays) + kRaysOfPixel * pixels,
                         (count(trials.counts(), Count::photon_rays) +
                          kRaysOfDeposit * count(trials.counts(), Count::deposits)) /
                             (kSets * paths)};
     const BlockGrid grid(first.window.width(), first.window.height(), kBlock);
-    return balanced_paths(block_variances(grid, one, other, paths), cost, usual,
-                          std::max(2.0, trials.least_share() * usual),
-                          name.epoch == 1 ? kBefore : 0);
+    std::vector<BlockVariance> variances = block_variances(grid, one, other, paths);
+    for (BlockVariance& block : variances) block.eye *= kOfRound;
+    return balanced(variances, cost, usual, std::max(2.0, trials.least_share() * usual));
 }
 
 }  // namespace sunfleck

@@ -1,12 +1,13 @@
-// How many photon paths the passes of an epoch have: measured on trial passes, which are no part of
-// a picture.
+// How many photon paths and draws the passes of an epoch have: measured on trials, which are no
+// part of a picture.
 //
-// In:  an epoch's first view, and a planner that explored it. Out: a number of paths.
+// In:  an epoch's first view, and a planner that explored it. Out: numbers of paths and of draws.
 // Source: the rule and its constants are measured ones (docs/decisions.md).
 #pragma once
 
 #include "eye/eye_pass.h"
 #include "photon/light_groups.h"
+#include "render/balance_rule.h"
 
 namespace sunfleck {
 
@@ -23,11 +24,11 @@ EyeView view_of(const EyePass& pass);
 struct EpochPhotons {
     PhotonSampler sampler;
     PilotName name;
-    std::uint32_t usual;  // paths of a pass, were nothing measured
+    std::uint32_t usual;  // paths of a draw, were nothing measured
 };
 
 /// @param first  the epoch's first pass. @param seen  its view: what the planner explored.
-std::uint32_t measured_paths(const EyePass& first, const EyeView& seen, LightPlanner& planner,
-                             const EpochPhotons& photons);
+Balance measured_balance(const EyePass& first, const EyeView& seen, LightPlanner& planner,
+                         const EpochPhotons& photons);
 
 }  // namespace sunfleck

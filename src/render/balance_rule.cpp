@@ -1,9 +1,8 @@
-// The least of a few sums of roots.
+// The least of a few sums of roots, and what a draw is worth.
 #include "render/balance_rule.h"
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace sunfleck {
 namespace {
@@ -11,38 +10,38 @@ namespace {
 constexpr int kFewest = -4;  // powers of two of the usual number
 constexpr int kMost = 2;
 constexpr double kGreatest = 0x1p30;
+constexpr double kMostDraws = 16;
 
-double error_sum(std::span<const BlockVariance> blocks, const PassCost& cost, double paths) {
+/// Of all blocks, in one draw.
+double error_sum(std::span<const BlockVariance> blocks, double paths) {
     double sum = 0;
-    for (const BlockVariance& block : blocks) sum += std::sqrt(block.eye + block.photon / paths);
-    return sum * std::sqrt(cost.eye + cost.photon * paths);
+    for (const BlockVariance& block : blocks)
+        sum += std::sqrt(std::max(0.0, block.eye) + std::max(0.0, block.photon) / paths);
+    return sum;
 }
 
 }  // namespace
 
-std::uint32_t balanced_paths(std::span<const BlockVariance> blocks, const PassCost& cost,
-                             std::uint32_t usual, double fewest, double before) {
-    // Passes before are, like camera paths, what no number of photons to come changes.
-    const PassCost work{(1 + before) * cost.eye + before * cost.photon * usual, cost.photon};
-    std::vector<BlockVariance> variances;
-    variances.reserve(blocks.size());
-    for (const BlockVariance& block : blocks) {
-        const double photon = std::max(0.0, block.photon);
-        variances.push_back(
-            {(1 + before) * std::max(0.0, block.eye) + before * photon / usual, photon});
-    }
+Balance balanced(std::span<const BlockVariance> blocks, const DrawCost& cost, std::uint32_t usual,
+                 double fewest) {
+    const auto error_after_work = [&](double paths) {
+        return error_sum(blocks, paths) * std::sqrt(cost.eye + cost.photon * paths);
+    };
     double best = usual;
-    double least = error_sum(variances, work, best);
+    double least = error_after_work(best);
     for (int power = kFewest; power <= kMost; ++power) {
         const double paths = std::floor(std::ldexp(usual, power));
         if (paths < fewest || paths > kGreatest) continue;
-        const double error = error_sum(variances, work, paths);
+        const double error = error_after_work(paths);
         if (error < least) {
             least = error;
             best = paths;
         }
     }
-    return static_cast<std::uint32_t>(best);
+    if (best >= usual) return {static_cast<std::uint32_t>(best), 1};
+    const double worse = error_sum(blocks, best) / error_sum(blocks, usual);
+    return {static_cast<std::uint32_t>(best),
+            static_cast<std::uint32_t>(std::clamp(std::round(worse * worse), 1.0, kMostDraws))};
 }
 
 }  // namespace sunfleck

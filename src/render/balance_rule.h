@@ -1,7 +1,9 @@
 // Camera paths against photon paths: the rule, without the measuring.
 //
 // In:  what variance each of them leaves in the blocks of a picture, and what each costs. Out: the
-// photon paths of a pass. A pass has one camera path a pixel, so their number is the balance.
+// photon paths of a draw, and the draws of a pass. A draw has one camera path a pixel, so the first
+// number is the balance; the second makes passes worth the same, for in the picture each counts
+// the same.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,7 @@
 
 namespace sunfleck {
 
-/// Of one block of pixels in one pass, relative to the square of its brightness. An estimate that
+/// Of one block of pixels in one draw, relative to the square of its brightness. An estimate that
 /// is negative counts as none.
 struct BlockVariance {
     double eye = 0;     // of camera paths: no number of photons takes it away
@@ -17,21 +19,27 @@ struct BlockVariance {
 };
 
 /// Work in rays, about.
-struct PassCost {
-    double eye = 0;     // of all camera paths of a pass
+struct DrawCost {
+    double eye = 0;     // of all camera paths of a draw
     double photon = 0;  // of one photon path
 };
 
-/// The number among usual * {1/16, 1/8, 1/4, 1/2, 1, 2, 4} that makes the relative standard error
-/// of a block least after some work, in the mean over blocks: so that a few blocks of wild light do
-/// not speak for all. A block's error after work w is sqrt((eye + photon / n) (c + n p) / w), to
-/// which passes that were rendered before with the usual number add their variance and work: in the
-/// picture each pass weighs the same, and many cheap ones would undo what a few good ones have
+struct Balance {
+    std::uint32_t paths = 0;  // photon paths of a draw
+    std::uint32_t draws = 1;  // of a pass
+
+    friend bool operator==(const Balance&, const Balance&) = default;
+};
+
+/// The number of paths among usual * {1/16, 1/8, 1/4, 1/2, 1, 2, 4} that makes the relative
+/// standard error of a block least after some work, in the mean over blocks: so that a few blocks
+/// of wild light do not speak for all. A block's error after work w is sqrt((eye + photon / n) (c +
+/// n p) / w). And as many draws, up to 16, as have about the squared error of one with the usual
+/// paths; one, if it has less: many cheap passes would undo what a few good ones before have
 /// brought.
 /// @param fewest  no number below it is taken, unless it is `usual`; at least 2.
-/// @param before  passes rendered before, over those to come.
-/// @return `usual` if there is no block, or no variance at all.
-std::uint32_t balanced_paths(std::span<const BlockVariance> blocks, const PassCost& cost,
-                             std::uint32_t usual, double fewest = 2, double before = 0);
+/// @return one draw of `usual` paths if there is no block, or no variance at all.
+Balance balanced(std::span<const BlockVariance> blocks, const DrawCost& cost, std::uint32_t usual,
+                 double fewest = 2);
 
 }  // namespace sunfleck

@@ -33,13 +33,14 @@ void count_groups(Film& film, const std::vector<GroupCounts>& groups) {
     }
 }
 
-/// How many photon paths the passes of an epoch have.
-void count_epoch(Film& film, std::uint32_t number, const std::vector<GroupCounts>& groups) {
-    if (groups.empty()) return;
+/// How many draws and photon paths the passes of an epoch have.
+void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
+    if (pass.groups.empty()) return;
     std::uint64_t paths = 0;
-    for (const GroupCounts& group : groups) paths += group.paths;
+    for (const GroupCounts& group : pass.groups) paths += group.paths;
     const std::string name = "epoch." + std::to_string(epoch_of(number)) + ".";
     film.count(name + "passes", 1);
+    film.count(name + "draws", pass.draws);
     film.count(name + "paths", paths);
 }
 
@@ -59,7 +60,7 @@ void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     film.sum("visible_fraction", pass.visible_fraction);
     film.sum("visible_fraction_square",
              pass.visible_fraction * pass.visible_fraction * kSquareUnits);
-    count_epoch(film, number, pass.groups);
+    count_epoch(film, number, pass);
     count_groups(film, pass.groups);
 }
 

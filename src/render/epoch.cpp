@@ -29,7 +29,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const Stopwatch watch;
     const PixelWindow window = window_of(scene.film());
     const std::uint32_t paths = paths_per_pass(settings.photon, window.pixels());
-    Epoch epoch{epoch_of(pass), paths, {}, 0};
+    Epoch epoch{epoch_of(pass), paths, 1, {}, 0};
     if (settings.integrator != Integrator::sppm ||
         settings.photon.sampler != PhotonSampler::adaptive || paths < 2) {
         epoch.groups.push_back({scene.light_choice(), {paths, {}}, {}});
@@ -44,8 +44,12 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const PhotonView view{at_wavelengths, settings.transport, seen.index};
     const PilotName name{settings.seed, epoch.number};
     LightPlanner planner(view, settings.photon, name);
-    if (is_balanced(settings.photon, epoch.number))
-        epoch.paths = measured_paths(eye, seen, planner, {settings.photon.sampler, name, paths});
+    if (is_balanced(settings.photon, epoch.number)) {
+        const Balance balance =
+            measured_balance(eye, seen, planner, {settings.photon.sampler, name, paths});
+        epoch.paths = balance.paths;
+        epoch.draws = balance.draws;
+    }
     epoch.groups = planner.plan(epoch.paths);
     epoch.seconds = watch.seconds();
     return epoch;

@@ -1,9 +1,9 @@
 // Epochs: runs of passes with one plan of their photon paths.
 //
-// In:  scene, settings, number of the epoch. Out: photon paths of a pass, groups of lights and
-// their plans, learned by pilots and trials over the view of the epoch's first pass, and by nothing
-// else: so any pass can be rendered anywhere, without those before it. Radii shrink as passes go
-// on, ever more slowly, and so do epochs grow.
+// In:  scene, settings, number of the epoch. Out: draws of a pass, photon paths of a draw, groups
+// of lights and their plans, learned by pilots and trials over the view of the epoch's first pass,
+// and by nothing else: so any pass can be rendered anywhere, without those before it. Radii shrink
+// as passes go on, ever more slowly, and so do epochs grow.
 #pragma once
 
 #include "photon/photon_group.h"
@@ -27,7 +27,8 @@ constexpr std::uint32_t first_pass_of(std::uint32_t epoch) {
 /// What an epoch's passes share.
 struct Epoch {
     std::uint32_t number = 0;
-    std::uint32_t paths = 0;          // photon paths of a pass
+    std::uint32_t paths = 0;  // photon paths of a draw
+    std::uint32_t draws = 1;  // of a pass, which is their mean: each has a camera path a pixel
     std::vector<PhotonGroup> groups;  // at least one
     double seconds = 0;
 };

@@ -13,19 +13,31 @@
 namespace sunfleck {
 namespace {
 
-void render_sppm(const PassScene& scene, const RenderSettings& settings, const EyePass& eye,
-                 const std::vector<PhotonGroup>& groups, PassResult& result) {
+/// Adds one draw: camera paths and the photon paths that belong to them.
+PhotonTotals draw_sppm(const RenderSettings& settings, const EyePass& eye,
+                       const std::vector<PhotonGroup>& groups, PassResult& result) {
     Stopwatch watch;
     auto points = trace_eye_paths(eye, result.image, result.statistics);
-    result.seconds.eye = watch.lap();
+    result.seconds.eye += watch.lap();
     const VisiblePointIndex index(std::move(points), settings.transport.max_depth);
-    result.seconds.index = watch.lap();
-    PhotonTotals photons = trace_photons({scene, settings.transport, index}, eye.id,
+    result.seconds.index += watch.lap();
+    PhotonTotals photons = trace_photons({eye.scene, settings.transport, index}, eye.id,
                                          settings.photon.sampler, groups, result.image);
+    result.seconds.photon += watch.lap();
+    return photons;
+}
+
+void render_sppm(const RenderSettings& settings, EyePass eye, const Epoch& epoch,
+                 PassResult& result) {
+    PhotonTotals photons;
+    const PassId pass = eye.id;
+    for (std::uint32_t draw = 0; draw < epoch.draws; ++draw) {
+        eye.id = pass.draw(draw);
+        photons.add(draw_sppm(settings, eye, epoch.groups, result), 1.0 / epoch.draws);
+    }
     result.statistics += photons.statistics;
     result.visible_fraction = photons.visible_fraction;
     result.groups = std::move(photons.groups);
-    result.seconds.photon = watch.lap();
 }
 
 }  // namespace
@@ -42,12 +54,13 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     const PassId id{settings.seed, number};
     const bool has_discs = settings.integrator == Integrator::sppm;
     PassResult result{PassImage(window.pixels(), settings.layers, has_discs,
-                                settings.transport.light_layers.names.size()),
+                                settings.transport.light_layers.names.size(), epoch.draws),
                       {},
                       {},
                       radius_factor(number, settings.alpha),
                       0,
-                      {}};
+                      {},
+                      epoch.draws};
     Stopwatch watch;
     const PassScene at_wavelengths(scene, id);
     result.seconds.build = watch.lap();
@@ -57,7 +70,7 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
         at_wavelengths, settings.transport, {window.x0, window.x1, window.y0, window.y1}, id};
     switch (settings.integrator) {
         case Integrator::sppm:
-            render_sppm(at_wavelengths, settings, eye, epoch.groups, result);
+            render_sppm(settings, eye, epoch, result);
             break;
         case Integrator::path:
             trace_reference_paths(reference, result.image, result.statistics);

@@ -35,6 +35,7 @@ struct PassResult {
     double radius_factor = 1;
     double visible_fraction = 0;      // this pass's estimate, of uniform paths from all lights
     std::vector<GroupCounts> groups;  // as the epoch's
+    std::uint32_t draws = 1;
 };
 
 /// The pixels that the scene's film renders.

@@ -12,7 +12,7 @@ namespace sunfleck {
 namespace {
 
 /// Mapped paths draw their numbers as parts of their own, beyond those of all groups.
-constexpr std::uint32_t kMappedParts = 256;
+constexpr std::uint32_t kMappedParts = PassId::kParts / 2;
 
 class PhotonStage {
 public:
@@ -82,6 +82,13 @@ private:
 };
 
 }  // namespace
+
+void PhotonTotals::add(const PhotonTotals& draw, double share) {
+    statistics += draw.statistics;
+    visible_fraction += draw.visible_fraction * share;
+    groups.resize(draw.groups.size());
+    for (std::size_t g = 0; g < groups.size(); ++g) groups[g].add(draw.groups[g], share);
+}
 
 PhotonTotals trace_photons(const PhotonView& view, PassId id, PhotonSampler sampler,
                            const std::vector<PhotonGroup>& groups, PassImage& image) {

@@ -18,9 +18,12 @@ struct PhotonTotals {
     Statistics statistics;
     double visible_fraction = 0;      // this pass's estimate, of uniform paths from all lights
     std::vector<GroupCounts> groups;  // as they were given
+
+    /// Another draw of the same pass, with its share in the mean over draws.
+    void add(const PhotonTotals& draw, double share);
 };
 
-/// Adds the light of a pass's photons to the image.
+/// Adds the light of the photons of a pass, or of one draw of it, to the image.
 /// @param sampler  random, uniform or adaptive. @param id  names their random numbers.
 PhotonTotals trace_photons(const PhotonView& view, PassId id, PhotonSampler sampler,
                            const std::vector<PhotonGroup>& groups, PassImage& image);

@@ -39,6 +39,14 @@ struct LadderCounts {
     std::vector<std::uint64_t> survivors;  // states of level k that are in the set of level k + 1
     double visible_fraction = 0;           // sum of the weights handed out: unbiased
 
+    /// Another run of the same plan: counts add up, fractions by their share in the mean.
+    void add(const LadderCounts& other, double share) {
+        levels.resize(other.levels.size());
+        survivors.resize(other.survivors.size());
+        for (std::size_t k = 0; k < levels.size(); ++k) levels[k] += other.levels[k];
+        for (std::size_t k = 0; k < survivors.size(); ++k) survivors[k] += other.survivors[k];
+        visible_fraction += other.visible_fraction * share;
+    }
     /// Of all levels.
     Acceptance mutations() const {
         Acceptance sum;

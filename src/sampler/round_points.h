@@ -1,5 +1,6 @@
 // Numbers for camera paths and direct light: over the 16 passes of a round, each pair of
-// dimensions of a pixel runs through 16 Owen-scrambled Sobol' points, scrambled anew each round.
+// dimensions of a pixel runs through 16 Owen-scrambled Sobol' points, scrambled anew each round
+// and for each draw of the passes.
 //
 // In:  a pass, a pixel; then dimensions in the order of asking. Out: numbers in (0,1).
 // Source: Owen 1995; hashed nested scrambling: Laine and Karras 2011, Burley 2020 (JCGT 9(4));
@@ -41,7 +42,8 @@ public:
     RoundPoints(PassId pass, std::uint32_t pixel)
         : seed_(pass.seed),
           index_(pass.number % kRoundPasses),
-          name_{0, pixel, pass.number / kRoundPasses, static_cast<std::uint32_t>(Purpose::eye)} {}
+          name_{0, pixel, pass.number / kRoundPasses,
+                static_cast<std::uint32_t>(Purpose::eye) | pass.part << 16U} {}
 
     /// The next pair of dimensions.
     Vec2d next_2d() {

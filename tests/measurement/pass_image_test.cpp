@@ -35,6 +35,28 @@ TEST(PassImage, light_that_cannot_be_added_is_counted_once) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(by_photons(image, c), 0);
 }
 
+// 4 is a power of two: shares are exact.
+TEST(PassImage, is_the_mean_over_draws) {
+    constexpr std::uint32_t kDraws = 4;
+    LayerSet all{};
+    all.fill(true);
+    PassImage image(1, all, true, 1, kDraws);
+    for (std::uint32_t draw = 0; draw < kDraws; ++draw) {
+        image.add_eye_light(0, Vec3(1, 2, 3), Layer::direct);
+        image.add_light(0, Vec3(10, 20, 30), Layer::caustic);
+        image.add_addable(0, Vec3(100, 0, -40), Layer::indirect, draw % 2 == 0);
+        image.add_to_light_layer(0, Vec3(5, 6, 7), 0);
+        image.add_feature(0, Vec3(0.5F, 0, 0), Layer::albedo);
+    }
+    EXPECT_EQ(image.value(Layer::total, 0, 0).to_double(), 111);
+    EXPECT_EQ(image.value(Layer::direct, 0, 1).to_double(), 2);
+    EXPECT_EQ(image.value(Layer::caustic, 0, 2).to_double(), 30);
+    EXPECT_EQ(image.value(Layer::indirect, 0, 2).to_double(), -40);
+    EXPECT_EQ(image.value(Layer::albedo, 0, 0).to_double(), 0.5);
+    EXPECT_EQ(image.light_value(0, 0, 1).to_double(), 6);
+    EXPECT_EQ(by_photons(image, 0), 110);
+}
+
 TEST(PassImage, layers_of_lights_count_nothing_twice) {
     PassImage image(1, {}, true, 2);
     image.add_to_light_layer(0, Vec3(1, 2, 3), 0);

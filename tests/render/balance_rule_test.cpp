@@ -3,18 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace sunfleck {
 namespace {
 
 constexpr std::uint32_t kUsual = 160'000;
-constexpr PassCost kCost{100'000, 2};
+constexpr DrawCost kCost{100'000, 2};
 
-std::uint32_t of(std::vector<BlockVariance> blocks, const PassCost& cost = kCost) {
-    return balanced_paths(blocks, cost, kUsual);
+std::uint32_t of(std::vector<BlockVariance> blocks, const DrawCost& cost = kCost) {
+    return balanced(blocks, cost, kUsual).paths;
 }
 
 TEST(BalanceRule, few_photons_where_camera_paths_are_all_the_noise) {
@@ -38,25 +36,19 @@ TEST(BalanceRule, the_best_number_between) {
     }
 }
 
-// Least is ((1 + b) E + b P / u + P / n) ((1 + b) c + b p u + p n), of n among powers of two.
-TEST(BalanceRule, passes_before_draw_it_towards_their_own) {
-    const auto after = [](double before, double eye, double photon) {
-        return balanced_paths(std::vector<BlockVariance>{{eye, photon}}, kCost, kUsual, 2, before);
+// With n = u / 4 and E = 3 P / u a draw has a variance of 7 in place of 4 P / u.
+TEST(BalanceRule, as_many_draws_as_are_worth_a_usual_one) {
+    const auto all_of = [](double eye, double fewest, const DrawCost& cost) {
+        return balanced(std::vector<BlockVariance>{{eye, 160'000}}, cost, kUsual, fewest);
     };
-    const auto best_after = [](double before, double eye, double photon) {
-        const double work = (1 + before) * kCost.eye + before * kCost.photon * kUsual;
-        const double rest = (1 + before) * eye + before * photon / kUsual;
-        return std::sqrt(photon * work / (kCost.photon * rest));
-    };
-    for (const double eye : {1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1.0})
-        for (const double before : {0.0, 0.25, 1.0, 4.0}) {
-            const double best = std::clamp(best_after(before, eye, 1), kUsual / 16.0, kUsual * 4.0);
-            const double ratio = after(before, eye, 1) / best;
-            EXPECT_GT(ratio, 0.7) << eye << ' ' << before;
-            EXPECT_LT(ratio, 1.42) << eye << ' ' << before;
-        }
-    EXPECT_EQ(after(0, 1, 0), kUsual / 16);
-    EXPECT_EQ(after(1, 1, 0), kUsual / 16);  // photons bring nothing at all
+    constexpr DrawCost kNoCamera{0, 2};
+    EXPECT_EQ(all_of(3, kUsual / 4.0, kNoCamera), (Balance{kUsual / 4, 2}));    // 7 over 4
+    EXPECT_EQ(all_of(0.9, kUsual / 4.0, kNoCamera), (Balance{kUsual / 4, 3}));  // 4.9 over 1.9
+    EXPECT_EQ(all_of(0.1, kUsual / 4.0, kNoCamera), (Balance{kUsual / 4, 4}));  // 4.1 over 1.1
+    EXPECT_EQ(all_of(30, kUsual / 4.0, kNoCamera), (Balance{kUsual / 4, 1}));   // 34 over 31
+    EXPECT_EQ(all_of(1e-3, 2, kNoCamera), (Balance{kUsual / 16, 16}));
+    constexpr DrawCost kNoPhotons{100'000, 0};
+    EXPECT_EQ(all_of(1, 2, kNoPhotons), (Balance{kUsual * 4, 1}));  // never less than one
 }
 
 // In the mean of squares it would: 50 of camera paths, 25 of the usual photons, best at 0.4 of
@@ -74,17 +66,20 @@ TEST(BalanceRule, a_negative_variance_counts_as_none) {
 }
 
 TEST(BalanceRule, nothing_known_changes_nothing) {
-    EXPECT_EQ(of({}), kUsual);
-    EXPECT_EQ(of({{0, 0}, {0, 0}}), kUsual);
-    EXPECT_EQ(balanced_paths(std::vector<BlockVariance>{{1, 0}}, kCost, 16), 2U);
+    const Balance usual{kUsual, 1};
+    EXPECT_EQ(balanced({}, kCost, kUsual), usual);
+    EXPECT_EQ(balanced(std::vector<BlockVariance>{{0, 0}, {0, 0}}, kCost, kUsual), usual);
+    EXPECT_EQ(balanced(std::vector<BlockVariance>{{1, 0}}, kCost, 16), (Balance{2, 1}));
 }
 
 TEST(BalanceRule, keeps_to_the_fewest_that_are_allowed) {
-    const std::vector<BlockVariance> no_photons{{1, 0}};
-    EXPECT_EQ(balanced_paths(no_photons, kCost, kUsual, kUsual / 4), kUsual / 4);
-    EXPECT_EQ(balanced_paths(no_photons, kCost, kUsual, kUsual / 4 + 1), kUsual / 2);
-    EXPECT_EQ(balanced_paths(no_photons, kCost, kUsual, kUsual), kUsual);
-    EXPECT_EQ(balanced_paths(no_photons, kCost, kUsual, 9.0 * kUsual), kUsual);
+    const auto fewest = [](double paths) {
+        return balanced(std::vector<BlockVariance>{{1, 0}}, kCost, kUsual, paths).paths;
+    };
+    EXPECT_EQ(fewest(kUsual / 4), kUsual / 4);
+    EXPECT_EQ(fewest(kUsual / 4 + 1), kUsual / 2);
+    EXPECT_EQ(fewest(kUsual), kUsual);
+    EXPECT_EQ(fewest(9.0 * kUsual), kUsual);
 }
 
 }  // namespace

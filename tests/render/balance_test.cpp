@@ -48,14 +48,19 @@ TEST(Balance, spares_none_while_they_have_found_nothing) {
     EXPECT_EQ(learned(lone_plate(), {}).paths, kUsual);
 }
 
-// Later epochs are so long that those before no longer count; in epoch 1 they hold it back.
 TEST(Balance, adds_photons_where_they_bring_all_the_noise) {
     constexpr std::uint32_t kUsualHere = 2 * 160'000;
     RenderSettings settings;
     settings.transport.direct = DirectLight::photons;
-    const Scene scene = even_wall();
-    EXPECT_GE(learned(scene, settings, 128).paths, 2 * kUsualHere);
-    EXPECT_EQ(learned(scene, settings, 16).paths, kUsualHere);
+    const Epoch epoch = learned(even_wall(), settings);
+    EXPECT_GE(epoch.paths, 2 * kUsualHere);
+    EXPECT_EQ(epoch.draws, 1U);
+}
+
+TEST(Balance, draws_more_often_where_a_draw_is_worth_less) {
+    const Epoch epoch = learned(procedural("cornell", 128), {});
+    EXPECT_GT(epoch.draws, 1U);
+    EXPECT_LT(epoch.draws * epoch.paths, kUsual);  // or nothing would be gained
 }
 
 TEST(Balance, holds_for_an_epoch_whatever_the_threads) {

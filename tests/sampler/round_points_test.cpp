@@ -28,7 +28,8 @@ TEST(RoundPoints, a_round_is_a_net_in_every_pair) {
     }
 }
 
-TEST(RoundPoints, rounds_and_pixels_differ) {
+TEST(RoundPoints, rounds_pixels_and_draws_differ) {
+    EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints(PassId{5, 0}.draw(1), 1).next());
     EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({5, 16}, 1).next());
     EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({5, 0}, 2).next());
     EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({6, 0}, 1).next());

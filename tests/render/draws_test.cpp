@@ -1,0 +1,92 @@
+// A pass of several draws: their mean, with numbers of their own for camera and photon paths.
+#include "support/procedural.h"
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+constexpr std::uint32_t kDraws = 4;
+constexpr std::uint32_t kPasses = 128;
+
+/// Of the pictures of some passes, by pixel.
+struct Spread {
+    double mean = 0;
+    double variance = 0;  // of a pass, in the mean over pixels
+};
+
+Spread spread_of(const Scene& scene, const RenderSettings& settings, Layer layer,
+                 std::uint32_t draws) {
+    const std::size_t pixels = window_of(scene.film()).pixels();
+    std::vector<double> sum(pixels);
+    std::vector<double> squares(pixels);
+    for (std::uint32_t p = 0; p < kPasses; ++p) {
+        Epoch epoch = learn_epoch(scene, settings, 0);
+        epoch.draws = draws;
+        const PassResult pass = render_pass(scene, settings, p, epoch);
+        for (std::size_t i = 0; i < pixels; ++i) {
+            const double value = luminance(pixel_value(pass.image, i, layer));
+            sum[i] += value / kPasses;
+            squares[i] += value * value / kPasses;
+        }
+    }
+    Spread spread;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        spread.mean += sum[i] / static_cast<double>(pixels);
+        spread.variance += (squares[i] - sum[i] * sum[i]) / static_cast<double>(pixels);
+    }
+    return spread;
+}
+
+class Draws : public ::testing::Test {
+protected:
+    Draws() {
+        settings_.photon.paths_per_pass = 500;
+        settings_.layers[static_cast<std::size_t>(Layer::direct)] = true;
+        settings_.layers[static_cast<std::size_t>(Layer::indirect)] = true;
+    }
+
+    /// Variances are means over 144 pixels and 128 passes, known to some percent.
+    void expect_mean_of_draws(Layer layer, double least, double most) {
+        const Scene scene = procedural("cornell", 12);
+        const Spread one = spread_of(scene, settings_, layer, 1);
+        const Spread four = spread_of(scene, settings_, layer, kDraws);
+        EXPECT_NEAR(four.mean / one.mean, 1, 0.02);
+        EXPECT_GT(four.variance / one.variance, least);
+        EXPECT_LT(four.variance / one.variance, most);
+    }
+
+    RenderSettings settings_;
+};
+
+// Draws that shared their camera paths' numbers would leave the variance as it is.
+TEST_F(Draws, take_the_camera_paths_noise_away) {
+    expect_mean_of_draws(Layer::direct, 0.2, 0.35);
+}
+
+TEST_F(Draws, take_the_photons_noise_away) {
+    expect_mean_of_draws(Layer::indirect, 0.2, 0.3);
+}
+
+TEST_F(Draws, count_all_their_paths) {
+    const Scene scene = procedural("cornell", 12);
+    Epoch epoch = learn_epoch(scene, settings_, 0);
+    const PassResult one = render_pass(scene, settings_, 0, epoch);
+    epoch.draws = kDraws;
+    const PassResult four = render_pass(scene, settings_, 0, epoch);
+    EXPECT_EQ(four.draws, kDraws);
+    EXPECT_EQ(four.statistics[Count::uniform_paths], kDraws * one.statistics[Count::uniform_paths]);
+    EXPECT_NEAR(static_cast<double>(four.statistics[Count::eye_rays]),
+                kDraws * static_cast<double>(one.statistics[Count::eye_rays]),
+                0.1 * static_cast<double>(four.statistics[Count::eye_rays]));
+    ASSERT_EQ(four.groups.size(), one.groups.size());
+    EXPECT_EQ(four.groups[0].paths, kDraws * one.groups[0].paths);
+    EXPECT_NEAR(four.visible_fraction / one.visible_fraction, 1, 0.2);
+    EXPECT_NEAR(four.groups[0].visible_fraction / one.groups[0].visible_fraction, 1, 0.2);
+}
+
+}  // namespace
+}  // namespace sunfleck
