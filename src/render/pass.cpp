@@ -15,14 +15,15 @@ namespace {
 
 /// Adds one draw: camera paths and the photon paths that belong to them.
 PhotonTotals draw_sppm(const RenderSettings& settings, const EyePass& eye,
-                       const std::vector<PhotonGroup>& groups, PassResult& result) {
+                       const std::vector<PhotonGroup>& groups, PhotonCounts* taken,
+                       PassResult& result) {
     Stopwatch watch;
     auto points = trace_eye_paths(eye, result.image, result.statistics);
     result.seconds.eye += watch.lap();
     const VisiblePointIndex index(std::move(points), settings.transport.max_depth);
     result.seconds.index += watch.lap();
     PhotonTotals photons = trace_photons({eye.scene, settings.transport, index}, eye.id,
-                                         settings.photon.sampler, groups, result.image);
+                                         settings.photon.sampler, groups, result.image, taken);
     result.seconds.photon += watch.lap();
     return photons;
 }
@@ -31,10 +32,16 @@ void render_sppm(const RenderSettings& settings, EyePass eye, const Epoch& epoch
                  PassResult& result) {
     PhotonTotals photons;
     const PassId pass = eye.id;
+    const bool are_counted = result.image.has(Layer::samples);
+    PhotonCounts taken(are_counted ? result.image.pixels() : 0);
     for (std::uint32_t draw = 0; draw < epoch.draws; ++draw) {
         eye.id = pass.draw(draw);
-        photons.add(draw_sppm(settings, eye, epoch.groups, result), 1.0 / epoch.draws);
+        photons.add(draw_sppm(settings, eye, epoch.groups, are_counted ? &taken : nullptr, result),
+                    1.0 / epoch.draws);
     }
+    for (std::size_t i = 0; i < taken.size(); ++i)
+        result.image.add_term(Layer::samples, i, 0,
+                              FixedPoint::from_double(static_cast<double>(taken[i].load())));
     result.statistics += photons.statistics;
     result.visible_fraction = photons.visible_fraction;
     result.groups = std::move(photons.groups);

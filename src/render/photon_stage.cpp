@@ -16,8 +16,9 @@ constexpr std::uint32_t kMappedParts = PassId::kParts / 2;
 
 class PhotonStage {
 public:
-    PhotonStage(const PhotonView& view, PassId id, PhotonSampler sampler, PassImage& image)
-        : view_(view), id_(id), sampler_(sampler), image_(image) {}
+    PhotonStage(const PhotonView& view, PassId id, PhotonSampler sampler, PassImage& image,
+                PhotonCounts* taken)
+        : view_(view), id_(id), sampler_(sampler), image_(image), taken_(taken) {}
 
     PhotonTotals take() { return std::move(result_); }
 
@@ -29,7 +30,7 @@ public:
             counts.visible_fraction = trace_uniform(group);
         } else {
             if (!octree_) octree_.emplace(octree_of(view_));
-            const Depositor deposit(view_.scene, view_.index, image_, 1);
+            const Depositor deposit(view_.scene, view_.index, image_, 1, taken_);
             AdaptivePaths paths =
                 trace_adaptive_paths(view_, *octree_, id_.with_part(group.part), group, deposit);
             result_.statistics += paths.statistics;
@@ -45,7 +46,7 @@ private:
     double trace_uniform(const PhotonGroup& group) {
         const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
         const std::uint32_t paths = group.plan.uniform_paths;
-        const Depositor deposit(view_.scene, view_.index, image_, paths);
+        const Depositor deposit(view_.scene, view_.index, image_, paths, taken_);
         const UniformKind kind =
             sampler_ == PhotonSampler::random ? UniformKind::random : UniformKind::uniform;
         Statistics counts = trace_uniform_paths(
@@ -57,7 +58,7 @@ private:
     /// @return the fraction of uniform paths that are visible and that the map covers.
     double trace_mapped(const PhotonGroup& group) {
         const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
-        const Depositor deposit(view_.scene, view_.index, image_, group.mapped.paths);
+        const Depositor deposit(view_.scene, view_.index, image_, group.mapped.paths, taken_);
         const PassId id = id_.with_part(group.part + kMappedParts);
         const MappedPoints points(id, group.mapped.map);
         double visible = 0;
@@ -77,6 +78,7 @@ private:
     PassId id_;
     PhotonSampler sampler_;
     PassImage& image_;
+    PhotonCounts* taken_;
     PhotonTotals result_;
     std::optional<ViewOctree> octree_;  // ladders alone need it
 };
@@ -91,8 +93,9 @@ void PhotonTotals::add(const PhotonTotals& draw, double share) {
 }
 
 PhotonTotals trace_photons(const PhotonView& view, PassId id, PhotonSampler sampler,
-                           const std::vector<PhotonGroup>& groups, PassImage& image) {
-    PhotonStage stage(view, id, sampler, image);
+                           const std::vector<PhotonGroup>& groups, PassImage& image,
+                           PhotonCounts* taken) {
+    PhotonStage stage(view, id, sampler, image, taken);
     for (const PhotonGroup& group : groups) stage.trace(group);
     return stage.take();
 }

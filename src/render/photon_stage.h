@@ -4,6 +4,7 @@
 // image, and counts.
 #pragma once
 
+#include "estimate/photon_counts.h"
 #include "measurement/pass_image.h"
 #include "measurement/statistics.h"
 #include "photon/photon_group.h"
@@ -25,8 +26,10 @@ struct PhotonTotals {
 
 /// Adds the light of the photons of a pass, or of one draw of it, to the image.
 /// @param sampler  random, uniform or adaptive. @param id  names their random numbers.
+/// @param taken  photons by pixel, to be added to; or none.
 PhotonTotals trace_photons(const PhotonView& view, PassId id, PhotonSampler sampler,
-                           const std::vector<PhotonGroup>& groups, PassImage& image);
+                           const std::vector<PhotonGroup>& groups, PassImage& image,
+                           PhotonCounts* taken = nullptr);
 
 /// Counts uniform paths: each visible one brought light once. @return the share of these.
 double count_uniform(Statistics& counts, Statistics& all);

@@ -71,6 +71,22 @@ TEST_F(Draws, take_the_photons_noise_away) {
     expect_mean_of_draws(Layer::indirect, 0.2, 0.3);
 }
 
+// Each photon that a visible point takes is a deposit.
+TEST_F(Draws, tell_how_many_photons_a_pixel_took) {
+    const Scene scene = procedural("cornell", 12);
+    settings_.layers[static_cast<std::size_t>(Layer::samples)] = true;
+    Epoch epoch = learn_epoch(scene, settings_, 0);
+    for (const std::uint32_t draws : {1U, kDraws}) {
+        epoch.draws = draws;
+        const PassResult pass = render_pass(scene, settings_, 0, epoch);
+        double taken = 0;
+        for (std::size_t i = 0; i < pass.image.pixels(); ++i)
+            taken += pass.image.value(Layer::samples, i, 0).to_double();
+        EXPECT_EQ(taken, static_cast<double>(pass.statistics[Count::deposits]));
+        EXPECT_GT(taken, 0);
+    }
+}
+
 TEST_F(Draws, count_all_their_paths) {
     const Scene scene = procedural("cornell", 12);
     Epoch epoch = learn_epoch(scene, settings_, 0);
