@@ -45,9 +45,7 @@ PassResult PaperRender::next_pass() {
         {scene, settings_.transport, index}, {id, paths_, settings_.photon.paper.replica_exchange},
         memory_.chain, deposit);
     memory_.radii.add(taken);
-    for (std::size_t i = 0; i < pixels; ++i)
-        result.image.add_feature(i, Vec3(static_cast<float>(taken[i].load()), 0, 0),
-                                 Layer::samples);
+    if (result.image.has(Layer::samples)) add_samples(taken, result.image);
     add_photon_light(photons, result.image);
     result.seconds.photon = watch.lap();
     result.statistics += counts;

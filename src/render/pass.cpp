@@ -39,9 +39,7 @@ void render_sppm(const RenderSettings& settings, EyePass eye, const Epoch& epoch
         photons.add(draw_sppm(settings, eye, epoch.groups, are_counted ? &taken : nullptr, result),
                     1.0 / epoch.draws);
     }
-    for (std::size_t i = 0; i < taken.size(); ++i)
-        result.image.add_term(Layer::samples, i, 0,
-                              FixedPoint::from_double(static_cast<double>(taken[i].load())));
+    if (are_counted) add_samples(taken, result.image);
     result.statistics += photons.statistics;
     result.visible_fraction = photons.visible_fraction;
     result.groups = std::move(photons.groups);

@@ -23,9 +23,9 @@ Spread spread_of(const Scene& scene, const RenderSettings& settings, Layer layer
     const std::size_t pixels = window_of(scene.film()).pixels();
     std::vector<double> sum(pixels);
     std::vector<double> squares(pixels);
+    Epoch epoch = learn_epoch(scene, settings, 0);
+    epoch.draws = draws;
     for (std::uint32_t p = 0; p < kPasses; ++p) {
-        Epoch epoch = learn_epoch(scene, settings, 0);
-        epoch.draws = draws;
         const PassResult pass = render_pass(scene, settings, p, epoch);
         for (std::size_t i = 0; i < pixels; ++i) {
             const double value = luminance(pixel_value(pass.image, i, layer));
