@@ -4,14 +4,13 @@
 // usage: bench_gain SCENE [--samplers random,adaptive] [--passes N] [--seeds N] [--references N]
 //                   [--over SCENE] [--region X0,X1,Y0,Y1] [--reference-radius SHARE]
 // A number is `adaptive` with so many photon paths a pass; "together" is it without light groups,
-// "unmapped" without emission maps, "unbalanced" without balance, "gathered" with all light by
-// photons, that from lamps to glossy surfaces, too. --over compares the last sampler with itself in
-// another scene.
-// Renders of the samplers are interleaved, seed by seed; the last sampler, with other seeds, is the
-// reference, of the same passes and so of the same radii: what is compared is noise alone (that of
-// `paper`, whose radii differ, around its own mean). --reference-radius .25 gives the reference
-// discs of a quarter of the radius: then bias counts, for all. Errors are corrected for the
-// reference's own.
+// "unmapped" without emission maps, "unbalanced" without balance, "bare" without all three,
+// "gathered" with all light by photons, that from lamps to glossy surfaces, too. --over compares
+// the last sampler with itself in another scene. Renders of the samplers are interleaved, seed by
+// seed; the last sampler, with other seeds, is the reference, of the same passes and so of the same
+// radii: what is compared is noise alone (that of `paper`, whose radii differ, around its own
+// mean). --reference-radius .25 gives the reference discs of a quarter of the radius: then bias
+// counts, for all. Errors are corrected for the reference's own.
 #include "core/parallel.h"
 #include "film/film.h"
 #include "film/luminance.h"
@@ -32,16 +31,20 @@
 namespace sunfleck::bench {
 namespace {
 
-/// The sampler `adaptive` with one of its parts switched off, or all light by photons.
+/// The sampler `adaptive` with parts of it switched off, or all light by photons.
 struct Variant {
     std::string_view name;
     void (*apply)(RenderSettings&);
 };
 
-constexpr std::array<Variant, 4> kVariants = {{
+constexpr std::array<Variant, 5> kVariants = {{
     {"unmapped", [](RenderSettings& s) { s.photon.emission_maps = false; }},
     {"together", [](RenderSettings& s) { s.photon.light_groups = false; }},
     {"unbalanced", [](RenderSettings& s) { s.photon.balance = false; }},
+    {"bare",
+     [](RenderSettings& s) {
+         s.photon.emission_maps = s.photon.light_groups = s.photon.balance = false;
+     }},
     {"gathered", [](RenderSettings& s) { s.transport.direct = DirectLight::photons; }},
 }};
 
@@ -232,8 +235,8 @@ int main(int count, char** words) {
         return known ? std::string() : "there is no sampler or integrator " + name;
     };
     app.add_option("--samplers", settings.samplers,
-                   "Or integrators, a number, or unmapped, together, unbalanced, gathered "
-                   "(default random,adaptive)")
+                   "Or integrators, a number, or unmapped, together, unbalanced, bare, "
+                   "gathered (default random,adaptive)")
         ->delimiter(',')
         ->check(is_sampler);
     app.add_option("--over", settings.other_scene, "Compare the last sampler with it there");

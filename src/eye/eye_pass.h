@@ -5,6 +5,7 @@
 // Owners of light: docs/method.md has the table; measurement/visible_point.h what photons bring.
 #pragma once
 
+#include "camera/pixel_window.h"
 #include "eye/settings.h"
 #include "measurement/pass_image.h"
 #include "measurement/statistics.h"
@@ -15,19 +16,6 @@
 #include <vector>
 
 namespace sunfleck {
-
-/// Pixels [x0, x1) x [y0, y1) of the film, row by row: pixel i of a pass.
-struct PixelWindow {
-    int x0 = 0;
-    int y0 = 0;
-    int x1 = 0;
-    int y1 = 0;
-    int width() const { return x1 - x0; }
-    int height() const { return y1 - y0; }
-    std::size_t pixels() const {
-        return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
-    }
-};
 
 struct EyePass {
     const PassScene& scene;

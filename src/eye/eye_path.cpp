@@ -67,11 +67,8 @@ Ray EyePath::ray_beyond(const Hit& hit) {
 }
 
 Ray EyePath::start(RoundPoints& numbers) {
-    const PixelWindow& window = pass_.window;
-    const auto width = static_cast<std::uint32_t>(window.width());
     const FilterSample filtered = filter_.sample(numbers.next_2d());
-    const Vec2d film(window.x0 + static_cast<int>(pixel_ % width) + 0.5 + filtered.offset.x,
-                     window.y0 + static_cast<int>(pixel_ / width) + 0.5 + filtered.offset.y);
+    const Vec2d film = pass_.window.place(pixel_, filtered.offset);
     const CameraRay ray = camera_ray(pass_.scene.scene.camera(), film, numbers.next_2d());
     weight_ = filtered.weight * pass_.scene.scene.film().imaging_ratio;
     throughput_ = Spectrum(1);

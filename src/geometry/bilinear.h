@@ -30,6 +30,9 @@ struct Bilinear {
     }
     /// dP/du x dP/dv: linear in u and in v, its length the area per unit of du dv.
     Vec3d area_vector(const Vec2d& uv) const { return du(uv.y).cross(dv(uv.x)); }
+    std::array<Vec3d, 4> area_vectors_at_corners() const {
+        return {area_vector({0, 0}), area_vector({1, 0}), area_vector({0, 1}), area_vector({1, 1})};
+    }
 
     /// Where a line meets it; `uv` of each crossing that is on.
     struct Meetings {

@@ -13,9 +13,8 @@ struct Density {
     std::array<double, 4> at_corner{};  // 00, 10, 01, 11
 
     explicit Density(const Bilinear& surface) {
-        for (std::size_t i = 0; i < 4; ++i)
-            at_corner.at(i) =
-                surface.area_vector({i % 2 == 0 ? 0.0 : 1.0, i < 2 ? 0.0 : 1.0}).length();
+        const std::array<Vec3d, 4> areas = surface.area_vectors_at_corners();
+        for (std::size_t i = 0; i < 4; ++i) at_corner.at(i) = areas.at(i).length();
     }
     double side(std::size_t first, double v) const {
         return at_corner.at(first) * (1 - v) + at_corner.at(first + 2) * v;

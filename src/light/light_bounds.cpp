@@ -43,11 +43,10 @@ void bound_surface(const EmittingTriangle& t, LightBounds& bounds) {
 void bound_surface(const EmittingPatch& patch, LightBounds& bounds) {
     bounds.box = patch.surface.bounds();
     Vec3d sum(0);
-    std::array<Vec3d, 4> normals;
+    std::array<Vec3d, 4> normals = patch.surface.area_vectors_at_corners();
     bool given = false;
     for (std::size_t i = 0; i < 4; ++i) {
-        const Vec3d area = patch.surface.area_vector({i % 2 == 0 ? 0.0 : 1.0, i < 2 ? 0.0 : 1.0});
-        normals.at(i) = (patch.flip ? -area : area).normalized();
+        normals.at(i) = (patch.flip ? -normals.at(i) : normals.at(i)).normalized();
         sum += normals.at(i);
         given = given || patch.normals.at(i) != Vec3d(0);
     }

@@ -10,24 +10,20 @@ namespace sunfleck {
 
 void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image,
                                Statistics& statistics) {
-    const auto [x0, x1, y0, y1] = pass.window;
-    const auto width = static_cast<std::size_t>(x1 - x0);
-    const std::size_t pixels = width * static_cast<std::size_t>(y1 - y0);
+    const std::size_t pixels = pass.window.pixels();
     const Projection camera(pass.scene.scene.camera());
     const FilterSampler filter(pass.scene.scene.filter());
     const Splatter splatter(pass, image);
     const auto share = 1 / static_cast<float>(pixels);
     std::mutex guard;
-    parallel_blocks(pixels, 256, [&, x = x0, y = y0](std::size_t begin, std::size_t end) {
+    parallel_blocks(pixels, 256, [&](std::size_t begin, std::size_t end) {
         PathPair pair(pass, camera, splatter, static_cast<double>(pixels));
         for (std::size_t pixel = begin; pixel < end; ++pixel) {
             PathPair::Numbers numbers{PathNumbers(pass.id.stream(Purpose::pair_eye, pixel)),
                                       PathNumbers(pass.id.stream(Purpose::pair_light, pixel)),
                                       PathNumbers(pass.id.stream(Purpose::pair_joints, pixel))};
             const FilterSample filtered = filter.sample(numbers.eye.next_two());
-            const std::size_t row = pixel / width;
-            const Vec2d film(x + static_cast<double>(pixel % width) + 0.5 + filtered.offset.x,
-                             y + static_cast<double>(row) + 0.5 + filtered.offset.y);
+            const Vec2d film = pass.window.place(pixel, filtered.offset);
             const Spectrum scattered = pair.trace(film, numbers);
             const Spectrum radiance = (scattered + pair.unscattered()) *
                                       (filtered.weight * pass.scene.scene.film().imaging_ratio);

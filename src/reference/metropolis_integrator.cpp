@@ -184,9 +184,7 @@ MetropolisPlan metropolis_plan(std::size_t pixels) {
 double trace_metropolis_chains(const ReferencePass& pass, PassImage& image,
                                Statistics& statistics) {
     trace_emitters(pass, image, statistics);
-    const auto [x0, x1, y0, y1] = pass.window;
-    const MetropolisPlan plan =
-        metropolis_plan(static_cast<std::size_t>(x1 - x0) * static_cast<std::size_t>(y1 - y0));
+    const MetropolisPlan plan = metropolis_plan(pass.window.pixels());
     const Projection camera(pass.scene.scene.camera());
     const Splatter splatter(pass, image);
     RandomStream offsets = pass.id.stream(Purpose::metropolis_choice, plan.chains);

@@ -153,32 +153,26 @@ private:
 }  // namespace
 
 void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statistics& statistics) {
-    const auto [x0, x1, y0, y1] = pass.window;
-    const auto width = static_cast<std::size_t>(x1 - x0);
     const FilterSampler filter(pass.scene.scene.filter());
     std::mutex guard;
-    parallel_blocks(
-        width * static_cast<std::size_t>(y1 - y0), 256,
-        [&, x = x0, y = y0](std::size_t begin, std::size_t end) {
-            std::uint64_t rays = 0;
-            for (std::size_t pixel = begin; pixel < end; ++pixel) {
-                RandomStream numbers = pass.id.stream(Purpose::reference_path, pixel);
-                const Vec2d u{numbers.next(), numbers.next()};
-                const FilterSample filtered = filter.sample(u);
-                const std::size_t row = pixel / width;
-                const Vec2d film(x + static_cast<double>(pixel % width) + 0.5 + filtered.offset.x,
-                                 y + static_cast<double>(row) + 0.5 + filtered.offset.y);
-                const Vec2d lens{numbers.next(), numbers.next()};
-                const CameraRay camera = camera_ray(pass.scene.scene.camera(), film, lens);
-                ReferencePath path(pass, numbers, rays);
-                const Spectrum radiance =
-                    path.radiance({Vec3(camera.origin), Vec3(camera.direction), kInfinity}) *
-                    (filtered.weight * pass.scene.scene.film().imaging_ratio);
-                image.add_light(pixel, pass.scene.wavelengths.to_rgb(radiance), Layer::total);
-            }
-            const std::lock_guard lock(guard);
-            statistics[Count::eye_rays] += rays;
-        });
+    parallel_blocks(pass.window.pixels(), 256, [&](std::size_t begin, std::size_t end) {
+        std::uint64_t rays = 0;
+        for (std::size_t pixel = begin; pixel < end; ++pixel) {
+            RandomStream numbers = pass.id.stream(Purpose::reference_path, pixel);
+            const Vec2d u{numbers.next(), numbers.next()};
+            const FilterSample filtered = filter.sample(u);
+            const Vec2d film = pass.window.place(pixel, filtered.offset);
+            const Vec2d lens{numbers.next(), numbers.next()};
+            const CameraRay camera = camera_ray(pass.scene.scene.camera(), film, lens);
+            ReferencePath path(pass, numbers, rays);
+            const Spectrum radiance =
+                path.radiance({Vec3(camera.origin), Vec3(camera.direction), kInfinity}) *
+                (filtered.weight * pass.scene.scene.film().imaging_ratio);
+            image.add_light(pixel, pass.scene.wavelengths.to_rgb(radiance), Layer::total);
+        }
+        const std::lock_guard lock(guard);
+        statistics[Count::eye_rays] += rays;
+    });
 }
 
 void trace_emitters(const ReferencePass& pass, PassImage& image, Statistics& statistics) {

@@ -6,6 +6,7 @@
 // Source: Kajiya 1986; multiple importance sampling by the balance heuristic, Veach 1997, ch. 9.
 #pragma once
 
+#include "camera/pixel_window.h"
 #include "measurement/pass_image.h"
 #include "measurement/statistics.h"
 #include "measurement/transport.h"
@@ -16,7 +17,7 @@ namespace sunfleck {
 struct ReferencePass {
     const PassScene& scene;
     const TransportSettings& transport;  // max_depth; `direct` does not matter here
-    std::array<int, 4> window;           // pixels [x0, x1) x [y0, y1), as x0 x1 y0 y1
+    PixelWindow window;
     PassId id;
 };
 

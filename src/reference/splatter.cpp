@@ -9,13 +9,13 @@ Splatter::Splatter(const ReferencePass& pass, PassImage& image)
     : filter_(pass.scene.scene.filter()),
       scale_(pass.scene.scene.film().imaging_ratio / filter_integral(filter_)),
       window_(pass.window),
-      reach_{window_[0] - filter_.radius.x, window_[1] + filter_.radius.x,
-             window_[2] - filter_.radius.y, window_[3] + filter_.radius.y},
+      reach_{window_.x0 - filter_.radius.x, window_.x1 + filter_.radius.x,
+             window_.y0 - filter_.radius.y, window_.y1 + filter_.radius.y},
       wavelengths_(pass.scene.wavelengths),
       image_(image) {}
 
 void Splatter::add(const Vec2d& film, const Spectrum& light) const {
-    const auto [x0, x1, y0, y1] = window_;
+    const auto [x0, y0, x1, y1] = window_;
     const auto first = [](double at, double radius, int least) {
         return std::max(least, static_cast<int>(std::ceil(at - radius - 0.5)));
     };

@@ -24,7 +24,7 @@ public:
 private:
     FilterSettings filter_;
     double scale_;
-    std::array<int, 4> window_;
+    PixelWindow window_;
     std::array<double, 4> reach_;
     const Wavelengths& wavelengths_;
     PassImage& image_;

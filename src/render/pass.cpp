@@ -71,8 +71,7 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     result.seconds.build = watch.lap();
     const EyePass eye{at_wavelengths,      settings.transport, settings.eye, window, id,
                       result.radius_factor};
-    const ReferencePass reference{
-        at_wavelengths, settings.transport, {window.x0, window.x1, window.y0, window.y1}, id};
+    const ReferencePass reference{at_wavelengths, settings.transport, window, id};
     switch (settings.integrator) {
         case Integrator::sppm:
             render_sppm(settings, eye, epoch, result);

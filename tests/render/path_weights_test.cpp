@@ -125,7 +125,7 @@ TEST(PathWeights, of_all_strategies_sum_to_one) {
                  glass_ball("\"coateddiffuse\" \"float roughness\" .3") + lamp_above("1 1 1"));
     const PassScene at_wavelengths(scene, {5, 0});
     const TransportSettings transport{DirectLight::sampled, 7};
-    const ReferencePass pass{at_wavelengths, transport, {0, 16, 0, 16}, {5, 0}};
+    const ReferencePass pass{at_wavelengths, transport, {0, 0, 16, 16}, {5, 0}};
     const Projection camera(scene.camera());
     SubpathTracer tracer(pass, camera, kLightPaths);
     Subpath eye;

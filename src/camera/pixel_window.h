@@ -1,0 +1,30 @@
+// The part of the film that is rendered.
+#pragma once
+
+#include "math/vector.h"
+
+#include <cstddef>
+
+namespace sunfleck {
+
+/// Pixels [x0, x1) x [y0, y1) of the film, row by row: pixel i of a pass.
+struct PixelWindow {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
+    }
+    /// Where on the film, as camera_ray() takes it. @param offset  from the pixel's middle, in
+    /// pixels.
+    Vec2d place(std::size_t pixel, const Vec2d& offset) const {
+        const auto columns = static_cast<std::size_t>(width());
+        return {x0 + static_cast<double>(pixel % columns) + 0.5 + offset.x,
+                y0 + static_cast<double>(pixel / columns) + 0.5 + offset.y};
+    }
+};
+
+}  // namespace sunfleck
