@@ -3,6 +3,7 @@ find_file(SUNFLECK_CHART_JS chart.min.js HINTS /usr /usr/local
   PATH_SUFFIXES share/javascript/chart.js REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(TBB REQUIRED)
+find_package(hwy REQUIRED)
 find_package(Imath REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(PNG REQUIRED)

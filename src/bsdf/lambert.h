@@ -20,7 +20,8 @@ struct Lambert {
         return gathers(w_from.z, w_to.z) ? std::abs(w_to.z) / kPi : 0;
     }
 
-    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
+    [[gnu::always_inline]] inline std::optional<BsdfSample> sample(const Vec3& w_from,
+                                                                   const BsdfDraw& draw) const {
         const FloatDiscPoint disc = float_disc_point({draw.u.y, draw.u.z});
         // The floor keeps u at the very edge of the square from leaving along the surface.
         const float height = std::sqrt(std::max(1e-8F, disc.height2));

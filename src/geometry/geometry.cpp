@@ -7,6 +7,7 @@
 #include <embree3/rtcore_ray.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 
@@ -21,18 +22,21 @@ float last_before(float length) {
     return length * 0x1.fffffep-1F;
 }
 
-RTCRay embree_ray(const Line& line, float length) {
-    RTCRay ray{};
-    ray.org_x = static_cast<float>(line.origin.x);
-    ray.org_y = static_cast<float>(line.origin.y);
-    ray.org_z = static_cast<float>(line.origin.z);
-    ray.tnear = kNearest;
-    ray.dir_x = static_cast<float>(line.direction.x);
-    ray.dir_y = static_cast<float>(line.direction.y);
-    ray.dir_z = static_cast<float>(line.direction.z);
+using FourFloats [[gnu::vector_size(16)]] = float;
+
+/// Written four floats at once, as Embree reads them: what is written one by one and read together
+/// must have left the processor before.
+void set_ray(RTCRay& ray, const Line& line, float length) {
+    const Vec3 origin(line.origin);
+    const Vec3 direction(line.direction);
+    const FourFloats start{origin.x, origin.y, origin.z, kNearest};
+    const FourFloats way{direction.x, direction.y, direction.z, 0};
+    std::memcpy(&ray.org_x, &start, sizeof(start));
+    std::memcpy(&ray.dir_x, &way, sizeof(way));
     ray.tfar = last_before(length);
     ray.mask = 0xFFFFFFFF;
-    return ray;
+    ray.id = 0;
+    ray.flags = 0;
 }
 
 bool is_traceable(const Line& line, float length) {
@@ -139,7 +143,7 @@ Meeting Geometry::Impl::meet(const Line& line, float length, const Line* whole) 
     Query query(line, instances, first_instance());
     query.whole = whole;
     RTCRayHit met;
-    met.ray = embree_ray(line, length);
+    set_ray(met.ray, line, length);
     met.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     met.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(world.scene.get(), &query, &met);
@@ -244,7 +248,8 @@ bool Geometry::occluded(const Ray& ray) const {
     const Line line{Vec3d(ray.origin), Vec3d(ray.direction)};
     if (!is_traceable(line, ray.length)) return false;
     Query query(line, impl_->instances, impl_->first_instance());
-    RTCRay embree = embree_ray(line, ray.length);
+    RTCRay embree;
+    set_ray(embree, line, ray.length);
     rtcOccluded1(impl_->world.scene.get(), &query, &embree);
     return embree.tfar < 0;
 }

@@ -23,15 +23,17 @@ struct DiscPoint {
     double radius2 = 0;  // in [0,1], uniform
 };
 
-/// Uniform in the unit disc: concentric squares become concentric circles.
+/// Uniform in the unit disc: concentric squares become concentric circles. Both ways are taken
+/// by choosing numbers, for no processor could foresee which.
 inline DiscPoint concentric_disc_point(const Vec2d& u) {
     const double a = 2 * u.x - 1;
     const double b = 2 * u.y - 1;
     if (a == 0 && b == 0) return {Vec2d(0), 0};
     const bool wide = std::abs(a) > std::abs(b);
     const double radius = wide ? a : b;
-    const SinCos turn = sin_cos_small((wide ? b / a : a / b) * (kPiDouble / 4));
-    const Vec2d unit = wide ? Vec2d(turn.cos, turn.sin) : Vec2d(turn.sin, turn.cos);
+    const double other = wide ? b : a;
+    const SinCos turn = sin_cos_small(other / radius * (kPiDouble / 4));
+    const Vec2d unit(wide ? turn.cos : turn.sin, wide ? turn.sin : turn.cos);
     return {unit * radius, radius * radius};
 }
 

@@ -6,8 +6,6 @@
 
 #include "math/vector.h"
 
-#include <hwy/highway.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -27,44 +25,18 @@ struct Box {
             high[c] = std::max(high[c], other.high[c]);
         }
     }
-};
-
-/// Four floats compared at once.
-using FourFloats = hwy::HWY_NAMESPACE::FixedTag<float, 4>;
-
-/// Calls four(i) for i = 0 and 4, each a mask of four lanes. @return eight bits.
-template <class Four>
-unsigned eight_bits(const Four& four) {
-    unsigned mask = 0;
-    for (unsigned i = 0; i < 8; i += 4) {
-        std::uint8_t bits = 0;
-        hwy::HWY_NAMESPACE::StoreMaskBits(FourFloats(), four(i), &bits);
-        mask |= static_cast<unsigned>(bits) << i;
+    bool holds(const Vec3& p) const {
+        for (int c = 0; c < 3; ++c)
+            if (!(p[c] >= low[c] && p[c] <= high[c])) return false;
+        return true;
     }
-    return mask;
-}
+};
 
 /// Boxes of eight children, one array a coordinate.
 struct alignas(64) BoxNode {
     static constexpr std::size_t kWidth = 8;
     std::array<std::array<float, kWidth>, 3> low;
     std::array<std::array<float, kWidth>, 3> high;
-
-    /// Bit i is set if p is in the box of child i.
-    unsigned touched_by(const Vec3& p) const { return touched_by(Box{p, p}); }
-    /// Bit i is set if the box has a point in common with that of child i.
-    unsigned touched_by(const Box& box) const {
-        namespace hn = hwy::HWY_NAMESPACE;
-        constexpr FourFloats kFour;
-        return eight_bits([&](unsigned i) {
-            const auto overlap = [&](std::size_t axis) {
-                const int c = static_cast<int>(axis);
-                return hn::And(hn::Le(hn::Load(kFour, &low[axis][i]), hn::Set(kFour, box.high[c])),
-                               hn::Le(hn::Set(kFour, box.low[c]), hn::Load(kFour, &high[axis][i])));
-            };
-            return hn::And(overlap(0), hn::And(overlap(1), overlap(2)));
-        });
-    }
 };
 
 class BoxTree {
@@ -73,28 +45,27 @@ public:
     /// @param leaves  their boxes, neighbours in space near each other in the list.
     explicit BoxTree(std::vector<Box> leaves);
 
-    /// Calls go_on(leaf) for leaves whose boxes the query (a Vec3 or a Box) touches, always in the
-    /// same order, until it says false. @return whether it did.
-    template <class Query, class GoOn>
-    bool visit(const Query& query, const GoOn& go_on) const {
-        return !levels_.empty() && descend(query, 0, go_on);
+    /// Calls go_on(leaf) for leaves that are touched, always in the same order, until it says
+    /// false.
+    /// @param touched  of a BoxNode: bit i is set if child i is. @return whether go_on() did.
+    template <class Touched, class GoOn>
+    [[gnu::always_inline]] inline bool visit(const Touched& touched, const GoOn& go_on) const {
+        return !levels_.empty() && descend(touched, 0, go_on);
     }
 
-    /// Appends the lowest nodes whose boxes the query touches, always in the same order: node j is
-    /// over leaves 8 j .. 8 j + 7, and touched(j, box) asks for each of them.
-    template <class Query>
-    void append_nodes(const Query& query, std::vector<std::uint32_t>& nodes) const {
+    /// Appends the lowest nodes that are touched, always in the same order: node(j) is over leaves
+    /// 8 j .. 8 j + 7.
+    template <class Touched>
+    [[gnu::always_inline]] inline void append_nodes(const Touched& touched,
+                                                    std::vector<std::uint32_t>& nodes) const {
         if (levels_.size() == 1) nodes.push_back(0);
         if (levels_.size() < 2) return;
-        descend(query, 1, [&](std::uint32_t node) {
+        descend(touched, 1, [&](std::uint32_t node) {
             nodes.push_back(node);
             return true;
         });
     }
-    template <class Query>
-    unsigned touched(std::uint32_t node, const Query& query) const {
-        return levels_[0][node].touched_by(query);
-    }
+    const BoxNode& node(std::uint32_t lowest) const { return levels_[0][lowest]; }
 
     std::size_t bytes() const {
         std::size_t total = 0;
@@ -109,15 +80,17 @@ private:
         std::uint32_t node;
     };
 
-    /// visit(), for what the nodes of level `last` stand over.
-    template <class Query, class GoOn>
-    bool descend(const Query& query, std::uint32_t last, const GoOn& go_on) const {
+    /// visit(), for what the nodes of level `last` stand over. Inlined as its callers are, so that
+    /// what they ask for is compiled for the same processor.
+    template <class Touched, class GoOn>
+    [[gnu::always_inline]] inline bool descend(const Touched& touched, std::uint32_t last,
+                                               const GoOn& go_on) const {
         std::array<Entry, 96> stack;  // 7 a level and 8: enough for 2^32 leaves
         std::size_t top = 0;
         stack[top++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
         while (top > 0) {
             const Entry at = stack[--top];
-            unsigned mask = levels_[at.level][at.node].touched_by(query);
+            unsigned mask = touched(levels_[at.level][at.node]);
             for (; mask != 0; mask &= mask - 1) {
                 const std::uint32_t child =
                     at.node * kWidth + static_cast<std::uint32_t>(__builtin_ctz(mask));

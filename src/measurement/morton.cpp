@@ -1,8 +1,11 @@
 // Morton codes, and a radix sort by them.
 #include "measurement/morton.h"
 
+#include "core/parallel.h"
+
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace sunfleck {
 namespace {
@@ -34,20 +37,51 @@ std::uint64_t MortonGrid::code(const Vec3& p) const {
     return axis(0) | (axis(1) << 1U) | (axis(2) << 2U);
 }
 
-/// Least significant digit first; digits that are the same everywhere are skipped.
+namespace {
+
+constexpr unsigned kDigit = 11;
+constexpr unsigned kCodeBits = 63;
+/// By digit: how many keys of a block have it, then where the first of these goes.
+using Places = std::array<std::size_t, std::size_t{1} << kDigit>;
+
+std::size_t digit(const MortonKey& key, unsigned shift) {
+    return (key.code >> shift) & ((std::size_t{1} << kDigit) - 1);
+}
+
+/// Turns the counts of all blocks into places: digit by digit, within one block by block.
+/// @return false when all keys have the same digit.
+bool make_places(std::vector<Places>& blocks, std::size_t keys) {
+    std::size_t next = 0;
+    for (std::size_t d = 0; d < Places().size(); ++d) {
+        const std::size_t first = next;
+        for (Places& block : blocks) next += std::exchange(block[d], next);
+        if (next - first == keys) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+/// Least significant digit first; digits that are the same everywhere are skipped. Each block moves
+/// its keys to where they belong: after those of the blocks before, whatever the blocks are.
 void sort_by_code(std::vector<MortonKey>& keys, unsigned bits) {
-    constexpr unsigned kDigit = 11;
-    constexpr unsigned kBits = 63;
+    constexpr std::size_t kLeastBlock = std::size_t{1} << 14U;
+    const std::size_t threads = thread_count();
+    const std::size_t block = std::max(kLeastBlock, (keys.size() + threads - 1) / threads);
+    std::vector<Places> places((keys.size() + block - 1) / block);
     std::vector<MortonKey> other(keys.size());
-    for (unsigned shift = kBits - bits; shift < kBits; shift += kDigit) {
-        const auto digit = [&](const MortonKey& k) {
-            return (k.code >> shift) & ((1U << kDigit) - 1);
-        };
-        std::array<std::size_t, (1U << kDigit) + 1> start{};
-        for (const MortonKey& k : keys) ++start[digit(k) + 1];
-        if (std::find(start.begin(), start.end(), keys.size()) != start.end()) continue;
-        for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-        for (const MortonKey& k : keys) other[start[digit(k)]++] = k;
+    for (unsigned shift = kCodeBits - bits; shift < kCodeBits; shift += kDigit) {
+        parallel_blocks(keys.size(), block, [&](std::size_t begin, std::size_t end) {
+            Places& counts = places[begin / block];
+            counts.fill(0);
+            for (std::size_t i = begin; i < end; ++i) ++counts[digit(keys[i], shift)];
+        });
+        if (!make_places(places, keys.size())) continue;
+        parallel_blocks(keys.size(), block, [&](std::size_t begin, std::size_t end) {
+            Places& next = places[begin / block];
+            for (std::size_t i = begin; i < end; ++i)
+                other[next[digit(keys[i], shift)]++] = keys[i];
+        });
         keys.swap(other);
     }
 }

@@ -32,6 +32,8 @@ private:
         return std::min(kCells - 1, static_cast<std::size_t>(position));
     }
     static std::size_t row(std::size_t y, std::size_t z) { return z * kCells + y; }
+    /// Any number of threads.
+    void mark(const Box& box);
 
     Box bounds_;  // of all
     float cells_per_unit_ = 0;

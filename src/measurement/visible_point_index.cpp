@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace sunfleck {
@@ -31,17 +32,48 @@ bool is_plain(const VisiblePoint& p) {
     return same && p.bsdf == kLambertian;
 }
 
-/// By pixel: has it more than one point?
-std::vector<bool> shared_pixels(const std::vector<VisiblePoint>& points) {
-    std::uint32_t last = 0;
-    for (const VisiblePoint& p : points) last = std::max(last, p.pixel);
-    std::vector<bool> seen(std::size_t{last} + 1);
-    std::vector<bool> shared(std::size_t{last} + 1);
-    for (const VisiblePoint& p : points) {
-        if (seen[p.pixel]) shared[p.pixel] = true;
-        seen[p.pixel] = true;
+/// What is known of all points together.
+struct Whole {
+    Box box;  // of the discs' centres
+    std::uint8_t kinds = 0;
+    std::uint32_t last_pixel = 0;
+
+    void extend(const Whole& other) {
+        box.extend(other.box);
+        kinds |= other.kinds;
+        last_pixel = std::max(last_pixel, other.last_pixel);
     }
-    return shared;
+};
+
+Whole whole_of(const std::vector<VisiblePoint>& points) {
+    std::vector<Whole> parts((points.size() + kBlock - 1) / kBlock);
+    parallel_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Disc& disc = points[i].disc;
+            parts[begin / kBlock].extend(
+                {{disc.position, disc.position}, disc.kinds, points[i].pixel});
+        }
+    });
+    Whole whole;
+    for (const Whole& part : parts) whole.extend(part);
+    return whole;
+}
+
+constexpr std::uint8_t kTaken = 1;
+constexpr std::uint8_t kShared = 3;
+
+/// By pixel: kShared if it has more than one point.
+std::vector<std::uint8_t> shared_pixels(const std::vector<VisiblePoint>& points,
+                                        std::uint32_t last_pixel) {
+    std::vector<std::uint8_t> pixels(std::size_t{last_pixel} + 1, 0);
+    parallel_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            std::atomic_ref<std::uint8_t> pixel(pixels[points[i].pixel]);
+            if ((pixel.fetch_or(kTaken, std::memory_order_relaxed) & kTaken) != 0)
+                pixel.store(kShared, std::memory_order_relaxed);
+        }
+    });
+    return pixels;
 }
 
 std::vector<MortonKey> morton_order(const std::vector<VisiblePoint>& points,
@@ -60,14 +92,11 @@ std::vector<MortonKey> morton_order(const std::vector<VisiblePoint>& points,
 VisiblePointIndex::VisiblePointIndex(std::vector<VisiblePoint> points, int max_depth)
     : max_depth_(max_depth) {
     if (points.empty()) return;
-    Box all;
-    for (const VisiblePoint& p : points) {
-        all.extend({p.disc.position, p.disc.position});
-        kinds_ |= p.disc.kinds;
-    }
-    grid_ = MortonGrid(all.low, all.high);
+    const Whole whole = whole_of(points);
+    kinds_ = whole.kinds;
+    grid_ = MortonGrid(whole.box.low, whole.box.high);
     const std::vector<MortonKey> order = morton_order(points, grid_);
-    const std::vector<bool> shared = shared_pixels(points);
+    const std::vector<std::uint8_t> pixels = shared_pixels(points, whole.last_pixel);
     points_.resize(points.size());
     blocks_.resize((points.size() + kWidth - 1) / kWidth);
     boxes_.resize(blocks_.size());
@@ -76,7 +105,7 @@ VisiblePointIndex::VisiblePointIndex(std::vector<VisiblePoint> points, int max_d
     parallel_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             points_[i] = points[order[i].item];
-            points_[i].shares_pixel = shared[points_[i].pixel];
+            points_[i].shares_pixel = pixels[points_[i].pixel] == kShared;
             if (is_plain(points_[i])) plain_[i / kWidth] |= std::uint8_t(1U << i % kWidth);
             blocks_[i / kWidth].set(i % kWidth, points_[i].disc);
             boxes_[i / kWidth].extend(box_of(points_[i].disc));

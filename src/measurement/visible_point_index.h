@@ -11,6 +11,7 @@
 #include "measurement/visible_point.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace sunfleck {
@@ -20,30 +21,24 @@ public:
     /// @param max_depth  scattering events allowed on a whole path (takes()).
     VisiblePointIndex(std::vector<VisiblePoint> points, int max_depth);
 
-    /// V of the paper for one photon: is it taken by any visible point? Ends at the first.
-    bool any(const Photon& photon) const {
-        return may_take(photon) && tree_.visit(photon.position, [&](std::uint32_t block) {
-            return blocks_[block].takers(photon, max_depth_) == 0;
-        });
-    }
+    /// V of the paper for a path: is any of its photons taken by any visible point? Ends at the
+    /// first.
+    bool any(std::span<const Photon> path) const;
+    bool any(const Photon& photon) const { return any({&photon, 1}); }
 
-    /// V of a path: is any of its photons taken?
-    bool any(const std::vector<Photon>& path) const {
-        return std::any_of(path.begin(), path.end(),
-                           [&](const Photon& photon) { return any(photon); });
-    }
-
-    /// Calls deposit(point) for every visible point that takes the photon.
+    /// Calls deposit(point) for every visible point that takes the photon: the plain way, for
+    /// tests.
     template <class Deposit>
     bool for_each(const Photon& photon, const Deposit& deposit) const {
         bool found = false;
-        tree_.visit(photon.position, [&](std::uint32_t block) {
-            const unsigned mask = blocks_[block].takers(photon, max_depth_);
-            for (unsigned rest = mask; rest != 0; rest &= rest - 1)
-                deposit(points_[block * kWidth + static_cast<unsigned>(__builtin_ctz(rest))]);
-            found |= mask != 0;
-            return true;
-        });
+        for (std::size_t b = 0; b < boxes_.size(); ++b) {
+            if (!boxes_[b].holds(photon.position)) continue;
+            for (std::size_t i = b * kWidth; i < std::min((b + 1) * kWidth, points_.size()); ++i) {
+                if (!takes(points_[i].disc, photon, max_depth_)) continue;
+                deposit(points_[i]);
+                found = true;
+            }
+        }
         return found;
     }
 
@@ -64,16 +59,16 @@ public:
     /// Points 8 b .. 8 b + 7 (those that exist) are in block b.
     static constexpr std::size_t kWidth = DiscBlock::kWidth;
     std::size_t block_count() const { return blocks_.size(); }
-    /// Bit i is set if point 8 b + i takes the photon.
-    unsigned takers(std::size_t b, const Photon& photon) const {
-        return blocks_[b].takers(photon, max_depth_);
-    }
+    const DiscBlock& discs(std::size_t b) const { return blocks_[b]; }
     /// Bit i is set if point 8 b + i is plain: Lambertian, and its shading normal is the geometric
     /// one, on either side. Its light is the photons' flux.
     unsigned plain(std::size_t b) const { return plain_[b]; }
-    float radius(std::size_t b, std::size_t i) const { return blocks_[b].radius(i); }
+    float radius(std::size_t b, std::size_t i) const { return blocks_[b].radius[i]; }
     /// Holds every photon that a point of the block takes.
     const Box& box(std::size_t b) const { return boxes_[b]; }
+    /// Over blocks.
+    const BoxTree& tree() const { return tree_; }
+    int max_depth() const { return max_depth_; }
 
     const std::vector<VisiblePoint>& points() const { return points_; }
     std::size_t bytes() const;
@@ -86,7 +81,7 @@ private:
     std::vector<DiscBlock> blocks_;     // the same order: what a query reads
     std::vector<Box> boxes_;            // around blocks
     std::vector<std::uint8_t> plain_;   // one bit a point of a block
-    BoxTree tree_;                      // over blocks
+    BoxTree tree_;
     Occupancy occupancy_;
 };
 

@@ -9,7 +9,9 @@
 #include "sampler/path_range.h"
 
 #include <array>
+#include <new>
 #include <optional>
+#include <vector>
 
 namespace sunfleck {
 
@@ -27,12 +29,14 @@ public:
     std::uint64_t trace(const PathRange& range) {
         next_ = range.begin;
         end_ = range.end;
+        ready_.clear();
+        ready_.reserve(kSideBySide);
+        begun_ = 0;
         for (Walk& walk : walks_) start(walk);
         std::uint64_t rays = 0;
         for (std::uint64_t sent = arrive(); sent > 0; sent = arrive()) {
             rays += sent;
-            for (Walk& walk : walks_)
-                if (walk.read) go_on(walk);
+            go_on();
         }
         return rays;
     }
@@ -49,23 +53,52 @@ private:
         Meeting ahead;
         bool arrived = false;  // at `hit`
         Hit hit;
+        const Lambert* surface = nullptr;  // where it takes its turn together with others
+        Turn turn;
+        std::optional<PathEnd> end;
     };
+
+    /// A path at its light.
+    struct Start {
+        std::uint32_t number;
+        Reader read;
+        PhotonState state;
+        bool emits = false;
+
+        Start(std::uint32_t path, const Reader& reader) : number(path), read(reader) {}
+    };
+
+    /// Makes the next paths ready, as many as walk: what one waits for, another computes.
+    void make_ready() {
+        ready_.clear();
+        begun_ = 0;
+        for (; next_ < end_ && ready_.size() < kSideBySide; ++next_) {
+            const auto number = static_cast<std::uint32_t>(next_);
+            ready_.emplace_back(number, points_.path(number));
+        }
+        for (Start& ready : ready_) ready.emits = tracer_.start(ready.read, ready.state);
+    }
 
     /// The next path that starts, if one is left.
     void start(Walk& walk) {
         walk.read.reset();
-        while (next_ < end_) {
-            walk.number = static_cast<std::uint32_t>(next_++);
-            walk.read.emplace(points_.path(walk.number));
-            walk.state = PhotonState();
-            if (tracer_.start(*walk.read, walk.state)) {
-                if constexpr (requires { walk.read->weight(); })
-                    walk.state.flux *= static_cast<float>(walk.read->weight());
-                return;
-            }
+        walk.surface = nullptr;
+        walk.end.reset();
+        for (;;) {
+            if (begun_ == ready_.size()) make_ready();
+            if (ready_.empty()) return;
+            const Start& next = ready_[begun_++];
+            if (next.emits) return begin(next, walk);
             ended_(PathEnd::no_light);
-            walk.read.reset();
         }
+    }
+
+    static void begin(const Start& from, Walk& walk) {
+        walk.number = from.number;
+        walk.read.emplace(from.read);
+        walk.state = from.state;
+        if constexpr (requires { walk.read->weight(); })
+            walk.state.flux *= static_cast<float>(walk.read->weight());
     }
 
     /// Asks for the next surface of every path, and works out where it is a few paths later: late
@@ -75,7 +108,8 @@ private:
         std::uint64_t rays = 0;
         for (std::size_t i = 0; i < kSideBySide + kLate; ++i) {
             if (i < kSideBySide && walks_[i].read) {
-                walks_[i].ahead = tracer_.send(walks_[i].state);
+                // Made in place: a copy would wait for what was written in pieces.
+                new (&walks_[i].ahead) Meeting(tracer_.send(walks_[i].state));
                 ++rays;
             }
             if (i < kLate) continue;
@@ -85,21 +119,45 @@ private:
         return rays;
     }
 
-    void go_on(Walk& walk) {
-        std::optional<PathEnd> end = PathEnd::escaped;
-        const auto see = [&](const Photon& photon) { return visit_(photon, walk.number); };
-        if (walk.arrived) end = tracer_.go_on(*walk.read, see, walk.hit, walk.state);
-        if (!end) return;
-        ended_(*end);
-        start(walk);
+    /// One event of every path. All of its kind, the most frequent one, are worked out before any
+    /// is decided.
+    void go_on() {
+        for (Walk& walk : walks_)
+            if (walk.read) meet(walk);
+        for (Walk& walk : walks_)
+            if (walk.surface != nullptr)
+                walk.turn = draw_turn(*walk.read, *walk.surface, walk.hit, walk.state);
+        for (Walk& walk : walks_) {
+            if (walk.surface != nullptr)
+                walk.end = tracer_.turn_away(walk.turn, walk.hit, walk.state);
+            if (!walk.end) continue;
+            ended_(*walk.end);
+            start(walk);
+        }
+    }
+
+    void meet(Walk& walk) {
+        walk.surface = nullptr;
+        walk.end = PathEnd::escaped;
+        if (!walk.arrived) return;
+        const auto visit = [&](const Photon& photon) { return visit_(photon, walk.number); };
+        const Lambert* surface = tracer_.plain_surface(walk.hit, walk.state);
+        if (surface == nullptr) {
+            walk.end = tracer_.go_on(*walk.read, visit, walk.hit, walk.state);
+            return;
+        }
+        walk.end = tracer_.see(visit, walk.hit, walk.state);
+        if (!walk.end) walk.surface = surface;
     }
 
     const PhotonTracer& tracer_;
     const Points& points_;
     const Visit& visit_;
     const Ended& ended_;
-    std::size_t next_ = 0;
+    std::size_t next_ = 0;  // to be made ready
     std::size_t end_ = 0;
+    std::vector<Start> ready_;
+    std::size_t begun_ = 0;  // of these
     std::array<Walk, kSideBySide> walks_;
 };
 

@@ -8,8 +8,7 @@
 
 #include "measurement/statistics.h"
 #include "measurement/transport.h"
-#include "measurement/visible_point.h"
-#include "sampler/primary_sample.h"
+#include "photon/turn.h"
 #include "scene/pass_scene.h"
 
 #include <concepts>
@@ -36,23 +35,6 @@ inline void count_end(PathEnd end, Statistics& counts) {
     counts[Count::escaped] += end == PathEnd::escaped ? 1 : 0;
     counts[Count::too_long] += end == PathEnd::too_long ? 1 : 0;
 }
-
-/// A photon on its way: what the next event needs to know.
-struct PhotonState {
-    Spectrum flux;
-    Vec3 direction{0};
-    LaneChoice lanes;
-    bool lane_read = false;
-    std::uint16_t bounces = 0;
-    PhotonKind kind = PhotonKind::direct;
-    std::uint8_t light_layer = kNoLightLayer;
-    bool at_light = true;     // about to leave it
-    MediumNumber medium = 0;  // of the next ray
-    float faded = 1;          // what media left of the flux since the last roulette
-    Vec3d origin{0};          // of the next ray
-    Vec3d first_direction{0};
-    float unlit = 0;  // still to go where it lights nothing: Emission
-};
 
 class PhotonTracer {
 public:
@@ -111,6 +93,26 @@ public:
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         if (constant) return meet(read, visit, *constant, hit, state);
         if (!pass_.scene.passes_straight(hit)) return meet_varied(read, visit, hit, state);
+        leave(hit, state);
+        return {};
+    }
+
+    /// go_on() in three steps, for who has many photons to go on with. First: what scatters there,
+    /// if it is a surface that is treated so; else go_on() is to be called.
+    const Lambert* plain_surface(const Hit& hit, const PhotonState& state) const {
+        if (state.unlit > 0 || has_media_) return nullptr;
+        const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
+        return constant ? std::get_if<Lambert>(&*constant) : nullptr;
+    }
+    /// @return how the path ends, if it does; else draw_turn() follows, and turn_away().
+    template <PhotonVisitor Visitor>
+    std::optional<PathEnd> see(Visitor&& visit, const Hit& hit, const PhotonState& state) const {
+        if (!visit(arrive(hit, state))) return PathEnd::stopped;
+        if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
+        return {};
+    }
+    std::optional<PathEnd> turn_away(const Turn& turn, const Hit& hit, PhotonState& state) const {
+        if (!take_turn(turn, state)) return PathEnd::absorbed;
         leave(hit, state);
         return {};
     }
@@ -209,46 +211,9 @@ private:
         return turn(read, for_lane(at_surface, state.lanes.chosen), hit, state);
     }
 
-    static std::optional<BsdfSample> sample_of(const Lambert& bsdf, const Vec3& w_from,
-                                               const BsdfDraw& draw) {
-        return bsdf.sample(w_from, draw);
-    }
-    static std::optional<BsdfSample> sample_of(const Bsdf& bsdf, const Vec3& w_from,
-                                               const BsdfDraw& draw) {
-        return sample(bsdf, w_from, draw);
-    }
-
-    /// scatter(), but for what wavelengths have to do with it.
     template <SlotReader Reader, class Surface>
     static bool turn(Reader& read, const Surface& bsdf, const Hit& hit, PhotonState& state) {
-        const auto unit = [&](BounceSlot which) {
-            return to_unit_float(read(slot(state.bounces, which)));
-        };
-        const Frame frame(hit.shading_normal, hit.tangent);
-        const Vec3 w_from = frame.to_local(-state.direction);
-        const BsdfDraw draw{
-            {unit(BounceSlot::lobe), unit(BounceSlot::direction_u), unit(BounceSlot::direction_v)},
-            Transport::flux,
-            state.lanes};
-        const auto drawn = sample_of(bsdf, w_from, draw);
-        if (!drawn) return false;
-        const Vec3 w_to = frame.to_world(drawn->w_to);
-        Spectrum flux = state.flux * drawn->weight;
-        if (hit.shading_normal != hit.normal)
-            flux *= std::abs(w_from.z * w_to.dot(hit.normal)) /
-                    std::abs(state.direction.dot(hit.normal) * drawn->w_to.z);
-        const float survival = std::min(1.0F, state.faded * (flux.sum() / state.flux.sum()));
-        if (!(unit(BounceSlot::roulette) < survival)) return false;
-        if (drawn->dispersed) state.lanes.single = true;
-        if (drawn->pdf)
-            state.kind = PhotonKind::indirect;
-        else if (state.kind == PhotonKind::direct)
-            state.kind = PhotonKind::caustic;
-        state.flux = flux / survival;
-        state.faded = 1;
-        state.direction = w_to;
-        ++state.bounces;
-        return true;
+        return take_turn(draw_turn(read, bsdf, hit, state), state);
     }
 
     template <SlotReader Reader>

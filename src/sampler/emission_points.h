@@ -22,32 +22,31 @@ public:
     class Reader {
     public:
         std::uint64_t operator()(std::uint32_t index) {
-            if (index >= kSobolDimensions) return stream_.at(index);
-            const std::uint64_t point = std::uint64_t{sobol(path_, index)} << 32U;
-            return (point | below(index)) ^ shift_[index];
+            return index < kSobolDimensions ? emission_[index] : stream_.at(index);
         }
 
     private:
         friend class EmissionPoints;
-        Reader(const std::array<std::uint64_t, kSobolDimensions>& shift, std::uint32_t path,
-               RandomStream stream)
-            : shift_(shift), path_(path), stream_(stream) {}
-
         /// Jitter below 2^-32: the four words of one random block, and the first once more with
         /// its halves swapped. The shift alone makes all slots of a path uniform and independent;
         /// the jitter keeps different paths from having the same lower bits.
-        std::uint32_t below(std::uint32_t index) {
-            const std::uint64_t pair = stream_.at(index >> 1U & 1U);
-            const auto word = static_cast<std::uint32_t>((index & 1U) != 0 ? pair : pair >> 32U);
-            return index < 4 ? word : word << 16U | word >> 16U;
+        Reader(const std::array<std::uint64_t, kSobolDimensions>& shift, std::uint32_t path,
+               RandomStream stream)
+            : stream_(stream) {
+            const std::uint64_t low = stream_.at(0);
+            const std::uint64_t high = stream_.at(1);
+            const std::uint64_t first = low >> 32U;
+            const std::array<std::uint64_t, kSobolDimensions> below = {
+                first, low & 0xFFFFFFFFU, high >> 32U, high & 0xFFFFFFFFU,
+                (first << 16U | first >> 16U) & 0xFFFFFFFFU};
+            for (std::size_t i = 0; i < kSobolDimensions; ++i)
+                emission_[i] = (std::uint64_t{sobol(path, i)} << 32U | below[i]) ^ shift[i];
         }
 
-        const std::array<std::uint64_t, kSobolDimensions>& shift_;
-        std::uint32_t path_;
         RandomStream stream_;
+        std::array<std::uint64_t, kSobolDimensions> emission_{};  // read by every path
     };
 
-    /// Valid as long as this object.
     Reader path(std::uint32_t number) const {
         return {shift_, number, pass_.stream(Purpose::uniform_path, number)};
     }

@@ -1,0 +1,211 @@
+// Blocks of visible points gather the photons that they take.
+//
+// In:  sorted photons, an index of visible points. Out: terms of pixels, marks at photons that were
+// taken. A few blocks that are neighbours in space go together: first all look for their photons,
+// and what the sums will read is called into the cache; then all sum up.
+#pragma once
+
+#include "estimate/deposit.h"
+#include "estimate/shared_terms.h"
+#include "measurement/lookup.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <span>
+
+namespace sunfleck {
+
+inline constexpr std::array<PhotonKind, 3> kKinds = {PhotonKind::direct, PhotonKind::caustic,
+                                                     PhotonKind::indirect};
+
+inline std::size_t number_of(PhotonKind kind) {
+    return static_cast<std::size_t>(__builtin_ctz(static_cast<unsigned>(kind)));
+}
+
+/// Marks that several threads may set at once.
+class Marks {
+public:
+    explicit Marks(std::size_t count) : marks_(count, 0) {}
+    void set(std::size_t i) {
+        std::atomic_ref<std::uint8_t> mark(marks_[i]);
+        if (mark.load(std::memory_order_relaxed) == 0) mark.store(1, std::memory_order_relaxed);
+    }
+    const std::vector<std::uint8_t>& all() const { return marks_; }
+
+private:
+    std::vector<std::uint8_t> marks_;
+};
+
+/// What all blocks share.
+struct Gathering {
+    const PassScene& pass;
+    const VisiblePointIndex& index;
+    PassImage& image;
+    std::uint32_t paths;
+    PhotonCounts* counts;  // or none
+    const SortedPhotons& photons;
+    Marks& taken;
+    PixelLocks& locks;
+};
+
+/// Blocks of visible points one after the other: sums of light by kind and point.
+class Gatherer {
+public:
+    static constexpr std::size_t kTogether = TakenPhotons::kBlocks;
+    static constexpr std::size_t kPoints = VisiblePointIndex::kWidth;  // of a block
+
+    explicit Gatherer(const Gathering& all) : all_(all), shared_(all.image, all.locks) {}
+
+    /// Blocks begin .. end - 1, kTogether at most, neighbours in space.
+    /// @return photons times points that took them.
+    std::uint64_t gather(std::size_t begin, std::size_t end) {
+        if (!find_taken(all_.index, all_.photons, begin, end, taken_)) return 0;
+        for (std::size_t b = begin; b < end; ++b) call_points(b, taken_.blocks[b - begin].takers);
+        for (std::size_t b = begin; b < end; ++b) call_pixels(b, taken_.blocks[b - begin].takers);
+        std::uint64_t deposits = 0;
+        for (block_ = begin; block_ < end; ++block_)
+            deposits += sum_up(taken_.blocks[block_ - begin]);
+        return deposits;
+    }
+
+    /// To be called at the end: the image lacks some terms till then.
+    void finish() { shared_.flush(); }
+
+private:
+    const VisiblePoint& point(std::size_t i) const { return point(block_, i); }
+    const VisiblePoint& point(std::size_t block, std::size_t i) const {
+        return all_.index.points()[block * kPoints + i];
+    }
+
+    std::size_t points_here() const {
+        return std::min(kPoints, all_.index.points().size() - block_ * kPoints);
+    }
+
+    /// Calls into the cache what sum_up() reads of the points. @param takers  bits.
+    void call_points(std::size_t block, unsigned takers) const {
+        for (; takers != 0; takers &= takers - 1) {
+            const VisiblePoint& to = point(block, static_cast<unsigned>(__builtin_ctz(takers)));
+            __builtin_prefetch(&to.throughput);
+            __builtin_prefetch(&to.pixel);
+        }
+    }
+
+    /// The same for the points' pixels.
+    void call_pixels(std::size_t block, unsigned takers) const {
+        for (; takers != 0; takers &= takers - 1) {
+            const VisiblePoint& to = point(block, static_cast<unsigned>(__builtin_ctz(takers)));
+            if (!to.shares_pixel) __builtin_prefetch(all_.image.place_of(to.pixel), 1);
+        }
+    }
+
+    std::uint64_t sum_up(const TakenPhotons::Block& found) {
+        if (found.count == 0) return 0;
+        plain_ = all_.index.plain(block_);
+        here_ = {&taken_.list[found.first], found.count};
+        std::array<unsigned, kKinds.size()> met{};  // points that took a photon of the kind
+        std::uint64_t deposits = 0;
+        for (const TakenPhoton& taken : here_) {
+            const Photon& photon = all_.photons[taken.photon];
+            const std::size_t kind = number_of(photon.kind);
+            all_.taken.set(taken.photon);
+            met[kind] |= taken.takers;
+            deposits += static_cast<unsigned>(__builtin_popcount(taken.takers));
+            for (unsigned rest = taken.takers; rest != 0; rest &= rest - 1)
+                add(static_cast<unsigned>(__builtin_ctz(rest)), photon, light_[kind]);
+        }
+        for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
+            for (unsigned rest = met[kind]; rest != 0; rest &= rest - 1)
+                finish_point(static_cast<unsigned>(__builtin_ctz(rest)), kKinds[kind]);
+        if (all_.image.light_layers() > 0) add_to_light_layers();
+        if (all_.counts != nullptr) count(*all_.counts);
+        return deposits;
+    }
+
+    /// The same light again, by the layers of the lights that it comes from.
+    void add_to_light_layers() const {
+        std::uint64_t layers = 0;
+        for (const TakenPhoton& taken : here_) {
+            const std::uint8_t layer = all_.photons[taken.photon].light_layer;
+            if (layer != kNoLightLayer) layers |= std::uint64_t{1} << layer;
+        }
+        for (; layers != 0; layers &= layers - 1)
+            add_to_light_layer(static_cast<std::uint8_t>(__builtin_ctzll(layers)));
+    }
+
+    void add_to_light_layer(std::uint8_t layer) const {
+        Lights light{};
+        unsigned met = 0;
+        for (const TakenPhoton& taken : here_) {
+            const Photon& photon = all_.photons[taken.photon];
+            if (photon.light_layer != layer) continue;
+            met |= taken.takers;
+            for (unsigned rest = taken.takers; rest != 0; rest &= rest - 1)
+                add(static_cast<unsigned>(__builtin_ctz(rest)), photon, light);
+        }
+        for (; met != 0; met &= met - 1) {
+            const auto i = static_cast<unsigned>(__builtin_ctz(met));
+            const Spectrum share = share_of(point(i), all_.index.radius(block_, i), all_.paths);
+            all_.image.add_to_light_layer(point(i).pixel,
+                                          all_.pass.wavelengths.to_rgb(light[i] * share), layer);
+        }
+    }
+
+    using Lights = std::array<Spectrum, kPoints>;
+
+    void add(std::size_t i, const Photon& photon, Lights& light) const {
+        if ((plain_ >> i & 1U) != 0)
+            light[i] += photon.flux;
+        else
+            light[i] += light_of(all_.pass, point(i), photon);
+    }
+
+    /// Adds the point's sum to its pixel, and makes it zero for the next block.
+    void finish_point(std::size_t i, PhotonKind kind) {
+        const VisiblePoint& to = point(i);
+        const Spectrum share = share_of(to, all_.index.radius(block_, i), all_.paths);
+        Spectrum& light = light_[number_of(kind)][i];
+        const Vec3 rgb = all_.pass.wavelengths.to_rgb(light * share);
+        light = Spectrum();
+        if (!PassImage::is_addable(rgb))
+            add_one_by_one(i, kind, share);
+        else if (to.shares_pixel)
+            shared_.add({rgb, to.pixel, owner_of(to, kind)});
+        else
+            all_.image.add_addable(to.pixel, rgb, owner_of(to, kind), true);
+    }
+
+    /// Where the sum is not a number that can be added: each photon stands or falls by itself.
+    void add_one_by_one(std::size_t i, PhotonKind kind, const Spectrum& share) const {
+        const std::lock_guard<std::mutex> guard(all_.locks.of_pixel(point(i).pixel));
+        for (const TakenPhoton& taken : here_) {
+            const Photon& photon = all_.photons[taken.photon];
+            if (photon.kind != kind || (taken.takers >> i & 1U) == 0) continue;
+            const Spectrum value = light_of(all_.pass, point(i), photon) * share;
+            all_.image.add_light(point(i).pixel, all_.pass.wavelengths.to_rgb(value),
+                                 owner_of(point(i), kind));
+        }
+    }
+
+    /// Adds what the points have taken to the counts of their pixels.
+    void count(PhotonCounts& counts) const {
+        std::array<std::uint64_t, kPoints> copies{};
+        for (const TakenPhoton& taken : here_)
+            for (unsigned rest = taken.takers; rest != 0; rest &= rest - 1)
+                copies[static_cast<unsigned>(__builtin_ctz(rest))] +=
+                    all_.photons[taken.photon].copies;
+        for (std::size_t i = 0; i < points_here(); ++i)
+            if (copies[i] != 0)
+                counts[point(i).pixel].fetch_add(copies[i], std::memory_order_relaxed);
+    }
+
+    const Gathering& all_;
+    SharedTerms shared_;
+    TakenPhotons taken_;
+    std::size_t block_ = 0;
+    std::span<const TakenPhoton> here_;        // of the block
+    unsigned plain_ = 0;                       // points whose light is the photons' flux
+    std::array<Lights, kKinds.size()> light_;  // all zero between blocks
+};
+
+}  // namespace sunfleck

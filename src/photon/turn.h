@@ -1,0 +1,100 @@
+// A photon on its way, and how it goes on from a surface.
+//
+// A turn is worked out first and taken then: whoever has several photons at surfaces works out all
+// their turns, which do not wait for each other, before any of them is decided.
+// Source: as photon/tracer.h.
+#pragma once
+
+#include "bsdf/bsdf.h"
+#include "geometry/ray.h"
+#include "measurement/visible_point.h"
+#include "sampler/primary_sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace sunfleck {
+
+/// A photon on its way: what the next event needs to know.
+struct PhotonState {
+    Spectrum flux;
+    Vec3 direction{0};
+    LaneChoice lanes;
+    bool lane_read = false;
+    std::uint16_t bounces = 0;
+    PhotonKind kind = PhotonKind::direct;
+    std::uint8_t light_layer = kNoLightLayer;
+    bool at_light = true;     // about to leave it
+    MediumNumber medium = 0;  // of the next ray
+    float faded = 1;          // what media left of the flux since the last roulette
+    Vec3d origin{0};          // of the next ray
+    Vec3d first_direction{0};
+    float unlit = 0;  // still to go where it lights nothing: Emission
+};
+
+/// What becomes of a photon that a surface scatters.
+struct Turn {
+    Spectrum flux;  // before roulette
+    Vec3 direction{0};
+    float survival = 0;      // probability
+    float number = 1;        // of roulette: below it the photon survives
+    bool is_rough = false;   // it was no delta lobe
+    bool disperses = false;  // other lanes than the chosen one are zero
+};
+
+namespace turn_detail {
+
+inline std::optional<BsdfSample> sample_of(const Lambert& bsdf, const Vec3& w_from,
+                                           const BsdfDraw& draw) {
+    return bsdf.sample(w_from, draw);
+}
+inline std::optional<BsdfSample> sample_of(const Bsdf& bsdf, const Vec3& w_from,
+                                           const BsdfDraw& draw) {
+    return sample(bsdf, w_from, draw);
+}
+
+}  // namespace turn_detail
+
+/// One scattering event, but for what wavelengths have to do with it. @tparam Surface  a Bsdf, or
+/// one that it may be.
+template <SlotReader Reader, class Surface>
+[[gnu::always_inline]] inline Turn draw_turn(Reader& read, const Surface& bsdf, const Hit& hit,
+                                             const PhotonState& state) {
+    const auto unit = [&](BounceSlot which) {
+        return to_unit_float(read(slot(state.bounces, which)));
+    };
+    const Frame frame(hit.shading_normal, hit.tangent);
+    const Vec3 w_from = frame.to_local(-state.direction);
+    const BsdfDraw draw{
+        {unit(BounceSlot::lobe), unit(BounceSlot::direction_u), unit(BounceSlot::direction_v)},
+        Transport::flux,
+        state.lanes};
+    const auto drawn = turn_detail::sample_of(bsdf, w_from, draw);
+    if (!drawn) return {};
+    const Vec3 w_to = frame.to_world(drawn->w_to);
+    Spectrum flux = state.flux * drawn->weight;
+    if (hit.shading_normal != hit.normal)
+        flux *= std::abs(w_from.z * w_to.dot(hit.normal)) /
+                std::abs(state.direction.dot(hit.normal) * drawn->w_to.z);
+    const float survival = std::min(1.0F, state.faded * (flux.sum() / state.flux.sum()));
+    return {
+        flux, w_to, survival, unit(BounceSlot::roulette), drawn->pdf.has_value(), drawn->dispersed};
+}
+
+/// Roulette, and the photon after it. @return false when it is absorbed.
+inline bool take_turn(const Turn& turn, PhotonState& state) {
+    if (!(turn.number < turn.survival)) return false;
+    if (turn.disperses) state.lanes.single = true;
+    if (turn.is_rough)
+        state.kind = PhotonKind::indirect;
+    else if (state.kind == PhotonKind::direct)
+        state.kind = PhotonKind::caustic;
+    state.flux = turn.flux / turn.survival;
+    state.faded = 1;
+    state.direction = turn.direction;
+    ++state.bounces;
+    return true;
+}
+
+}  // namespace sunfleck
