@@ -15,8 +15,8 @@ bool is_rare(const HeightTail& tail);
 
 /// The plan of a pass, its scales left as they start.
 /// - Where they are not rare: uniform paths alone.
-/// - Else, if half of the paths, uniform, would find 64 visible ones or more: one set, with the other
-///   half as its states.
+/// - Else, if half of the paths, uniform, would find 64 visible ones or more: one set, whose states
+///   are the other half.
 /// - Else the least number of sets whose conditional fractions are 0.05 or less on average; the
 ///   heights are those whose tail is nearest to even steps. Three of ten paths are states of the
 ///   last set.
