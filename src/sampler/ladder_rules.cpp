@@ -10,9 +10,6 @@ namespace {
 constexpr double kUniformOnly = 0.05;
 constexpr double kSeedsForOneSet = 64;
 constexpr double kConditionalFraction = 0.05;
-// Of a ladder's paths, states of the last set: of the only one, and of several.
-constexpr double kLastShare = 0.5;
-constexpr double kLastShareOfSeveral = 0.3;
 constexpr std::uint32_t kChains = 256;
 constexpr std::uint32_t kLastChains = 1024;  // no chain stays long in one place of the picture
 constexpr std::uint32_t kStatesOfAChain = 64;
@@ -25,11 +22,6 @@ constexpr double kBridgeShare = 1 / 3.0;  // of chains' states on the bridge, ov
 /// In float: the same bits on every machine.
 float log_of(double x) {
     return std::log(static_cast<float>(x));
-}
-
-/// At least one.
-std::uint32_t part_of(std::uint32_t paths, double share) {
-    return std::max(1U, static_cast<std::uint32_t>(share * paths));
 }
 
 /// Chains of at least kStatesOfAChain states, so that copies of one seed part.
@@ -84,7 +76,7 @@ bool is_rare(const HeightTail& tail) {
 }
 
 bool needs_several_sets(const HeightTail& tail, std::uint32_t paths) {
-    const std::uint32_t uniform = paths - part_of(paths, kLastShare);
+    const std::uint32_t uniform = paths - paths / 2;
     return is_rare(tail) && tail[kVisible] * uniform < kSeedsForOneSet;
 }
 
@@ -97,9 +89,8 @@ MappedPlan mapped_plan(const LearnedMap& map, bool can_climb, std::uint32_t path
 LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths) {
     if (!is_rare(tail)) return {paths, {}};
     const double visible = tail[kVisible];
-    const bool several = needs_several_sets(tail, paths);
-    const std::uint32_t last = part_of(paths, several ? kLastShareOfSeveral : kLastShare);
-    if (!several) {  // hardly a seed is left out
+    const std::uint32_t last = paths / 2;
+    if (!needs_several_sets(tail, paths)) {  // hardly a seed is left out
         const double seeds = visible * (paths - last);
         const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * seeds));
         return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};

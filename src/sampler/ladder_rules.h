@@ -15,11 +15,10 @@ bool is_rare(const HeightTail& tail);
 
 /// The plan of a pass, its scales left as they start.
 /// - Where they are not rare: uniform paths alone.
-/// - Else, if half of the paths, uniform, would find 64 visible ones or more: one set, whose states
-///   are the other half.
+/// - Else half of the paths are states of the last set. If the other half, uniform, would find 64
+///   visible paths or more: one set.
 /// - Else the least number of sets whose conditional fractions are 0.05 or less on average; the
-///   heights are those whose tail is nearest to even steps. Three of ten paths are states of the
-///   last set.
+///   heights are those whose tail is nearest to even steps.
 /// - No visible path found: every height that was reached is a set.
 /// @param paths  of a pass, all levels together; at least 2.
 LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths);

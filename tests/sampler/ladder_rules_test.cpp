@@ -80,19 +80,12 @@ TEST(LadderRules, sets_are_as_many_as_steps_of_a_twentieth) {
     }
 }
 
-TEST(LadderRules, three_tenths_to_the_last_set_and_the_rest_in_equal_shares) {
+TEST(LadderRules, half_to_the_last_set_and_the_rest_in_equal_shares) {
     const LadderPlan plan = ladder_plan(even_tail(1e-6), kPaths);
-    EXPECT_EQ(plan.levels.back().states, kPaths * 3 / 10);
-    for (std::size_t k = 0; k + 1 < plan.levels.size(); ++k)
-        EXPECT_EQ(plan.levels[k].states, kPaths * 7 / 50);
-    EXPECT_NEAR(plan.uniform_paths, kPaths * 7 / 50, 10);
-}
-
-TEST(LadderRules, half_to_the_only_set) {
-    const LadderPlan plan = ladder_plan(even_tail(1e-2), kPaths);
-    ASSERT_EQ(plan.levels.size(), 1U);
     EXPECT_EQ(plan.levels.back().states, kPaths / 2);
-    EXPECT_EQ(plan.uniform_paths, kPaths / 2);
+    for (std::size_t k = 0; k + 1 < plan.levels.size(); ++k)
+        EXPECT_EQ(plan.levels[k].states, kPaths / 10);
+    EXPECT_NEAR(plan.uniform_paths, kPaths / 10, 10);
 }
 
 TEST(LadderRules, few_long_chains) {
