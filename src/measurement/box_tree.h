@@ -25,11 +25,6 @@ struct Box {
             high[c] = std::max(high[c], other.high[c]);
         }
     }
-    bool holds(const Vec3& p) const {
-        for (int c = 0; c < 3; ++c)
-            if (!(p[c] >= low[c] && p[c] <= high[c])) return false;
-        return true;
-    }
 };
 
 /// Boxes of eight children, one array a coordinate.

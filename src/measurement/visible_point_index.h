@@ -10,7 +10,6 @@
 #include "measurement/occupancy.h"
 #include "measurement/visible_point.h"
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -25,22 +24,6 @@ public:
     /// first.
     bool any(std::span<const Photon> path) const;
     bool any(const Photon& photon) const { return any({&photon, 1}); }
-
-    /// Calls deposit(point) for every visible point that takes the photon: the plain way, for
-    /// tests.
-    template <class Deposit>
-    bool for_each(const Photon& photon, const Deposit& deposit) const {
-        bool found = false;
-        for (std::size_t b = 0; b < boxes_.size(); ++b) {
-            if (!boxes_[b].holds(photon.position)) continue;
-            for (std::size_t i = b * kWidth; i < std::min((b + 1) * kWidth, points_.size()); ++i) {
-                if (!takes(points_[i].disc, photon, max_depth_)) continue;
-                deposit(points_[i]);
-                found = true;
-            }
-        }
-        return found;
-    }
 
     /// May any point take a photon there? A quick no for most places that are not seen.
     bool may_take(const Vec3& position) const { return occupancy_.may_be_in_a_box(position); }

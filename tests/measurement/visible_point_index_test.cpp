@@ -2,6 +2,7 @@
 #include "measurement/visible_point_index.h"
 
 #include "core/random.h"
+#include "support/takers.h"
 
 #include <gtest/gtest.h>
 
@@ -60,8 +61,9 @@ TEST(VisiblePointIndex, finds_what_takes_accepts) {
             for (const VisiblePoint& p : points)
                 if (takes(p.disc, photon, 10)) expected.insert(p.pixel);
             std::set<std::uint32_t> actual;
-            const bool any = index.for_each(
-                photon, [&](const VisiblePoint& p) { EXPECT_TRUE(actual.insert(p.pixel).second); });
+            const bool any = testing_support::for_each_taker(
+                index, photon,
+                [&](const VisiblePoint& p) { EXPECT_TRUE(actual.insert(p.pixel).second); });
             ASSERT_EQ(actual, expected);
             ASSERT_EQ(any, !expected.empty());
             ASSERT_EQ(index.any(photon), any);

@@ -5,6 +5,7 @@
 #include "sampler/emission_points.h"
 #include "support/procedural.h"
 #include "support/renders.h"
+#include "support/takers.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +35,8 @@ struct Points {
     /// Points that take the photon, as the index has it; compared with `thorough` one by one.
     std::uint64_t takers(const Photon& photon, bool thorough) const {
         std::uint64_t count = 0;
-        const bool taken = index.for_each(photon, [&](const VisiblePoint&) { ++count; });
+        const bool taken =
+            testing_support::for_each_taker(index, photon, [&](const VisiblePoint&) { ++count; });
         EXPECT_EQ(taken, count > 0);
         EXPECT_EQ(taken, index.any(photon));
         EXPECT_TRUE(!taken || index.may_take(photon.position));
