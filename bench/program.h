@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/kept_memory.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,6 +14,7 @@ namespace sunfleck::bench {
 /// for words or files that cannot be used.
 template <class Work>
 int run_program(CLI::App& app, int count, char** words, const Work& work) {
+    keep_freed_memory();
     try {
         app.parse(count, words);
         work();

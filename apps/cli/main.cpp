@@ -6,6 +6,7 @@
 #include "apps/cli/together.h"
 #include "apps/mpi/job.h"
 #include "core/error.h"
+#include "core/kept_memory.h"
 
 #include <cstdio>
 #include <exception>
@@ -39,6 +40,7 @@ int fail(const sunfleck::Job& job, int code, const std::string& line) {
 }  // namespace
 
 int main(int count, char** words) {
+    sunfleck::keep_freed_memory();
     const sunfleck::Job job(count > 1 && std::string_view(words[1]) == "render");
     try {
         return run(count, words, job.ranks());
