@@ -67,7 +67,7 @@ public:
 
     PassImage image() const { return {window_of(scene_.film()).pixels(), {}}; }
 
-    std::vector<VisiblePoint> eye_paths(PassImage& image) const {
+    VisiblePointLists eye_paths(PassImage& image) const {
         const PixelWindow window = window_of(scene_.film());
         Statistics counts;
         return trace_eye_paths({at_wavelengths_, transport_, eye_, window, kId, 1}, image, counts);
@@ -75,7 +75,7 @@ public:
 
     VisiblePointIndex index() const { return {points_, transport_.max_depth}; }
     VisiblePointIndex index_of_nothing() const {
-        return {std::vector<VisiblePoint>(), transport_.max_depth};
+        return {VisiblePointLists(), transport_.max_depth};
     }
 
     /// The photons of a pass like this one. @param number  names its random numbers.
@@ -112,7 +112,7 @@ private:
     PassScene at_wavelengths_;
     TransportSettings transport_;
     EyeSettings eye_;
-    std::vector<VisiblePoint> points_;
+    VisiblePointLists points_;
 };
 
 struct Bench {

@@ -84,7 +84,8 @@ void print_memory() {
         const EyePass pass{at_wavelengths, transport, settings, window, id, 1};
         auto points = trace_eye_paths(pass, image, statistics);
         const auto pixels = static_cast<double>(window.pixels());
-        const double held = static_cast<double>(points.size() * sizeof(VisiblePoint));
+        const double held =
+            static_cast<double>(statistics[Count::visible_points] * sizeof(VisiblePoint));
         const VisiblePointIndex index(std::move(points), transport.max_depth);
         fmt::print("{:<12} {:>15.1f} {:>8.1f} {:>11}\n", fmt::format("{0} x {0}", size),
                    held / pixels, static_cast<double>(index.bytes()) / pixels - held / pixels,

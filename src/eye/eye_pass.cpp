@@ -6,31 +6,22 @@
 
 namespace sunfleck {
 
-std::vector<VisiblePoint> trace_eye_paths(const EyePass& pass, PassImage& image,
-                                          Statistics& statistics) {
+VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics) {
     constexpr std::size_t kBlock = 256;
     const std::size_t pixels = pass.window.pixels();
     const FilterSampler filter(pass.scene.scene.filter());
-    struct Block {
-        std::vector<VisiblePoint> points;
-        Statistics statistics;
-    };
-    std::vector<Block> blocks((pixels + kBlock - 1) / kBlock);
+    VisiblePointLists lists((pixels + kBlock - 1) / kBlock);
+    std::vector<Statistics> counts(lists.size());
     parallel_blocks(pixels, kBlock, [&](std::size_t begin, std::size_t end) {
-        Block& block = blocks[begin / kBlock];
-        block.points.reserve(end - begin);
+        const std::size_t block = begin / kBlock;
+        lists[block].reserve(end - begin);
         for (std::size_t pixel = begin; pixel < end; ++pixel)
-            EyePath(pass, filter, image, block.points, block.statistics)
+            EyePath(pass, filter, image, lists[block], counts[block])
                 .trace(static_cast<std::uint32_t>(pixel));
+        counts[block][Count::visible_points] += lists[block].size();
     });
-    std::vector<VisiblePoint> points;
-    points.reserve(pixels);
-    for (const Block& block : blocks) {
-        points.insert(points.end(), block.points.begin(), block.points.end());
-        statistics += block.statistics;
-    }
-    statistics[Count::visible_points] += points.size();
-    return points;
+    for (const Statistics& c : counts) statistics += c;
+    return lists;
 }
 
 }  // namespace sunfleck

@@ -26,8 +26,7 @@ struct EyePass {
     double radius_factor = 1;  // r_p / r_0
 };
 
-/// One camera path a pixel. The order of the points is that of the pixels.
-std::vector<VisiblePoint> trace_eye_paths(const EyePass& pass, PassImage& image,
-                                          Statistics& statistics);
+/// One camera path a pixel. The order of the points, list after list, is that of the pixels.
+VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics);
 
 }  // namespace sunfleck

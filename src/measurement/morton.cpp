@@ -64,12 +64,12 @@ bool make_places(std::vector<Places>& blocks, std::size_t keys) {
 
 /// Least significant digit first; digits that are the same everywhere are skipped. Each block moves
 /// its keys to where they belong: after those of the blocks before, whatever the blocks are.
-void sort_by_code(std::vector<MortonKey>& keys, unsigned bits) {
+void sort_by_code(MortonKeys& keys, unsigned bits) {
     constexpr std::size_t kLeastBlock = std::size_t{1} << 14U;
     const std::size_t threads = thread_count();
     const std::size_t block = std::max(kLeastBlock, (keys.size() + threads - 1) / threads);
     std::vector<Places> places((keys.size() + block - 1) / block);
-    std::vector<MortonKey> other(keys.size());
+    MortonKeys other(keys.size());
     for (unsigned shift = kCodeBits - bits; shift < kCodeBits; shift += kDigit) {
         parallel_blocks(keys.size(), block, [&](std::size_t begin, std::size_t end) {
             Places& counts = places[begin / block];

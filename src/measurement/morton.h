@@ -3,10 +3,10 @@
 // Source: Morton 1966; bits are spread by the usual shifts and masks.
 #pragma once
 
+#include "core/unfilled.h"
 #include "math/vector.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace sunfleck {
 
@@ -15,6 +15,8 @@ struct MortonKey {
     std::uint32_t item = 0;
     std::uint32_t list = 0;  // where items stand in several lists
 };
+
+using MortonKeys = UnfilledVector<MortonKey>;
 
 /// A cube of space cut into 2^21 cells an axis.
 class MortonGrid {
@@ -33,6 +35,6 @@ private:
 
 /// Sorts by the upper `bits` of the 63 of a code; equal ones keep their order. @param bits  1
 /// to 63.
-void sort_by_code(std::vector<MortonKey>& keys, unsigned bits);
+void sort_by_code(MortonKeys& keys, unsigned bits);
 
 }  // namespace sunfleck

@@ -9,12 +9,12 @@ namespace sunfleck {
 namespace {
 
 /// All photons of the batches in Morton order, equal ones in the order of the batches.
-std::vector<MortonKey> in_order(const std::vector<PhotonBatch>& batches, const MortonGrid& grid) {
+MortonKeys in_order(const std::vector<PhotonBatch>& batches, const MortonGrid& grid) {
     constexpr unsigned kSortedBits = 33;
     std::vector<std::size_t> first(batches.size() + 1, 0);
     for (std::size_t b = 0; b < batches.size(); ++b)
         first[b + 1] = first[b] + batches[b].photons.size();
-    std::vector<MortonKey> keys(first.back());
+    MortonKeys keys(first.back());
     parallel_for(batches.size(), [&](std::size_t b) {
         const std::vector<Photon>& photons = batches[b].photons;
         for (std::size_t i = 0; i < photons.size(); ++i)

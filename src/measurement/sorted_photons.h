@@ -35,9 +35,9 @@ private:
 
     Box fill(std::size_t leaf);
 
-    std::vector<MortonKey> order_;
-    std::vector<Photon> photons_;
-    std::vector<PhotonLeaf> leaves_;
+    MortonKeys order_;
+    UnfilledVector<Photon> photons_;
+    UnfilledVector<PhotonLeaf> leaves_;
     BoxTree tree_;
 };
 

@@ -9,6 +9,7 @@
 #include "measurement/visible_point.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace sunfleck {
@@ -21,7 +22,8 @@ public:
     static constexpr int kFull = kDeepest + 1;
 
     /// @param centre, radius  of a sphere around the scene, the same for every pass.
-    ViewOctree(const std::vector<VisiblePoint>& points, const Vec3d& centre, double radius);
+    /// Neighbours in the list should be neighbours in space.
+    ViewOctree(std::span<const VisiblePoint> points, const Vec3d& centre, double radius);
 
     /// 0 to kDeepest, or kFull.
     int height(const Vec3& place) const {
@@ -55,13 +57,19 @@ private:
         friend bool operator==(const Cells&, const Cells&) = default;
     };
 
+    using Nodes = std::vector<Node>;
+
     Cells cells_of(const Disc& disc) const;
-    void fill(const Cells& cells);
-    void fill(const std::array<std::uint32_t, 3>& cell, int depth);
+    Nodes nodes_over(std::span<const VisiblePoint> points) const;
+    static void fill(Nodes& nodes, const Cells& cells);
+    static void fill(Nodes& nodes, const std::array<std::uint32_t, 3>& cell, int depth);
+    /// Puts the octrees into one: a node that some share is the union, the others stay as they are.
+    static Nodes united(const std::vector<Nodes>& parts);
+    static void unite(Nodes& nodes, std::uint32_t into, std::uint32_t other);
 
     Vec3d low_;
     double cells_per_unit_;  // finest ones
-    std::vector<Node> nodes_;
+    Nodes nodes_;
 };
 
 }  // namespace sunfleck

@@ -10,6 +10,7 @@
 #include "measurement/light_layers.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace sunfleck {
 
@@ -87,5 +88,8 @@ struct VisiblePoint {
 };
 
 inline constexpr std::uint32_t kLambertian = 0xFFFFFFFF;
+
+/// Visible points as they are found: a list for each block of pixels.
+using VisiblePointLists = std::vector<std::vector<VisiblePoint>>;
 
 }  // namespace sunfleck

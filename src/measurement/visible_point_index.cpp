@@ -37,21 +37,22 @@ struct Whole {
     Box box;  // of the discs' centres
     std::uint8_t kinds = 0;
     std::uint32_t last_pixel = 0;
+    std::size_t points = 0;
 
     void extend(const Whole& other) {
         box.extend(other.box);
         kinds |= other.kinds;
         last_pixel = std::max(last_pixel, other.last_pixel);
+        points += other.points;
     }
 };
 
-Whole whole_of(const std::vector<VisiblePoint>& points) {
-    std::vector<Whole> parts((points.size() + kBlock - 1) / kBlock);
-    parallel_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Disc& disc = points[i].disc;
-            parts[begin / kBlock].extend(
-                {{disc.position, disc.position}, disc.kinds, points[i].pixel});
+Whole whole_of(const VisiblePointLists& lists) {
+    std::vector<Whole> parts(lists.size());
+    parallel_for(lists.size(), [&](std::size_t l) {
+        for (const VisiblePoint& point : lists[l]) {
+            const Vec3& position = point.disc.position;
+            parts[l].extend({{position, position}, point.disc.kinds, point.pixel, 1});
         }
     });
     Whole whole;
@@ -63,12 +64,11 @@ constexpr std::uint8_t kTaken = 1;
 constexpr std::uint8_t kShared = 3;
 
 /// By pixel: kShared if it has more than one point.
-std::vector<std::uint8_t> shared_pixels(const std::vector<VisiblePoint>& points,
-                                        std::uint32_t last_pixel) {
+std::vector<std::uint8_t> shared_pixels(const VisiblePointLists& lists, std::uint32_t last_pixel) {
     std::vector<std::uint8_t> pixels(std::size_t{last_pixel} + 1, 0);
-    parallel_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            std::atomic_ref<std::uint8_t> pixel(pixels[points[i].pixel]);
+    parallel_for(lists.size(), [&](std::size_t l) {
+        for (const VisiblePoint& point : lists[l]) {
+            std::atomic_ref<std::uint8_t> pixel(pixels[point.pixel]);
             if ((pixel.fetch_or(kTaken, std::memory_order_relaxed) & kTaken) != 0)
                 pixel.store(kShared, std::memory_order_relaxed);
         }
@@ -76,12 +76,15 @@ std::vector<std::uint8_t> shared_pixels(const std::vector<VisiblePoint>& points,
     return pixels;
 }
 
-std::vector<MortonKey> morton_order(const std::vector<VisiblePoint>& points,
-                                    const MortonGrid& grid) {
-    std::vector<MortonKey> keys(points.size());
-    parallel_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            keys[i] = {grid.code(points[i].disc.position), static_cast<std::uint32_t>(i), 0};
+/// All points in Morton order, equal ones in the order of the lists.
+MortonKeys morton_order(const VisiblePointLists& lists, const MortonGrid& grid) {
+    std::vector<std::size_t> first(lists.size() + 1, 0);
+    for (std::size_t l = 0; l < lists.size(); ++l) first[l + 1] = first[l] + lists[l].size();
+    MortonKeys keys(first.back());
+    parallel_for(lists.size(), [&](std::size_t l) {
+        for (std::size_t i = 0; i < lists[l].size(); ++i)
+            keys[first[l] + i] = {grid.code(lists[l][i].disc.position),
+                                  static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(l)};
     });
     sort_by_code(keys, 63);
     return keys;
@@ -89,22 +92,23 @@ std::vector<MortonKey> morton_order(const std::vector<VisiblePoint>& points,
 
 }  // namespace
 
-VisiblePointIndex::VisiblePointIndex(std::vector<VisiblePoint> points, int max_depth)
+VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, int max_depth)
     : max_depth_(max_depth) {
-    if (points.empty()) return;
-    const Whole whole = whole_of(points);
+    const Whole whole = whole_of(lists);
+    if (whole.points == 0) return;
     kinds_ = whole.kinds;
     grid_ = MortonGrid(whole.box.low, whole.box.high);
-    const std::vector<MortonKey> order = morton_order(points, grid_);
-    const std::vector<std::uint8_t> pixels = shared_pixels(points, whole.last_pixel);
-    points_.resize(points.size());
-    blocks_.resize((points.size() + kWidth - 1) / kWidth);
+    const MortonKeys order = morton_order(lists, grid_);
+    const std::vector<std::uint8_t> pixels = shared_pixels(lists, whole.last_pixel);
+    points_.resize(order.size());
+    blocks_.resize((order.size() + kWidth - 1) / kWidth);
     boxes_.resize(blocks_.size());
     plain_.resize(blocks_.size());
     static_assert(kBlock % kWidth == 0);
-    parallel_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(order.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            points_[i] = points[order[i].item];
+            if (i % kWidth == 0) blocks_[i / kWidth] = {};
+            points_[i] = lists[order[i].list][order[i].item];
             points_[i].shares_pixel = pixels[points_[i].pixel] == kShared;
             if (is_plain(points_[i])) plain_[i / kWidth] |= std::uint8_t(1U << i % kWidth);
             blocks_[i / kWidth].set(i % kWidth, points_[i].disc);

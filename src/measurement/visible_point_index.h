@@ -1,9 +1,10 @@
 // "Does any disc take this photon?" and "which discs do?", for the visible points of a pass.
 //
-// In:  visible points. Out: those points in Morton order, eight to a block, under a tree of boxes
-// around the blocks.
+// In:  lists of visible points. Out: those points in Morton order, eight to a block, under a tree
+// of boxes around the blocks.
 #pragma once
 
+#include "core/unfilled.h"
 #include "measurement/box_tree.h"
 #include "measurement/disc_block.h"
 #include "measurement/morton.h"
@@ -18,7 +19,7 @@ namespace sunfleck {
 class VisiblePointIndex {
 public:
     /// @param max_depth  scattering events allowed on a whole path (takes()).
-    VisiblePointIndex(std::vector<VisiblePoint> points, int max_depth);
+    VisiblePointIndex(VisiblePointLists lists, int max_depth);
 
     /// V of the paper for a path: is any of its photons taken by any visible point? Ends at the
     /// first.
@@ -53,17 +54,17 @@ public:
     const BoxTree& tree() const { return tree_; }
     int max_depth() const { return max_depth_; }
 
-    const std::vector<VisiblePoint>& points() const { return points_; }
+    std::span<const VisiblePoint> points() const { return points_; }
     std::size_t bytes() const;
 
 private:
     int max_depth_;
     std::uint8_t kinds_ = 0;  // that any point takes
     MortonGrid grid_;
-    std::vector<VisiblePoint> points_;  // in Morton order
-    std::vector<DiscBlock> blocks_;     // the same order: what a query reads
-    std::vector<Box> boxes_;            // around blocks
-    std::vector<std::uint8_t> plain_;   // one bit a point of a block
+    UnfilledVector<VisiblePoint> points_;  // in Morton order
+    UnfilledVector<DiscBlock> blocks_;     // the same order: what a query reads
+    std::vector<Box> boxes_;               // around blocks
+    std::vector<std::uint8_t> plain_;      // one bit a point of a block
     BoxTree tree_;
     Occupancy occupancy_;
 };

@@ -165,7 +165,7 @@ WalkedEmission walk(const PhotonView& view, const LightChoice& lights, PassId pa
                     const PathRange& walks, std::uint8_t kinds) {
     constexpr std::size_t kBlock = 1024;
     const std::size_t count = walks.size();
-    const std::vector<VisiblePoint>& points = view.index.points();
+    const std::span<const VisiblePoint> points = view.index.points();
     std::vector<WalkedEmission> blocks((count + kBlock - 1) / kBlock);
     parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {

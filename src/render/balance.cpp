@@ -107,9 +107,8 @@ double paths_of(const std::vector<PhotonGroup>& groups) {
 EyeView view_of(const EyePass& pass) {
     PassImage image(pass.window.pixels(), {});
     Statistics counts;
-    std::vector<VisiblePoint> points = trace_eye_paths(pass, image, counts);
-    return {std::move(image), counts,
-            VisiblePointIndex(std::move(points), pass.transport.max_depth)};
+    VisiblePointIndex index(trace_eye_paths(pass, image, counts), pass.transport.max_depth);
+    return {std::move(image), counts, std::move(index)};
 }
 
 Balance measured_balance(const EyePass& first, const EyeView& seen, LightPlanner& planner,

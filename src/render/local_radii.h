@@ -21,9 +21,10 @@ public:
         : alpha_(alpha), photons_(pixels, 0), factors_(pixels, 1) {}
 
     /// @param points  with their first radii.
-    void shrink(std::vector<VisiblePoint>& points) const {
-        for (VisiblePoint& point : points)
-            point.disc.radius *= static_cast<float>(factors_[point.pixel]);
+    void shrink(VisiblePointLists& lists) const {
+        for (std::vector<VisiblePoint>& points : lists)
+            for (VisiblePoint& point : points)
+                point.disc.radius *= static_cast<float>(factors_[point.pixel]);
     }
 
     /// @param taken  of this pass.

@@ -63,7 +63,7 @@ protected:
     }
     Result deposited(std::vector<PhotonBatch> batches) const {
         Result result;
-        const VisiblePointIndex index(points_, kMaxDepth);
+        const VisiblePointIndex index({points_}, kMaxDepth);
         result.counts = Depositor(pass_, index, result.image, kPaths, &result.taken)(batches);
         return result;
     }
@@ -110,7 +110,7 @@ TEST_F(PhotonCopies, are_counted_by_pixel) {
 
 /// Several deposits, of which each goes on counting.
 TEST_F(PhotonCopies, of_all_deposits_add_up_on_any_number_of_threads) {
-    const VisiblePointIndex index(points_, kMaxDepth);
+    const VisiblePointIndex index({points_}, kMaxDepth);
     const auto counted = [&](std::size_t threads) {
         const ThreadLimit limit(threads);
         PassImage image(kPixels, all_layers());

@@ -1,6 +1,8 @@
 // Where camera paths end, and with which discs.
 #include "eye/eye_path.h"
 
+#include "support/visible_points.h"
+
 #include <gtest/gtest.h>
 
 namespace sunfleck {
@@ -45,9 +47,9 @@ Seen trace(const SceneDescription& description, const TransportSettings& transpo
     const PassScene pass(scene, id);
     PassImage image(kPixels * kPixels, LayerSet{});
     Seen seen;
-    seen.points =
+    seen.points = testing_support::joined(
         trace_eye_paths({pass, transport, settings, {0, 0, kPixels, kPixels}, id, radius_factor},
-                        image, seen.statistics);
+                        image, seen.statistics));
     for (std::size_t i = 0; i < image.pixels(); ++i)
         seen.emission += image.value(Layer::total, i, 0).to_double();
     return seen;

@@ -112,7 +112,7 @@ private:
 TEST_P(Lookup, finds_what_takes_accepts) {
     Sheet sheet;
     for (const std::size_t count : {1U, 9U, 200U, 1500U}) {
-        const VisiblePointIndex index(sheet.points(count), kMaxDepth);
+        const VisiblePointIndex index({sheet.points(count)}, kMaxDepth);
         const SortedPhotons photons(sheet.photons(count), index.grid());
         std::vector<Pair> found = looked_up(index, photons);
         std::sort(found.begin(), found.end());

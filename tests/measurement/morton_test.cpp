@@ -12,9 +12,9 @@ namespace sunfleck {
 namespace {
 
 /// @param clear  bits that are zero in all codes. Many codes are there more than once.
-std::vector<MortonKey> random_keys(std::size_t count, std::uint64_t clear) {
+MortonKeys random_keys(std::size_t count, std::uint64_t clear) {
     RandomStream stream(5, Purpose::test, static_cast<std::uint32_t>(count), 0);
-    std::vector<MortonKey> keys(count);
+    MortonKeys keys(count);
     for (std::size_t i = 0; i < count; ++i) {
         const bool is_new = i == 0 || stream.next() < 0.7;
         const std::uint64_t code = is_new ? stream.next_fraction() >> 1U : keys[i / 2].code;
@@ -23,8 +23,8 @@ std::vector<MortonKey> random_keys(std::size_t count, std::uint64_t clear) {
     return keys;
 }
 
-void expect_sorted(std::vector<MortonKey> keys, unsigned bits) {
-    std::vector<MortonKey> expected = keys;
+void expect_sorted(MortonKeys keys, unsigned bits) {
+    MortonKeys expected = keys;
     const auto upper = [&](const MortonKey& key) { return key.code >> (63 - bits); };
     std::stable_sort(expected.begin(), expected.end(),
                      [&](const auto& a, const auto& b) { return upper(a) < upper(b); });

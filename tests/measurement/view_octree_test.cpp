@@ -1,10 +1,13 @@
 // The octree loses no disc, and heights fall with the distance from all of them.
 #include "measurement/view_octree.h"
 
+#include "core/parallel.h"
 #include "core/random.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sunfleck {
@@ -66,7 +69,8 @@ TEST(ViewOctree, whatever_a_disc_takes_is_in_a_full_cell) {
 TEST(ViewOctree, heights_fall_with_the_distance) {
     const Vec3 position(3.1F, -4.2F, 0.7F);
     const float radius = 1e-3F;
-    const ViewOctree octree({point_at(position, radius)}, kCentre, kRadius);
+    const std::array one{point_at(position, radius)};
+    const ViewOctree octree(one, kCentre, kRadius);
     RandomStream stream(1, Purpose::test, 2, 0);
     double near = 0;
     double far = 0;
@@ -96,14 +100,37 @@ TEST(ViewOctree, more_discs_never_lower_a_place) {
     EXPECT_GT(higher, 1000);
 }
 
+// 40,000 discs of all sizes in no order, so that those of all parts lie among each other.
+TEST(ViewOctree, built_in_parts_it_is_the_same) {
+    auto points = random_points(40'000);
+    for (VisiblePoint& point : points) point.disc.radius *= 0.3F;  // or all would be full
+    const auto built = [&](std::size_t threads) {
+        const ThreadLimit limit(threads);
+        return ViewOctree(points, kCentre, kRadius);
+    };
+    const ViewOctree whole = built(1);
+    const ViewOctree parts = built(8);
+    RandomStream stream(1, Purpose::test, 4, 0);
+    std::array<int, ViewOctree::kFull + 1> heights{};
+    for (int i = 0; i < 200'000; ++i) {
+        const Vec3 place = random_place(stream);
+        ASSERT_EQ(parts.height(place), whole.height(place));
+        ++heights.at(static_cast<std::size_t>(whole.height(place)));
+    }
+    EXPECT_GT(heights.at(ViewOctree::kFull), 1000);
+    EXPECT_GT(std::count_if(heights.begin(), heights.end(), [](int n) { return n > 1000; }), 3);
+}
+
 TEST(ViewOctree, large_discs_small_scenes_and_places_outside) {
-    const ViewOctree covered({point_at(Vec3(0), 500)}, kCentre, kRadius);
+    const std::array large{point_at(Vec3(0), 500)};
+    const ViewOctree covered(large, kCentre, kRadius);
     EXPECT_EQ(covered.height(Vec3(9, 9, 9)), ViewOctree::kFull);
     EXPECT_EQ(covered.height(Vec3(-9, 9, -9)), ViewOctree::kFull);
     EXPECT_EQ(covered.height(Vec3(1e4F, 0, 0)), 0);
     const ViewOctree empty({}, kCentre, kRadius);
     EXPECT_EQ(empty.height(Vec3(0)), 0);
-    const ViewOctree point({point_at(Vec3(1), 1e-6F)}, Vec3d(1), 0);
+    const std::array small{point_at(Vec3(1), 1e-6F)};
+    const ViewOctree point(small, Vec3d(1), 0);
     EXPECT_GE(point.height(Vec3(1)), 0);
 }
 

@@ -53,7 +53,7 @@ TEST(VisiblePointIndex, finds_what_takes_accepts) {
     std::uint64_t found = 0;
     for (const std::uint32_t count : {1U, 7U, 8U, 9U, 64U, 65U, 1000U}) {
         const auto points = random_points(count, count);
-        const VisiblePointIndex index(points, 10);
+        const VisiblePointIndex index({points}, 10);
         RandomStream stream(3, Purpose::test, count, 1);
         for (int i = 0; i < 4000; ++i) {
             const Photon photon = random_photon(points, stream);
@@ -83,7 +83,7 @@ TEST(VisiblePointIndex, knows_who_shares_a_pixel_and_who_is_plain) {
         points[i].shading_normal = i % 2 == 0 ? -normal : normal;
         if (i % 5 == 0) points[i].shading_normal = Vec3(normal.y, normal.z, normal.x);
     }
-    const VisiblePointIndex index(points, 10);
+    const VisiblePointIndex index({points}, 10);
     for (std::size_t at = 0; at < 100; ++at) {
         const VisiblePoint& p = index.points()[at];
         EXPECT_EQ(p.shares_pixel, p.pixel < 10);

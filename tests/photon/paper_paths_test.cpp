@@ -108,7 +108,7 @@ TEST_P(PaperPaths, are_those_of_a_plain_walk) {
     Splats splats;
     std::uint64_t unseen = 0;              // before the first path that is seen in a view
     for (const float x : {0.0F, -1.5F}) {  // the second goes on from the first, in another view
-        const VisiblePointIndex index(patch(x), 8);
+        const VisiblePointIndex index({patch(x)}, 8);
         const Statistics expected = plain(index, kPaths, expected_state, expected_splats);
         const auto deposit = [&](const std::vector<PhotonBatch>& batches) {
             for (const PhotonBatch& batch : batches)

@@ -6,6 +6,7 @@
 #include "support/procedural.h"
 #include "support/renders.h"
 #include "support/takers.h"
+#include "support/visible_points.h"
 
 #include <gtest/gtest.h>
 
@@ -21,10 +22,10 @@ struct Points {
     Points(const PassScene& pass, const RenderSettings& settings, Statistics& counts)
         : window(window_of(pass.scene.film())),
           image(window.pixels(), {}),
-          list(trace_eye_paths({pass, settings.transport, settings.eye, window, kId, 1}, image,
-                               counts)),
+          list(joined(trace_eye_paths({pass, settings.transport, settings.eye, window, kId, 1},
+                                      image, counts))),
           max_depth(settings.transport.max_depth),
-          index(list, max_depth) {}
+          index({list}, max_depth) {}
 
     std::uint64_t one_by_one(const Photon& photon) const {
         return static_cast<std::uint64_t>(

@@ -18,7 +18,7 @@ inline bool is_inside(const Vec3& place, const Box& box) {
 template <class Found>
 bool for_each_taker(const VisiblePointIndex& index, const Photon& photon, const Found& found) {
     constexpr std::size_t kWidth = VisiblePointIndex::kWidth;
-    const std::vector<VisiblePoint>& points = index.points();
+    const std::span<const VisiblePoint> points = index.points();
     bool any = false;
     for (std::size_t b = 0; b < index.block_count(); ++b) {
         if (!is_inside(photon.position, index.box(b))) continue;
