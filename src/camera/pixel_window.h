@@ -22,8 +22,9 @@ struct PixelWindow {
     /// pixels.
     Vec2d place(std::size_t pixel, const Vec2d& offset) const {
         const auto columns = static_cast<std::size_t>(width());
+        const std::size_t row = pixel / columns;
         return {x0 + static_cast<double>(pixel % columns) + 0.5 + offset.x,
-                y0 + static_cast<double>(pixel / columns) + 0.5 + offset.y};
+                y0 + static_cast<double>(row) + 0.5 + offset.y};
     }
 };
 

@@ -17,8 +17,10 @@ namespace sunfleck {
 /// start; does nothing where the C library is not glibc.
 inline void keep_freed_memory() {
 #if defined(__GLIBC__)
+    // NOLINTBEGIN(concurrency-mt-unsafe): no other thread runs yet
     mallopt(M_MMAP_MAX, 0);         // large pieces come from where small ones do, and stay there
     mallopt(M_TRIM_THRESHOLD, -1);  // never
+    // NOLINTEND(concurrency-mt-unsafe)
 #endif
 }
 
