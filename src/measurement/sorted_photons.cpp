@@ -2,27 +2,20 @@
 #include "measurement/sorted_photons.h"
 
 #include "core/parallel.h"
+#include "measurement/morton_order.h"
 
 #include <limits>
 
 namespace sunfleck {
 namespace {
 
-/// All photons of the batches in Morton order, equal ones in the order of the batches.
+/// All photons of the batches.
 MortonKeys in_order(const std::vector<PhotonBatch>& batches, const MortonGrid& grid) {
     constexpr unsigned kSortedBits = 33;
-    std::vector<std::size_t> first(batches.size() + 1, 0);
-    for (std::size_t b = 0; b < batches.size(); ++b)
-        first[b + 1] = first[b] + batches[b].photons.size();
-    MortonKeys keys(first.back());
-    parallel_for(batches.size(), [&](std::size_t b) {
-        const std::vector<Photon>& photons = batches[b].photons;
-        for (std::size_t i = 0; i < photons.size(); ++i)
-            keys[first[b] + i] = {grid.code(photons[i].position), static_cast<std::uint32_t>(i),
-                                  static_cast<std::uint32_t>(b)};
-    });
-    sort_by_code(keys, kSortedBits);
-    return keys;
+    return in_morton_order(
+        batches.size(), [&](std::size_t b) { return batches[b].photons.size(); },
+        [&](std::size_t b, std::size_t i) { return batches[b].photons[i].position; }, grid,
+        kSortedBits);
 }
 
 void call_into_cache(const std::vector<PhotonBatch>& batches, const MortonKey& key) {

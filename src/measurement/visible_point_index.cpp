@@ -2,6 +2,7 @@
 #include "measurement/visible_point_index.h"
 
 #include "core/parallel.h"
+#include "measurement/morton_order.h"
 
 #include <algorithm>
 #include <atomic>
@@ -76,18 +77,11 @@ std::vector<std::uint8_t> shared_pixels(const VisiblePointLists& lists, std::uin
     return pixels;
 }
 
-/// All points in Morton order, equal ones in the order of the lists.
-MortonKeys morton_order(const VisiblePointLists& lists, const MortonGrid& grid) {
-    std::vector<std::size_t> first(lists.size() + 1, 0);
-    for (std::size_t l = 0; l < lists.size(); ++l) first[l + 1] = first[l] + lists[l].size();
-    MortonKeys keys(first.back());
-    parallel_for(lists.size(), [&](std::size_t l) {
-        for (std::size_t i = 0; i < lists[l].size(); ++i)
-            keys[first[l] + i] = {grid.code(lists[l][i].disc.position),
-                                  static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(l)};
-    });
-    sort_by_code(keys, 63);
-    return keys;
+MortonKeys in_order(const VisiblePointLists& lists, const MortonGrid& grid) {
+    constexpr unsigned kSortedBits = 63;
+    return in_morton_order(
+        lists.size(), [&](std::size_t l) { return lists[l].size(); },
+        [&](std::size_t l, std::size_t i) { return lists[l][i].disc.position; }, grid, kSortedBits);
 }
 
 }  // namespace
@@ -98,7 +92,7 @@ VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, int max_depth)
     if (whole.points == 0) return;
     kinds_ = whole.kinds;
     grid_ = MortonGrid(whole.box.low, whole.box.high);
-    const MortonKeys order = morton_order(lists, grid_);
+    const MortonKeys order = in_order(lists, grid_);
     const std::vector<std::uint8_t> pixels = shared_pixels(lists, whole.last_pixel);
     points_.resize(order.size());
     blocks_.resize((order.size() + kWidth - 1) / kWidth);
