@@ -187,7 +187,7 @@ struct Maps {
         MapSink sink{map};
         Statistics counts;
         const EmissionPoints points(id);
-        Ladder(space, points, id, plan).run(sink, counts);
+        Ladder(space, points, id, plan, {}).run(sink, counts);
         return map;
     }
 

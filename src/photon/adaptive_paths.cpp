@@ -45,13 +45,18 @@ AdaptivePaths trace_adaptive_paths(const PhotonView& view, const ViewOctree& oct
     auto& [ladder, counts] = paths;
     PhotonSink sink{deposit, counts};
     Statistics traced;
-    ladder = Ladder(space, points, pass, group.plan, group.mapped.as_bridge()).run(sink, traced);
+    ladder = Ladder(space, points, pass, group.plan, group.mapped).run(sink, traced);
     counts += traced;
     counts[Count::uniform_paths] += group.plan.uniform_paths;
     counts[Count::uniform_visible] += ladder.levels.front().at_least(kVisible);
     const Acceptance mutations = ladder.mutations();
     counts[Count::mutated_paths] += mutations.proposed;
     counts[Count::accepted_paths] += mutations.accepted;
+    const std::uint64_t mapped_visible = ladder.mapped.at_least(kVisible);
+    counts[Count::mapped_paths] += ladder.mapped.states;
+    counts[Count::mapped_visible] += mapped_visible;
+    counts[Count::distinct_visible] += mapped_visible;
+    counts[Count::visible_states] += mapped_visible;
     if (ladder.levels.size() <= group.plan.levels.size()) return paths;  // starved
     const LevelCounts& last = ladder.levels.back();
     counts[Count::distinct_visible] += last.distinct;

@@ -7,20 +7,19 @@
 #include "core/parallel.h"
 #include "measurement/photon_batch.h"
 #include "photon/interleaved.h"
-#include "sampler/mapped_points.h"
+#include "sampler/emission_points.h"
 
 #include <algorithm>
 #include <vector>
 
 namespace sunfleck {
 
-enum class UniformKind { random, uniform, mapped };
+enum class UniformKind { random, uniform };
 
 struct UniformPaths {
     UniformKind kind = UniformKind::uniform;
     PassId pass;
     std::uint32_t count = 0;
-    const EmissionMap* map = nullptr;  // of mapped ones
 };
 
 /// Paths of which at least one photon was taken, ascending. @param range  of the batch.
@@ -64,9 +63,7 @@ std::vector<PhotonBatch> trace_batches(const PhotonTracer& tracer, const Uniform
     parallel_blocks(range.size(), kBatchPaths, [&](std::size_t first, std::size_t last) {
         PhotonBatch& batch = batches[first / kBatchPaths];
         const PathRange block{range.begin + first, range.begin + last};
-        if (paths.kind == UniformKind::mapped)
-            trace_batch(tracer, MappedPoints(paths.pass, *paths.map), block, may_take, batch);
-        else if (paths.kind == UniformKind::uniform)
+        if (paths.kind == UniformKind::uniform)
             trace_batch(tracer, even, block, may_take, batch);
         else
             trace_batch(tracer, independent, block, may_take, batch);
@@ -77,12 +74,10 @@ std::vector<PhotonBatch> trace_batches(const PhotonTracer& tracer, const Uniform
 /// Traces all paths of the pass, some at a time so that their photons fit in memory.
 /// @param deposit  called with the batches of many paths; marks the photons that were taken and
 ///                 counts in their statistics.
-/// @param visible  called with the number of each visible path, ascending.
 /// @return counts: paths, rays, visible paths, ends.
-template <class MayTake, class Deposit, class Visible>
+template <class MayTake, class Deposit>
 Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& paths,
-                               const MayTake& may_take, const Deposit& deposit,
-                               const Visible& visible) {
+                               const MayTake& may_take, const Deposit& deposit) {
     constexpr std::size_t kAtOnce = std::size_t{1} << 17U;
     Statistics total;
     for (std::size_t begin = 0; begin < paths.count; begin += kAtOnce) {
@@ -92,19 +87,11 @@ Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& p
         for (std::size_t i = 0; i < batches.size(); ++i) {
             const std::size_t first = begin + i * kBatchPaths;
             total += batches[i].statistics;
-            const std::vector<std::uint32_t> numbers =
-                visible_paths(batches[i], {first, std::min(range.end, first + kBatchPaths)});
-            total[Count::uniform_visible] += numbers.size();
-            for (const std::uint32_t number : numbers) visible(number);
+            total[Count::uniform_visible] +=
+                visible_paths(batches[i], {first, std::min(range.end, first + kBatchPaths)}).size();
         }
     }
     return total;
-}
-
-template <class MayTake, class Deposit>
-Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& paths,
-                               const MayTake& may_take, const Deposit& deposit) {
-    return trace_uniform_paths(tracer, paths, may_take, deposit, [](std::uint32_t) {});
 }
 
 }  // namespace sunfleck

@@ -11,9 +11,6 @@
 namespace sunfleck {
 namespace {
 
-/// Mapped paths draw their numbers as parts of their own, beyond those of all groups.
-constexpr std::uint32_t kMappedParts = PassId::kParts / 2;
-
 class PhotonStage {
 public:
     PhotonStage(const PhotonView& view, PassId id, PhotonSampler sampler, PassImage& image,
@@ -25,7 +22,6 @@ public:
     void trace(const PhotonGroup& group) {
         const LadderPlan& plan = group.plan;
         GroupCounts counts{group.paths(), group.power_share, 0, {}};
-        if (group.mapped.paths > 0) counts.visible_fraction = trace_mapped(group);
         if (plan.levels.empty()) {
             counts.visible_fraction = trace_uniform(group);
         } else {
@@ -35,7 +31,7 @@ public:
                 trace_adaptive_paths(view_, *octree_, id_.with_part(group.part), group, deposit);
             result_.statistics += paths.statistics;
             counts.ladder = std::move(paths.ladder);
-            counts.visible_fraction += counts.ladder.visible_fraction;
+            counts.visible_fraction = counts.ladder.visible_fraction;
         }
         result_.visible_fraction += group.power_share * counts.visible_fraction;
         result_.groups.push_back(std::move(counts));
@@ -50,28 +46,9 @@ private:
         const UniformKind kind =
             sampler_ == PhotonSampler::random ? UniformKind::random : UniformKind::uniform;
         Statistics counts = trace_uniform_paths(
-            tracer, {kind, id_.with_part(group.part), paths, nullptr},
+            tracer, {kind, id_.with_part(group.part), paths},
             [&](const Photon& photon) { return view_.index.may_take(photon); }, deposit);
         return count_uniform(counts, result_.statistics);
-    }
-
-    /// @return the fraction of uniform paths that are visible and that the map covers.
-    double trace_mapped(const PhotonGroup& group) {
-        const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
-        const Depositor deposit(view_.scene, view_.index, image_, group.mapped.paths, taken_);
-        const PassId id = id_.with_part(group.part + kMappedParts);
-        const MappedPoints points(id, group.mapped.map);
-        double visible = 0;
-        Statistics counts = trace_uniform_paths(
-            tracer, {UniformKind::mapped, id, group.mapped.paths, &group.mapped.map},
-            [&](const Photon& photon) { return view_.index.may_take(photon); }, deposit,
-            [&](std::uint32_t number) { visible += points.path(number).weight(); });
-        counts[Count::mapped_paths] = std::exchange(counts[Count::uniform_paths], 0);
-        counts[Count::mapped_visible] = std::exchange(counts[Count::uniform_visible], 0);
-        counts[Count::distinct_visible] = counts[Count::visible_states] =
-            counts[Count::mapped_visible];
-        result_.statistics += counts;
-        return visible / group.mapped.paths;
     }
 
     const PhotonView& view_;

@@ -26,7 +26,7 @@ public:
         : space_(space), target_(target), stream_(stream), sample_(std::move(seed)) {
         space_.trace(RepeatingReader(sample_, stream_), path_, tally);
         height_ = space_.height(path_);
-        importance_ = target_.importance(sample_);
+        is_covered_ = target_.cover.contains(sample_);
     }
 
     /// Proposes once. @return what follows if it was accepted: then accept() must be called.
@@ -48,20 +48,19 @@ public:
         std::swap(sample_, proposed_sample_);
         std::swap(path_, proposed_path_);
         height_ = proposed_height_;
-        importance_ = proposed_importance_;
+        is_covered_ = proposed_is_covered_;
     }
 
     const StoredSample& sample() const { return sample_; }
     const Path& path() const { return path_; }
     int height() const { return height_; }
-    /// Does the target cover less of the state than of others?
-    bool is_bridge() const { return importance_ < 1; }
+    bool is_covered() const { return is_covered_; }
 
 private:
+    /// A step onto what is covered is accepted as seldom as that is important.
     bool is_important() {
-        proposed_importance_ = target_.importance(proposed_sample_);
-        return proposed_importance_ >= importance_ ||
-               stream_.next() * importance_ < proposed_importance_;
+        proposed_is_covered_ = target_.cover.contains(proposed_sample_);
+        return is_covered_ || !proposed_is_covered_ || stream_.next() < target_.cover.importance;
     }
 
     const Space& space_;
@@ -73,8 +72,8 @@ private:
     Path proposed_path_;
     int height_ = 0;
     int proposed_height_ = 0;
-    double importance_ = 1;
-    double proposed_importance_ = 1;
+    bool is_covered_ = false;
+    bool proposed_is_covered_ = false;
 };
 
 }  // namespace sunfleck

@@ -8,7 +8,7 @@
 // sequential Monte Carlo: Dau and Chopin 2022.
 #pragma once
 
-#include "sampler/uniform_level.h"
+#include "sampler/mapped_level.h"
 
 namespace sunfleck {
 
@@ -24,19 +24,11 @@ struct LadderPlan {
     friend bool operator==(const LadderPlan&, const LadderPlan&) = default;
 };
 
-/// Uniform paths through a map: what they cover is no part of a ladder.
-struct MappedPlan {
-    EmissionMap map;
-    std::uint32_t paths = 0;  // none: there is no map
-    double bridge = 1;        // importance of what the map covers to the ladder's chains
-
-    Bridge as_bridge() const { return paths == 0 ? Bridge{} : Bridge{&map, bridge}; }
-};
-
 /// Counts of one ladder. Level 0 is the uniform paths, whose `distinct` equals `states`.
 struct LadderCounts {
     std::vector<LevelCounts> levels;
     std::vector<std::uint64_t> survivors;  // states of level k that are in the set of level k + 1
+    LevelCounts mapped;                    // paths through a map, beside the levels
     double visible_fraction = 0;           // sum of the weights handed out: unbiased
 
     /// Another run of the same plan: counts add up, fractions by their share in the mean.
@@ -45,6 +37,7 @@ struct LadderCounts {
         survivors.resize(other.survivors.size());
         for (std::size_t k = 0; k < levels.size(); ++k) levels[k] += other.levels[k];
         for (std::size_t k = 0; k < survivors.size(); ++k) survivors[k] += other.survivors[k];
+        mapped += other.mapped;
         visible_fraction += other.visible_fraction * share;
     }
     /// Of all levels.
@@ -53,16 +46,6 @@ struct LadderCounts {
         for (const LevelCounts& level : levels) sum += level.mutations();
         return sum;
     }
-};
-
-/// Where a ladder's visible paths go. make(weight) gives a collector for one chain, called as
-/// collect(path, weight * steps); take(collectors) gets them in the order of the chains.
-template <class S, class Space>
-concept PathSink = requires(S& sink, typename S::Collector& collect,
-                            const typename Space::Path& path, double weight) {
-    { sink.make() } -> std::same_as<typename S::Collector>;
-    {collect(path, weight)};
-    {sink.take(std::vector<typename S::Collector>())};
 };
 
 namespace ladder_detail {
@@ -79,14 +62,23 @@ struct SeedCollector {
     }
 };
 
+/// What a state of the last set weighs for each step it stood.
+struct StateWeight {
+    double elsewhere = 0;
+    double covered = 0;  // where a map covers
+
+    double of(bool is_covered) const { return is_covered ? covered : elsewhere; }
+};
+
 /// Hands the states of a chain on with their weight.
 template <PathSpace Space, class Collector>
 struct WeightedCollector {
     Collector collect;
-    double weight;
+    StateWeight weight;
 
     void operator()(const ChainState<Space>& state) {
-        if (!state.is_bridge) collect(state.path, weight * state.steps);
+        const double w = weight.of(state.is_covered);
+        if (w > 0) collect(state.path, w * state.steps);
     }
 };
 
@@ -109,7 +101,7 @@ Population surviving_states(const Level<Space>& level, int least_height, LevelCo
     return population;
 }
 
-/// All levels of a plan that has any. What the bridge covers gets no weight.
+/// All levels of a plan that has any, and what goes through a map besides.
 template <PathSpace Space, class Points>
 class Ladder {
 public:
@@ -117,44 +109,58 @@ public:
 
     /// @param points  of level 0. @param pass  names the streams of the chains.
     Ladder(const Space& space, const Points& points, PassId pass, const LadderPlan& plan,
-           const Bridge& bridge = {})
-        : space_(space), points_(points), pass_(pass), plan_(plan), bridge_(bridge) {}
+           const MappedPlan& mapped)
+        : space_(space), points_(points), pass_(pass), plan_(plan), mapped_(mapped) {}
 
-    /// @return counts; levels after one without survivors are not run: the pass is zero
-    /// ("starved").
+    /// @return counts; levels after one without survivors are not run, and if no seed of the last
+    /// set came by the map, either, the pass is zero ("starved").
     template <PathSink<Space> Sink>
     LadderCounts run(Sink& sink, Tally& tally) const {
         LadderCounts counts;
-        UniformLevel first =
-            uniform_level(space_, points_, plan_.uniform_paths, plan_.levels.front().height, tally);
-        counts.levels.push_back(first.counts);
-        counts.survivors.push_back(first.population.units());
-        double fraction = first.population.weight() / plan_.uniform_paths;
-        Population population = std::move(first.population);
-        for (std::size_t k = 0; k + 1 < plan_.levels.size() && population.units() > 0; ++k) {
-            const Level<Space> level(space_, pass_, number(k), plan_.levels[k], population);
-            Population survivors = surviving_states(level, plan_.levels[k + 1].height,
-                                                    counts.levels.emplace_back(), tally);
-            counts.survivors.push_back(survivors.units());
-            fraction *= survivors.weight() / static_cast<double>(level.states());
-            population = std::move(survivors);
+        Population seeds = climbed(counts, tally);
+        if (mapped_.paths > 0) {
+            MappedLevel level = mapped_level(space_, pass_, mapped_, sink, tally);
+            counts.mapped = level.counts;
+            counts.visible_fraction = level.visible * mapped_.own_share;
+            seeds.add(std::move(level.population));
         }
-        if (population.units() > 0) run_last(population, fraction, sink, counts, tally);
+        if (seeds.units() > 0) run_last(seeds, sink, counts, tally);
         return counts;
     }
 
 private:
     static std::uint32_t number(std::size_t level) { return static_cast<std::uint32_t>(level + 1); }
 
-    /// @param fraction  of the population's set, as estimated by the levels before.
+    /// All levels but the last. @return seeds of that with their weights, but what a map covers.
+    Population climbed(LadderCounts& counts, Tally& tally) const {
+        UniformLevel first =
+            uniform_level(space_, points_, plan_.uniform_paths, plan_.levels.front().height, tally);
+        counts.levels.push_back(first.counts);
+        counts.survivors.push_back(first.population.units());
+        double weight = 1.0 / plan_.uniform_paths;  // of a unit
+        Population population = std::move(first.population);
+        for (std::size_t k = 0; k + 1 < plan_.levels.size(); ++k) {
+            counts.levels.emplace_back();
+            counts.survivors.push_back(0);
+            if (population.units() == 0) continue;
+            const Level<Space> level(space_, pass_, number(k), plan_.levels[k], population);
+            weight *= population.weight() / static_cast<double>(level.states());
+            population =
+                surviving_states(level, plan_.levels[k + 1].height, counts.levels.back(), tally);
+            counts.survivors.back() = population.units();
+        }
+        return population.uncovered(mapped_.cover(), weight);
+    }
+
+    /// @param seeds  of the last set with their weights: their sum is an estimate of its measure.
     template <class Sink>
-    void run_last(Population& population, double fraction, Sink& sink, LadderCounts& counts,
-                  Tally& tally) const {
+    void run_last(Population& seeds, Sink& sink, LadderCounts& counts, Tally& tally) const {
         using Weighted = ladder_detail::WeightedCollector<Space, typename Sink::Collector>;
-        fraction *= population.weigh(bridge_);
         const Level<Space> level(space_, pass_, number(plan_.levels.size() - 1),
-                                 plan_.levels.back(), population, bridge_);
-        const double weight = fraction / static_cast<double>(level.states());
+                                 plan_.levels.back(), seeds, mapped_.cover());
+        const double each = seeds.weight() / static_cast<double>(level.states());
+        const ladder_detail::StateWeight weight{
+            each, each * (1 - mapped_.own_share) / mapped_.importance};
         LevelCounts& counted = counts.levels.emplace_back();
         level.run(
             [&] {
@@ -167,14 +173,16 @@ private:
                 sink.take(std::move(inner));
             },
             counted, tally);
-        counts.visible_fraction = weight * static_cast<double>(counted.states - counted.bridges);
+        counts.visible_fraction +=
+            weight.elsewhere * static_cast<double>(counted.states - counted.covered) +
+            weight.covered * static_cast<double>(counted.covered);
     }
 
     const Space& space_;
     const Points& points_;
     PassId pass_;
     const LadderPlan& plan_;
-    Bridge bridge_;
+    const MappedPlan& mapped_;
 };
 
 }  // namespace sunfleck

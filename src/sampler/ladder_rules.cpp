@@ -13,11 +13,30 @@ constexpr double kConditionalFraction = 0.05;
 constexpr std::uint32_t kChains = 256;
 constexpr std::uint32_t kLastChains = 1024;  // no chain stays long in one place of the picture
 constexpr std::uint32_t kStatesOfAChain = 64;
-// Of a pass, through a map: what it leaves out is little, but chains need more paths for it.
-constexpr double kMappedShare = 0.4;
-constexpr double kMappedShareAlone = 0.75;
-constexpr double kMostImportance = 0.5;   // of the bridge: it must be told from the rest
-constexpr double kBridgeShare = 1 / 3.0;  // of chains' states on the bridge, over those elsewhere
+constexpr double kLastShare = 0.5;  // of paths: states of the last set
+
+/// How paths through a map and a ladder beside it share their work.
+struct Division {
+    double mapped;  // of all paths
+    double last;    // of the ladder's paths: states of the last set
+    double own;     // of the light from where the map covers: what paths through it bring
+    double detour;  // of the last set's states: where the map covers, if they bring nothing there
+};
+// Paths through the map bring the light from there. What it leaves out is little, but rare: the
+// uniform paths and the first sets must find it, so the last one has fewer states than without.
+constexpr Division kOftenSeen{0.3, 0.3, 1, 0.1};
+// No ladder leads to what is visible.
+constexpr Division kAlone{0.75, 0.5, 1, 0.25};
+// Few paths through the map are visible, fewer than are worth as much as states of chains: they
+// start these.
+constexpr Division kForSeeds{0.1, 0.75, 0.1, 0};
+constexpr double kSeldomSeen = 0.2;      // of paths through such a map
+constexpr double kMostImportance = 0.5;  // of detours
+
+const Division& division(const LearnedMap& map) {
+    if (map.covering == Covering::all_known) return kAlone;
+    return map.visible_share < kSeldomSeen ? kForSeeds : kOftenSeen;
+}
 
 /// In float: the same bits on every machine.
 float log_of(double x) {
@@ -69,28 +88,16 @@ std::vector<int> reached_heights(const HeightTail& tail) {
     return heights;
 }
 
-}  // namespace
-
-bool is_rare(const HeightTail& tail) {
-    return tail[kVisible] < kUniformOnly;
+bool has_seeds_for_one_set(const HeightTail& tail, std::uint32_t uniform) {
+    return tail[kVisible] * uniform >= kSeedsForOneSet;
 }
 
-bool needs_several_sets(const HeightTail& tail, std::uint32_t paths) {
-    const std::uint32_t uniform = paths - paths / 2;
-    return is_rare(tail) && tail[kVisible] * uniform < kSeedsForOneSet;
-}
-
-MappedPlan mapped_plan(const LearnedMap& map, bool can_climb, std::uint32_t paths) {
-    const double share = can_climb ? kMappedShare : kMappedShareAlone;
-    return {map.map, static_cast<std::uint32_t>(share * paths),
-            std::min(kMostImportance, map.rest / (1 - map.rest) * kBridgeShare)};
-}
-
-LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths) {
+/// @param last_share  of the paths, states of the last set.
+LadderPlan planned(const HeightTail& tail, std::uint32_t paths, double last_share) {
     if (!is_rare(tail)) return {paths, {}};
     const double visible = tail[kVisible];
-    const std::uint32_t last = paths / 2;
-    if (!needs_several_sets(tail, paths)) {  // hardly a seed is left out
+    const auto last = std::max(1U, static_cast<std::uint32_t>(last_share * paths));
+    if (has_seeds_for_one_set(tail, paths - last)) {  // hardly a seed is left out
         const double seeds = visible * (paths - last);
         const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * seeds));
         return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
@@ -108,6 +115,33 @@ LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths) {
         plan.levels.push_back({height, share, chains_for(share, kChains), {}});
     plan.levels.push_back({kVisible, last, chains_for(last, kLastChains), {}});
     return plan;
+}
+
+}  // namespace
+
+bool is_rare(const HeightTail& tail) {
+    return tail[kVisible] < kUniformOnly;
+}
+
+bool needs_several_sets(const HeightTail& tail, std::uint32_t paths) {
+    return is_rare(tail) && !has_seeds_for_one_set(tail, paths - paths / 2);
+}
+
+SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths) {
+    const Division& d = division(map);
+    const double rest = map.rest / (1 - map.rest);
+    const double importance =
+        d.own < 1 ? 1 : std::min(kMostImportance, rest * d.detour / (1 - d.detour));
+    SharedPlan plan;
+    plan.mapped = {map.map, std::min(static_cast<std::uint32_t>(d.mapped * paths), paths - 2),
+                   importance, d.own};
+    tail[kVisible] = map.covering == Covering::all_known ? 0 : tail[kVisible] * map.rest;
+    plan.ladder = planned(tail, paths - plan.mapped.paths, d.last);
+    return plan;
+}
+
+LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths) {
+    return planned(tail, paths, kLastShare);
 }
 
 int next_height(const HeightCounts& heights, int from) {

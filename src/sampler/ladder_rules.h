@@ -26,9 +26,20 @@ LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths);
 /// Would the ladder's uniform paths find too few visible ones for one set?
 bool needs_several_sets(const HeightTail& tail, std::uint32_t paths);
 
-/// Paths through a map, of those of a pass, beside a ladder for what it leaves out.
-/// @param can_climb  whether ladders reach visible paths; else the map gets most paths.
-MappedPlan mapped_plan(const LearnedMap& map, bool can_climb, std::uint32_t paths);
+/// Paths through a map, and a ladder beside them.
+struct SharedPlan {
+    LadderPlan ladder;
+    MappedPlan mapped;
+};
+
+/// The plan where there is a map. What it covers is brought
+/// - by the paths through it, and the ladder's chains bring what it leaves out;
+/// - by the ladder's chains, too, started by those paths, where less than a fifth of these is
+///   visible.
+/// A map of places that no ladder reaches gets most of the paths.
+/// @param tail  of all paths. @param map  of which the rest is less than one. @param paths  at
+/// least 2.
+SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths);
 
 /// The height that exploration climbs to next: the greatest with at least 2% of the states; if no
 /// height above the set's has so many, the lowest above it that has any; kHeights if none has.

@@ -22,6 +22,8 @@ struct LearnedMap {
     EmissionMap map;              // the identity: covers nothing
     double rest = 1;              // share of visible paths that it leaves out, about
     double visible_fraction = 0;  // of uniform paths
+    Covering covering = Covering::often_visible;
+    double visible_share = 0;  // of paths through it
 };
 
 /// Visible paths whose emission is as hinted and whose other numbers are drawn: at most one a hint.
@@ -97,7 +99,7 @@ public:
         }
         const Trials last = tried(map, rounds.back());
         if (covering == Covering::often_visible) map = map.where_visible(last.trials, kOften);
-        LearnedMap learned{map, 1, last.visible / kTrials};
+        LearnedMap learned{map, 1, last.visible / kTrials, covering, visible_share(map, last)};
         if (!learned.map.is_identity()) learned.rest = rest(learned.map, starts, last);
         return learned;
     }
@@ -142,6 +144,19 @@ private:
             starts.push_back({trials.trials[i].point, share * mass});
         }
         return starts;
+    }
+
+    /// Of trials where the map covers. These had its densities but for what where_visible()
+    /// changed.
+    static double visible_share(const EmissionMap& map, const Trials& trials) {
+        std::size_t covered = 0;
+        std::size_t visible = 0;
+        for (const EmissionMap::Trial& trial : trials.trials) {
+            if (!map.covers(trial.point)) continue;
+            ++covered;
+            visible += trial.visible ? 1 : 0;
+        }
+        return covered == 0 ? 0 : static_cast<double>(visible) / static_cast<double>(covered);
     }
 
     /// What is not covered: by trials, of which few count much, and by starts, half and half.

@@ -35,12 +35,12 @@ struct LevelCounts {
     std::uint64_t distinct = 0;  // seeds and accepted mutations
     Acceptances acceptances;
     HeightCounts heights{};     // of states, with repeats
-    std::uint64_t bridges = 0;  // of states, with repeats: on the bridge
+    std::uint64_t covered = 0;  // of states, with repeats: where a map covers
 
     LevelCounts& operator+=(const LevelCounts& other) {
         states += other.states;
         distinct += other.distinct;
-        bridges += other.bridges;
+        covered += other.covered;
         for (std::size_t k = 0; k < kMutationKinds; ++k) acceptances[k] += other.acceptances[k];
         for (std::size_t h = 0; h < heights.size(); ++h) heights[h] += other.heights[h];
         return *this;
@@ -65,7 +65,7 @@ struct ChainState {
     const typename Space::Path& path;
     int height;
     std::uint32_t steps;  // that it stood, at least 1
-    bool is_bridge = false;
+    bool is_covered = false;
 };
 
 /// Takes the states of one chain, in their order.
@@ -81,13 +81,13 @@ public:
 
     /// @param number  of the level, 1 to 31: names the streams. @param population  not empty.
     Level(const Space& space, PassId pass, std::uint32_t number, const LevelPlan& plan,
-          const Population& population, const Bridge& bridge = {})
+          const Population& population, const MapCover& cover = {})
         : space_(space),
           pass_(pass),
           number_(number),
           plan_(plan),
           population_(population),
-          target_{plan.height, bridge},
+          target_{plan.height, cover},
           states_(std::max(plan.states, plan.chains)) {}
 
     std::uint64_t states() const { return states_; }
@@ -138,10 +138,10 @@ private:
         std::uint32_t steps = 1;
         const auto leave = [&] {
             collect(ChainState<Space>{chain.sample(), chain.path(), chain.height(), steps,
-                                      chain.is_bridge()});
+                                      chain.is_covered()});
             counts.states += steps;
             ++counts.distinct;
-            counts.bridges += chain.is_bridge() ? steps : 0;
+            counts.covered += chain.is_covered() ? steps : 0;
             counts.heights[static_cast<std::size_t>(chain.height())] += steps;
         };
         for (std::uint64_t i = 1; i < one.states; ++i) {

@@ -13,8 +13,10 @@ namespace sunfleck {
 
 class MappedPoints {
 public:
-    /// @param map  must outlive this.
-    MappedPoints(PassId pass, const EmissionMap& map) : points_(pass), map_(map) {}
+    /// @param pass  of a ladder, whose own points these do not share. @param map  must outlive
+    /// this.
+    MappedPoints(PassId pass, const EmissionMap& map)
+        : points_(pass.with_part(PassId::kParts / 2)), map_(map) {}
 
     class Reader {
     public:

@@ -5,6 +5,7 @@
 #include "sampler/primary_sample.h"
 
 #include <concepts>
+#include <vector>
 
 namespace sunfleck {
 
@@ -25,6 +26,16 @@ concept PathSpace = requires(const S& space, typename S::Path& path, typename S:
     tally += tally;
     {space.trace(read, path, tally)};
     { space.height(path) } -> std::same_as<int>;
+};
+
+/// Where visible paths go. make() gives a collector for some of them, called as
+/// collect(path, weight); take(collectors) gets them in the order of the paths.
+template <class S, class Space>
+concept PathSink = requires(S& sink, typename S::Collector& collect,
+                            const typename Space::Path& path, double weight) {
+    { sink.make() } -> std::same_as<typename S::Collector>;
+    {collect(path, weight)};
+    {sink.take(std::vector<typename S::Collector>())};
 };
 
 }  // namespace sunfleck

@@ -57,16 +57,18 @@ public:
 
     /// What was found, and the plan for passes of that many paths. May be asked again for others.
     PilotResult plan(std::uint32_t paths) {
-        HeightTail tail = result_.tail;
+        const HeightTail& tail = result_.tail;
         const bool wants_map = !has_climbed_ || needs_several_sets(tail, paths);
         if (maps_.is_on && has_climbed_ && wants_map && !map_) learn_map(Covering::often_visible);
         result_.mapped = {};
         result_.last = {};
         if (wants_map && map_ && map_->rest < kMostRest) {
-            result_.mapped = mapped_plan(*map_, has_climbed_, paths);
-            tail[kVisible] = has_climbed_ ? tail[kVisible] * map_->rest : 0;
+            SharedPlan shared = shared_plan(tail, *map_, paths);
+            result_.plan = std::move(shared.ladder);
+            result_.mapped = std::move(shared.mapped);
+        } else {
+            result_.plan = ladder_plan(tail, paths);
         }
-        result_.plan = ladder_plan(tail, paths - result_.mapped.paths);
         for (LevelPlan& level : result_.plan.levels) level.scales = scales_near(level.height);
         if (result_.plan.levels.size() > 1) refine();
         return result_;
@@ -206,6 +208,8 @@ private:
             void take(std::vector<Collector>&&) {}
         } nowhere;
         LadderPlan small = result_.plan;
+        MappedPlan mapped = result_.mapped;
+        if (mapped.paths > 0) mapped.paths = kStates / 4;
         small.uniform_paths = 2 * kStates;
         for (LevelPlan& level : small.levels) {
             level.states = kStates;
@@ -215,12 +219,11 @@ private:
         for (int i = 0; i < rounds; ++i) {
             const PassId pass = next_pass();
             const Points points(pass);
-            result_.last = Ladder(space_, points, pass, small, result_.mapped.as_bridge())
-                               .run(nowhere, tally_);
+            result_.last = Ladder(space_, points, pass, small, mapped).run(nowhere, tally_);
             for (std::size_t k = 0; k + 1 < result_.last.levels.size(); ++k)
                 small.levels[k].scales =
                     adapted(small.levels[k].scales, result_.last.levels[k + 1].acceptances);
-            result_.paths += small.paths();
+            result_.paths += small.paths() + mapped.paths;
         }
         for (std::size_t k = 0; k < small.levels.size(); ++k)
             result_.plan.levels[k].scales = small.levels[k].scales;

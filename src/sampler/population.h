@@ -33,6 +33,7 @@ public:
     void add(std::vector<Seed>&& seeds) {
         for (Seed& seed : seeds) add(std::move(seed));
     }
+    void add(Population&& other) { add(std::move(other.seeds_)); }
 
     /// Those of at least that height.
     Population at_least(int height) const {
@@ -42,15 +43,15 @@ public:
         return some;
     }
 
-    /// Weighs seeds by their importance. @return the mean importance of units so far of weight one.
-    double weigh(const Bridge& bridge) {
-        Population weighed;
-        for (Seed& seed : seeds_) {
-            seed.weight = Target{seed.height, bridge}.importance(seed.sample);
-            weighed.add(std::move(seed));
+    /// The same seeds, each unit of that weight times its own, but those that are covered.
+    Population uncovered(const MapCover& cover, double weight) const {
+        Population some;
+        for (Seed seed : seeds_) {
+            if (cover.contains(seed.sample)) continue;
+            seed.weight *= weight;
+            some.add(std::move(seed));
         }
-        *this = std::move(weighed);
-        return weight_ / static_cast<double>(units_);
+        return some;
     }
 
     std::uint64_t units() const { return units_; }

@@ -18,24 +18,19 @@ inline EmissionPoint emission_of(const StoredSample& sample) {
     return point;
 }
 
-/// What a map covers is sampled by other paths. Chains still go through it, as over a bridge
-/// between the other places, but less often.
-struct Bridge {
+/// Places where paths through a map start, too: chains need not be there as often as elsewhere.
+struct MapCover {
     const EmissionMap* map = nullptr;  // none: nothing is covered
-    double importance = 1;             // of what is covered, in (0,1)
+    double importance = 1;             // of what is covered, in (0,1]
 
-    bool covers(const StoredSample& sample) const {
+    bool contains(const StoredSample& sample) const {
         return map != nullptr && map->covers(emission_of(sample));
     }
 };
 
 struct Target {
     int height = kVisible;  // of paths in the set, at least
-    Bridge bridge = {};
-
-    double importance(const StoredSample& sample) const {
-        return bridge.covers(sample) ? bridge.importance : 1;
-    }
+    MapCover cover = {};
 };
 
 }  // namespace sunfleck

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sampler/level.h"
+#include "sampler/path_range.h"
 
 namespace sunfleck {
 
@@ -9,6 +10,25 @@ struct UniformLevel {
     Population population;
     LevelCounts counts;  // `distinct` equals `states`
 };
+
+/// Traces paths of some numbers. @param keep  called with each: keep(reader, sample, path, height).
+template <PathSpace Space, class Points, class Keep>
+LevelCounts trace_range(const Space& space, const Points& points, const PathRange& range,
+                        const Keep& keep, typename Space::Tally& tally) {
+    LevelCounts counts;
+    typename Space::Path path;
+    StoredSample sample;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+        const auto reader = points.path(static_cast<std::uint32_t>(i));
+        sample.clear();
+        space.trace(RecordingReader(reader, sample), path, tally);
+        const int height = space.height(path);
+        ++counts.heights[static_cast<std::size_t>(height)];
+        keep(reader, sample, path, height);
+    }
+    counts.states = counts.distinct = range.size();
+    return counts;
+}
 
 /// @tparam Points  path(number) -> a slot reader, uniform in its marginal distribution.
 /// @param least_height  of the paths that are kept.
@@ -24,17 +44,12 @@ UniformLevel uniform_level(const Space& space, const Points& points, std::uint32
     std::vector<Block> blocks((count + kBlock - 1) / kBlock);
     parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
         Block& block = blocks[begin / kBlock];
-        typename Space::Path path;
-        StoredSample sample;
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto number = static_cast<std::uint32_t>(i);
-            sample.clear();
-            space.trace(RecordingReader(points.path(number), sample), path, block.tally);
-            const int height = space.height(path);
-            ++block.counts.heights[static_cast<std::size_t>(height)];
-            if (height >= least_height) block.seeds.push_back({sample, 1, height});
-        }
-        block.counts.states = block.counts.distinct = end - begin;
+        block.counts = trace_range(
+            space, points, {begin, end},
+            [&](const auto&, const StoredSample& sample, const typename Space::Path&, int height) {
+                if (height >= least_height) block.seeds.push_back({sample, 1, height});
+            },
+            block.tally);
     });
     UniformLevel level;
     for (Block& block : blocks) {

@@ -30,8 +30,9 @@ inline std::vector<int> top(int sets) {
 }
 
 /// A map that covers places where the first slot lies in [low, high], and nothing else.
-/// @param bridge  importance to the chains of what it covers.
-inline MappedPlan mapped_over(double low, double high, std::uint32_t paths, double bridge) {
+/// @param importance  to the chains, of what it covers. @param own_share  of the light from there.
+inline MappedPlan mapped_over(double low, double high, std::uint32_t paths, double importance,
+                              double own_share) {
     RandomStream random(3, Purpose::test, 0, 0);
     std::vector<WeightedEmission> starts;
     std::vector<EmissionMap::Trial> trials;
@@ -41,7 +42,8 @@ inline MappedPlan mapped_over(double low, double high, std::uint32_t paths, doub
         start.point[0] = low + (high - low) * start.point[0];
         trials.push_back({start.point, true});
     }
-    return {EmissionMap::learned(starts, {0.25}).where_visible(trials, 0.5), paths, bridge};
+    return {EmissionMap::learned(starts, {0.25}).where_visible(trials, 0.5), paths, importance,
+            own_share};
 }
 
 /// Passes are as many as the bands of the laws need.
@@ -65,7 +67,7 @@ inline std::vector<SamplerExample> sampler_examples() {
          {1000, 35000},
          0.01,
          0.001,
-         mapped_over(0.14, 0.3, 512, 0.2)},
+         mapped_over(0.14, 0.3, 512, 0.2, 0.5)},
         {"mapped_beside_two_sets",
          emission,
          true,
@@ -73,7 +75,7 @@ inline std::vector<SamplerExample> sampler_examples() {
          {2500, 40000},
          0.01,
          0.002,
-         mapped_over(0.17, 0.24, 512, 0.05)},
+         mapped_over(0.17, 0.24, 512, 0.05, 0)},
         {"mapped_in_eight_slots",
          eight,
          true,
@@ -81,7 +83,7 @@ inline std::vector<SamplerExample> sampler_examples() {
          {1000, 35000},
          0.01,
          0.001,
-         mapped_over(0.1, 0.4, 512, 0.3)},
+         mapped_over(0.1, 0.4, 512, 0.3, 1)},
         {"random_points", two, false, {1000, {}}, {1500, 65000}},
         {"sobol_points", eight, true, {1024, {}}, {500, 22000}},
         {"one_set_copies", eight, true, plan_over(top(1), 512, 512, 256, 0.3F), {1000, 35000}},

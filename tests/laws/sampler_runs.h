@@ -7,7 +7,6 @@
 #include "math/statistics.h"
 #include "sampler/emission_points.h"
 #include "sampler/ladder.h"
-#include "sampler/mapped_points.h"
 
 #include <bit>
 #include <ostream>
@@ -81,21 +80,6 @@ struct SummingSink {
     }
 };
 
-/// As render/pass.cpp does it: paths through the map are no part of the ladder.
-template <PathSpace Space>
-void run_mapped(const Space& space, PassId pass, const MappedPlan& mapped, SummingSink& sink) {
-    const MappedPoints points(pass.with_part(1), mapped.map);
-    std::vector<SummingSink::Collector> one(1);
-    ToyPath path;
-    ToyTally tally;
-    for (std::uint32_t i = 0; i < mapped.paths; ++i) {
-        auto read = points.path(i);
-        space.trace(read, path, tally);
-        if (space.height(path) == kVisible) one[0](path, read.weight() / mapped.paths);
-    }
-    sink.take(std::move(one));
-}
-
 template <PathSpace Space, class Points>
 PassSums run_pass(const Space& space, const Points& points, PassId pass, const LadderPlan& plan,
                   const MappedPlan& mapped = {}) {
@@ -103,10 +87,8 @@ PassSums run_pass(const Space& space, const Points& points, PassId pass, const L
     SummingSink sink{sums};
     ToyTally tally;
     if (!plan.levels.empty()) {
-        if (mapped.paths > 0) run_mapped(space, pass, mapped, sink);
-        sums.visible_fraction = sums.weight;
-        sums.counts = Ladder(space, points, pass, plan, mapped.as_bridge()).run(sink, tally);
-        sums.visible_fraction += sums.counts.visible_fraction;
+        sums.counts = Ladder(space, points, pass, plan, mapped).run(sink, tally);
+        sums.visible_fraction = sums.counts.visible_fraction;
         return sums;
     }
     std::vector<SummingSink::Collector> one(1);

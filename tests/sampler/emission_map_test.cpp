@@ -201,7 +201,9 @@ TEST(EmissionMap, equal_points_do_not_make_boxes_too_small) {
 // Mapped paths have the emission that the map says, and weigh one over its density.
 TEST(MappedPoints, weigh_what_they_should) {
     const EmissionMap map = EmissionMap::learned(around(0.05, {0, 1}), {0.25});
-    const MappedPoints points({1, 2}, map);
+    const PassId pass{1, 2};
+    const PassId beside = pass.with_part(PassId::kParts / 2);
+    const MappedPoints points(pass, map);
     RunningMean volume;
     for (std::uint32_t i = 0; i < 4096; ++i) {
         auto read = points.path(i);
@@ -209,7 +211,8 @@ TEST(MappedPoints, weigh_what_they_should) {
         for (std::uint32_t s = 0; s < 8; ++s) sample.set(s, read(s));
         ASSERT_EQ(read.weight(), 1 / map.density(emission_of(sample)));
         volume.add(read.weight());
-        EXPECT_EQ(sample[7], EmissionPoints({1, 2}).path(i)(7));
+        EXPECT_EQ(sample[7], EmissionPoints(beside).path(i)(7));
+        EXPECT_NE(sample[7], EmissionPoints(pass).path(i)(7));
     }
     EXPECT_NEAR(volume.mean(), 1, 0.02);
 }

@@ -126,6 +126,54 @@ TEST(LadderRules, budgets_are_kept_however_small) {
         expect_sound(ladder_plan(even_tail(1e-7), paths), paths);
 }
 
+LearnedMap learned(Covering covering, double visible_share, double rest) {
+    LearnedMap map;
+    map.rest = rest;
+    map.covering = covering;
+    map.visible_share = visible_share;
+    return map;
+}
+
+// Chains are on the map's side for a tenth of the time, or a quarter, if they bring nothing there.
+TEST(LadderRules, paths_through_a_map_bring_what_it_covers) {
+    const SharedPlan plan =
+        shared_plan(even_tail(1e-5), learned(Covering::often_visible, 0.7, 0.02), kPaths);
+    EXPECT_EQ(plan.mapped.paths, kPaths * 3 / 10);
+    EXPECT_EQ(plan.mapped.own_share, 1);
+    EXPECT_NEAR(plan.mapped.importance * 0.98 / 0.02, 1 / 9.0, 1e-9);
+    expect_sound(plan.ladder, kPaths * 7 / 10);
+    EXPECT_EQ(plan.ladder.levels.size(), ladder_plan(even_tail(2e-7), kPaths).levels.size());
+    EXPECT_NEAR(plan.ladder.levels.back().states, 0.3 * 0.7 * kPaths, 1);
+    const MappedPlan alone =
+        shared_plan(tail_from(15, {0.1}), learned(Covering::all_known, 0.02, 0.01), kPaths).mapped;
+    EXPECT_EQ(alone.paths, kPaths * 3 / 4);
+    EXPECT_EQ(alone.own_share, 1);
+    EXPECT_NEAR(alone.importance * 0.99 / 0.01, 1 / 3.0, 1e-9);
+    EXPECT_EQ(shared_plan(even_tail(1e-5), learned(Covering::often_visible, 0.7, 0.99), kPaths)
+                  .mapped.importance,
+              0.5);
+}
+
+TEST(LadderRules, chains_bring_what_a_map_hits_seldom) {
+    const SharedPlan plan =
+        shared_plan(even_tail(1e-5), learned(Covering::often_visible, 0.19, 0.02), kPaths);
+    EXPECT_EQ(plan.mapped.paths, kPaths / 10);
+    EXPECT_LT(plan.mapped.own_share, 0.5);
+    EXPECT_EQ(plan.mapped.importance, 1);
+    expect_sound(plan.ladder, kPaths - kPaths / 10);
+    EXPECT_NEAR(plan.ladder.levels.back().states, 0.75 * 0.9 * kPaths, 1);
+}
+
+TEST(LadderRules, budgets_beside_a_map_are_kept_however_small) {
+    for (const double visible_share : {0.1, 0.5})
+        for (const Covering covering : {Covering::often_visible, Covering::all_known})
+            for (std::uint32_t paths = 2; paths < 100; ++paths) {
+                const SharedPlan plan =
+                    shared_plan(even_tail(1e-6), learned(covering, visible_share, 0.1), paths);
+                expect_sound(plan.ladder, paths - plan.mapped.paths);
+            }
+}
+
 TEST(NextHeight, the_greatest_that_a_fiftieth_reaches) {
     HeightCounts heights{};
     heights[3] = 900;

@@ -56,7 +56,7 @@ TEST(Population, those_not_high_enough_are_left_out) {
 }
 
 // The map covers the lower half of the first slot, but its seam: the first two seeds.
-TEST(Population, what_a_map_covers_weighs_less) {
+TEST(Population, what_a_map_covers_is_left_out) {
     std::vector<WeightedEmission> starts;
     std::vector<EmissionMap::Trial> trials;
     for (int i = 0; i < 200; ++i) {
@@ -64,17 +64,17 @@ TEST(Population, what_a_map_covers_weighs_less) {
         trials.push_back({starts.back().point, true});
     }
     const EmissionMap map = EmissionMap::learned(starts, {0.5}).where_visible(trials, 1e-9);
-    Population population = four();  // first slots 0, 1/16, 2/16, 3/16
-    const Bridge bridge{&map, 0.25};
-    ASSERT_TRUE(bridge.covers(population.seeds()[0].sample));
-    ASSERT_FALSE(bridge.covers(population.seeds()[3].sample));
-    double expected = 0;
-    for (const Seed& s : population.seeds())
-        expected += s.units * (bridge.covers(s.sample) ? 0.25 : 1);
-    EXPECT_DOUBLE_EQ(population.weigh(bridge), expected / 11);
-    EXPECT_DOUBLE_EQ(population.weight(), expected);
-    EXPECT_EQ(population.units(), 11U);
-    EXPECT_DOUBLE_EQ(population.weigh({}), 1);
+    const Population population = four();  // first slots 0, 1/16, 2/16, 3/16
+    const MapCover cover{&map, 0.25};
+    ASSERT_TRUE(cover.contains(population.seeds()[0].sample));
+    ASSERT_FALSE(cover.contains(population.seeds()[3].sample));
+    std::uint64_t expected = 0;
+    for (const Seed& s : population.seeds()) expected += cover.contains(s.sample) ? 0 : s.units;
+    const Population rest = population.uncovered(cover, 0.5);
+    EXPECT_EQ(rest.units(), expected);
+    EXPECT_DOUBLE_EQ(rest.weight(), 0.5 * static_cast<double>(expected));
+    EXPECT_EQ(population.uncovered({}, 2).units(), 11U);
+    EXPECT_DOUBLE_EQ(population.uncovered({}, 2).weight(), 22);
 }
 
 }  // namespace
