@@ -23,8 +23,11 @@ struct Division {
     double detour;  // of the last set's states: where the map covers, if they bring nothing there
 };
 // Paths through the map bring the light from there. What it leaves out is little, but rare: the
-// uniform paths and the first sets must find it, so the last one has fewer states than without.
-constexpr Division kOftenSeen{0.3, 0.3, 1, 0.1};
+// uniform paths and the first sets must find it, so the last one has fewer states than without,
+// and still fewer where there are many sets.
+constexpr Division kOftenSeen{0.35, 0.4, 1, 0.1};
+constexpr Division kOftenSeenManySets{0.3, 0.3, 1, 0.1};
+constexpr int kManySets = 5;
 // No ladder leads to what is visible.
 constexpr Division kAlone{0.75, 0.5, 1, 0.25};
 // Few paths through the map are visible, fewer than are worth as much as states of chains: they
@@ -33,14 +36,22 @@ constexpr Division kForSeeds{0.1, 0.75, 0.1, 0};
 constexpr double kSeldomSeen = 0.2;      // of paths through such a map
 constexpr double kMostImportance = 0.5;  // of detours
 
-const Division& division(const LearnedMap& map) {
-    if (map.covering == Covering::all_known) return kAlone;
-    return map.visible_share < kSeldomSeen ? kForSeeds : kOftenSeen;
-}
-
 /// In float: the same bits on every machine.
 float log_of(double x) {
     return std::log(static_cast<float>(x));
+}
+
+/// The least number of sets of conditional fractions of kConditionalFraction or less on average.
+/// @param visible  fraction, positive.
+int sets_for(double visible) {
+    return static_cast<int>(std::ceil(log_of(visible) / log_of(kConditionalFraction)));
+}
+
+/// @param visible  fraction that the map leaves out.
+const Division& division(const LearnedMap& map, double visible) {
+    if (map.covering == Covering::all_known) return kAlone;
+    if (map.visible_share < kSeldomSeen) return kForSeeds;
+    return visible > 0 && sets_for(visible) >= kManySets ? kOftenSeenManySets : kOftenSeen;
 }
 
 /// Chains of at least kStatesOfAChain states, so that copies of one seed part.
@@ -103,10 +114,8 @@ LadderPlan planned(const HeightTail& tail, std::uint32_t paths, double last_shar
         return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
     }
 
-    const int sets =
-        visible > 0 ? static_cast<int>(std::ceil(log_of(visible) / log_of(kConditionalFraction)))
-                    : 0;
-    std::vector<int> heights = visible > 0 ? even_heights(tail, sets) : reached_heights(tail);
+    std::vector<int> heights =
+        visible > 0 ? even_heights(tail, sets_for(visible)) : reached_heights(tail);
     heights.resize(std::min<std::size_t>(heights.size(), paths - last - 1));  // tiny budgets
     const auto shares = static_cast<std::uint32_t>(heights.size() + 1);
     const std::uint32_t share = (paths - last) / shares;
@@ -128,14 +137,14 @@ bool needs_several_sets(const HeightTail& tail, std::uint32_t paths) {
 }
 
 SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths) {
-    const Division& d = division(map);
+    tail[kVisible] = map.covering == Covering::all_known ? 0 : tail[kVisible] * map.rest;
+    const Division& d = division(map, tail[kVisible]);
     const double rest = map.rest / (1 - map.rest);
     const double importance =
         d.own < 1 ? 1 : std::min(kMostImportance, rest * d.detour / (1 - d.detour));
     SharedPlan plan;
     plan.mapped = {map.map, std::min(static_cast<std::uint32_t>(d.mapped * paths), paths - 2),
                    importance, d.own};
-    tail[kVisible] = map.covering == Covering::all_known ? 0 : tail[kVisible] * map.rest;
     plan.ladder = planned(tail, paths - plan.mapped.paths, d.last);
     return plan;
 }

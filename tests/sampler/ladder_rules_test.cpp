@@ -136,6 +136,11 @@ LearnedMap learned(Covering covering, double visible_share, double rest) {
 
 // Chains are on the map's side for a tenth of the time, or a quarter, if they bring nothing there.
 TEST(LadderRules, paths_through_a_map_bring_what_it_covers) {
+    const SharedPlan few_sets =
+        shared_plan(even_tail(3e-4), learned(Covering::often_visible, 0.7, 0.1), kPaths);
+    EXPECT_EQ(few_sets.mapped.paths, kPaths * 35 / 100);
+    EXPECT_EQ(few_sets.ladder.levels.size(), 4U);
+    EXPECT_NEAR(few_sets.ladder.levels.back().states, 0.4 * 0.65 * kPaths, 1);
     const SharedPlan plan =
         shared_plan(even_tail(1e-5), learned(Covering::often_visible, 0.7, 0.02), kPaths);
     EXPECT_EQ(plan.mapped.paths, kPaths * 3 / 10);
