@@ -7,7 +7,7 @@
 namespace sunfleck {
 namespace {
 
-/// One batch a chain.
+/// One batch a chain, or a block of paths through a map.
 struct PhotonSink {
     struct Collector {
         PhotonBatch batch;

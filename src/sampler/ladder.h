@@ -119,9 +119,10 @@ public:
         LadderCounts counts;
         Population seeds = climbed(counts, tally);
         if (mapped_.paths > 0) {
-            MappedLevel level = mapped_level(space_, pass_, mapped_, sink, tally);
+            UniformLevel level = mapped_level(space_, pass_, mapped_, sink, tally);
             counts.mapped = level.counts;
-            counts.visible_fraction = level.visible * mapped_.own_share;
+            counts.visible_fraction =
+                level.population.weight() / mapped_.importance * mapped_.own_share;
             seeds.add(std::move(level.population));
         }
         if (seeds.units() > 0) run_last(seeds, sink, counts, tally);
@@ -149,7 +150,7 @@ private:
                 surviving_states(level, plan_.levels[k + 1].height, counts.levels.back(), tally);
             counts.survivors.back() = population.units();
         }
-        return population.uncovered(mapped_.cover(), weight);
+        return std::move(population).uncovered(mapped_.cover(), weight);
     }
 
     /// @param seeds  of the last set with their weights: their sum is an estimate of its measure.

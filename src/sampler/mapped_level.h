@@ -22,53 +22,36 @@ struct MappedPlan {
     MapCover cover() const { return paths == 0 ? MapCover{} : MapCover{&map, importance}; }
 };
 
-struct MappedLevel {
-    Population population;  // of the visible set, seeds with their weights
-    LevelCounts counts;     // `distinct` equals `states`
-    double visible = 0;     // sum of weights, of visible paths
-};
-
 /// @param pass  of the ladder. @param sink  gets visible paths with their share of their weight.
+/// @return the visible paths as seeds, with their weights times the importance.
 template <PathSpace Space, PathSink<Space> Sink>
-MappedLevel mapped_level(const Space& space, PassId pass, const MappedPlan& plan, Sink& sink,
-                         typename Space::Tally& tally) {
+UniformLevel mapped_level(const Space& space, PassId pass, const MappedPlan& plan, Sink& sink,
+                          typename Space::Tally& tally) {
+    using Block = PathBlock<Space>;
     using Collector = typename Sink::Collector;
-    constexpr std::size_t kBlock = 512;
-    constexpr std::size_t kAtOnce = 256 * kBlock;
-    struct Block {
-        std::vector<Seed> seeds;
-        LevelCounts counts;
-        double visible = 0;
-        typename Space::Tally tally;
-    };
+    constexpr std::size_t kAtOnce = 256 * Block::kPaths;
     const MappedPoints points(pass, plan.map);
-    MappedLevel level;
+    UniformLevel level;
     for (std::size_t first = 0; first < plan.paths; first += kAtOnce) {
         const std::size_t some = std::min(kAtOnce, plan.paths - first);
-        std::vector<Block> blocks((some + kBlock - 1) / kBlock);
+        std::vector<Block> blocks(Block::needed(some));
         std::vector<Collector> collectors;
         for (std::size_t i = 0; i < blocks.size(); ++i) collectors.push_back(sink.make());
-        parallel_blocks(some, kBlock, [&](std::size_t begin, std::size_t end) {
-            Block& block = blocks[begin / kBlock];
-            Collector& collect = collectors[begin / kBlock];
+        parallel_blocks(some, Block::kPaths, [&](std::size_t begin, std::size_t end) {
+            Block& block = blocks[begin / Block::kPaths];
+            Collector& collect = collectors[begin / Block::kPaths];
             block.counts = trace_range(
                 space, points, {first + begin, first + end},
                 [&](const MappedPoints::Reader& reader, const StoredSample& sample,
                     const typename Space::Path& path, int height) {
                     if (height != kVisible) return;
                     const double weight = reader.weight() / plan.paths;
-                    block.visible += weight;
                     if (plan.own_share > 0) collect(path, weight * plan.own_share);
                     block.seeds.push_back({sample, 1, height, weight * plan.importance});
                 },
                 block.tally);
         });
-        for (Block& block : blocks) {
-            level.population.add(std::move(block.seeds));
-            level.counts += block.counts;
-            level.visible += block.visible;
-            tally += block.tally;
-        }
+        level.take(std::move(blocks), tally);
         sink.take(std::move(collectors));
     }
     return level;

@@ -44,9 +44,9 @@ public:
     }
 
     /// The same seeds, each unit of that weight times its own, but those that are covered.
-    Population uncovered(const MapCover& cover, double weight) const {
+    Population uncovered(const MapCover& cover, double weight) && {
         Population some;
-        for (Seed seed : seeds_) {
+        for (Seed& seed : seeds_) {
             if (cover.contains(seed.sample)) continue;
             seed.weight *= weight;
             some.add(std::move(seed));

@@ -6,9 +6,31 @@
 
 namespace sunfleck {
 
+/// Consecutive paths, traced by one thread.
+template <PathSpace Space>
+struct PathBlock {
+    static constexpr std::size_t kPaths = 512;
+    /// How many hold so many paths.
+    static constexpr std::size_t needed(std::size_t paths) { return (paths + kPaths - 1) / kPaths; }
+
+    std::vector<Seed> seeds;
+    LevelCounts counts;
+    typename Space::Tally tally;
+};
+
 struct UniformLevel {
     Population population;
     LevelCounts counts;  // `distinct` equals `states`
+
+    /// Joins blocks, in their order.
+    template <PathSpace Space>
+    void take(std::vector<PathBlock<Space>>&& blocks, typename Space::Tally& tally) {
+        for (PathBlock<Space>& block : blocks) {
+            population.add(std::move(block.seeds));
+            counts += block.counts;
+            tally += block.tally;
+        }
+    }
 };
 
 /// Traces paths of some numbers. @param keep  called with each: keep(reader, sample, path, height).
@@ -35,15 +57,10 @@ LevelCounts trace_range(const Space& space, const Points& points, const PathRang
 template <PathSpace Space, class Points>
 UniformLevel uniform_level(const Space& space, const Points& points, std::uint32_t count,
                            int least_height, typename Space::Tally& tally) {
-    constexpr std::size_t kBlock = 512;
-    struct Block {
-        std::vector<Seed> seeds;
-        LevelCounts counts;
-        typename Space::Tally tally;
-    };
-    std::vector<Block> blocks((count + kBlock - 1) / kBlock);
-    parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
-        Block& block = blocks[begin / kBlock];
+    using Block = PathBlock<Space>;
+    std::vector<Block> blocks(Block::needed(count));
+    parallel_blocks(count, Block::kPaths, [&](std::size_t begin, std::size_t end) {
+        Block& block = blocks[begin / Block::kPaths];
         block.counts = trace_range(
             space, points, {begin, end},
             [&](const auto&, const StoredSample& sample, const typename Space::Path&, int height) {
@@ -52,11 +69,7 @@ UniformLevel uniform_level(const Space& space, const Points& points, std::uint32
             block.tally);
     });
     UniformLevel level;
-    for (Block& block : blocks) {
-        level.population.add(std::move(block.seeds));
-        level.counts += block.counts;
-        tally += block.tally;
-    }
+    level.take(std::move(blocks), tally);
     return level;
 }
 

@@ -70,11 +70,11 @@ TEST(Population, what_a_map_covers_is_left_out) {
     ASSERT_FALSE(cover.contains(population.seeds()[3].sample));
     std::uint64_t expected = 0;
     for (const Seed& s : population.seeds()) expected += cover.contains(s.sample) ? 0 : s.units;
-    const Population rest = population.uncovered(cover, 0.5);
+    const Population rest = four().uncovered(cover, 0.5);
     EXPECT_EQ(rest.units(), expected);
     EXPECT_DOUBLE_EQ(rest.weight(), 0.5 * static_cast<double>(expected));
-    EXPECT_EQ(population.uncovered({}, 2).units(), 11U);
-    EXPECT_DOUBLE_EQ(population.uncovered({}, 2).weight(), 22);
+    EXPECT_EQ(four().uncovered({}, 2).units(), 11U);
+    EXPECT_DOUBLE_EQ(four().uncovered({}, 2).weight(), 22);
 }
 
 }  // namespace
