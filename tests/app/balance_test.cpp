@@ -1,4 +1,4 @@
-// Balance as a user meets it: the flag, the statistics, the same bytes however a render is cut.
+// Balance as a user meets it: the flag, the statistics.
 #include "app/determinism_support.h"
 
 namespace sunfleck {
@@ -47,11 +47,6 @@ TEST_F(Balance, is_off_where_the_user_says_so) {
 
 TEST_F(Balance, films_with_and_without_do_not_mix) {
     expect_films_apart("--balance", "balance");
-}
-
-/// In two epochs, of which the second is balanced.
-TEST_F(Balance, same_bytes_for_any_threads_and_cuts) {
-    expect_same_bytes(18, 15, {14, 17, 18});
 }
 
 }  // namespace

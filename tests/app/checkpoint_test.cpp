@@ -1,5 +1,4 @@
-// --checkpoint and --resume: a render that goes on has the bytes of one that was never stopped, and
-// goes on as nothing but itself.
+// --checkpoint and --resume: a render goes on as nothing but itself.
 #include "render/checkpoint.h"
 
 #include "app/program.h"
@@ -20,23 +19,6 @@ using namespace std::chrono_literals;
 
 class Resume : public ProgramTest {
 protected:
-    /// All that a render writes; of the statistics all that is neither time nor of the run.
-    struct Files {
-        std::string exr, png, film;
-        nlohmann::json stats;
-        friend bool operator==(const Files&, const Files&) = default;
-    };
-
-    Files files_of(const Words& words) const {
-        const Ran ran = run(words + Words{"-o", "x.exr", "-o", "x.png", "-o", "x.film", "--stats",
-                                          "x.json", "--quiet"});
-        EXPECT_EQ(ran.code, 0) << ran.err;
-        nlohmann::json stats = json("x.json");
-        for (const char* name : {"seconds", "cpu_seconds", "command", "threads"}) stats.erase(name);
-        return {read_text(path("x.exr")), read_text(path("x.png")), read_text(path("x.film")),
-                stats};
-    }
-
     /// Two passes of the room, kept.
     void keep(const std::string& file, const Words& words = {}) const {
         const Ran ran = render(
@@ -72,40 +54,6 @@ protected:
         ASSERT_TRUE(exists(name));
     }
 };
-
-/// Every sampler and integrator, stopped in two epochs of what adaptive sampling learns.
-TEST_F(Resume, has_the_bytes_of_a_whole_render) {
-    ASSERT_EQ(run({"scene", "cognac-4", "-o", "."}).code, 0);
-    const std::vector<Words> ways = {
-        {"--photon-sampler", "adaptive", "--photons-per-pass", "6000", "--layers", "caustic,depth"},
-        {"--photon-sampler", "uniform", "--photons-per-pass", "2000"},
-        {"--photon-sampler", "random", "--photons-per-pass", "2000"},
-        {"--photon-sampler", "paper", "--photons-per-pass", "2000"},
-        {"--integrator", "path"},
-        {"--integrator", "light", "--photons-per-pass", "2000"},
-    };
-    for (const Words& way : ways) {
-        const Words words =
-            Words{"render", "cognac-4.pbrt", "--resolution", "12x10", "--seed", "3"} + way;
-        const Words keep{"--checkpoint", "x.ckpt"};
-        const Words resume{"--resume", "x.ckpt"};
-        const Files whole = files_of(words + Words{"--passes", "21", "--nthreads", "1"});
-        files_of(words + keep + Words{"--passes", "5", "--nthreads", "8"});
-        EXPECT_FALSE(files_of(words + keep + resume + Words{"--passes", "18", "--nthreads", "2"}) ==
-                     whole);
-        EXPECT_EQ(passes_in("x.ckpt"), 18U);
-        for (const char* threads : {"1", "2", "8"}) {
-            const Files files =
-                files_of(words + resume + Words{"--passes", "21", "--nthreads", threads});
-            EXPECT_TRUE(files == whole) << way[1] << " threads " << threads;
-            EXPECT_EQ(files.stats, whole.stats) << way[1];
-        }
-        if (way[1] == "adaptive") {
-            EXPECT_GT(whole.stats["ladder"]["levels"], 0) << "nothing to learn";
-        }
-        std::filesystem::remove(path("x.ckpt"));
-    }
-}
 
 TEST_F(Resume, another_setting_is_refused_by_name) {
     keep("x.ckpt");

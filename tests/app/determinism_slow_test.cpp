@@ -1,9 +1,11 @@
 // The same bytes however a render is cut: threads by splits, on a room, through glass, and by sun
-// through a window.
+// through a window; balance, light groups and layers of lights in two epochs.
 #include "app/determinism_support.h"
 
 namespace sunfleck {
 namespace {
+
+using testing_support::operator+;
 
 class DeterminismTable : public testing_support::DeterminismTest,
                          public ::testing::WithParamInterface<const char*> {};
@@ -20,6 +22,43 @@ TEST_P(DeterminismTable, threads_by_splits) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, DeterminismTable,
                          ::testing::Values("cornell", "cognac-1", "window-room"));
+
+/// What is learned anew in a second epoch, which begins at pass 16.
+struct Learned {
+    const char* name;
+    const char* scene;
+    testing_support::Words words;
+    int cut;
+    std::vector<int> stops;
+};
+
+/// Of a test's name.
+std::ostream& operator<<(std::ostream& out, const Learned& learned) {
+    return out << learned.name;
+}
+
+class TwoEpochs : public testing_support::DeterminismTest,
+                  public ::testing::WithParamInterface<Learned> {};
+
+TEST_P(TwoEpochs, have_the_same_bytes_for_any_threads_and_cuts) {
+    const Learned& learned = GetParam();
+    use(learned.scene, testing_support::Words{"--resolution", "12x12"} + learned.words);
+    expect_same_bytes(18, learned.cut, learned.stops);
+    part("other", "1:19", 1);
+    EXPECT_FALSE(bytes("other") == bytes("whole"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, TwoEpochs,
+    ::testing::Values(
+        Learned{"balance", "cornell", {}, 15, {14, 17, 18}},
+        Learned{"light_groups", "useless-light", {"--photons-per-pass", "3000"}, 7, {4, 17, 18}},
+        Learned{"light_layers",
+                "useless-light",
+                {"--photons-per-pass", "3000", "--light-layer", "each"},
+                7,
+                {4, 17, 18}}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
 }  // namespace sunfleck

@@ -1,5 +1,4 @@
-// Light groups as a user meets them: the flag, the statistics, the same bytes however a render is
-// cut.
+// Light groups as a user meets them: the flag, the statistics.
 #include "app/determinism_support.h"
 
 namespace sunfleck {
@@ -61,13 +60,6 @@ TEST_F(LightGroups, are_on_unless_they_are_switched_off) {
 
 TEST_F(LightGroups, films_with_and_without_do_not_mix) {
     expect_films_apart("--light-groups", "light_groups");
-}
-
-/// In two epochs of what is learned.
-TEST_F(LightGroups, same_bytes_for_any_threads_and_cuts) {
-    expect_same_bytes(18, 7, {4, 17, 18});
-    part("other", "1:19", 1);
-    EXPECT_FALSE(bytes("other") == bytes("whole"));
 }
 
 TEST_F(LightGroups, have_a_meaning_with_the_sampler_adaptive_alone) {
