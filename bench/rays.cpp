@@ -68,14 +68,13 @@ public:
     PassImage image() const { return {window_of(scene_.film()).pixels(), {}}; }
 
     VisiblePointLists eye_paths(PassImage& image) const {
-        const PixelWindow window = window_of(scene_.film());
         Statistics counts;
-        return trace_eye_paths({at_wavelengths_, transport_, eye_, window, kId, 1}, image, counts);
+        return trace_eye_paths(eye_pass(), image, counts);
     }
 
-    VisiblePointIndex index() const { return {points_, transport_.max_depth}; }
+    VisiblePointIndex index() const { return {points_, take_rules(eye_pass())}; }
     VisiblePointIndex index_of_nothing() const {
-        return {VisiblePointLists(), transport_.max_depth};
+        return {VisiblePointLists(), take_rules(eye_pass())};
     }
 
     /// The photons of a pass like this one. @param number  names its random numbers.
@@ -86,6 +85,10 @@ public:
 
 private:
     static constexpr PassId kId{0, 0};
+
+    EyePass eye_pass() const {
+        return {at_wavelengths_, transport_, eye_, window_of(scene_.film()), kId, 1};
+    }
 
     static Scene scene_of(const Settings& settings) {
         const Vec2i resolution(settings.resolution, settings.resolution);

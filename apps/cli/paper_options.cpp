@@ -47,6 +47,7 @@ void finish_paper(const CLI::App& given, const PaperTexts& texts, RenderOptions&
     options.stop.target_error.reset();
     if (options.settings.transport.direct == DirectLight::sampled)
         refuse(given, "--direct", "is photons with the sampler paper", "leave it out");
+    refuse(given, "--indirect-radius", "is 1 with the sampler paper", "leave it out");
     const double alpha = options.settings.alpha;
     use_paper_mode(options.settings);
     if (given.count("--alpha") > 0) options.settings.alpha = alpha;

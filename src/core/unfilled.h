@@ -6,7 +6,6 @@
 
 #include <memory>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace sunfleck {
@@ -15,21 +14,13 @@ namespace sunfleck {
 template <class T>
 struct Unfilled : std::allocator<T> {
     static_assert(std::is_trivially_destructible_v<T>);
-    template <class U>
-    struct rebind {  // NOLINT(readability-identifier-naming): the name containers ask for
-        using other = Unfilled<U>;  // NOLINT(readability-identifier-naming): the same
-    };
-
     Unfilled() = default;
     template <class U>
     Unfilled(const Unfilled<U>&) {}
 
+    /// Of an item without a value; those with one are made as ever.
     template <class U>
     void construct(U* /*place*/) {}
-    template <class U, class... Values>
-    void construct(U* place, Values&&... values) {
-        ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
-    }
 };
 
 template <class T>

@@ -130,28 +130,33 @@ private:
             if (layer != kNoLightLayer) layers |= std::uint64_t{1} << layer;
         }
         for (; layers != 0; layers &= layers - 1)
-            add_to_light_layer(static_cast<std::uint8_t>(__builtin_ctzll(layers)));
+            for (const PhotonKind kind : kKinds)
+                add_to_light_layer(static_cast<std::uint8_t>(__builtin_ctzll(layers)), kind);
     }
 
-    void add_to_light_layer(std::uint8_t layer) const {
+    void add_to_light_layer(std::uint8_t layer, PhotonKind kind) const {
         Lights light{};
         unsigned met = 0;
         for (const TakenPhoton& taken : here_) {
             const Photon& photon = all_.photons[taken.photon];
-            if (photon.light_layer != layer) continue;
+            if (photon.light_layer != layer || photon.kind != kind) continue;
             met |= taken.takers;
             for (unsigned rest = taken.takers; rest != 0; rest &= rest - 1)
                 add(static_cast<unsigned>(__builtin_ctz(rest)), photon, light);
         }
         for (; met != 0; met &= met - 1) {
             const auto i = static_cast<unsigned>(__builtin_ctz(met));
-            const Spectrum share = share_of(point(i), all_.index.radius(block_, i), all_.paths);
+            const Spectrum share = this->share(i, kind);
             all_.image.add_to_light_layer(point(i).pixel,
                                           all_.pass.wavelengths.to_rgb(light[i] * share), layer);
         }
     }
 
     using Lights = std::array<Spectrum, kPoints>;
+
+    Spectrum share(std::size_t i, PhotonKind kind) const {
+        return share_of(point(i), all_.index.radius(block_, i, kind), all_.paths);
+    }
 
     void add(std::size_t i, const Photon& photon, Lights& light) const {
         if ((plain_ >> i & 1U) != 0)
@@ -163,7 +168,7 @@ private:
     /// Adds the point's sum to its pixel, and makes it zero for the next block.
     void finish_point(std::size_t i, PhotonKind kind) {
         const VisiblePoint& to = point(i);
-        const Spectrum share = share_of(to, all_.index.radius(block_, i), all_.paths);
+        const Spectrum share = this->share(i, kind);
         Spectrum& light = light_[number_of(kind)][i];
         const Vec3 rgb = all_.pass.wavelengths.to_rgb(light * share);
         light = Spectrum();

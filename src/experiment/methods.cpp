@@ -32,7 +32,7 @@ Method sampler_method(const std::string& name) {
     if (name == "paper") return paper_method("paper", {});
     return {name,
             {"--photon-sampler", name, "--direct", "photons", "--alpha", "0.7",
-             "--photons-per-pass", "200000"}};
+             "--photons-per-pass", "200000", "--indirect-radius", "1"}};
 }
 
 std::vector<Method> sampler_methods() {
@@ -63,6 +63,8 @@ Cell reference_cell(const std::string& scene, const RunSettings& settings) {
             name == "path" ? integrator_method(name) : Method{name, {"--photon-sampler", name}};
     }
     method.name = "reference-" + (method.flags.empty() ? "adaptive" : method.flags.back());
+    if (method.name != "reference-path")  // as little bias as samplers under test have
+        method.flags.insert(method.flags.end(), {"--indirect-radius", "1"});
     return {scene, method, 1000, settings.reference_budget};
 }
 

@@ -26,6 +26,13 @@ struct EyePass {
     double radius_factor = 1;  // r_p / r_0
 };
 
+/// Of the visible points of the pass.
+inline TakeRules take_rules(const EyePass& pass) {
+    const Vec2i resolution = pass.scene.scene.film().resolution;
+    return {pass.transport.max_depth,
+            static_cast<float>(indirect_reach(pass.settings, resolution))};
+}
+
 /// One camera path a pixel. The order of the points, list after list, is that of the pixels.
 VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics);
 

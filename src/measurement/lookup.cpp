@@ -93,13 +93,14 @@ HWY_INLINE Mask accept(const DiscBlock& discs, const Photon& photon, int max_dep
 }
 
 /// Bit i is set if disc i takes the photon. The names are those of takes().
-HWY_INLINE unsigned takers(const DiscBlock& discs, const Photon& photon, int max_depth) {
+HWY_INLINE unsigned takers(const DiscBlock& discs, const Photon& photon, const TakeRules& rules) {
+    const Vector reach = all(rules.reach(photon.kind));
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
         const Vectors to = all(photon.position);
         const Vectors from = load(discs.position, i);
         const Vectors d{hn::Sub(to.x, from.x), hn::Sub(to.y, from.y), hn::Sub(to.z, from.z)};
-        const Vector radius = load(discs.radius, i);
+        const Vector radius = hn::Mul(load(discs.radius, i), reach);
         const Vector radius2 = hn::Mul(radius, radius);
         const Vector distance2 = dot(d, d);
         const Mask near = hn::Lt(distance2, hn::Mul(all(1.5F), radius2));
@@ -117,7 +118,7 @@ HWY_INLINE unsigned takers(const DiscBlock& discs, const Photon& photon, int max
                                   hn::Gt(hn::Abs(along), hn::Mul(all(kDiscFlatness), radius)));
         const Mask within = hn::Lt(hn::Sub(distance2, hn::Mul(above, above)), radius2);
         const Mask taken = hn::And(hn::And(near, hn::AndNot(apart, within)),
-                                   accept(discs, photon, max_depth, behind, i));
+                                   accept(discs, photon, rules.max_depth, behind, i));
         bits |= bits_of(taken, i);
     }
     return bits;
@@ -137,7 +138,7 @@ HWY_INLINE std::size_t list_taken(const VisiblePointIndex& index, const SortedPh
             unsigned met = inside(photons.leaf(leaf), box);
             for (; met != 0; met &= met - 1) {
                 const std::uint32_t i = leaf * 8 + static_cast<std::uint32_t>(__builtin_ctz(met));
-                const unsigned by = takers(discs, photons[i], index.max_depth());
+                const unsigned by = takers(discs, photons[i], index.rules());
                 taken.list[end] = {i, by};
                 end += by != 0 ? 1 : 0;
                 takers_of_any |= by;
@@ -171,7 +172,7 @@ bool is_any_taken(const VisiblePointIndex& index, std::span<const Photon> path) 
         const Box place{photon.position, photon.position};
         const auto near = [&](const BoxNode& node) HWY_ATTR { return touched(node, place); };
         const auto go_on = [&](std::uint32_t block) HWY_ATTR {
-            return takers(index.discs(block), photon, index.max_depth()) == 0;
+            return takers(index.discs(block), photon, index.rules()) == 0;
         };
         if (index.tree().visit(near, go_on)) return true;
     }

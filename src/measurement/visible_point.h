@@ -36,11 +36,31 @@ struct Photon {
 /// The part of a visible point that decides which photons it takes. 40 bytes.
 struct Disc {
     Vec3 position{0};
-    float radius = 0;
+    float radius = 0;           // for direct and caustic photons
     Vec3 normal{0};             // geometric, on the side that the camera path arrived at
     std::uint16_t bounces = 0;  // scattering events of the eye path before this point
     std::uint8_t kinds = 0;     // sum of the PhotonKinds that it takes
     bool both_sides = false;    // transmits: takes photons from behind, too
+};
+
+/// What all discs of a pass have in common.
+struct TakeRules {
+    int max_depth = 0;         // scattering events of the whole path
+    float indirect_reach = 1;  // of a disc for indirect photons, over its radius: 1 or more
+
+    // NOLINTNEXTLINE(google-explicit-constructor): a depth alone are the paper's rules
+    constexpr TakeRules(int depth, float reach = 1) : max_depth(depth), indirect_reach(reach) {}
+
+    /// Of any disc, for photons of this kind, over its radius. Light that a rough surface has
+    /// scattered has few edges: wider discs have less noise and hardly more bias.
+    constexpr float reach(PhotonKind kind) const {
+        return kind == PhotonKind::indirect ? indirect_reach : 1;
+    }
+    /// The greatest reach of a disc.
+    constexpr float reach_of(const Disc& disc) const {
+        const bool widest = (disc.kinds & static_cast<std::uint8_t>(PhotonKind::indirect)) != 0;
+        return widest ? indirect_reach : 1;
+    }
 };
 
 /// Normals further apart than 60 degrees do not agree.
@@ -49,14 +69,15 @@ inline constexpr float kNormalAgreement = 0.5F;
 /// which vanishes between points of any sphere: smooth rims lose nothing, thin walls do not leak.
 inline constexpr float kDiscFlatness = 0.25F;
 
-/// Does the disc take this photon? @param max_depth  of scattering events of the whole path.
-inline bool takes(const Disc& disc, const Photon& photon, int max_depth) {
+/// Does the disc take this photon?
+inline bool takes(const Disc& disc, const Photon& photon, const TakeRules& rules) {
     const Vec3 d = photon.position - disc.position;
-    const float radius2 = disc.radius * disc.radius;
+    const float radius = disc.radius * rules.reach(photon.kind);
+    const float radius2 = radius * radius;
     const float distance2 = d.length2();
     if (!(distance2 < 1.5F * radius2)) return false;  // a quick no: what follows is narrower
     if ((disc.kinds & static_cast<std::uint8_t>(photon.kind)) == 0) return false;
-    if (disc.bounces + photon.bounces >= max_depth) return false;
+    if (disc.bounces + photon.bounces >= rules.max_depth) return false;
     float agreement = disc.normal.dot(photon.normal);
     Vec3 other = photon.normal;
     if (agreement < 0) {
@@ -66,7 +87,7 @@ inline bool takes(const Disc& disc, const Photon& photon, int max_depth) {
     }
     if (agreement < kNormalAgreement) return false;
     const float along = d.dot(disc.normal + other) * 0.5F;
-    if (std::abs(along) > kDiscFlatness * disc.radius) return false;
+    if (std::abs(along) > kDiscFlatness * radius) return false;
     const float above = d.dot(disc.normal);
     return distance2 - above * above < radius2;
 }

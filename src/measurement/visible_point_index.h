@@ -18,8 +18,7 @@ namespace sunfleck {
 
 class VisiblePointIndex {
 public:
-    /// @param max_depth  scattering events allowed on a whole path (takes()).
-    VisiblePointIndex(VisiblePointLists lists, int max_depth);
+    VisiblePointIndex(VisiblePointLists lists, const TakeRules& rules);
 
     /// V of the paper for a path: is any of its photons taken by any visible point? Ends at the
     /// first.
@@ -47,18 +46,21 @@ public:
     /// Bit i is set if point 8 b + i is plain: Lambertian, and its shading normal is the geometric
     /// one, on either side. Its light is the photons' flux.
     unsigned plain(std::size_t b) const { return plain_[b]; }
-    float radius(std::size_t b, std::size_t i) const { return blocks_[b].radius[i]; }
+    /// Of point i of block b, for photons of this kind.
+    float radius(std::size_t b, std::size_t i, PhotonKind kind) const {
+        return blocks_[b].radius[i] * rules_.reach(kind);
+    }
     /// Holds every photon that a point of the block takes.
     const Box& box(std::size_t b) const { return boxes_[b]; }
     /// Over blocks.
     const BoxTree& tree() const { return tree_; }
-    int max_depth() const { return max_depth_; }
+    const TakeRules& rules() const { return rules_; }
 
     std::span<const VisiblePoint> points() const { return points_; }
     std::size_t bytes() const;
 
 private:
-    int max_depth_;
+    TakeRules rules_;
     std::uint8_t kinds_ = 0;  // that any point takes
     MortonGrid grid_;
     UnfilledVector<VisiblePoint> points_;  // in Morton order

@@ -107,7 +107,7 @@ double paths_of(const std::vector<PhotonGroup>& groups) {
 EyeView view_of(const EyePass& pass) {
     PassImage image(pass.window.pixels(), {});
     Statistics counts;
-    VisiblePointIndex index(trace_eye_paths(pass, image, counts), pass.transport.max_depth);
+    VisiblePointIndex index(trace_eye_paths(pass, image, counts), take_rules(pass));
     return {std::move(image), counts, std::move(index)};
 }
 

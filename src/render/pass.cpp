@@ -20,7 +20,7 @@ PhotonTotals draw_sppm(const RenderSettings& settings, const EyePass& eye,
     Stopwatch watch;
     auto points = trace_eye_paths(eye, result.image, result.statistics);
     result.seconds.eye += watch.lap();
-    const VisiblePointIndex index(std::move(points), settings.transport.max_depth);
+    const VisiblePointIndex index(std::move(points), take_rules(eye));
     result.seconds.index += watch.lap();
     PhotonTotals photons = trace_photons({eye.scene, settings.transport, index}, eye.id,
                                          settings.photon.sampler, groups, result.image, taken);

@@ -9,6 +9,7 @@ void use_paper_mode(RenderSettings& settings) {
     settings.photon.sampler = PhotonSampler::paper;
     settings.transport.direct = DirectLight::photons;
     settings.alpha = 0.7;
+    settings.eye.indirect_radius = 1;
 }
 
 std::string RenderSettings::text() const {
@@ -17,11 +18,11 @@ std::string RenderSettings::text() const {
     };
     std::string text = fmt::format(
         "integrator={}\nphoton_sampler={}\ndirect={}\nmax_depth={}\nphotons_per_pass={}\n"
-        "radius_pixels={}\nradius={}\nalpha={}\n",
+        "radius_pixels={}\nradius={}\nindirect_radius={}\nalpha={}\n",
         name_of(integrator), name_of(photon.sampler),
         transport.direct == DirectLight::sampled ? "sampled" : "photons", transport.max_depth,
         optional_number(photon.paths_per_pass), eye.radius_pixels, optional_number(eye.radius),
-        alpha);
+        optional_number(eye.indirect_radius), alpha);
     if (energy_compensation) text += "energy_compensation=on\n";
     if (!photon.light_groups) text += "light_groups=off\n";
     if (!photon.emission_maps) text += "emission_maps=off\n";

@@ -59,7 +59,8 @@ struct RenderSettings {
     std::string text() const;
 };
 
-/// What belongs to the sampler `paper`: all light by photons, alpha 0.7 (paper, section 7).
+/// What belongs to the sampler `paper`: all light by photons, alpha 0.7, one radius for all kinds
+/// of photons (paper, section 7).
 void use_paper_mode(RenderSettings& settings);
 
 /// When a render ends: whichever comes first. Passes are always finished.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace sunfleck {
 namespace {
@@ -20,7 +21,8 @@ struct Division {
     double mapped;  // of all paths
     double last;    // of the ladder's paths: states of the last set
     double own;     // of the light from where the map covers: what paths through it bring
-    double detour;  // of the last set's states: where the map covers, if they bring nothing there
+    // Of the last set's states: where the map covers; none: as many as come, for they bring light.
+    std::optional<double> detour;
 };
 // Paths through the map bring the light from there. What it leaves out is little, but rare: the
 // uniform paths and the first sets must find it, so the last one has fewer states than without,
@@ -32,7 +34,7 @@ constexpr int kManySets = 5;
 constexpr Division kAlone{0.75, 0.5, 1, 0.25};
 // Few paths through the map are visible, fewer than are worth as much as states of chains: they
 // start these.
-constexpr Division kForSeeds{0.1, 0.75, 0.1, 0};
+constexpr Division kForSeeds{0.1, 0.75, 0.1, {}};
 constexpr double kSeldomSeen = 0.2;      // of paths through such a map
 constexpr double kMostImportance = 0.5;  // of detours
 
@@ -52,6 +54,12 @@ const Division& division(const LearnedMap& map, double visible) {
     if (map.covering == Covering::all_known) return kAlone;
     if (map.visible_share < kSeldomSeen) return kForSeeds;
     return visible > 0 && sets_for(visible) >= kManySets ? kOftenSeenManySets : kOftenSeen;
+}
+
+/// Of what a map covers, so that chains have that share of their states there.
+/// @param rest  of the visible paths: what the map leaves out.
+double importance_of(double share, double rest) {
+    return std::min(kMostImportance, rest / (1 - rest) * share / (1 - share));
 }
 
 /// Chains of at least kStatesOfAChain states, so that copies of one seed part.
@@ -139,12 +147,9 @@ bool needs_several_sets(const HeightTail& tail, std::uint32_t paths) {
 SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths) {
     tail[kVisible] = map.covering == Covering::all_known ? 0 : tail[kVisible] * map.rest;
     const Division& d = division(map, tail[kVisible]);
-    const double rest = map.rest / (1 - map.rest);
-    const double importance =
-        d.own < 1 ? 1 : std::min(kMostImportance, rest * d.detour / (1 - d.detour));
     SharedPlan plan;
     plan.mapped = {map.map, std::min(static_cast<std::uint32_t>(d.mapped * paths), paths - 2),
-                   importance, d.own};
+                   d.detour ? importance_of(*d.detour, map.rest) : 1, d.own};
     plan.ladder = planned(tail, paths - plan.mapped.paths, d.last);
     return plan;
 }

@@ -68,6 +68,7 @@ TEST_F(Resume, another_setting_is_refused_by_name) {
         {{"--alpha", "0.5"}, {"alpha=0.66", "alpha=0.5"}},
         {{"--radius-pixels", "4"}, {"radius_pixels=2", "radius_pixels=4"}},
         {{"--radius", "0.5"}, {"radius=default", "radius=0.5"}},
+        {{"--indirect-radius", "2"}, {"indirect_radius=default", "indirect_radius=2"}},
         {{"--energy-compensation", "on"}, {"energy_compensation=on"}},
         {{"--resolution", "8x8"}, {"resolution differs: 16x12 in the file, 8x8 asked for"}},
         {{"--crop", "0,4,0,4"}, {"resolution differs: 16x12 in the file, 4x4 asked for"}},

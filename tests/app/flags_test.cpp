@@ -56,6 +56,7 @@ TEST_F(Flags, change_the_picture_and_are_recorded) {
         {{"--photons-per-pass", "1000"}, "photons_per_pass", "1000"},
         {{"--radius-pixels", "3"}, "radius_pixels", "3"},
         {{"--radius", "0.25"}, "radius", "0.25"},
+        {{"--indirect-radius", "3"}, "indirect_radius", "3"},
         {{"--alpha", "0.1"}, "alpha", "0.1"},
         {{"--max-depth", "2"}, "max_depth", "2"},
     };
@@ -255,6 +256,8 @@ TEST_F(Flags, bad_values_are_refused_in_one_line) {
         {"--radius", "inf"},
         {"--radius-pixels", "nan"},
         {"--radius-pixels", "-2"},
+        {"--indirect-radius", "0.9"},
+        {"--indirect-radius", "101"},
         {"--alpha", "nan"},
         {"--alpha", "1"},
         {"--max-depth", "0"},

@@ -86,6 +86,7 @@ TEST_F(PaperFlags, are_refused_in_one_line) {
         paper + Words{"--photon-sampler", "random"},
         paper + Words{"--direct", "sampled"},
         paper + Words{"--pass-range", "0:4"},
+        paper + Words{"--indirect-radius", "2"},
         paper + Words{"--target-error", "2%"},
         paper + Words{"--integrator", "path"},
         paper + Words{"--replica-exchange", "maybe"},

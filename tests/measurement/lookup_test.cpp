@@ -12,7 +12,7 @@
 namespace sunfleck {
 namespace {
 
-constexpr int kMaxDepth = 5;
+constexpr TakeRules kRules(5, 1.7F);
 
 /// Points and photons on a wavy sheet, of all kinds, some seen from behind.
 struct Sheet {
@@ -87,7 +87,7 @@ std::vector<Pair> one_by_one(const VisiblePointIndex& index, const SortedPhotons
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < photons.size(); ++i)
         for (std::size_t p = 0; p < index.points().size(); ++p)
-            if (takes(index.points()[p].disc, photons[i], kMaxDepth)) pairs.emplace_back(i, p);
+            if (takes(index.points()[p].disc, photons[i], kRules)) pairs.emplace_back(i, p);
     return pairs;
 }
 
@@ -112,7 +112,7 @@ private:
 TEST_P(Lookup, finds_what_takes_accepts) {
     Sheet sheet;
     for (const std::size_t count : {1U, 9U, 200U, 1500U}) {
-        const VisiblePointIndex index({sheet.points(count)}, kMaxDepth);
+        const VisiblePointIndex index({sheet.points(count)}, kRules);
         const SortedPhotons photons(sheet.photons(count), index.grid());
         std::vector<Pair> found = looked_up(index, photons);
         std::sort(found.begin(), found.end());
