@@ -1,8 +1,8 @@
 // The ways of rendering that the paper compares, and those that it is compared with.
 //
 // The four samplers take all light by photons, 200,000 paths a pass, alpha 0.7 and a first radius
-// of two pixels for all photons, as the paper's section 7 has it: what differs is where photon paths
-// come from.
+// of two pixels for all photons, as the paper's section 7 has it: what differs is where photon
+// paths come from.
 #pragma once
 
 #include "experiment/cell.h"
