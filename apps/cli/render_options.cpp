@@ -56,7 +56,7 @@ void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
         ->check(between(1e-30, 1e30));
     app.add_option("--indirect-radius", o.settings.eye.indirect_radius,
                    "Radius for photons that a rough surface has scattered, over that for others "
-                   "(default 1 to 3, by the picture's size; paper 1)")
+                   "(default 2 at 256 pixels a side, more in larger pictures; paper 1)")
         ->check(between(1, 100));
     app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3)")
         ->check(between(1e-6, 1 - 1e-6));

@@ -16,14 +16,15 @@ struct EyeSettings {
                                               // others; 1 or more; see indirect_reach()
 };
 
-/// Of discs for indirect photons, over the radius for others. Unless the user says, they have a
-/// 60th of the picture's side in footprints where others have two, but 1 to 3 times the radius of
-/// others: indirect light has few edges, and how wide these are is a matter of the scene, not of
-/// the pixels (docs/decisions.md).
+/// Of discs for indirect photons, over the radius for others. Unless the user says, 2 in a picture
+/// of 256 pixels a side, and in others as the 5/8th power of the side, but never less than 1.
+/// Indirect light has few edges, and how wide these are is a matter of the scene: only noise, of
+/// which large pictures have less, keeps the best radius from growing with the side
+/// (docs/decisions.md).
 inline double indirect_reach(const EyeSettings& settings, Vec2i resolution) {
-    constexpr double kPixels = 120;  // of the side, for each radius of others
-    const double side = std::sqrt(double(resolution.x) * resolution.y);
-    return settings.indirect_radius.value_or(std::clamp(side / kPixels, 1.0, 3.0));
+    const double side = std::sqrt(double(resolution.x) * resolution.y) / 256;
+    const double power = std::sqrt(side) * std::sqrt(std::sqrt(std::sqrt(side)));  // exact roots
+    return settings.indirect_radius.value_or(std::max(1.0, 2 * power));
 }
 
 }  // namespace sunfleck

@@ -3,27 +3,29 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace sunfleck {
 namespace {
 
-TEST(IndirectReach, is_a_60th_of_the_side_where_others_have_two_pixels) {
-    EXPECT_DOUBLE_EQ(indirect_reach({}, {240, 240}), 2);
-    EXPECT_DOUBLE_EQ(indirect_reach({}, {480, 120}), 2);
-    EXPECT_DOUBLE_EQ(indirect_reach({}, {180, 180}), 1.5);
+TEST(IndirectReach, grows_with_the_picture) {
+    EXPECT_DOUBLE_EQ(indirect_reach({}, {256, 256}), 2);
+    EXPECT_DOUBLE_EQ(indirect_reach({}, {1024, 64}), 2);
+    EXPECT_DOUBLE_EQ(indirect_reach({}, {512, 512}), 2 * std::exp2(0.625));
+    EXPECT_NEAR(indirect_reach({}, {1920, 1080}), 2 * std::pow(5.625, 0.625), 1e-12);
 }
 
-TEST(IndirectReach, is_one_to_three) {
-    EXPECT_DOUBLE_EQ(indirect_reach({}, {16, 12}), 1);
-    EXPECT_DOUBLE_EQ(indirect_reach({}, {1, 1}), 1);
-    EXPECT_DOUBLE_EQ(indirect_reach({}, {1920, 1080}), 3);
-    EXPECT_DOUBLE_EQ(indirect_reach({}, {30'000, 30'000}), 3);
+TEST(IndirectReach, is_not_less_than_one) {
+    EXPECT_GT(indirect_reach({}, {86, 86}), 1);
+    EXPECT_EQ(indirect_reach({}, {84, 84}), 1);
+    EXPECT_EQ(indirect_reach({}, {1, 1}), 1);
 }
 
 TEST(IndirectReach, is_what_the_user_says) {
     EyeSettings settings;
     settings.indirect_radius = 7;
-    EXPECT_DOUBLE_EQ(indirect_reach(settings, {16, 12}), 7);
-    EXPECT_DOUBLE_EQ(indirect_reach(settings, {1920, 1080}), 7);
+    EXPECT_EQ(indirect_reach(settings, {16, 12}), 7);
+    EXPECT_EQ(indirect_reach(settings, {1920, 1080}), 7);
 }
 
 }  // namespace
