@@ -21,7 +21,7 @@ struct EyeSettings {
 /// Indirect light has few edges, and how wide these are is a matter of the scene: only noise, of
 /// which large pictures have less, keeps the best radius from growing with the side
 /// (docs/decisions.md).
-inline double indirect_reach(const EyeSettings& settings, Vec2i resolution) {
+inline double indirect_reach(const EyeSettings& settings, const Vec2i& resolution) {
     const double side = std::sqrt(double(resolution.x) * resolution.y) / 256;
     const double power = std::sqrt(side) * std::sqrt(std::sqrt(std::sqrt(side)));  // exact roots
     return settings.indirect_radius.value_or(std::max(1.0, 2 * power));
