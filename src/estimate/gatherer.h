@@ -124,14 +124,15 @@ private:
 
     /// The same light again, by the layers of the lights that it comes from.
     void add_to_light_layers() const {
-        std::uint64_t layers = 0;
+        std::array<std::uint64_t, kKinds.size()> layers{};  // by kind: a bit a layer
         for (const TakenPhoton& taken : here_) {
-            const std::uint8_t layer = all_.photons[taken.photon].light_layer;
-            if (layer != kNoLightLayer) layers |= std::uint64_t{1} << layer;
+            const Photon& photon = all_.photons[taken.photon];
+            if (photon.light_layer != kNoLightLayer)
+                layers[number_of(photon.kind)] |= std::uint64_t{1} << photon.light_layer;
         }
-        for (; layers != 0; layers &= layers - 1)
-            for (const PhotonKind kind : kKinds)
-                add_to_light_layer(static_cast<std::uint8_t>(__builtin_ctzll(layers)), kind);
+        for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
+            for (std::uint64_t rest = layers[kind]; rest != 0; rest &= rest - 1)
+                add_to_light_layer(static_cast<std::uint8_t>(__builtin_ctzll(rest)), kKinds[kind]);
     }
 
     void add_to_light_layer(std::uint8_t layer, PhotonKind kind) const {
