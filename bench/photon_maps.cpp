@@ -213,10 +213,9 @@ void run(const Settings& settings) {
     PassImage unused(window_of(scene.film()).pixels(), {});
     Statistics counts;
     const EyePass eye{pass, render.transport, render.eye, window_of(scene.film()), id, 1};
-    const VisiblePointIndex index(trace_eye_paths(eye, unused, counts), take_rules(eye));
+    const VisiblePointIndex index(trace_eye_paths(eye, unused, counts), render.transport.max_depth);
     const PhotonTracer tracer(pass, render.transport);
-    const ViewOctree octree(index.points(), index.rules(), scene.sphere().center,
-                            scene.sphere().radius);
+    const ViewOctree octree(index.points(), scene.sphere().center, scene.sphere().radius);
     const PhotonSpace seen(tracer, index, octree);
     const WholePaths space(tracer, seen);
     const Maps maps{settings, space, id};

@@ -72,15 +72,15 @@ public:
         return trace_eye_paths(eye_pass(), image, counts);
     }
 
-    VisiblePointIndex index() const { return {points_, take_rules(eye_pass())}; }
+    VisiblePointIndex index() const { return {points_, transport_.max_depth}; }
     VisiblePointIndex index_of_nothing() const {
-        return {VisiblePointLists(), take_rules(eye_pass())};
+        return {VisiblePointLists(), transport_.max_depth};
     }
 
     /// The photons of a pass like this one. @param number  names its random numbers.
     void photons(const VisiblePointIndex& index, PassImage& image, std::uint32_t number = 0) const {
         trace_photons({at_wavelengths_, transport_, index}, {0, number}, settings_.sampler, groups_,
-                      image);
+                      {image});
     }
 
 private:

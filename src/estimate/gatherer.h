@@ -7,6 +7,7 @@
 
 #include "estimate/deposit.h"
 #include "estimate/shared_terms.h"
+#include "measurement/flux_sums.h"
 #include "measurement/lookup.h"
 
 #include <algorithm>
@@ -111,9 +112,12 @@ private:
             all_.taken.set(taken.photon);
             met[kind] |= taken.takers;
             deposits += static_cast<unsigned>(__builtin_popcount(taken.takers));
-            for (unsigned rest = taken.takers; rest != 0; rest &= rest - 1)
+            for (unsigned rest = taken.takers & ~plain_; rest != 0; rest &= rest - 1)
                 add(static_cast<unsigned>(__builtin_ctz(rest)), photon, light_[kind]);
         }
+        for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
+            if ((met[kind] & plain_) != 0)
+                add_flux(all_.photons, here_, kKinds[kind], plain_, light_[kind]);
         for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
             for (unsigned rest = met[kind]; rest != 0; rest &= rest - 1)
                 finish_point(static_cast<unsigned>(__builtin_ctz(rest)), kKinds[kind]);
@@ -136,7 +140,7 @@ private:
     }
 
     void add_to_light_layer(std::uint8_t layer, PhotonKind kind) const {
-        Lights light{};
+        BlockLight light{};
         unsigned met = 0;
         for (const TakenPhoton& taken : here_) {
             const Photon& photon = all_.photons[taken.photon];
@@ -153,13 +157,11 @@ private:
         }
     }
 
-    using Lights = std::array<Spectrum, kPoints>;
-
     Spectrum share(std::size_t i, PhotonKind kind) const {
         return share_of(point(i), all_.index.radius(block_, i, kind), all_.paths);
     }
 
-    void add(std::size_t i, const Photon& photon, Lights& light) const {
+    void add(std::size_t i, const Photon& photon, BlockLight& light) const {
         if ((plain_ >> i & 1U) != 0)
             light[i] += photon.flux;
         else
@@ -209,9 +211,9 @@ private:
     SharedTerms shared_;
     TakenPhotons taken_;
     std::size_t block_ = 0;
-    std::span<const TakenPhoton> here_;        // of the block
-    unsigned plain_ = 0;                       // points whose light is the photons' flux
-    std::array<Lights, kKinds.size()> light_;  // all zero between blocks
+    std::span<const TakenPhoton> here_;            // of the block
+    unsigned plain_ = 0;                           // points whose light is the photons' flux
+    std::array<BlockLight, kKinds.size()> light_;  // all zero between blocks
 };
 
 }  // namespace sunfleck

@@ -24,14 +24,10 @@ struct EyePass {
     PixelWindow window;
     PassId id;
     double radius_factor = 1;  // r_p / r_0
+    /// Of discs for indirect photons, over their radius.
+    float indirect_reach =
+        static_cast<float>(sunfleck::indirect_reach(settings, scene.scene.film().resolution));
 };
-
-/// Of the visible points of the pass.
-inline TakeRules take_rules(const EyePass& pass) {
-    const Vec2i resolution = pass.scene.scene.film().resolution;
-    return {pass.transport.max_depth,
-            static_cast<float>(indirect_reach(pass.settings, resolution))};
-}
 
 /// One camera path a pixel. The order of the points, list after list, is that of the pixels.
 VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics);

@@ -141,8 +141,14 @@ void EyePath::add_emission(const EmitterMet& met) {
 void EyePath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
     VisiblePoint point;
     const bool behind = hit.normal.dot(direction_) > 0;
-    point.disc = {hit.position, radius_at(hit), behind ? -hit.normal : hit.normal,
-                  bounces_,     kinds,          gathers(bsdf, 1, -1)};
+    point.disc.position = hit.position;
+    point.disc.radius = radius_at(hit);
+    point.disc.normal = behind ? -hit.normal : hit.normal;
+    point.disc.bounces = bounces_;
+    point.disc.kinds = kinds;
+    point.disc.both_sides = gathers(bsdf, 1, -1);
+    // Beyond a rough surface the camera path is the noise, and the disc is wider already.
+    if (rough_ == 0) point.disc.indirect_reach = pass_.indirect_reach;
     point.shading_normal = hit.shading_normal;
     point.tangent = hit.tangent;
     point.w_from = -direction_;

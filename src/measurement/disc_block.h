@@ -15,6 +15,7 @@ struct alignas(64) DiscBlock {
 
     std::array<Floats, 3> position{};
     Floats radius{};
+    Floats indirect_radius{};
     std::array<Floats, 3> normal{};
     Integers bounces{};
     Integers kinds{};  // none: places that are not set take nothing
@@ -26,6 +27,7 @@ struct alignas(64) DiscBlock {
             normal.at(static_cast<std::size_t>(c)).at(i) = disc.normal[c];
         }
         radius.at(i) = disc.radius;
+        indirect_radius.at(i) = disc.radius_for(PhotonKind::indirect);
         bounces.at(i) = disc.bounces;
         kinds.at(i) = static_cast<std::int32_t>(disc.kinds);
         both_sides.at(i) = disc.both_sides ? 1 : 0;

@@ -21,6 +21,8 @@ using Vector = hn::Vec<Floats>;
 using Mask = hn::Mask<Floats>;
 using Eight = std::array<float, 8>;
 constexpr std::size_t kAtOnce = hn::MaxLanes(Floats());
+/// Eight leaves of eight, and one that is written beyond the end.
+constexpr std::size_t kPhotonsOfNode = 65;
 
 struct Vectors {
     Vector x;
@@ -93,14 +95,15 @@ HWY_INLINE Mask accept(const DiscBlock& discs, const Photon& photon, int max_dep
 }
 
 /// Bit i is set if disc i takes the photon. The names are those of takes().
-HWY_INLINE unsigned takers(const DiscBlock& discs, const Photon& photon, const TakeRules& rules) {
-    const Vector reach = all(rules.reach(photon.kind));
+HWY_INLINE unsigned takers(const DiscBlock& discs, const Photon& photon, int max_depth) {
+    const DiscBlock::Floats& radii =
+        photon.kind == PhotonKind::indirect ? discs.indirect_radius : discs.radius;
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
         const Vectors to = all(photon.position);
         const Vectors from = load(discs.position, i);
         const Vectors d{hn::Sub(to.x, from.x), hn::Sub(to.y, from.y), hn::Sub(to.z, from.z)};
-        const Vector radius = hn::Mul(load(discs.radius, i), reach);
+        const Vector radius = load(radii, i);
         const Vector radius2 = hn::Mul(radius, radius);
         const Vector distance2 = dot(d, d);
         const Mask near = hn::Lt(distance2, hn::Mul(all(1.5F), radius2));
@@ -118,34 +121,61 @@ HWY_INLINE unsigned takers(const DiscBlock& discs, const Photon& photon, const T
                                   hn::Gt(hn::Abs(along), hn::Mul(all(kDiscFlatness), radius)));
         const Mask within = hn::Lt(hn::Sub(distance2, hn::Mul(above, above)), radius2);
         const Mask taken = hn::And(hn::And(near, hn::AndNot(apart, within)),
-                                   accept(discs, photon, rules.max_depth, behind, i));
+                                   accept(discs, photon, max_depth, behind, i));
         bits |= bits_of(taken, i);
     }
     return bits;
 }
 
-/// Appends what the block takes to the list. @return the new end of the list.
-HWY_INLINE std::size_t list_taken(const VisiblePointIndex& index, const SortedPhotons& photons,
-                                  std::size_t block, std::size_t end, TakenPhotons& taken,
-                                  std::uint32_t& takers_of_any) {
-    const Box box = index.box(block);
-    const DiscBlock& discs = index.discs(block);
+/// Bits of `met` to numbers from `first` on. Writes eight, of which the first ones count: no
+/// branch, for none could be foreseen. @return the end of those that count.
+HWY_INLINE std::uint32_t* write_numbers(unsigned met, std::uint32_t first, std::uint32_t* out) {
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        *out = first + i;
+        out += met >> i & 1U;
+    }
+    return out;
+}
+
+/// Lists the photons in the box, of the nodes that are near. @return how many.
+HWY_INLINE std::size_t list_near(const SortedPhotons& photons, const Box& box,
+                                 TakenPhotons& taken) {
+    std::size_t count = 0;
     for (const std::uint32_t node : taken.nodes) {
+        if (count + kPhotonsOfNode > taken.near.size())
+            taken.near.resize(2 * count + kPhotonsOfNode);
+        std::uint32_t* const begin = taken.near.data();
+        std::uint32_t* end = begin + count;
         unsigned leaves = touched(photons.tree().node(node), box);
         for (; leaves != 0; leaves &= leaves - 1) {
             const std::uint32_t leaf = node * 8 + static_cast<std::uint32_t>(__builtin_ctz(leaves));
-            if (end + 8 > taken.list.size()) taken.list.resize(2 * end + 64);
-            unsigned met = inside(photons.leaf(leaf), box);
-            for (; met != 0; met &= met - 1) {
-                const std::uint32_t i = leaf * 8 + static_cast<std::uint32_t>(__builtin_ctz(met));
-                const unsigned by = takers(discs, photons[i], index.rules());
-                taken.list[end] = {i, by};
-                end += by != 0 ? 1 : 0;
-                takers_of_any |= by;
-            }
+            end = write_numbers(inside(photons.leaf(leaf), box), leaf * 8, end);
         }
+        count = static_cast<std::size_t>(end - begin);
+    }
+    return count;
+}
+
+/// Appends what the block takes to the list from `end` on. All that is near is listed before any
+/// of it is asked for: loops whose ends can be foreseen. @return the new end.
+HWY_INLINE std::size_t list_taken(const VisiblePointIndex& index, const SortedPhotons& photons,
+                                  std::size_t block, std::size_t end, TakenPhotons& taken) {
+    const std::size_t count = list_near(photons, index.box(block), taken);
+    if (end + count > taken.list.size()) taken.list.resize(2 * end + count);
+    const DiscBlock& discs = index.discs(block);
+    for (std::size_t n = 0; n < count; ++n) {
+        const std::uint32_t i = taken.near[n];
+        const unsigned by = takers(discs, photons[i], index.max_depth());
+        taken.list[end] = {i, by};
+        end += by != 0 ? 1 : 0;
     }
     return end;
+}
+
+std::uint32_t takers_of_any(const TakenPhotons& taken, std::size_t begin, std::size_t end) {
+    std::uint32_t takers = 0;
+    for (std::size_t n = begin; n < end; ++n) takers |= taken.list[n].takers;
+    return takers;
 }
 
 bool find_taken(const VisiblePointIndex& index, const SortedPhotons& photons, std::size_t begin,
@@ -158,10 +188,9 @@ bool find_taken(const VisiblePointIndex& index, const SortedPhotons& photons, st
     if (taken.nodes.empty()) return false;
     std::size_t listed = 0;
     for (std::size_t block = begin; block < end; ++block) {
-        TakenPhotons::Block& here = taken.blocks[block - begin];
-        here = {listed, 0, 0};
-        listed = list_taken(index, photons, block, listed, taken, here.takers);
-        here.count = listed - here.first;
+        const std::size_t first = listed;
+        listed = list_taken(index, photons, block, first, taken);
+        taken.blocks[block - begin] = {first, listed - first, takers_of_any(taken, first, listed)};
     }
     return listed > 0;
 }
@@ -172,7 +201,7 @@ bool is_any_taken(const VisiblePointIndex& index, std::span<const Photon> path) 
         const Box place{photon.position, photon.position};
         const auto near = [&](const BoxNode& node) HWY_ATTR { return touched(node, place); };
         const auto go_on = [&](std::uint32_t block) HWY_ATTR {
-            return takers(index.discs(block), photon, index.rules()) == 0;
+            return takers(index.discs(block), photon, index.max_depth()) == 0;
         };
         if (index.tree().visit(near, go_on)) return true;
     }

@@ -33,6 +33,7 @@ struct TakenPhotons {
     std::array<Block, kBlocks> blocks;
     std::vector<TakenPhoton> list;     // may be longer than what is taken
     std::vector<std::uint32_t> nodes;  // of the photons' tree that are near
+    std::vector<std::uint32_t> near;   // photons in the box of the block at hand
 };
 
 /// Lists what blocks begin .. end - 1 take, always in the same order: kBlocks at most, neighbours

@@ -9,9 +9,7 @@
 namespace sunfleck {
 
 /// The root is larger than the scene and off its axes, so that walls do not lie on cell faces.
-ViewOctree::ViewOctree(std::span<const VisiblePoint> points, const TakeRules& rules,
-                       const Vec3d& centre, double radius)
-    : rules_(rules) {
+ViewOctree::ViewOctree(std::span<const VisiblePoint> points, const Vec3d& centre, double radius) {
     constexpr std::size_t kLeastPart = 4096;
     const double size = std::max(2.5 * radius, 1e-30);
     low_ = centre - Vec3d(0.4871, 0.5143, 0.5029) * size;
@@ -44,8 +42,8 @@ ViewOctree::Cells ViewOctree::cells_of(const Disc& disc) const {
     double widest = 0;
     for (int c = 0; c < 3; ++c) {
         // takes() accepts nothing beyond sqrt(1.5) radii.
-        const double half = 1.23 * double{disc.radius * rules_.reach_of(disc)} +
-                            std::abs(double{disc.position[c]}) * 1e-6;
+        const double half =
+            1.23 * double{disc.widest_radius()} + std::abs(double{disc.position[c]}) * 1e-6;
         const double middle = (double{disc.position[c]} - low_[c]);
         const auto cell = [&](double x) {
             return static_cast<std::uint32_t>(std::clamp(x * cells_per_unit_, 0.0, kLast));

@@ -23,8 +23,7 @@ public:
 
     /// @param centre, radius  of a sphere around the scene, the same for every pass.
     /// Neighbours in the list should be neighbours in space.
-    ViewOctree(std::span<const VisiblePoint> points, const TakeRules& rules, const Vec3d& centre,
-               double radius);
+    ViewOctree(std::span<const VisiblePoint> points, const Vec3d& centre, double radius);
 
     /// 0 to kDeepest, or kFull.
     int height(const Vec3& place) const {
@@ -68,7 +67,6 @@ private:
     static Nodes united(const std::vector<Nodes>& parts);
     static void unite(Nodes& nodes, std::uint32_t into, std::uint32_t other);
 
-    TakeRules rules_;
     Vec3d low_;
     double cells_per_unit_;  // finest ones
     Nodes nodes_;

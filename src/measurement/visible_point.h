@@ -33,7 +33,7 @@ struct Photon {
     Spectrum flux;                             // of all copies
 };
 
-/// The part of a visible point that decides which photons it takes. 40 bytes.
+/// The part of a visible point that decides which photons it takes. 36 bytes.
 struct Disc {
     Vec3 position{0};
     float radius = 0;           // for direct and caustic photons
@@ -41,25 +41,19 @@ struct Disc {
     std::uint16_t bounces = 0;  // scattering events of the eye path before this point
     std::uint8_t kinds = 0;     // sum of the PhotonKinds that it takes
     bool both_sides = false;    // transmits: takes photons from behind, too
-};
+    float indirect_reach = 1;   // of the disc for indirect photons, over the radius; 1 or more
 
-/// What all discs of a pass have in common.
-struct TakeRules {
-    int max_depth = 0;         // scattering events of the whole path
-    float indirect_reach = 1;  // of a disc for indirect photons, over its radius: 1 or more
-
-    // NOLINTNEXTLINE(google-explicit-constructor): a depth alone are the paper's rules
-    constexpr TakeRules(int depth, float reach = 1) : max_depth(depth), indirect_reach(reach) {}
-
-    /// Of any disc, for photons of this kind, over its radius. Light that a rough surface has
-    /// scattered has few edges: wider discs have less noise and hardly more bias.
-    constexpr float reach(PhotonKind kind) const {
-        return kind == PhotonKind::indirect ? indirect_reach : 1;
+    /// For photons of this kind. Light that a rough surface has scattered has few edges: a wider
+    /// disc has less noise and hardly more bias.
+    float radius_for(PhotonKind kind) const {
+        return kind == PhotonKind::indirect ? radius * indirect_reach : radius;
     }
-    /// The greatest reach of a disc.
-    constexpr float reach_of(const Disc& disc) const {
-        const bool widest = (disc.kinds & static_cast<std::uint8_t>(PhotonKind::indirect)) != 0;
-        return widest ? indirect_reach : 1;
+    bool takes_kind(PhotonKind kind) const {
+        return (kinds & static_cast<std::uint8_t>(kind)) != 0;
+    }
+    /// Of all kinds that it takes.
+    float widest_radius() const {
+        return takes_kind(PhotonKind::indirect) ? radius_for(PhotonKind::indirect) : radius;
     }
 };
 
@@ -70,14 +64,15 @@ inline constexpr float kNormalAgreement = 0.5F;
 inline constexpr float kDiscFlatness = 0.25F;
 
 /// Does the disc take this photon?
-inline bool takes(const Disc& disc, const Photon& photon, const TakeRules& rules) {
+/// @param max_depth  scattering events of the whole path, at most.
+inline bool takes(const Disc& disc, const Photon& photon, int max_depth) {
     const Vec3 d = photon.position - disc.position;
-    const float radius = disc.radius * rules.reach(photon.kind);
+    const float radius = disc.radius_for(photon.kind);
     const float radius2 = radius * radius;
     const float distance2 = d.length2();
     if (!(distance2 < 1.5F * radius2)) return false;  // a quick no: what follows is narrower
-    if ((disc.kinds & static_cast<std::uint8_t>(photon.kind)) == 0) return false;
-    if (disc.bounces + photon.bounces >= rules.max_depth) return false;
+    if (!disc.takes_kind(photon.kind)) return false;
+    if (disc.bounces + photon.bounces >= max_depth) return false;
     float agreement = disc.normal.dot(photon.normal);
     Vec3 other = photon.normal;
     if (agreement < 0) {

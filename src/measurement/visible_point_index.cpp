@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kBlock = 4096;
 
 /// Half width of a box around the disc along each axis: every photon that takes() accepts is in.
-Box box_of(const Disc& disc, const TakeRules& rules) {
-    const float radius = disc.radius * rules.reach_of(disc);
+Box box_of(const Disc& disc) {
+    const float radius = disc.widest_radius();
     Vec3 half;
     for (int c = 0; c < 3; ++c) {
         const float n = disc.normal[c];
@@ -86,8 +86,8 @@ MortonKeys in_order(const VisiblePointLists& lists, const MortonGrid& grid) {
 
 }  // namespace
 
-VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, const TakeRules& rules)
-    : rules_(rules) {
+VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, int max_depth)
+    : max_depth_(max_depth) {
     const Whole whole = whole_of(lists);
     if (whole.points == 0) return;
     kinds_ = whole.kinds;
@@ -106,7 +106,7 @@ VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, const TakeRules& r
             points_[i].shares_pixel = pixels[points_[i].pixel] == kShared;
             if (is_plain(points_[i])) plain_[i / kWidth] |= std::uint8_t(1U << i % kWidth);
             blocks_[i / kWidth].set(i % kWidth, points_[i].disc);
-            boxes_[i / kWidth].extend(box_of(points_[i].disc, rules));
+            boxes_[i / kWidth].extend(box_of(points_[i].disc));
         }
     });
     tree_ = BoxTree(boxes_);

@@ -18,7 +18,8 @@ namespace sunfleck {
 
 class VisiblePointIndex {
 public:
-    VisiblePointIndex(VisiblePointLists lists, const TakeRules& rules);
+    /// @param max_depth  scattering events of whole paths, at most.
+    VisiblePointIndex(VisiblePointLists lists, int max_depth);
 
     /// V of the paper for a path: is any of its photons taken by any visible point? Ends at the
     /// first.
@@ -48,19 +49,20 @@ public:
     unsigned plain(std::size_t b) const { return plain_[b]; }
     /// Of point i of block b, for photons of this kind.
     float radius(std::size_t b, std::size_t i, PhotonKind kind) const {
-        return blocks_[b].radius[i] * rules_.reach(kind);
+        const DiscBlock& discs = blocks_[b];
+        return kind == PhotonKind::indirect ? discs.indirect_radius[i] : discs.radius[i];
     }
     /// Holds every photon that a point of the block takes.
     const Box& box(std::size_t b) const { return boxes_[b]; }
     /// Over blocks.
     const BoxTree& tree() const { return tree_; }
-    const TakeRules& rules() const { return rules_; }
+    int max_depth() const { return max_depth_; }
 
     std::span<const VisiblePoint> points() const { return points_; }
     std::size_t bytes() const;
 
 private:
-    TakeRules rules_;
+    int max_depth_;
     std::uint8_t kinds_ = 0;  // that any point takes
     MortonGrid grid_;
     UnfilledVector<VisiblePoint> points_;  // in Morton order

@@ -19,7 +19,7 @@ struct PhotonView {
 /// The octree over what is seen.
 inline ViewOctree octree_of(const PhotonView& view) {
     const SceneSphere& sphere = view.scene.scene.sphere();
-    return {view.index.points(), view.index.rules(), sphere.center, sphere.radius};
+    return {view.index.points(), sphere.center, sphere.radius};
 }
 
 /// Some of the lights, and how paths from them are sampled. Fixed for an epoch.

@@ -65,7 +65,7 @@ private:
                        std::uint32_t round) {
         PassImage image(first_.window.pixels(), {});
         const PhotonTotals photons = trace_photons({first_.scene, first_.transport, index},
-                                                   name_.round(round), sampler_, groups_, image);
+                                                   name_.round(round), sampler_, groups_, {image});
         counts_ += photons.statistics;
         for (std::size_t g = 0; g < groups_.size(); ++g)
             for (const std::uint64_t seeds : photons.groups[g].ladder.survivors) seeds_[g] += seeds;
@@ -107,7 +107,7 @@ double paths_of(const std::vector<PhotonGroup>& groups) {
 EyeView view_of(const EyePass& pass) {
     PassImage image(pass.window.pixels(), {});
     Statistics counts;
-    VisiblePointIndex index(trace_eye_paths(pass, image, counts), take_rules(pass));
+    VisiblePointIndex index(trace_eye_paths(pass, image, counts), pass.transport.max_depth);
     return {std::move(image), counts, std::move(index)};
 }
 

@@ -20,10 +20,10 @@ PhotonTotals draw_sppm(const RenderSettings& settings, const EyePass& eye,
     Stopwatch watch;
     auto points = trace_eye_paths(eye, result.image, result.statistics);
     result.seconds.eye += watch.lap();
-    const VisiblePointIndex index(std::move(points), take_rules(eye));
+    const VisiblePointIndex index(std::move(points), eye.transport.max_depth);
     result.seconds.index += watch.lap();
     PhotonTotals photons = trace_photons({eye.scene, settings.transport, index}, eye.id,
-                                         settings.photon.sampler, groups, result.image, taken);
+                                         settings.photon.sampler, groups, {result.image, taken});
     result.seconds.photon += watch.lap();
     return photons;
 }

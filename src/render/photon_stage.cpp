@@ -13,9 +13,8 @@ namespace {
 
 class PhotonStage {
 public:
-    PhotonStage(const PhotonView& view, PassId id, PhotonSampler sampler, PassImage& image,
-                PhotonCounts* taken)
-        : view_(view), id_(id), sampler_(sampler), image_(image), taken_(taken) {}
+    PhotonStage(const PhotonView& view, PassId id, PhotonSampler sampler, const PhotonTarget& to)
+        : view_(view), id_(id), sampler_(sampler), to_(to) {}
 
     PhotonTotals take() { return std::move(result_); }
 
@@ -26,7 +25,7 @@ public:
             counts.visible_fraction = trace_uniform(group);
         } else {
             if (!octree_) octree_.emplace(octree_of(view_));
-            const Depositor deposit(view_.scene, view_.index, image_, 1, taken_);
+            const Depositor deposit(view_.scene, view_.index, to_.image, 1, to_.taken);
             AdaptivePaths paths =
                 trace_adaptive_paths(view_, *octree_, id_.with_part(group.part), group, deposit);
             result_.statistics += paths.statistics;
@@ -42,7 +41,7 @@ private:
     double trace_uniform(const PhotonGroup& group) {
         const PhotonTracer tracer(view_.scene, view_.transport, group.lights);
         const std::uint32_t paths = group.plan.uniform_paths;
-        const Depositor deposit(view_.scene, view_.index, image_, paths, taken_);
+        const Depositor deposit(view_.scene, view_.index, to_.image, paths, to_.taken);
         const UniformKind kind =
             sampler_ == PhotonSampler::random ? UniformKind::random : UniformKind::uniform;
         Statistics counts = trace_uniform_paths(
@@ -54,8 +53,7 @@ private:
     const PhotonView& view_;
     PassId id_;
     PhotonSampler sampler_;
-    PassImage& image_;
-    PhotonCounts* taken_;
+    const PhotonTarget& to_;
     PhotonTotals result_;
     std::optional<ViewOctree> octree_;  // ladders alone need it
 };
@@ -70,9 +68,8 @@ void PhotonTotals::add(const PhotonTotals& draw, double share) {
 }
 
 PhotonTotals trace_photons(const PhotonView& view, PassId id, PhotonSampler sampler,
-                           const std::vector<PhotonGroup>& groups, PassImage& image,
-                           PhotonCounts* taken) {
-    PhotonStage stage(view, id, sampler, image, taken);
+                           const std::vector<PhotonGroup>& groups, const PhotonTarget& to) {
+    PhotonStage stage(view, id, sampler, to);
     for (const PhotonGroup& group : groups) stage.trace(group);
     return stage.take();
 }

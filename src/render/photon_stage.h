@@ -24,12 +24,16 @@ struct PhotonTotals {
     void add(const PhotonTotals& draw, double share);
 };
 
+/// Where the light of photons is added.
+struct PhotonTarget {
+    PassImage& image;
+    PhotonCounts* taken = nullptr;  // photons by pixel, or none
+};
+
 /// Adds the light of the photons of a pass, or of one draw of it, to the image.
 /// @param sampler  random, uniform or adaptive. @param id  names their random numbers.
-/// @param taken  photons by pixel, to be added to; or none.
 PhotonTotals trace_photons(const PhotonView& view, PassId id, PhotonSampler sampler,
-                           const std::vector<PhotonGroup>& groups, PassImage& image,
-                           PhotonCounts* taken = nullptr);
+                           const std::vector<PhotonGroup>& groups, const PhotonTarget& to);
 
 /// Counts uniform paths: each visible one brought light once. @return the share of these.
 double count_uniform(Statistics& counts, Statistics& all);

@@ -22,6 +22,22 @@ struct MappedPlan {
     MapCover cover() const { return paths == 0 ? MapCover{} : MapCover{&map, importance}; }
 };
 
+/// Keeps what is visible of a block's paths: its share of the light, and a seed.
+template <PathSpace Space, class Collector>
+struct MappedBlock {
+    const MappedPlan& plan;
+    Collector& collect;
+    std::vector<Seed>& seeds;
+
+    void operator()(const MappedPoints::Reader& reader, const StoredSample& sample,
+                    const typename Space::Path& path, int height) const {
+        if (height != kVisible) return;
+        const double weight = reader.weight() / plan.paths;
+        if (plan.own_share > 0) collect(path, weight * plan.own_share);
+        seeds.push_back({sample, 1, height, weight * plan.importance});
+    }
+};
+
 /// @param pass  of the ladder. @param sink  gets visible paths with their share of their weight.
 /// @return the visible paths as seeds, with their weights times the importance.
 template <PathSpace Space, PathSink<Space> Sink>
@@ -39,17 +55,10 @@ UniformLevel mapped_level(const Space& space, PassId pass, const MappedPlan& pla
         for (std::size_t i = 0; i < blocks.size(); ++i) collectors.push_back(sink.make());
         parallel_blocks(some, Block::kPaths, [&](std::size_t begin, std::size_t end) {
             Block& block = blocks[begin / Block::kPaths];
-            Collector& collect = collectors[begin / Block::kPaths];
-            block.counts = trace_range(
-                space, points, {first + begin, first + end},
-                [&](const MappedPoints::Reader& reader, const StoredSample& sample,
-                    const typename Space::Path& path, int height) {
-                    if (height != kVisible) return;
-                    const double weight = reader.weight() / plan.paths;
-                    if (plan.own_share > 0) collect(path, weight * plan.own_share);
-                    block.seeds.push_back({sample, 1, height, weight * plan.importance});
-                },
-                block.tally);
+            const MappedBlock<Space, Collector> keep{plan, collectors[begin / Block::kPaths],
+                                                     block.seeds};
+            block.counts =
+                trace_range(space, points, {first + begin, first + end}, keep, block.tally);
         });
         level.take(std::move(blocks), tally);
         sink.take(std::move(collectors));

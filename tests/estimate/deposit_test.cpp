@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kPixels = 300;
 constexpr std::uint32_t kPaths = 5000;
-constexpr TakeRules kRules(6, 1.5F);
+constexpr int kMaxDepth = 6;
 
 /// Materials 0: diffuse (needs none), 1: rough metal, 2: rough glass whose index differs by lane.
 SceneDescription materials() {
@@ -54,6 +54,7 @@ protected:
             p.disc.normal = direction();
             p.disc.position = -p.disc.normal;
             p.disc.radius = 0.003F * std::pow(100.0F, random_.next_float());
+            p.disc.indirect_reach = 1.5F;
             p.disc.bounces = static_cast<std::uint16_t>(below(4));
             p.disc.kinds = static_cast<std::uint8_t>(1 + below(7));
             p.disc.both_sides = below(3) == 0;
@@ -128,11 +129,11 @@ struct Expected {
     }
 
     bool add(const PassScene& pass, const VisiblePoint& point, const Photon& photon) {
-        if (!takes(point.disc, photon, kRules)) return false;
+        if (!takes(point.disc, photon, kMaxDepth)) return false;
         ++deposits;
         const double corrected = std::abs(double{point.shading_normal.dot(photon.w)}) /
                                  std::abs(double{point.disc.normal.dot(photon.w)});
-        const double radius = point.disc.radius * kRules.reach(photon.kind);
+        const double radius = point.disc.radius_for(photon.kind);
         const double kernel = corrected / (kPaths * kPiDouble * radius * radius);
         Spectrum value = point.throughput * photon.flux;
         if (point.bsdf != kLambertian) value *= gather_lobe(pass, point, photon.w);
@@ -156,7 +157,7 @@ TEST_F(Deposits, agree_with_every_point_asking_every_photon) {
     const Expected expected(pass_, points, batches);
     ASSERT_GT(expected.deposits, 15'000U);
     PassImage image = empty_image();
-    const VisiblePointIndex index({points}, kRules);
+    const VisiblePointIndex index({points}, kMaxDepth);
     const Statistics counted = Depositor(pass_, index, image, kPaths)(batches);
 
     EXPECT_EQ(counted[Count::deposits], expected.deposits);
@@ -180,7 +181,7 @@ TEST_F(Deposits, layers_add_up_to_the_last_bit) {
     const auto points = random_points(500);
     auto batches = random_batches(points);
     PassImage image = empty_image();
-    const VisiblePointIndex index({points}, kRules);
+    const VisiblePointIndex index({points}, kMaxDepth);
     Depositor(pass_, index, image, kPaths)(batches);
     for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
         for (unsigned c = 0; c < 3; ++c) {
@@ -194,7 +195,7 @@ TEST_F(Deposits, layers_add_up_to_the_last_bit) {
 TEST_F(Deposits, any_number_of_threads_gives_the_same_bytes) {
     const auto points = random_points(5000);
     const auto batches = random_batches(points);
-    const VisiblePointIndex index({points}, kRules);
+    const VisiblePointIndex index({points}, kMaxDepth);
     const auto image_by = [&](std::size_t threads) {
         const ThreadLimit limit(threads);
         auto copy = batches;
@@ -220,7 +221,7 @@ TEST_F(Deposits, what_cannot_be_added_falls_alone) {
     Photon photon;
     photon.normal = photon.w = Vec3(0, 0, 1);
     photon.flux = Spectrum(1);
-    const VisiblePointIndex index({points}, kRules);
+    const VisiblePointIndex index({points}, kMaxDepth);
     const auto image_of = [&](std::initializer_list<float> fluxes) {
         std::vector<PhotonBatch> batches(1);
         for (const float flux : fluxes) {
@@ -245,10 +246,10 @@ TEST_F(Deposits, nothing_to_deposit_or_nowhere_to) {
     const auto points = random_points(20);
     PassImage image = empty_image();
     std::vector<PhotonBatch> none;
-    const VisiblePointIndex index({points}, kRules);
+    const VisiblePointIndex index({points}, kMaxDepth);
     EXPECT_EQ(Depositor(pass_, index, image, kPaths)(none), Statistics());
     auto batches = random_batches(points);
-    const VisiblePointIndex empty({}, kRules);
+    const VisiblePointIndex empty({}, kMaxDepth);
     EXPECT_EQ(Depositor(pass_, empty, image, kPaths)(batches), Statistics());
 }
 

@@ -174,6 +174,22 @@ TEST(EyePath, discs_seen_in_a_glossy_lobe_are_a_hundredth_of_it_wider) {
     }
 }
 
+/// Through glass too, but not beyond rough metal, whose lobe has made discs wider already.
+TEST(EyePath, discs_are_wider_for_indirect_light_but_beyond_rough_surfaces) {
+    EyeSettings settings;
+    settings.indirect_radius = 3.5;
+    const SceneDescription glass = seen_from_above({square(0, 0), square(1, 1)});
+    for (const VisiblePoint& p : trace(glass, kSampled, 1, settings).points)
+        EXPECT_EQ(p.disc.indirect_reach, 3.5F);
+    int beyond = 0;
+    const SceneDescription metal = seen_from_above({square(0, 2), square(6, 0)});
+    for (const VisiblePoint& p : trace(metal, kSampled, 1, settings).points) {
+        EXPECT_EQ(p.disc.indirect_reach, p.after_rough ? 1.0F : 3.5F);
+        beyond += p.after_rough ? 1 : 0;
+    }
+    EXPECT_GT(beyond, 20);
+}
+
 TEST(EyePath, depth_limits_the_eye) {
     const SceneDescription scene = seen_from_above({square(0, 0), square(1, 1)});
     EXPECT_TRUE(trace(scene, {DirectLight::sampled, 0}).points.empty());

@@ -12,7 +12,7 @@
 namespace sunfleck {
 namespace {
 
-constexpr TakeRules kRules(5, 1.7F);
+constexpr int kMaxDepth = 5;
 
 /// Points and photons on a wavy sheet, of all kinds, some seen from behind.
 struct Sheet {
@@ -23,6 +23,7 @@ struct Sheet {
         disc.position = {random.next_float(), random.next_float(), 0.02F * random.next_float()};
         disc.normal = normal();
         disc.radius = 0.01F + 0.1F * random.next_float();
+        disc.indirect_reach = 1 + random.next_float();
         disc.bounces = below(3);
         disc.kinds = static_cast<std::uint8_t>(below(8));
         disc.both_sides = random.next_float() < 0.3F;
@@ -87,7 +88,7 @@ std::vector<Pair> one_by_one(const VisiblePointIndex& index, const SortedPhotons
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < photons.size(); ++i)
         for (std::size_t p = 0; p < index.points().size(); ++p)
-            if (takes(index.points()[p].disc, photons[i], kRules)) pairs.emplace_back(i, p);
+            if (takes(index.points()[p].disc, photons[i], kMaxDepth)) pairs.emplace_back(i, p);
     return pairs;
 }
 
@@ -112,7 +113,7 @@ private:
 TEST_P(Lookup, finds_what_takes_accepts) {
     Sheet sheet;
     for (const std::size_t count : {1U, 9U, 200U, 1500U}) {
-        const VisiblePointIndex index({sheet.points(count)}, kRules);
+        const VisiblePointIndex index({sheet.points(count)}, kMaxDepth);
         const SortedPhotons photons(sheet.photons(count), index.grid());
         std::vector<Pair> found = looked_up(index, photons);
         std::sort(found.begin(), found.end());

@@ -15,12 +15,13 @@ namespace {
 
 constexpr double kRadius = 20;  // of the scene
 const Vec3d kCentre(1, -2, 0.5);
-constexpr TakeRules kRules(64, 1.6F);
+constexpr int kMaxDepth = 64;
 
 VisiblePoint point_at(const Vec3& position, float radius) {
     VisiblePoint point;
     point.disc.position = position;
     point.disc.radius = radius;
+    point.disc.indirect_reach = 1.6F;
     point.disc.normal = Vec3(0, 0, 1);
     point.disc.kinds = 7;
     return point;
@@ -48,7 +49,7 @@ std::vector<VisiblePoint> random_points(int count) {
 // 200,000 photons that discs take, most of them near the rim: none in a cell that is not full.
 TEST(ViewOctree, whatever_a_disc_takes_is_in_a_full_cell) {
     const auto points = random_points(500);
-    const ViewOctree octree(points, kRules, kCentre, kRadius);
+    const ViewOctree octree(points, kCentre, kRadius);
     RandomStream stream(1, Purpose::test, 1, 0);
     int taken = 0;
     while (taken < 200'000) {
@@ -58,11 +59,11 @@ TEST(ViewOctree, whatever_a_disc_takes_is_in_a_full_cell) {
         photon.normal = disc.normal;
         const float phi = 2 * kPi * stream.next_float();
         photon.kind = taken % 2 == 0 ? PhotonKind::caustic : PhotonKind::indirect;
-        const float radius = disc.radius * kRules.reach(photon.kind);
+        const float radius = disc.radius_for(photon.kind);
         const float r = radius * std::sqrt(0.7F + 0.31F * stream.next_float());
         const float z = 0.3F * radius * (2 * stream.next_float() - 1);
         photon.position = disc.position + Vec3(r * std::cos(phi), r * std::sin(phi), z);
-        if (!takes(disc, photon, kRules)) continue;
+        if (!takes(disc, photon, kMaxDepth)) continue;
         ++taken;
         ASSERT_EQ(octree.height(photon.position), ViewOctree::kFull) << which;
     }
@@ -73,7 +74,7 @@ TEST(ViewOctree, heights_fall_with_the_distance) {
     const Vec3 position(3.1F, -4.2F, 0.7F);
     const float radius = 1e-3F;
     const std::array one{point_at(position, radius)};
-    const ViewOctree octree(one, kRules, kCentre, kRadius);
+    const ViewOctree octree(one, kCentre, kRadius);
     RandomStream stream(1, Purpose::test, 2, 0);
     double near = 0;
     double far = 0;
@@ -91,8 +92,8 @@ TEST(ViewOctree, heights_fall_with_the_distance) {
 
 TEST(ViewOctree, more_discs_never_lower_a_place) {
     const auto points = random_points(300);
-    const ViewOctree some({points.begin(), points.begin() + 100}, kRules, kCentre, kRadius);
-    const ViewOctree all(points, kRules, kCentre, kRadius);
+    const ViewOctree some({points.begin(), points.begin() + 100}, kCentre, kRadius);
+    const ViewOctree all(points, kCentre, kRadius);
     RandomStream stream(1, Purpose::test, 3, 0);
     int higher = 0;
     for (int i = 0; i < 20'000; ++i) {
@@ -109,7 +110,7 @@ TEST(ViewOctree, built_in_parts_it_is_the_same) {
     for (VisiblePoint& point : points) point.disc.radius *= 0.2F;  // or all would be full
     const auto built = [&](std::size_t threads) {
         const ThreadLimit limit(threads);
-        return ViewOctree(points, kRules, kCentre, kRadius);
+        return ViewOctree(points, kCentre, kRadius);
     };
     const ViewOctree whole = built(1);
     const ViewOctree parts = built(8);
@@ -126,14 +127,14 @@ TEST(ViewOctree, built_in_parts_it_is_the_same) {
 
 TEST(ViewOctree, large_discs_small_scenes_and_places_outside) {
     const std::array large{point_at(Vec3(0), 500)};
-    const ViewOctree covered(large, kRules, kCentre, kRadius);
+    const ViewOctree covered(large, kCentre, kRadius);
     EXPECT_EQ(covered.height(Vec3(9, 9, 9)), ViewOctree::kFull);
     EXPECT_EQ(covered.height(Vec3(-9, 9, -9)), ViewOctree::kFull);
     EXPECT_EQ(covered.height(Vec3(1e4F, 0, 0)), 0);
-    const ViewOctree empty({}, kRules, kCentre, kRadius);
+    const ViewOctree empty({}, kCentre, kRadius);
     EXPECT_EQ(empty.height(Vec3(0)), 0);
     const std::array small{point_at(Vec3(1), 1e-6F)};
-    const ViewOctree point(small, kRules, Vec3d(1), 0);
+    const ViewOctree point(small, Vec3d(1), 0);
     EXPECT_GE(point.height(Vec3(1)), 0);
 }
 

@@ -19,7 +19,10 @@ Vec3 direction(RandomStream& stream) {
     return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-/// Discs on wavy surfaces of very different scale, some far away, radii over four decades.
+constexpr int kMaxDepth = 10;
+
+/// Discs on wavy surfaces of very different scale, some far away, radii over four decades. Every
+/// other one reaches farther for indirect photons.
 std::vector<VisiblePoint> random_points(std::uint32_t count, std::uint32_t which) {
     RandomStream stream(3, Purpose::test, which, 0);
     std::vector<VisiblePoint> points(count);
@@ -30,15 +33,13 @@ std::vector<VisiblePoint> random_points(std::uint32_t count, std::uint32_t which
             Vec3(stream.next_float(), stream.next_float(), stream.next_float()) * scale;
         p.disc.radius = 0.05F * scale * (0.1F + stream.next_float());
         p.disc.normal = direction(stream);
+        p.disc.indirect_reach = i % 2 == 0 ? 2.5F : 1;
         p.disc.kinds = 7;
         p.disc.both_sides = stream.next_float() < 0.3F;
         p.pixel = i;
     }
     return points;
 }
-
-/// Discs reach farther for indirect photons.
-constexpr TakeRules kRules(10, 2.5F);
 
 /// Most photons near a disc, with a normal near its own; every other is indirect.
 Photon random_photon(const std::vector<VisiblePoint>& points, RandomStream& stream) {
@@ -48,7 +49,7 @@ Photon random_photon(const std::vector<VisiblePoint>& points, RandomStream& stre
     photon.normal = (near.normal + direction(stream) * stream.next_float()).normalized();
     if (stream.next_float() < 0.3F) photon.normal = -photon.normal;
     if (stream.next_float() < 0.5F) photon.kind = PhotonKind::indirect;
-    const float radius = near.radius * kRules.reach(photon.kind);
+    const float radius = near.radius_for(photon.kind);
     photon.position = near.position + direction(stream) * (radius * stream.next_float());
     photon.w = photon.normal;
     return photon;
@@ -58,13 +59,13 @@ TEST(VisiblePointIndex, finds_what_takes_accepts) {
     std::uint64_t found = 0;
     for (const std::uint32_t count : {1U, 7U, 8U, 9U, 64U, 65U, 1000U}) {
         const auto points = random_points(count, count);
-        const VisiblePointIndex index({points}, kRules);
+        const VisiblePointIndex index({points}, kMaxDepth);
         RandomStream stream(3, Purpose::test, count, 1);
         for (int i = 0; i < 4000; ++i) {
             const Photon photon = random_photon(points, stream);
             std::set<std::uint32_t> expected;
             for (const VisiblePoint& p : points)
-                if (takes(p.disc, photon, kRules)) expected.insert(p.pixel);
+                if (takes(p.disc, photon, kMaxDepth)) expected.insert(p.pixel);
             std::set<std::uint32_t> actual;
             const bool any = testing_support::for_each_taker(
                 index, photon,
@@ -88,7 +89,7 @@ TEST(VisiblePointIndex, knows_who_shares_a_pixel_and_who_is_plain) {
         points[i].shading_normal = i % 2 == 0 ? -normal : normal;
         if (i % 5 == 0) points[i].shading_normal = Vec3(normal.y, normal.z, normal.x);
     }
-    const VisiblePointIndex index({points}, kRules);
+    const VisiblePointIndex index({points}, kMaxDepth);
     for (std::size_t at = 0; at < 100; ++at) {
         const VisiblePoint& p = index.points()[at];
         EXPECT_EQ(p.shares_pixel, p.pixel < 10);
@@ -96,7 +97,8 @@ TEST(VisiblePointIndex, knows_who_shares_a_pixel_and_who_is_plain) {
             p.shading_normal == p.disc.normal || p.shading_normal == -p.disc.normal;
         EXPECT_EQ((index.plain(at / 8) >> at % 8 & 1U) != 0, straight && p.bsdf == kLambertian);
         EXPECT_EQ(index.radius(at / 8, at % 8, PhotonKind::caustic), p.disc.radius);
-        EXPECT_EQ(index.radius(at / 8, at % 8, PhotonKind::indirect), 2.5F * p.disc.radius);
+        EXPECT_EQ(index.radius(at / 8, at % 8, PhotonKind::indirect),
+                  p.disc.indirect_reach * p.disc.radius);
     }
 }
 
@@ -146,17 +148,18 @@ TEST_F(Takes, nothing_from_the_wall_beside) {
 
 TEST_F(Takes, indirect_photons_in_a_wider_disc) {
     disc_.kinds = 7;
+    disc_.indirect_reach = 3;
     for (const PhotonKind kind : {PhotonKind::direct, PhotonKind::caustic, PhotonKind::indirect}) {
         photon_.kind = kind;
         const float reach = kind == PhotonKind::indirect ? 3 : 1;
         photon_.position = Vec3(0.999F * reach, 0, 0);
-        EXPECT_TRUE(takes(disc_, photon_, {4, 3}));
+        EXPECT_TRUE(takes(disc_, photon_, 4));
         photon_.position = Vec3(1.001F * reach, 0, 0);
-        EXPECT_FALSE(takes(disc_, photon_, {4, 3}));
+        EXPECT_FALSE(takes(disc_, photon_, 4));
         photon_.position = Vec3(0, 0, 0.249F * reach);
-        EXPECT_TRUE(takes(disc_, photon_, {4, 3}));
+        EXPECT_TRUE(takes(disc_, photon_, 4));
         photon_.position = Vec3(0, 0, 0.251F * reach);
-        EXPECT_FALSE(takes(disc_, photon_, {4, 3}));
+        EXPECT_FALSE(takes(disc_, photon_, 4));
     }
 }
 

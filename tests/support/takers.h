@@ -23,7 +23,7 @@ bool for_each_taker(const VisiblePointIndex& index, const Photon& photon, const 
     for (std::size_t b = 0; b < index.block_count(); ++b) {
         if (!is_inside(photon.position, index.box(b))) continue;
         for (std::size_t i = b * kWidth; i < std::min((b + 1) * kWidth, points.size()); ++i) {
-            if (!takes(points[i].disc, photon, index.rules())) continue;
+            if (!takes(points[i].disc, photon, index.max_depth())) continue;
             found(points[i]);
             any = true;
         }
