@@ -8,7 +8,7 @@
 
 namespace sunfleck {
 
-struct alignas(64) DiscBlock {
+struct alignas(32) DiscBlock {
     static constexpr std::size_t kWidth = 8;
     using Floats = std::array<float, kWidth>;
     using Integers = std::array<std::int32_t, kWidth>;
@@ -17,9 +17,13 @@ struct alignas(64) DiscBlock {
     Floats radius{};
     Floats indirect_radius{};
     std::array<Floats, 3> normal{};
-    Integers bounces{};
-    Integers kinds{};  // none: places that are not set take nothing
-    Integers both_sides{};
+    /// Bounces in the lower half, above them the kinds (none: places that are not set take
+    /// nothing) and whether the disc has both sides.
+    Integers rules{};
+
+    static constexpr std::int32_t kBounces = 0xFFFF;
+    static constexpr unsigned kKindsFrom = 16;
+    static constexpr std::int32_t kBothSides = 1 << 24;
 
     void set(std::size_t i, const Disc& disc) {
         for (int c = 0; c < 3; ++c) {
@@ -28,9 +32,7 @@ struct alignas(64) DiscBlock {
         }
         radius.at(i) = disc.radius;
         indirect_radius.at(i) = disc.radius_for(PhotonKind::indirect);
-        bounces.at(i) = disc.bounces;
-        kinds.at(i) = static_cast<std::int32_t>(disc.kinds);
-        both_sides.at(i) = disc.both_sides ? 1 : 0;
+        rules.at(i) = disc.bounces | disc.kinds << kKindsFrom | (disc.both_sides ? kBothSides : 0);
     }
 };
 

@@ -84,12 +84,14 @@ HWY_INLINE unsigned inside(const PhotonLeaf& leaf, const Box& box) {
 HWY_INLINE Mask accept(const DiscBlock& discs, const Photon& photon, int max_depth, Mask behind,
                        std::size_t i) {
     constexpr Integers kTag;
-    const auto kind = hn::Set(kTag, static_cast<std::int32_t>(photon.kind));
+    const auto rules = hn::Load(kTag, &discs.rules[i]);
+    const auto kind =
+        hn::Set(kTag, static_cast<std::int32_t>(photon.kind) << DiscBlock::kKindsFrom);
     const auto room = hn::Set(kTag, max_depth - static_cast<std::int32_t>(photon.bounces));
-    const auto shallow = hn::Lt(hn::Load(kTag, &discs.bounces[i]), room);
-    const auto wanted =
-        hn::And(hn::Eq(hn::And(hn::Load(kTag, &discs.kinds[i]), kind), kind), shallow);
-    const auto one_sided = hn::Eq(hn::Load(kTag, &discs.both_sides[i]), hn::Zero(kTag));
+    const auto bounces = hn::And(rules, hn::Set(kTag, DiscBlock::kBounces));
+    const auto wanted = hn::And(hn::Eq(hn::And(rules, kind), kind), hn::Lt(bounces, room));
+    const auto both_sides = hn::And(rules, hn::Set(kTag, DiscBlock::kBothSides));
+    const auto one_sided = hn::Eq(both_sides, hn::Zero(kTag));
     return hn::AndNot(hn::And(behind, hn::RebindMask(Floats(), one_sided)),
                       hn::RebindMask(Floats(), wanted));
 }
