@@ -2,9 +2,7 @@
 #include "measurement/lookup.h"
 
 #include "core/random.h"
-
-#include <gtest/gtest.h>
-#include <hwy/targets.h>
+#include "support/processor.h"
 
 #include <algorithm>
 #include <tuple>
@@ -92,23 +90,7 @@ std::vector<Pair> one_by_one(const VisiblePointIndex& index, const SortedPhotons
     return pairs;
 }
 
-class Lookup : public ::testing::TestWithParam<std::int64_t> {
-protected:
-    void SetUp() override {
-        choose(0);
-        const std::int64_t supported = hwy::SupportedTargets();
-        if (GetParam() != 0 && (supported & GetParam()) == 0) GTEST_SKIP();
-        choose(GetParam());
-    }
-    void TearDown() override { choose(0); }
-
-private:
-    /// @param target  0: what the processor has.
-    static void choose(std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-};
+using Lookup = testing_support::OnProcessor;
 
 TEST_P(Lookup, finds_what_takes_accepts) {
     Sheet sheet;
@@ -127,7 +109,7 @@ TEST_P(Lookup, finds_what_takes_accepts) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Targets, Lookup, ::testing::Values(0, HWY_SSSE3, HWY_AVX2));
+INSTANTIATE_TEST_SUITE_P(Targets, Lookup, testing_support::processors());
 
 }  // namespace
 }  // namespace sunfleck
