@@ -112,15 +112,17 @@ private:
             all_.taken.set(taken.photon);
             met[kind] |= taken.takers;
             deposits += static_cast<unsigned>(__builtin_popcount(taken.takers));
-            for (unsigned rest = taken.takers & ~plain_; rest != 0; rest &= rest - 1)
-                add(static_cast<unsigned>(__builtin_ctz(rest)), photon, light_[kind]);
+            for (unsigned rest = taken.takers & ~plain_; rest != 0; rest &= rest - 1) {
+                const auto i = static_cast<unsigned>(__builtin_ctz(rest));
+                light_[kind][i] += light_of(all_.pass, point(i), photon);
+            }
         }
-        for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
+        for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
             if ((met[kind] & plain_) != 0)
                 add_flux(all_.photons, here_, kKinds[kind], plain_, light_[kind]);
-        for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
             for (unsigned rest = met[kind]; rest != 0; rest &= rest - 1)
                 finish_point(static_cast<unsigned>(__builtin_ctz(rest)), kKinds[kind]);
+        }
         if (all_.image.light_layers() > 0) add_to_light_layers();
         if (all_.counts != nullptr) count(*all_.counts);
         return deposits;

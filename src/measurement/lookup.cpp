@@ -158,26 +158,24 @@ HWY_INLINE std::size_t list_near(const SortedPhotons& photons, const Box& box,
     return count;
 }
 
-/// Appends what the block takes to the list from `end` on. All that is near is listed before any
-/// of it is asked for: loops whose ends can be foreseen. @return the new end.
-HWY_INLINE std::size_t list_taken(const VisiblePointIndex& index, const SortedPhotons& photons,
-                                  std::size_t block, std::size_t end, TakenPhotons& taken) {
+/// Lists what the block takes from `first` on. All that is near is listed before any of it is asked
+/// for: loops whose ends can be foreseen.
+HWY_INLINE TakenPhotons::Block list_taken(const VisiblePointIndex& index,
+                                          const SortedPhotons& photons, std::size_t block,
+                                          std::size_t first, TakenPhotons& taken) {
     const std::size_t count = list_near(photons, index.box(block), taken);
-    if (end + count > taken.list.size()) taken.list.resize(2 * end + count);
+    if (first + count > taken.list.size()) taken.list.resize(2 * first + count);
     const DiscBlock& discs = index.discs(block);
+    std::size_t end = first;
+    std::uint32_t takers_of_any = 0;
     for (std::size_t n = 0; n < count; ++n) {
         const std::uint32_t i = taken.near[n];
         const unsigned by = takers(discs, photons[i], index.max_depth());
         taken.list[end] = {i, by};
         end += by != 0 ? 1 : 0;
+        takers_of_any |= by;
     }
-    return end;
-}
-
-std::uint32_t takers_of_any(const TakenPhotons& taken, std::size_t begin, std::size_t end) {
-    std::uint32_t takers = 0;
-    for (std::size_t n = begin; n < end; ++n) takers |= taken.list[n].takers;
-    return takers;
+    return {first, end - first, takers_of_any};
 }
 
 bool find_taken(const VisiblePointIndex& index, const SortedPhotons& photons, std::size_t begin,
@@ -190,9 +188,9 @@ bool find_taken(const VisiblePointIndex& index, const SortedPhotons& photons, st
     if (taken.nodes.empty()) return false;
     std::size_t listed = 0;
     for (std::size_t block = begin; block < end; ++block) {
-        const std::size_t first = listed;
-        listed = list_taken(index, photons, block, first, taken);
-        taken.blocks[block - begin] = {first, listed - first, takers_of_any(taken, first, listed)};
+        TakenPhotons::Block& here = taken.blocks[block - begin];
+        here = list_taken(index, photons, block, listed, taken);
+        listed += here.count;
     }
     return listed > 0;
 }
