@@ -116,6 +116,11 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& tas
     });
 }
 
+std::size_t block_of_a_thread(std::size_t count, std::size_t least) {
+    const std::size_t threads = thread_count();
+    return std::max(least, (count + threads - 1) / threads);
+}
+
 void parallel_blocks(std::size_t count, std::size_t block,
                      const std::function<void(std::size_t, std::size_t)>& task) {
     parallel_for(count / block + (count % block != 0 ? 1 : 0),

@@ -35,6 +35,10 @@ std::size_t thread_count();
 /// thrown reaches the caller. For tasks of at least some microseconds.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task);
 
+/// How long blocks of `count` indices are so that each thread gets one. @param least  the result is
+/// at least this, so that small work is not cut up.
+std::size_t block_of_a_thread(std::size_t count, std::size_t least);
+
 /// Calls task(begin, end) for consecutive blocks of `block` indices that cover [0, count); the last
 /// may be shorter. @param block  at least 1.
 void parallel_blocks(std::size_t count, std::size_t block,

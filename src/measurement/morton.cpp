@@ -66,8 +66,7 @@ bool make_places(std::vector<Places>& blocks, std::size_t keys) {
 /// its keys to where they belong: after those of the blocks before, whatever the blocks are.
 void sort_by_code(MortonKeys& keys, unsigned bits) {
     constexpr std::size_t kLeastBlock = std::size_t{1} << 14U;
-    const std::size_t threads = thread_count();
-    const std::size_t block = std::max(kLeastBlock, (keys.size() + threads - 1) / threads);
+    const std::size_t block = block_of_a_thread(keys.size(), kLeastBlock);
     std::vector<Places> places((keys.size() + block - 1) / block);
     MortonKeys other(keys.size());
     for (unsigned shift = kCodeBits - bits; shift < kCodeBits; shift += kDigit) {

@@ -14,8 +14,7 @@ ViewOctree::ViewOctree(std::span<const VisiblePoint> points, const Vec3d& centre
     const double size = std::max(2.5 * radius, 1e-30);
     low_ = centre - Vec3d(0.4871, 0.5143, 0.5029) * size;
     cells_per_unit_ = double{1U << kDeepest} / size;
-    const std::size_t threads = thread_count();
-    const std::size_t part = std::max(kLeastPart, (points.size() + threads - 1) / threads);
+    const std::size_t part = block_of_a_thread(points.size(), kLeastPart);
     std::vector<Nodes> parts((points.size() + part - 1) / part);
     parallel_blocks(points.size(), part, [&](std::size_t begin, std::size_t end) {
         parts[begin / part] = nodes_over(points.subspan(begin, end - begin));

@@ -94,6 +94,14 @@ TEST(ParallelBlocks, cover_the_range_in_blocks_of_one_size) {
         for (const std::size_t block : {1, 8, 64, 5000}) expect_cover(count, block);
 }
 
+TEST(BlockOfAThread, is_the_share_of_each_rounded_up_but_not_small) {
+    const ThreadLimit three(3);
+    EXPECT_EQ(block_of_a_thread(10, 1), 4U);
+    EXPECT_EQ(block_of_a_thread(9, 1), 3U);
+    EXPECT_EQ(block_of_a_thread(10, 7), 7U);
+    EXPECT_EQ(block_of_a_thread(0, 5), 5U);
+}
+
 TEST(ParallelBlocks, a_block_may_be_as_large_as_a_number_can_be) {
     std::pair<std::size_t, std::size_t> got;
     parallel_blocks(7, std::numeric_limits<std::size_t>::max(),
