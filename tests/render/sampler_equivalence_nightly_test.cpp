@@ -3,7 +3,7 @@
 // that each scene states. Renders are rounds of 16 passes, each with a seed that all samplers
 // share: so they share camera rays and direct light, whose noise falls out of the ratio. `random`
 // brings the noise that is left: about 1 / sqrt(visible paths), which sets the numbers of renders
-// (3.5 hours of one core in all).
+// (3.2 hours of one core in all).
 #include "support/procedural.h"
 #include "support/renders.h"
 
