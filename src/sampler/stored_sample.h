@@ -21,7 +21,10 @@ public:
     std::uint64_t operator[](std::uint32_t slot) const { return values_[slot]; }
 
     void set(std::uint32_t slot, std::uint64_t value) {
-        if (slot >= values_.size()) grow(slot);
+        if (slot >= values_.size()) {
+            values_.resize(slot + 1);
+            read_.resize(slot / 64 + 1);
+        }
         values_[slot] = value;
         read_[slot / 64] |= std::uint64_t{1} << (slot % 64);
     }
@@ -43,15 +46,8 @@ public:
     bool is_sound() const { return read_.size() == (values_.size() + 63) / 64; }
 
 private:
-    static constexpr std::size_t kAtOnce = 8;
-
-    void grow(std::uint32_t slot) {
-        values_.resize((slot / kAtOnce + 1) * kAtOnce);
-        read_.resize((values_.size() + 63) / 64);
-    }
-
-    std::vector<std::uint64_t> values_;  // zero where not read
-    std::vector<std::uint64_t> read_;    // one bit a slot
+    std::vector<std::uint64_t> values_;
+    std::vector<std::uint64_t> read_;  // one bit a slot
 };
 
 /// Keeps what another reader gives.

@@ -47,7 +47,7 @@ TEST(Moved, sizes_are_log_uniform_over_a_decade) {
     for (int i = 0; i < kSteps; ++i) {
         const double step = turns(moved(0, kScale, stream.next_fraction()));
         const double decades = std::log10(std::abs(step) / static_cast<double>(kScale));
-        ASSERT_NEAR(decades, 0, 0.5001);
+        ASSERT_NEAR(decades, 0, 0.50005);
         const int bin = std::clamp(static_cast<int>((decades + 0.5) * kBins), 0, kBins - 1);
         ++seen.at(static_cast<std::size_t>(bin + (step < 0 ? kBins : 0)));
     }
