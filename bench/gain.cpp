@@ -3,6 +3,7 @@
 //
 // usage: bench_gain SCENE [--samplers random,adaptive] [--passes N] [--seeds N] [--references N]
 //                   [--over SCENE] [--region X0,X1,Y0,Y1] [--reference-radius SHARE]
+//                   [--indirect-radius FACTOR]
 // A number is `adaptive` with so many photon paths a pass; "together" is it without light groups,
 // "unmapped" without emission maps, "unbalanced" without balance, "bare" without all three,
 // "gathered" with all light by photons, that from lamps to glossy surfaces, too. --over compares
@@ -67,7 +68,8 @@ struct Settings {
     std::uint32_t passes = 16;
     std::uint32_t seeds = 8;
     std::uint32_t references = 16;
-    double reference_radius = 1;  // over that of what is measured
+    double reference_radius = 1;            // over that of what is measured
+    std::optional<double> indirect_radius;  // EyeSettings::indirect_radius
     int resolution = 256;
     std::size_t threads = 2;
     bool photons_only = false;
@@ -85,6 +87,7 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
                   std::uint64_t seed, double radius = 1) {
     RenderJob job{scene, {}, {}, 0};
     job.settings.eye.radius_pixels *= radius;
+    job.settings.eye.indirect_radius = settings.indirect_radius;
     job.settings.seed = seed;
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
     if (const auto integrator = integrator_named(sampler))
@@ -247,6 +250,9 @@ int main(int count, char** words) {
     app.add_option("--reference-radius", settings.reference_radius,
                    "Of the reference's discs, over those measured (default 1)")
         ->check(CLI::Range(0.01, 1.0));
+    app.add_option("--indirect-radius", settings.indirect_radius,
+                   "Of discs for indirect light, over those for other light")
+        ->check(CLI::Range(1.0, 100.0));
     app.add_option("--resolution", settings.resolution, "Pixels a side (default 256)");
     app.add_option("--threads", settings.threads, "Default 2");
     app.add_flag("--photons-only", settings.photons_only, "Direct light by photons, too");

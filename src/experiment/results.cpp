@@ -172,16 +172,18 @@ std::vector<Cell> Results::cells(const std::string& scene, const Method& method)
     return all;
 }
 
-std::vector<double> Results::rel_mses(const std::string& scene, const Method& method) const {
+std::vector<double> Results::errors(const std::string& scene, const Method& method,
+                                    ErrorKind kind) const {
     std::vector<double> all;
-    for (const Cell& cell : cells(scene, method)) all.push_back(error(cell).rel_mse);
+    for (const Cell& cell : cells(scene, method)) all.push_back(error(cell).*kind);
     return all;
 }
 
-std::vector<double> Results::costs(const std::string& scene, const Method& method) const {
+std::vector<double> Results::costs(const std::string& scene, const Method& method,
+                                   ErrorKind kind) const {
     std::vector<double> all;
     for (const Cell& cell : cells(scene, method))
-        all.push_back(error(cell).rel_mse * facts(cell).cpu_seconds);
+        all.push_back(error(cell).*kind * facts(cell).cpu_seconds);
     return all;
 }
 

@@ -37,6 +37,8 @@ struct PictureError {
     double rel_mse = CellFacts::kNone;
 };
 
+using ErrorKind = double PictureError::*;
+
 /// What errors are measured on.
 struct MeasuredPicture {
     std::vector<double> luminance;  // by pixel
@@ -70,8 +72,10 @@ public:
     bool has_reference(const std::string& scene) const;
 
     /// The errors of one method over all seeds, and its errors times processor seconds.
-    std::vector<double> rel_mses(const std::string& scene, const Method& method) const;
-    std::vector<double> costs(const std::string& scene, const Method& method) const;
+    std::vector<double> errors(const std::string& scene, const Method& method,
+                               ErrorKind kind = &PictureError::rel_mse) const;
+    std::vector<double> costs(const std::string& scene, const Method& method,
+                              ErrorKind kind = &PictureError::rel_mse) const;
     /// Of a scene and a method, one a seed.
     std::vector<Cell> cells(const std::string& scene, const Method& method) const;
 

@@ -59,6 +59,7 @@ TEST_F(ExperimentResults, errors_lose_the_variance_of_the_reference) {
     EXPECT_NEAR(error.rel_mse, (0.75 / 1.04 + 1 / 9.04) / 2, 1e-6);
     EXPECT_NEAR(results.reference("box").own_rel_mse, 0.25 / 1.04 / 2, 1e-6);
     EXPECT_NEAR(results.costs("box", cell_.method)[0], 3 * error.rel_mse, 1e-6);
+    EXPECT_NEAR(results.costs("box", cell_.method, &PictureError::mse)[0], 3 * error.mse, 1e-6);
 }
 
 /// One lamp is seen in the reference alone, one in the picture alone.

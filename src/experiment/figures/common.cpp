@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace sunfleck {
 namespace {
+
+constexpr std::array<ErrorKind, 2> kErrorKinds = {&PictureError::mse, &PictureError::rel_mse};
 
 double mean_of(const Results& results, const std::vector<Cell>& cells, double CellFacts::*fact) {
     double sum = 0;
@@ -14,25 +17,24 @@ double mean_of(const Results& results, const std::vector<Cell>& cells, double Ce
     return sum / static_cast<double>(cells.size());
 }
 
-std::vector<double> mses(const Results& results, const std::vector<Cell>& cells) {
-    std::vector<double> all;
-    all.reserve(cells.size());
-    for (const Cell& cell : cells) all.push_back(results.error(cell).mse);
-    return all;
+Interval cost_ratio(const Results& results, const std::string& scene, const Method& a,
+                    const Method& b, ErrorKind kind) {
+    return ratio_interval(results.costs(scene, a, kind), results.costs(scene, b, kind));
 }
 
 std::vector<std::string> method_row(const Results& results, const std::string& scene,
                                     const Method& method, const Method& base) {
     const std::vector<Cell> cells = results.cells(scene, method);
-    return {scene,
-            method.name,
-            number_text(mean_of(results, cells, &CellFacts::passes)),
-            number_text(mean_of(results, cells, &CellFacts::cpu_seconds)),
-            interval_text(mean_interval(mses(results, cells))),
-            interval_text(mean_interval(results.rel_mses(scene, method))),
-            method.name == base.name ? "1"
-                                     : interval_text(ratio_interval(results.costs(scene, method),
-                                                                    results.costs(scene, base)))};
+    std::vector<std::string> row = {scene, method.name,
+                                    number_text(mean_of(results, cells, &CellFacts::passes)),
+                                    number_text(mean_of(results, cells, &CellFacts::cpu_seconds))};
+    for (const ErrorKind kind : kErrorKinds)
+        row.push_back(interval_text(mean_interval(results.errors(scene, method, kind))));
+    for (const ErrorKind kind : kErrorKinds)
+        row.push_back(method.name == base.name
+                          ? "1"
+                          : interval_text(cost_ratio(results, scene, method, base, kind)));
+    return row;
 }
 
 void add_others(const Results& results, const std::string& scene, Table& table) {
@@ -40,7 +42,7 @@ void add_others(const Results& results, const std::string& scene, Table& table) 
         if (other.scene != scene) continue;
         const PictureError error = results.error(scene, other.file);
         table.rows.push_back({scene, other.label, "-", "-", number_text(error.mse),
-                              number_text(error.rel_mse), "-"});
+                              number_text(error.rel_mse), "-", "-"});
     }
 }
 
@@ -90,15 +92,15 @@ Table error_table(const Results& results, const std::string& name,
                 fmt::format("Errors after equal time, {} seeds: mean and 95% interval",
                             results.settings().seeds),
                 {"scene", "method", "passes", "cpu s", "MSE", "relMSE",
-                 "relMSE x cpu s over " + methods[0].name},
+                 "MSE x cpu s over " + methods[0].name, "relMSE x cpu s over " + methods[0].name},
                 {}};
     for (const std::string& scene : scenes) {
         for (const Method& method : methods)
             table.rows.push_back(method_row(results, scene, method, methods[0]));
         add_others(results, scene, table);
         const Reference& r = results.reference(scene);
-        table.rows.push_back(
-            {scene, r.method + " (its own error)", "-", "-", "-", number_text(r.own_rel_mse), "-"});
+        table.rows.push_back({scene, r.method + " (its own error)", "-", "-", "-",
+                              number_text(r.own_rel_mse), "-", "-"});
     }
     return table;
 }
@@ -135,9 +137,10 @@ PictureRow picture_row(const Results& results, const std::string& name, const st
 
 std::string ratio_sentence(const Results& results, const std::string& scene, const Method& a,
                            const Method& b) {
-    return fmt::format(
-        "relMSE x processor time of {} over {} in {}: {}.", a.name, b.name, scene,
-        interval_text(ratio_interval(results.costs(scene, a), results.costs(scene, b))));
+    return fmt::format("{} over {} in {}: relMSE x processor time {}, MSE x processor time {}.",
+                       a.name, b.name, scene,
+                       interval_text(cost_ratio(results, scene, a, b, &PictureError::rel_mse)),
+                       interval_text(cost_ratio(results, scene, a, b, &PictureError::mse)));
 }
 
 }  // namespace sunfleck

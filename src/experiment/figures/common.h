@@ -10,8 +10,8 @@ namespace sunfleck {
 std::vector<Cell> seed_cells(const RunSettings& settings, const std::vector<std::string>& scenes,
                              const std::vector<Method>& methods);
 
-/// A row for each method and scene: work done, errors over seeds, and relMSE x processor seconds
-/// over that of methods[0]; then other renderers' pictures, and the reference with its own error.
+/// A row for each method and scene: work done, errors over seeds, and errors x processor seconds
+/// over those of methods[0]; then other renderers' pictures, and the reference with its own error.
 Table error_table(const Results& results, const std::string& name,
                   const std::vector<std::string>& scenes, const std::vector<Method>& methods);
 
@@ -24,7 +24,7 @@ Chart error_chart(const Results& results, const std::string& name, const std::st
 PictureRow picture_row(const Results& results, const std::string& name, const std::string& scene,
                        const std::vector<Method>& methods);
 
-/// "relMSE x time of A over B in SCENE: 3.1 [2.8, 3.4]".
+/// "A over B in SCENE: relMSE x processor time 3.1 [2.8, 3.4], MSE x ...".
 std::string ratio_sentence(const Results& results, const std::string& scene, const Method& a,
                            const Method& b);
 
