@@ -15,7 +15,7 @@ demo: build
 	  -o out/demo/cognac.exr --resolution 512x512 --photons-per-pass 1000000 --passes 96 \
 	  --exposure -0.5
 
-# Everything: what the README promises and .ci/run runs.
+# What the README promises and .ci/run runs: all but what `browser`, `mpi` and `nightly` add.
 test: build-tests
 	$(CTEST) -LE "nightly|browser|mpi"
 
@@ -68,7 +68,9 @@ bench:
 	tools/setup.sh build
 	cmake --preset bench
 	cmake --build build/bench -j $(JOBS)
-	for program in build/bench/bin/bench_*; do $$program; done
+	for program in rays scale load photon_maps; do build/bench/bin/bench_$$program; done
+	build/bench/bin/sunfleck scene cognac-1 -o out/bench
+	build/bench/bin/bench_gain out/bench/cognac-1.pbrt
 
 tidy:
 	tools/setup.sh build test nightly

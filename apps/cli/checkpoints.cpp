@@ -17,10 +17,6 @@ std::optional<Checkpoint> open_checkpoints(const RenderOptions& options) {
     std::error_code code;
     if (!file.empty()) {
         check_writable(file);
-        for (const std::string& output : options.outputs)
-            if (fs::weakly_canonical(fs::absolute(output)) ==
-                fs::weakly_canonical(fs::absolute(file)))
-                throw Error({file}, "is an output and the checkpoint, too", "name two files");
         if (fs::exists(file, code) &&
             (options.resume.empty() || !fs::equivalent(file, options.resume, code)))
             throw Error({file}, "stands there already, and --checkpoint would replace it",

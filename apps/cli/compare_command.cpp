@@ -1,5 +1,6 @@
 // `sunfleck compare`: pictures in, a table and a page out.
 #include "apps/cli/commands.h"
+#include "apps/cli/outputs.h"
 #include "compare/comparison.h"
 #include "image/atomic_file.h"
 #include "report/page.h"
@@ -11,6 +12,7 @@
 namespace sunfleck {
 
 int run_compare(const CompareOptions& options) {
+    check_distinct({options.report, options.json});
     if (!options.report.empty()) check_writable(options.report);
     if (!options.json.empty()) check_writable(options.json);
     std::vector<CompareInput> inputs;

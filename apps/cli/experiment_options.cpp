@@ -1,6 +1,7 @@
 // Reading the flags of `sunfleck experiment`.
 #include "apps/cli/experiment_options.h"
 
+#include "apps/cli/number_check.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -22,23 +23,23 @@ OtherPicture read_other(const std::string& text) {
 }  // namespace
 
 void add_experiment_flags(CLI::App& app, ExperimentOptions& o, ExperimentTexts& t) {
-    app.add_option("NAMES", o.names, "Figures: table1, fig1 ... fig13, or all; none: list them");
+    app.add_option("NAMES", o.names,
+                   "Figures: table1, fig1, fig5 to fig13, or all; none: list them");
     app.add_option("-o,--output", o.run.folder, "Folder of the run; one begun before goes on")
         ->capture_default_str();
     app.add_option(
         "--minutes", t.minutes,
         "Processor minutes of each render, of all threads together (default 1); or 30s, 2h");
     app.add_option("--passes", o.run.passes, "Passes of each render, instead of minutes")
-        ->check(CLI::Range(1U, 1U << 20U));
+        ->check(whole(1, 1 << 20));
     app.add_option("--seeds", o.run.seeds, "Renders of each method (default 5)")
-        ->check(CLI::Range(1, 1000));
+        ->check(whole(1, 1000));
     app.add_option("--scale", o.run.scale, "Sides of pictures, of full size (default 1)")
-        ->check(CLI::Range(0.02, 1.0));
+        ->check(between(0.02, 1));
     app.add_option("--reference-budget", o.run.reference_budget,
                    "Length of references, in renders (default 10)")
-        ->check(CLI::Range(1.0, 1e4));
-    app.add_option("--nthreads", o.run.threads, "Threads (default: all)")
-        ->check(CLI::Range(1, 4096));
+        ->check(between(1, 1e4));
+    app.add_option("--nthreads", o.run.threads, "Threads (default: all)")->check(whole(1, 4096));
     app.add_option("--other", t.others,
                    "SCENE=LABEL=FILE: another renderer's picture, shown and measured; may be "
                    "repeated")

@@ -14,7 +14,7 @@
 namespace sunfleck {
 
 int run_merge(const MergeOptions& options) {
-    check_outputs(options.outputs, options.stats);
+    check_outputs(options.outputs, {options.stats});
     Film film = read_film(options.inputs.front());
     for (std::size_t i = 1; i < options.inputs.size(); ++i)
         film.merge(read_film(options.inputs[i]), options.inputs[i]);

@@ -16,7 +16,8 @@ void add_merge(CLI::App& app, MergeOptions& o, ErrorTexts& t) {
     app.add_option("-o,--output", o.outputs, ".exr, .png, .film; may be repeated")
         ->allow_extra_args(false)
         ->required();
-    app.add_option("--exposure", o.exposure, "Stops for PNG")->check(between(-100, 100));
+    app.add_option("--exposure", o.exposure, "Stops for PNG (default 0)")
+        ->check(between(-100, 100));
     add_extrapolate_flag(app, t);
     app.add_option("--stats", o.stats, "Write statistics as JSON");
 }
@@ -29,7 +30,8 @@ void add_relight(CLI::App& app, RelightOptions& o, std::vector<std::string>& fac
     app.add_option("-o,--output", o.outputs, ".exr, .png; may be repeated")
         ->allow_extra_args(false)
         ->required();
-    app.add_option("--exposure", o.exposure, "Stops for PNG")->check(between(-100, 100));
+    app.add_option("--exposure", o.exposure, "Stops for PNG (default 0)")
+        ->check(between(-100, 100));
 }
 
 void add_compare(CLI::App& app, CompareOptions& o) {
@@ -75,17 +77,15 @@ public:
             app_.parse(count, words);
         } catch (const CLI::ExtrasError&) {
             throw Error({"sunfleck"},
-                        "unknown flag or word \"" + app_.remaining(true).front() + "\"",
-                        "see sunfleck --help and sunfleck COMMAND --help");
+                        "unknown flag or word \"" + app_.remaining(true).front() + "\"", help());
         } catch (const CLI::RequiredError& fault) {
             const std::vector<std::string> rest = app_.remaining();
             if (app_.get_subcommands().empty() && !rest.empty())
                 throw Error({"sunfleck"}, "unknown command \"" + rest.front() + "\"",
                             "use render, info, scene, merge, relight, compare or experiment");
-            throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
+            throw Error({"sunfleck"}, fault.what(), help());
         } catch (const CLI::ParseError& fault) {
-            if (fault.get_exit_code() != 0)
-                throw Error({"sunfleck"}, fault.what(), "see sunfleck --help");
+            if (fault.get_exit_code() != 0) throw Error({"sunfleck"}, fault.what(), help());
             app_.exit(fault);
             return false;
         }
@@ -124,6 +124,12 @@ public:
     }
 
 private:
+    /// Where to read on: of the command that was given.
+    std::string help() const {
+        const auto given = app_.get_subcommands();
+        return "see sunfleck " + (given.empty() ? "" : given.front()->get_name() + " ") + "--help";
+    }
+
     CLI::App app_{"Sunfleck: a renderer for caustics, sun through windows and small gaps."};
     CLI::App* render_app_ = app_.add_subcommand("render", "Render a scene");
     CLI::App* info_app_ = app_.add_subcommand("info", "Say what a scene file holds");

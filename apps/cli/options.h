@@ -26,6 +26,7 @@ struct RenderOptions {
     std::vector<std::string> outputs;
     RenderSettings settings;
     StopSettings stop;
+    bool ends_by_default = false;  // the command says nothing of an end
     std::vector<AskedLightLayer> light_layers;
     std::optional<int> max_depth;  // wins over the scene's
     std::optional<Vec2i> resolution;
@@ -39,7 +40,6 @@ struct RenderOptions {
     std::string resume;              // file to go on from, or empty
     double exposure = 0;             // stops, PNG alone
     LogLevel log = LogLevel::info;
-    std::string camera;   // the name of one of the scene's cameras, or empty
     std::string command;  // as typed, for the record
 };
 

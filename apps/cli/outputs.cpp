@@ -1,10 +1,14 @@
 // Output files of render and merge.
 #include "apps/cli/outputs.h"
 
+#include "core/error.h"
 #include "film/film_file.h"
 #include "film/film_picture.h"
 #include "image/atomic_file.h"
 #include "image/picture_file.h"
+
+#include <filesystem>
+#include <set>
 
 namespace sunfleck {
 namespace {
@@ -15,14 +19,29 @@ bool is_film(const std::string& path) {
 
 }  // namespace
 
-void check_outputs(const std::vector<std::string>& outputs, const std::string& stats) {
-    for (const std::string& path : outputs) {
-        if (is_film(path))
-            check_writable(path);
-        else
-            check_picture_path(path);
+void check_distinct(const std::vector<std::string>& files) {
+    std::set<std::filesystem::path> seen;
+    for (const std::string& file : files) {
+        std::error_code code;
+        const auto path =
+            std::filesystem::weakly_canonical(std::filesystem::absolute(file, code), code);
+        if (!file.empty() && !seen.insert(path).second)
+            throw Error({file}, "is to be written twice", "give each file a name of its own");
     }
-    if (!stats.empty()) check_writable(stats);
+}
+
+void check_outputs(const std::vector<std::string>& outputs,
+                   const std::vector<std::string>& others) {
+    for (const std::string& path : outputs) {
+        if (!is_film(path) && !is_picture_path(path))
+            throw Error({path}, "has no ending of an output", "end it in .exr, .png or .film");
+        check_writable(path);
+    }
+    for (const std::string& path : others)
+        if (!path.empty()) check_writable(path);
+    std::vector<std::string> all = outputs;
+    all.insert(all.end(), others.begin(), others.end());
+    check_distinct(all);
 }
 
 void write_outputs(const std::vector<std::string>& outputs, const Film& film,

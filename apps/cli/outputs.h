@@ -8,8 +8,12 @@
 
 namespace sunfleck {
 
-/// @throws Error if one of the files cannot be written, or its ending is unknown.
-void check_outputs(const std::vector<std::string>& outputs, const std::string& stats);
+/// @param others  other files that the command writes; empty names are none.
+/// @throws Error if one of the files cannot be written, two are the same, or an output's ending is
+/// unknown.
+void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& others);
+/// @throws Error if two of the files are the same. Empty names are none.
+void check_distinct(const std::vector<std::string>& files);
 
 struct OutputOptions {
     double exposure = 0;       // stops, for formats of limited range alone

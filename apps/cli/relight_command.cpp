@@ -1,5 +1,6 @@
 // `sunfleck relight`: lamps dimmed after the render.
 #include "apps/cli/commands.h"
+#include "apps/cli/outputs.h"
 #include "image/exr.h"
 #include "image/picture_file.h"
 
@@ -12,12 +13,14 @@ namespace sunfleck {
 
 int run_relight(const RelightOptions& options) {
     for (const std::string& path : options.outputs) check_picture_path(path);
+    check_distinct(options.outputs);
     const Relit relit_now = relit(read_exr(options.picture), options.factors, options.picture);
     for (const std::string& path : options.outputs)
         write_picture(path, relit_now.picture, {static_cast<float>(options.exposure), false});
     if (!relit_now.left_out.empty())
         fmt::print(stderr,
-                   "{}: left out {}, which hold for the lights as they were rendered alone\n",
+                   "{}: its layers {} are not in the new picture: they are of the lights as they "
+                   "were\n",
                    options.picture, fmt::join(relit_now.left_out, ", "));
     return 0;
 }

@@ -14,6 +14,7 @@
 #include "render/shared_turn.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 
@@ -37,6 +38,22 @@ std::vector<std::string> warnings_of(const RenderOptions& options, const Scene& 
         lines.emplace_back(
             "sampler paper: its counts are pooled while the view and the radii change, so the "
             "picture is biased until it has converged, and has no error bars; adaptive is not");
+    return lines;
+}
+
+/// Defaults that the user may want to know of.
+std::vector<std::string> notes_of(const RenderSetup& setup) {
+    const RenderOptions& options = setup.options;
+    std::vector<std::string> lines;
+    if (!options.max_depth && !setup.scene.hints().max_depth)
+        lines.push_back(fmt::format("no greatest depth is given: --max-depth {}",
+                                    setup.job.settings.transport.max_depth));
+    if (options.ends_by_default)
+        lines.push_back(setup.job.stop.target_error
+                            ? "no end is given: --target-error 2% --time 10m, what comes first"
+                            : "no end is given: --time 10m");
+    if (options.outputs.empty())
+        lines.push_back(fmt::format("no output is given: -o {}", fmt::join(setup.outputs, " ")));
     return lines;
 }
 
@@ -113,6 +130,7 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     facts.error_terms = options.stop.error_terms;
     facts.warnings = warnings_of(options, setup->scene);
     print_lines(facts.warnings, options.log);
+    if (options.log == LogLevel::info) print_lines(notes_of(*setup), options.log);
     facts.load_seconds = clock.seconds();
 
     CheckpointKeeper keeper(options);

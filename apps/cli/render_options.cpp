@@ -7,6 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace sunfleck {
 namespace {
 
@@ -35,40 +37,55 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     }
 }
 
+/// Layers that no output can hold are refused: they would be lost.
+void check_layers_fit(const CLI::App& given, const RenderOptions& o) {
+    const auto holds_layers = [](const std::string& path) { return !path.ends_with(".png"); };
+    if (o.outputs.empty() || !o.snapshots.empty() ||
+        std::any_of(o.outputs.begin(), o.outputs.end(), holds_layers))
+        return;
+    for (const char* flag : {"--layers", "--light-layer"})
+        if (given.count(flag) > 0)
+            throw Error({flag}, "a .png holds no layers", "add an output that does: -o FILE.exr");
+}
+
 void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     add_choice(app, "--integrator", t.integrator, kIntegrators);
     add_choice(app, "--photon-sampler", t.sampler, kPhotonSamplers);
     add_adaptive_flags(app, t.adaptive);
     add_paper_flags(app, t.paper);
-    app.add_option("--direct", t.direct, "Who brings direct light: sampled, or photons")
+    app.add_option("--direct", t.direct,
+                   "Who brings direct light: sampled, or photons (default sampled; paper photons)")
         ->check(CLI::IsMember({"sampled", "photons"}));
-    app.add_option("--energy-compensation", t.energy_compensation,
-                   "on: rough metals and glass give back what is lost between their facets")
+    app.add_option(
+           "--energy-compensation", t.energy_compensation,
+           "on: rough metals and glass give back what is lost between their facets (default off)")
         ->check(CLI::IsMember({"on", "off"}));
     app.add_option("--photons-per-pass", o.settings.photon.paths_per_pass,
                    "Photon paths a pass (default max(200000, 2 a pixel), then see --balance; "
                    "paper 200000)")
-        ->check(CLI::Range(1U, 1U << 30U));
-    app.add_option("--radius-pixels", o.settings.eye.radius_pixels,
-                   "First radius in pixel footprints (default 2)")
-        ->check(between(1e-3, 1e3));
-    app.add_option("--radius", o.settings.eye.radius, "First radius in scene units")
-        ->check(between(1e-30, 1e30));
+        ->check(whole(1, 1 << 30));
+    CLI::Option* const in_pixels = app.add_option("--radius-pixels", o.settings.eye.radius_pixels,
+                                                  "First radius in pixel footprints (default 2)")
+                                       ->check(between(1e-3, 1e3));
+    app.add_option("--radius", o.settings.eye.radius, "First radius in scene units instead")
+        ->check(between(1e-30, 1e30))
+        ->excludes(in_pixels);
     app.add_option("--indirect-radius", o.settings.eye.indirect_radius,
                    "Radius for photons that a rough surface has scattered, over that for others "
                    "(default 2 at 256 pixels a side, more in larger pictures; paper 1)")
         ->check(between(1, 100));
-    app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3)")
+    app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3; paper .7)")
         ->check(between(1e-6, 1 - 1e-6));
-    app.add_option("--max-depth", o.max_depth,
-                   "Scattering events on a path, eye and light together")
-        ->check(CLI::Range(1, 10000));
+    app.add_option(
+           "--max-depth", o.max_depth,
+           "Scattering events on a path, eye and light together (default: the scene's, or 64)")
+        ->check(whole(1, 10000));
     app.add_option("--seed", t.seed, "Random seed (default 0)");
 }
 
 void add_stop_flags(CLI::App& app, RenderTexts& t) {
     app.add_option("--passes,--spp", t.passes, "End after this many passes")
-        ->check(CLI::Range(1U, 1U << 30U));
+        ->check(whole(1, 1 << 30));
     app.add_option("--time", t.time,
                    "End after this time of rendering: 60s, 5m, 2h. Reading the scene does not "
                    "count; all rendering before --resume does");
@@ -76,13 +93,12 @@ void add_stop_flags(CLI::App& app, RenderTexts& t) {
                    "The same of processor time, all threads together: for comparisons");
     app.add_option("--target-error", t.target_error,
                    "End when the noise of 95% of the blocks and the bias together come to this "
-                   "relative error: 2%");
+                   "relative error (default 2%, or after 10m, where no end is given)");
     add_error_flags(app, t.error);
     app.add_option("--pass-range", t.pass_range, "Render passes a to b - 1 only: a:b");
 }
 
 void add_picture_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
-    app.add_option("--camera", o.camera, "Which of the scene's cameras, by name");
     app.add_option("--resolution", t.resolution, "Picture size instead of the scene's: WxH");
     app.add_option("--crop", t.crop, "Render only these pixels: x0,x1,y0,y1");
     app.add_option("--layers", t.layers,
@@ -97,8 +113,8 @@ void add_picture_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
 }
 
 void add_run_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
-    app.add_option("--nthreads", o.threads, "Threads (default: all)")->check(CLI::Range(1, 4096));
-    app.add_option("--isa", o.isa, "avx2 (same bytes on every such machine), or native")
+    app.add_option("--nthreads", o.threads, "Threads (default: all)")->check(whole(1, 4096));
+    app.add_option("--isa", o.isa, "avx2 (default; same bytes on every such machine), or native")
         ->check(CLI::IsMember({"avx2", "native"}));
     app.add_option("--stats", o.stats, "Write statistics as JSON");
     app.add_option(
@@ -121,7 +137,9 @@ void add_run_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
 
 void add_render_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("SCENE", o.scene, "Scene file (pbrt-v4)")->required();
-    app.add_option("-o,--output", o.outputs, "Output file: .exr, .png, .film; may be repeated")
+    app.add_option("-o,--output", o.outputs,
+                   "Output file: .exr, .png, .film; may be repeated (default: the scene's name for "
+                   "it, .exr)")
         ->allow_extra_args(false);
     add_method_flags(app, o, t);
     add_stop_flags(app, t);
@@ -154,7 +172,9 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
         if (t.passes) throw Error({"--pass-range"}, "given together with --passes", "give one");
         read_pass_range(t.pass_range, "--pass-range", o.stop);
     }
-    if (!o.stop.end_pass && !o.stop.seconds && !o.stop.cpu_seconds && !o.stop.target_error) {
+    o.ends_by_default =
+        !o.stop.end_pass && !o.stop.seconds && !o.stop.cpu_seconds && !o.stop.target_error;
+    if (o.ends_by_default) {
         o.stop.target_error = 0.02;
         o.stop.seconds = 600;
     }
@@ -162,6 +182,7 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
     finish_adaptive(given, t.adaptive, o.settings.photon);
     o.light_layers = read_light_layers(t.light_layers, o.settings.photon.sampler);
     finish_error(given, t.error, o);
+    check_layers_fit(given, o);
 }
 
 }  // namespace sunfleck

@@ -47,18 +47,11 @@ RenderSettings settings_of(const RenderOptions& options, const RenderHints& hint
         settings.transport.max_depth = *options.max_depth;
     } else if (hints.max_depth) {
         settings.transport.max_depth = *hints.max_depth;
-    } else if (options.log == LogLevel::info) {
-        fmt::print(stderr, "no greatest depth in scene and command: --max-depth {}\n",
-                   settings.transport.max_depth);
     }
     return settings;
 }
 
 void adjust(SceneDescription& description, const RenderOptions& options) {
-    if (!options.camera.empty())
-        throw Error({"--camera"},
-                    "there is no camera \"" + options.camera + "\": a pbrt scene has one, unnamed",
-                    "leave --camera out");
     if (options.resolution) set_resolution(description, *options.resolution);
     if (options.settings.energy_compensation) compensate_energy(description);
     if (options.crop) set_crop(description, *options.crop);
@@ -86,13 +79,14 @@ RenderOptions options_of(const RenderOptions& options, const Ranks& ranks) {
 
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks) {
     check_shareable(options.settings, ranks);
-    if (!options.outputs.empty()) check_outputs(options.outputs, options.stats);
+    if (!options.outputs.empty())
+        check_outputs(options.outputs, {options.stats, options.checkpoint});
     std::optional<Checkpoint> checkpoint = open_checkpoints(options);
     SceneDescription description = load_scene(options.scene);
     adjust(description, options);
     std::vector<std::string> outputs;
     if (ranks.is_first()) outputs = outputs_of(options, description);
-    check_outputs(outputs, options.stats);
+    check_outputs(outputs, {options.stats, options.checkpoint});
     if (!options.snapshots.empty()) prepare_snapshots(options.snapshots, checkpoint.has_value());
     auto setup = std::make_unique<RenderSetup>(options, std::move(description));
     setup->checkpoint = std::move(checkpoint);

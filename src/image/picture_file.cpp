@@ -31,18 +31,25 @@ constexpr std::array kFormats = {
            }},
 };
 
-const Format& format_of(const std::string& path) {
+/// By the ending of the name; null for another.
+const Format* find_format(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    std::string known;
-    for (const Format& format : kFormats) {
-        if (format.ending == ending) return format;
-        known += (known.empty() ? "" : " or ") + std::string(format.ending);
-    }
-    throw Error({path}, "unknown picture format \"" + ending + "\"", "end the name in " + known);
+    for (const Format& format : kFormats)
+        if (format.ending == ending) return &format;
+    return nullptr;
+}
+
+const Format& format_of(const std::string& path) {
+    if (const Format* format = find_format(path)) return *format;
+    throw Error({path}, "has no ending of a picture", "end the name in .exr or .png");
 }
 
 }  // namespace
+
+bool is_picture_path(const std::string& path) {
+    return find_format(path) != nullptr;
+}
 
 void check_picture_path(const std::string& path) {
     format_of(path);

@@ -12,6 +12,9 @@ struct PictureFileOptions {
     bool half = false;   // 16-bit floats in .exr
 };
 
+/// Whether the name's ending is that of a picture.
+bool is_picture_path(const std::string& path);
+
 /// Tried before long work: the ending is known and the file can be written.
 /// @throws Error, with the endings that there are.
 void check_picture_path(const std::string& path);

@@ -30,13 +30,14 @@ void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
 
 void set_crop(SceneDescription& scene, const std::array<int, 4>& crop) {
     const Vec2i size = scene.film.resolution;
-    const std::array<int, 4> cut = {std::clamp(crop[0], 0, size.x), std::clamp(crop[1], 0, size.x),
-                                    std::clamp(crop[2], 0, size.y), std::clamp(crop[3], 0, size.y)};
-    if (cut[0] >= cut[1] || cut[2] >= cut[3])
-        throw Error({"--crop"}, "no pixel is left",
-                    "give x0,x1,y0,y1 with x0 < x1 <= " + std::to_string(size.x) +
-                        " and y0 < y1 <= " + std::to_string(size.y));
-    scene.film.crop = cut;
+    const auto is_run = [](int begin, int end, int most) {
+        return 0 <= begin && begin < end && end <= most;
+    };
+    if (!is_run(crop[0], crop[1], size.x) || !is_run(crop[2], crop[3], size.y))
+        throw Error({"--crop"}, "is no part of the picture",
+                    "give x0,x1,y0,y1 with 0 <= x0 < x1 <= " + std::to_string(size.x) +
+                        " and 0 <= y0 < y1 <= " + std::to_string(size.y));
+    scene.film.crop = crop;
 }
 
 void compensate_energy(SceneDescription& scene) {

@@ -64,8 +64,6 @@ struct FilmDescription {
 struct RenderHints {
     std::string integrator;  // the scene's word
     std::optional<int> max_depth;
-    std::optional<double> radius;
-    std::optional<int> samples;
 };
 
 /// A word of the scene file's language, such as "Shape" "sphere".

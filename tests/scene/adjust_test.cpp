@@ -129,20 +129,22 @@ TEST(Adjust, a_small_crop_keeps_a_pixel) {
     }
 }
 
-TEST(Adjust, a_new_crop_replaces_the_old_and_is_cut_to_the_film) {
+TEST(Adjust, a_new_crop_replaces_the_old) {
     SceneDescription scene = wide_scene();
     scene.film.crop = Crop{0, 10, 0, 10};
     set_crop(scene, {20, 21, 30, 100});
     EXPECT_EQ(scene.film.crop, (Crop{20, 21, 30, 100}));
-    set_crop(scene, {-5, 1000, -1, 101});
+    set_crop(scene, {0, 200, 0, 100});
     EXPECT_EQ(scene.film.crop, (Crop{0, 200, 0, 100}));
     EXPECT_EQ(scene.film.resolution, Vec2i(200, 100));
     expect_screen(scene, {-1, -0.5}, {3, 1.5});
 }
 
-TEST(Adjust, a_crop_that_leaves_no_pixel_is_an_error) {
-    for (const Crop& crop : {Crop{10, 10, 0, 5}, Crop{0, 5, 10, 10}, Crop{11, 10, 0, 5},
-                             Crop{200, 300, 0, 5}, Crop{-9, 0, 0, 5}, Crop{0, 5, 100, 101}}) {
+TEST(Adjust, a_crop_that_is_no_part_of_the_picture_is_an_error) {
+    for (const Crop& crop :
+         {Crop{10, 10, 0, 5}, Crop{0, 5, 10, 10}, Crop{11, 10, 0, 5}, Crop{200, 300, 0, 5},
+          Crop{-9, 0, 0, 5}, Crop{0, 5, 100, 101}, Crop{-1, 200, 0, 100}, Crop{0, 201, 0, 100},
+          Crop{0, 200, -1, 100}, Crop{0, 200, 0, 101}}) {
         SceneDescription scene = wide_scene();
         scene.film.crop = Crop{1, 2, 3, 4};
         try {
@@ -150,8 +152,8 @@ TEST(Adjust, a_crop_that_leaves_no_pixel_is_an_error) {
             ADD_FAILURE() << crop[0] << ' ' << crop[1] << ' ' << crop[2] << ' ' << crop[3];
         } catch (const Error& error) {
             EXPECT_EQ(std::string(error.what()),
-                      "--crop: no pixel is left; give x0,x1,y0,y1 with x0 < x1 <= 200 and "
-                      "y0 < y1 <= 100");
+                      "--crop: is no part of the picture; give x0,x1,y0,y1 with 0 <= x0 < x1 <= "
+                      "200 and 0 <= y0 < y1 <= 100");
         }
         EXPECT_EQ(scene.film.crop, (Crop{1, 2, 3, 4}));
     }

@@ -80,10 +80,16 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
     {"PixelFilter", "mitchell", kExact, "radius 2, `B` and `C` 1/3"},
     {"PixelFilter", "sinc", kExact, "radius 4, `tau` 3"},
 
-    {"Integrator", "sppm", kExact, "gives `maxdepth` and `radius`"},
-    {"Integrator", "any other", kExact,
-     "gives `maxdepth`; a line says that photon mapping renders the scene all the same"},
-    {"Sampler", "any", kExact, "gives `pixelsamples`"},
+    {"Integrator", "sppm", kApproximated,
+     "gives `maxdepth` (64 where neither it nor `--max-depth` is given; pbrt-v4's is 5); `radius` "
+     "and `photonsperiteration` are ignored with a warning: both are chosen by the program, or "
+     "by `--radius` and `--photons-per-pass`"},
+    {"Integrator", "any other", kApproximated,
+     "gives `maxdepth`, as `\"sppm\"` does; a warning says that photon mapping renders the scene "
+     "all the same, unless the command line says otherwise"},
+    {"Sampler", "any", kIgnored,
+     "where a render ends is said by the command line ([render.md](render.md)), not by "
+     "`pixelsamples`"},
 
     {"Shape", "trianglemesh", kExact, "`P`, `indices`, `N`, `uv`, `S`"},
     {"Shape", "plymesh", kExact,

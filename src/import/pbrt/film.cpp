@@ -101,6 +101,40 @@ double exposure_of(Reading& reading) {
                 "make \"shutterclose\" later than \"shutteropen\"");
 }
 
+void read_integrator(const Statement& integrator, Reading& reading) {
+    RenderHints& hints = reading.scene.hints;
+    reading.count_word(integrator.keyword, integrator.type);
+    hints.integrator = integrator.type;
+    hints.max_depth = integrator.integer("maxdepth");
+    if (hints.max_depth && *hints.max_depth < 0)
+        throw Error(integrator.where, "\"maxdepth\" is negative", "use 0 or more");
+    if (integrator.type != "sppm") {
+        reading.warn(integrator.where, "only \"maxdepth\" of integrator " +
+                                           in_quotes(integrator.type) +
+                                           " is read: photons render the scene, unless the command "
+                                           "line says otherwise");
+        integrator.ignore_all();
+        return;
+    }
+    if (const Parameter* radius = integrator.find("radius"))
+        reading.warn(radius->where,
+                     "\"radius\" of Integrator is ignored: the first radius is two "
+                     "pixels, or what --radius says");
+    if (const Parameter* paths = integrator.find("photonsperiteration"))
+        reading.warn(paths->where,
+                     "\"photonsperiteration\" is ignored: photon paths a pass are "
+                     "chosen, or what --photons-per-pass says");
+    integrator.ignore({"seed", "regularize"});
+    reading.warn_unused(integrator);
+}
+
+/// Where a sampler's points lie and how many it has says nothing here.
+void read_sampler(const Statement& sampler, Reading& reading) {
+    reading.count_word(sampler.keyword, sampler.type);
+    sampler.ignore({"pixelsamples", "xsamples", "ysamples", "jitter", "randomization", "seed"});
+    reading.warn_unused(sampler);
+}
+
 }  // namespace
 
 void finish_film(Reading& reading) {
@@ -162,35 +196,8 @@ void finish_filter(Reading& reading) {
 }
 
 void finish_hints(Reading& reading) {
-    RenderHints& hints = reading.scene.hints;
-    if (reading.options.integrator) {
-        const Statement& integrator = *reading.options.integrator;
-        reading.count_word(integrator.keyword, integrator.type);
-        hints.integrator = integrator.type;
-        hints.max_depth = integrator.integer("maxdepth");
-        if (hints.max_depth && *hints.max_depth < 0)
-            throw Error(integrator.where, "\"maxdepth\" is negative", "use 0 or more");
-        if (integrator.type == "sppm") {
-            hints.radius = integrator.real("radius");
-            if (hints.radius && !(*hints.radius > 0))
-                throw Error(integrator.where, "\"radius\" is not positive", "use more than 0");
-        } else {
-            reading.warn(integrator.where, "integrator " + in_quotes(integrator.type) +
-                                               " is not run: photons render the scene, with its "
-                                               "\"maxdepth\"");
-        }
-        integrator.ignore_all();
-    }
-    if (!reading.options.sampler) return;
-    const Statement& sampler = *reading.options.sampler;
-    reading.count_word(sampler.keyword, sampler.type);
-    hints.samples = sampler.integer("pixelsamples");
-    const auto x = sampler.integer("xsamples");
-    const auto y = sampler.integer("ysamples");
-    if (x && y && *x > 0 && *y > 0 && *x <= kLongestSide / *y) hints.samples = *x * *y;
-    if (hints.samples && *hints.samples < 1)
-        throw Error(sampler.where, "\"pixelsamples\" is not positive", "use 1 or more");
-    sampler.ignore_all();
+    if (reading.options.integrator) read_integrator(*reading.options.integrator, reading);
+    if (reading.options.sampler) read_sampler(*reading.options.sampler, reading);
 }
 
 }  // namespace sunfleck

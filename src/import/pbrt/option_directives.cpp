@@ -36,8 +36,11 @@ void integrator(Reading& reading, TokenStream& tokens, const Token& keyword) {
     reading.options.integrator = read_statement(tokens, keyword);
 }
 
-void accelerator(Reading&, TokenStream& tokens, const Token& keyword) {
-    read_statement(tokens, keyword);  // ours is Embree's
+void accelerator(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    const Statement statement = read_statement(tokens, keyword);  // ours is Embree's
+    statement.ignore({"maxnodeprims", "splitmethod", "intersectcost", "traversalcost", "emptybonus",
+                      "maxprims", "maxdepth"});
+    reading.warn_unused(statement);
 }
 
 void color_space(Reading& reading, TokenStream& tokens, const Token& keyword) {

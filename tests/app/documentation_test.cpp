@@ -1,0 +1,50 @@
+// Pages that list what the program offers list all of it.
+#include "app/program.h"
+#include "measurement/channels.h"
+
+#include <regex>
+
+namespace sunfleck {
+namespace {
+
+using testing_support::ProgramTest;
+using testing_support::read_text;
+
+std::string page(const std::string& name) {
+    return read_text(std::string(SUNFLECK_SOURCE_DIR) + "/" + name);
+}
+
+class Documentation : public ProgramTest {};
+
+TEST_F(Documentation, has_each_flag_of_each_command) {
+    const std::regex flag("--[a-z][a-z-]+");
+    for (const auto& [command, name] :
+         {std::pair("render", "docs/render.md"), std::pair("experiment", "docs/experiments.md"),
+          std::pair("compare", "docs/compare.md"), std::pair("relight", "docs/relighting.md"),
+          std::pair("merge", "docs/render.md"), std::pair("info", "docs/scenes.md"),
+          std::pair("scene", "scenes/README.md")}) {
+        const std::string text = page(name);
+        const std::string help = run({command, "--help"}).out;
+        int flags = 0;
+        for (std::sregex_iterator it(help.begin(), help.end(), flag), end; it != end; ++it) {
+            const std::string word = it->str();
+            if (word == "--help" || word == "--output") continue;  // -o
+            ++flags;
+            EXPECT_TRUE(std::regex_search(text, std::regex(word + "[^a-z-]")))
+                << word << " in " << name;
+        }
+        EXPECT_EQ(flags == 0, std::string("scene") == command) << help;
+    }
+}
+
+TEST_F(Documentation, has_each_layer) {
+    const std::string text = page("docs/render.md");
+    for (const LayerRow& row : kLayers) {
+        if (row.name.empty()) continue;
+        EXPECT_NE(text.find("| `" + std::string(row.name) + "."), std::string::npos) << row.name;
+        EXPECT_NE(text.find("`--layers " + std::string(row.name) + "`"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,79 @@
+// Where pictures and statistics go: told, never lost, never one over another.
+#include "app/program.h"
+
+namespace sunfleck {
+namespace {
+
+using testing_support::ProgramTest;
+using testing_support::Ran;
+using testing_support::Words;
+using testing_support::write_text;
+
+class Outputs : public ProgramTest {
+protected:
+    /// One line with this text, exit code 2, and nothing written.
+    void expect_refused(const Words& words, const std::string& text) const {
+        const std::string before = names();
+        const Ran ran = run(words);
+        EXPECT_EQ(ran.code, 2) << text;
+        EXPECT_NE(ran.err.find(text), std::string::npos) << ran.err;
+        EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+        EXPECT_EQ(names(), before);
+    }
+};
+
+TEST_F(Outputs, are_files_apart) {
+    const std::string text = "is to be written twice; give each file a name of its own";
+    expect_refused({"render", "room.pbrt", "-o", "x.exr", "--stats", "./x.exr"}, "x.exr: " + text);
+    expect_refused({"render", "room.pbrt", "-o", "x.png", "-o", "x.exr", "-o", "x.png"},
+                   "x.png: " + text);
+    expect_refused({"render", "room.pbrt", "--stats", "named.exr"}, "named.exr: " + text);
+    expect_refused({"render", "room.pbrt", "-o", "x.exr", "--stats", "x", "--checkpoint", "x"},
+                   text);
+    expect_refused({"compare", "x.exr", "y.exr", "--report", "z", "--json", "z"}, text);
+    expect_refused({"relight", "x.exr", "sun=1", "-o", "y.png", "-o", "y.png"}, text);
+}
+
+TEST_F(Outputs, hold_the_layers_that_are_asked_for) {
+    for (const Words& layer : {Words{"--layers", "depth"}, Words{"--light-layer", "each"}})
+        expect_refused({"render", "room.pbrt", "-o", "x.png", layer[0], layer[1]},
+                       layer[0] + ": a .png holds no layers; add an output that does");
+    EXPECT_EQ(render({"-o", "x.png", "-o", "x.film", "--passes", "1", "--layers", "depth"}).code,
+              0);
+}
+
+TEST_F(Outputs, have_endings_that_are_named) {
+    const std::string text = "has no ending of an output; end it in .exr, .png or .film";
+    expect_refused({"render", "room.pbrt", "-o", "x.jpg"}, "x.jpg: " + text);
+    expect_refused({"merge", "x.film", "-o", "x"}, "x: " + text);
+}
+
+/// What is chosen because nothing is said, on standard error; nothing of it where all is said.
+TEST_F(Outputs, and_other_defaults_are_told) {
+    const Ran named = render({"--passes", "1"});
+    EXPECT_EQ(named.err, "no output is given: -o named.exr\n");
+    const Ran all_said = render({"--passes", "1", "-o", "x.exr"});
+    EXPECT_EQ(all_said.err, "");
+    const Ran endless = render({"-o", "x.exr", "--target-error-of", "noise", "--resolution", "8x8",
+                                "--photons-per-pass", "100000"});
+    EXPECT_EQ(endless.code, 0);
+    EXPECT_EQ(endless.err, "no end is given: --target-error 2% --time 10m, what comes first\n");
+}
+
+TEST_F(Outputs, need_a_scene_that_can_be_read) {
+    write_text(path("lamp.GLB"), "glTF");
+    expect_refused({"render", "lamp.GLB", "-o", "x.exr"},
+                   "lamp.GLB: is a glTF scene, and those of pbrt-v4 alone are read; convert it");
+    expect_refused({"info", "."}, ".: is a folder; name the scene file in it");
+}
+
+TEST_F(Outputs, refusals_say_where_to_read_on) {
+    expect_refused({"compare", "a.exr"}, "see sunfleck compare --help");
+    expect_refused({"render", "room.pbrt", "--pases", "3"}, "see sunfleck render --help");
+    expect_refused({"render", "room.pbrt", "--passes", "many"},
+                   "\"many\" is no whole number from 1 to 1073741824");
+    expect_refused({}, "see sunfleck --help");
+}
+
+}  // namespace
+}  // namespace sunfleck
