@@ -4,9 +4,6 @@
 #include "apps/cli/interrupt.h"
 #include "image/atomic_file.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <filesystem>
 
 namespace sunfleck {
@@ -29,20 +26,9 @@ std::optional<Checkpoint> open_checkpoints(const RenderOptions& options) {
 
 void CheckpointKeeper::save(const Origin& origin, const RenderState& state) {
     InterruptGuard::finish_first([&] {
-        const bool first_fault = !fault_;
-        try {
-            fault_.reset();
-            write_checkpoint(options_.checkpoint, origin, state);
-        } catch (const Error& error) {
-            fault_ = error;
-            if (first_fault && options_.log != LogLevel::quiet)
-                fmt::print(stderr, "warning: {} (the render goes on)\n", error.what());
-        }
+        const auto write = [&] { write_checkpoint(options_.checkpoint, origin, state); };
+        if (fault_.attempt(write)) fault_.forget();
     });
-}
-
-void CheckpointKeeper::finish() const {
-    if (fault_) throw Error(*fault_);
 }
 
 }  // namespace sunfleck

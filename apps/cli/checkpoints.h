@@ -1,7 +1,7 @@
 // Checkpoints of `sunfleck render`: tried before the work, written while it goes on.
 #pragma once
 
-#include "apps/cli/options.h"
+#include "apps/cli/late_fault.h"
 #include "render/checkpoint.h"
 
 namespace sunfleck {
@@ -14,16 +14,17 @@ std::optional<Checkpoint> open_checkpoints(const RenderOptions& options);
 /// stays, and the next is tried.
 class CheckpointKeeper {
 public:
-    explicit CheckpointKeeper(const RenderOptions& options) : options_(options) {}
+    explicit CheckpointKeeper(const RenderOptions& options)
+        : options_(options), fault_(options.log) {}
 
     /// Not cut short by a second Ctrl-C.
     void save(const Origin& origin, const RenderState& state);
     /// @throws Error if the last one could not be written.
-    void finish() const;
+    void finish() const { fault_.finish(); }
 
 private:
     const RenderOptions& options_;
-    std::optional<Error> fault_;  // of the last save
+    LateFault fault_;  // of the last save
 };
 
 }  // namespace sunfleck

@@ -16,22 +16,12 @@ namespace {
 
 constexpr const char* kFlag = "--light-layer";
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 void check_name(const std::string& name, const std::vector<AskedLightLayer>& before) {
-    const bool spelt =
-        !name.empty() && is_letter(name[0]) && std::all_of(name.begin(), name.end(), [](char c) {
-            return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
-        });
-    if (!spelt)
+    if (!is_layer_name(name))
         throw Error({kFlag}, "\"" + name + "\" is no name of a layer",
                     "begin it with a letter, and go on with letters, digits, _ and -");
     const auto is_this = [&](const auto& other) { return other.name == name; };
-    const bool is_known =
-        std::any_of(kLayers.begin(), kLayers.end(), is_this) || name == "error" || name == "bias";
-    if (is_known || std::any_of(before.begin(), before.end(), is_this))
+    if (is_taken_layer_name(name) || std::any_of(before.begin(), before.end(), is_this))
         throw Error({kFlag}, "there is another layer \"" + name + "\"", "use another name");
 }
 

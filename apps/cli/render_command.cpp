@@ -64,8 +64,16 @@ void set_times(RunFacts& facts, const RenderState& state) {
     facts.cpu_seconds = state.cpu_seconds;
 }
 
+/// What goes on beside a render: the files that it keeps, and their faults.
+struct Beside {
+    CheckpointKeeper checkpoints;
+    LateFault snapshots;  // one that is missing is missed, whatever follows
+
+    explicit Beside(const RenderOptions& options) : checkpoints(options), snapshots(options.log) {}
+};
+
 /// What rank 0 does while it renders: a progress line, snapshots and checkpoints if wanted.
-RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, CheckpointKeeper& keeper,
+RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, Beside& beside,
                      RunFacts& facts) {
     const RenderOptions& options = setup.options;
     RenderHooks hooks;
@@ -74,11 +82,15 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, CheckpointKee
     if (!options.snapshots.empty())
         hooks.snapshot = [&](const RenderResult& so_far) {
             set_times(facts, so_far);
-            InterruptGuard::finish_first(
-                [&] { write_snapshot(options.snapshots, so_far.film, facts); });
+            InterruptGuard::finish_first([&] {
+                beside.snapshots.attempt(
+                    [&] { write_snapshot(options.snapshots, so_far.film, facts); });
+            });
         };
     if (!options.checkpoint.empty())
-        hooks.save = [&](const RenderState& state) { keeper.save(setup.origin, state); };
+        hooks.save = [&](const RenderState& state) {
+            beside.checkpoints.save(setup.origin, state);
+        };
     hooks.save_every = options.checkpoint_seconds;
     return hooks;
 }
@@ -133,15 +145,16 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     if (options.log == LogLevel::info) print_lines(notes_of(*setup), options.log);
     facts.load_seconds = clock.seconds();
 
-    CheckpointKeeper keeper(options);
+    Beside beside(options);
     std::optional<RenderState> earlier;
     if (setup->checkpoint) earlier = std::move(setup->checkpoint->state);
     const RenderResult result = [&] {
         ProgressLine line(options.log == LogLevel::info);
-        return render(setup->job, hooks_of(*setup, line, keeper, facts), std::move(earlier), ranks);
+        return render(setup->job, hooks_of(*setup, line, beside, facts), std::move(earlier), ranks);
     }();
     write_all(*setup, result, facts);
-    keeper.finish();
+    beside.checkpoints.finish();
+    beside.snapshots.finish();
     return result.interrupted ? 130 : 0;
 }
 

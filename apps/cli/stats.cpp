@@ -173,6 +173,7 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
     json["radius_factor"] = facts.radius_factor;
     json["dropped_nonfinite"] = count("dropped_nonfinite");
     json["saturated"] = count("saturated");
+    json["saturated_squares"] = count("saturated_squares");
     json["escaped"] = count("escaped");
     json["too_long"] = count("too_long");
     json["image"] = image_json(film, facts.error_terms);
@@ -204,6 +205,18 @@ std::vector<std::string> reliability_warnings(const Film& film) {
     if (dropped > 0)
         lines.push_back(
             fmt::format("{:.0f} contributions were not finite and were left out", dropped));
+    const double cut = film.statistic("saturated");
+    if (cut > 0)
+        lines.push_back(
+            fmt::format("{:.0f} contributions were larger than {:.1g} and were cut: "
+                        "the picture is too dark there",
+                        cut, kLargestTerm));
+    const double squares = film.statistic("saturated_squares");
+    if (squares > 0)
+        lines.push_back(
+            fmt::format("error bars are too small where the picture is brighter than "
+                        "{:.1g}, in {:.0f} cases",
+                        std::sqrt(kLargestTerm), squares));
     return lines;
 }
 

@@ -5,6 +5,7 @@
 // is associative, so threads, ranks and merged files give the same bytes in any order.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
@@ -55,6 +56,11 @@ struct FixedPoint {
 
 /// Terms beyond this are saturated by whoever adds, and counted: fewer than 2^16 of them fit.
 inline constexpr double kLargestTerm = 0x1p47;
+
+/// @return the number nearest to x that one term may be. @param x  not NaN.
+constexpr double cut_term(double x) {
+    return std::clamp(x, -kLargestTerm, kLargestTerm);
+}
 
 /// A FixedPoint that many threads may add to at once. Read it only when all adding has ended.
 class AtomicFixedPoint {

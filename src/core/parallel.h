@@ -1,8 +1,8 @@
 // Work shared among threads without the result knowing it. The only door to the thread library.
 //
 // In:  a count of independent tasks. Out: their effects.
-// Rules: a task writes only to places that belong to its own index, or adds integers (ExactSum,
-// std::atomic counts). Every thread flushes denormals alike.
+// Rules: a task writes only to places that belong to its own index, or adds integers
+// (AtomicFixedPoint, std::atomic counts). Every thread flushes denormals alike.
 #pragma once
 
 #include <cstddef>

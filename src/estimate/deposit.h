@@ -40,10 +40,6 @@ inline Spectrum share_of(const VisiblePoint& point, float radius, std::uint32_t 
     return point.throughput * (1 / (static_cast<float>(paths) * (kPi * radius * radius)));
 }
 
-inline Spectrum share_of(const VisiblePoint& point, std::uint32_t paths) {
-    return share_of(point, point.disc.radius, paths);
-}
-
 /// The layer that owns what a photon of this kind brings to this point.
 inline Layer owner_of(const VisiblePoint& point, PhotonKind kind) {
     if (point.after_rough || kind == PhotonKind::indirect) return Layer::indirect;

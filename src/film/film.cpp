@@ -6,7 +6,6 @@
 #include "math/wavelengths.h"
 #include "measurement/radius.h"
 
-#include <cmath>
 #include <utility>
 
 namespace sunfleck {
@@ -75,7 +74,7 @@ void Film::count(std::string_view name, std::uint64_t events) {
 }
 
 void Film::sum(std::string_view name, double x) {
-    const double cut = std::fmin(std::fmax(x, -kLargestTerm), kLargestTerm);
+    const double cut = cut_term(x);
     if (cut != 0) sums_.statistics[std::string(name)] += FixedPoint::from_double(cut);
 }
 

@@ -32,7 +32,11 @@ FilmKey read_key(WordReader& in) {
     key.scene_hash = in.word();
     key.settings = in.text();
     const std::uint64_t light_layers = in.word_up_to(kMostLightLayers);
-    for (std::uint64_t i = 0; i < light_layers; ++i) key.light_layers.push_back(in.text());
+    for (std::uint64_t i = 0; i < light_layers; ++i) {
+        key.light_layers.push_back(in.text());
+        const std::string& name = key.light_layers.back();
+        if (!is_layer_name(name) || is_taken_layer_name(name)) in.damaged();
+    }
     return key;
 }
 

@@ -11,6 +11,13 @@ std::string resolution(const FilmKey& key) {
     return std::to_string(key.width) + "x" + std::to_string(key.height);
 }
 
+bool has_same_layers(const FilmKey& here, const FilmKey& there) {
+    for (std::size_t i = 0; i < kLayerCount; ++i)
+        if (here.has(i) != there.has(i)) return false;
+    return here.light_layers == there.light_layers;
+}
+
+/// For the user to read.
 std::string layer_names(const FilmKey& key) {
     std::string names = "RGB";
     for (std::size_t i = 1; i < kLayerCount; ++i)
@@ -39,7 +46,7 @@ KeyDifference differing_lines(const std::string& here, const std::string& there)
 std::optional<KeyDifference> difference(const FilmKey& here, const FilmKey& there) {
     if (resolution(here) != resolution(there))
         return KeyDifference{"resolution", resolution(here), resolution(there)};
-    if (layer_names(here) != layer_names(there))
+    if (!has_same_layers(here, there))
         return KeyDifference{"set of layers", layer_names(here), layer_names(there)};
     if (here.seed != there.seed)
         return KeyDifference{"seed", std::to_string(here.seed), std::to_string(there.seed)};

@@ -21,12 +21,11 @@ void PassSet::insert(const PassRange& range) {
 }
 
 std::uint64_t PassSet::count_in(const PassRange& range) const {
+    auto r = std::upper_bound(ranges_.begin(), ranges_.end(), range.begin,
+                              [](std::uint64_t pass, const PassRange& a) { return pass < a.end; });
     std::uint64_t count = 0;
-    for (const PassRange& r : ranges_) {
-        const std::uint64_t begin = std::max(r.begin, range.begin);
-        const std::uint64_t end = std::min(r.end, range.end);
-        if (begin < end) count += end - begin;
-    }
+    for (; r != ranges_.end() && r->begin < range.end; ++r)
+        count += std::min(r->end, range.end) - std::max(r->begin, range.begin);
     return count;
 }
 

@@ -6,7 +6,6 @@
 #include "math/wavelengths.h"
 
 #include <atomic>
-#include <cmath>
 
 namespace sunfleck {
 namespace {
@@ -17,9 +16,9 @@ constexpr std::size_t kPixelsPerTask = 1U << 14U;
 class Terms {
 public:
     FixedPoint operator()(double x) {
-        if (std::abs(x) <= kLargestTerm) return FixedPoint::from_double(x);
-        cut_.fetch_add(1, std::memory_order_relaxed);
-        return FixedPoint::from_double(x < 0 ? -kLargestTerm : kLargestTerm);
+        const double term = cut_term(x);
+        if (term != x) cut_.fetch_add(1, std::memory_order_relaxed);
+        return FixedPoint::from_double(term);
     }
     std::uint64_t cut() const { return cut_.load(); }
 

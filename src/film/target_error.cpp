@@ -4,6 +4,7 @@
 #include "film/bias.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace sunfleck {
@@ -51,6 +52,18 @@ std::optional<double> bias_of(const Film& film, const std::vector<BrightBlock>& 
 }
 
 }  // namespace
+
+double times_passes_to(const TargetError& error, double target, double alpha) {
+    double low = 1;
+    double high = 0x1p50;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = std::sqrt(low * high);
+        const TargetError then{error.noise / std::sqrt(middle),
+                               error.bias * std::pow(middle, alpha - 1)};
+        (then.value() > target ? low : high) = middle;
+    }
+    return high;
+}
 
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {
     if (film.rounds() < kTargetRounds) return {};

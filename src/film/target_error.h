@@ -26,6 +26,11 @@ struct TargetError {
     double value() const { return std::sqrt(noise * noise + bias * bias); }
 };
 
+/// How many times as many passes as there are bring the error down to the target: its noise falls
+/// with their root, its bias with the area of the discs, as passes^(alpha - 1); 1 if it is there.
+/// @param target  positive. @param alpha  of the radii, in (0, 1).
+double times_passes_to(const TargetError& error, double target, double alpha);
+
 /// Bright blocks are those above 1% of the mean luminance. Nothing with fewer than kTargetRounds
 /// complete rounds, or in a black picture.
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms);

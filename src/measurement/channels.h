@@ -43,4 +43,20 @@ inline constexpr std::array<LayerRow, kLayerCount> kLayers = {{
     {Layer::samples, "samples", "N", "photons gathered, a pass"},
 }};
 
+/// Can a layer of some lights be called so? A letter, then letters, digits, _ and -.
+constexpr bool is_layer_name(std::string_view name) {
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    if (name.empty() || !is_letter(name[0])) return false;
+    for (const char c : name)
+        if (!is_letter(c) && !(c >= '0' && c <= '9') && c != '_' && c != '-') return false;
+    return true;
+}
+
+/// Is there another layer of that name in each picture?
+constexpr bool is_taken_layer_name(std::string_view name) {
+    for (const LayerRow& row : kLayers)
+        if (row.name == name) return true;
+    return name == "error" || name == "bias";
+}
+
 }  // namespace sunfleck

@@ -125,14 +125,8 @@ private:
     static bool finite(const Vec3& v) {
         return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
     }
-    /// @return x within what one term may be.
-    static double cut(float x) {
-        const auto term = static_cast<double>(x);
-        return std::abs(term) > kLargestTerm ? std::copysign(kLargestTerm, term) : term;
-    }
-
     FixedPoint share_of(double term) const { return FixedPoint::from_double(term * share_); }
-    FixedPoint term_of(float x) const { return share_of(cut(x)); }
+    FixedPoint term_of(float x) const { return share_of(cut_term(double{x})); }
 
     /// Counts what is not.
     bool is_finite(const Vec3& v) {
@@ -154,7 +148,7 @@ private:
         for (unsigned c = 0; c < 3; ++c) {
             const float x = rgb[static_cast<int>(c)];
             if (x == 0) continue;
-            const double term = cut(x);
+            const double term = cut_term(double{x});
             if (term != static_cast<double>(x))
                 counts_[kSaturated].fetch_add(1, std::memory_order_relaxed);
             pixel[c].add(share_of(term));

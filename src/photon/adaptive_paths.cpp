@@ -59,8 +59,10 @@ AdaptivePaths trace_adaptive_paths(const PhotonView& view, const ViewOctree& oct
     counts[Count::visible_states] += mapped_visible;
     if (ladder.levels.size() <= group.plan.levels.size()) return paths;  // starved
     const LevelCounts& last = ladder.levels.back();
-    counts[Count::distinct_visible] += last.distinct;
-    counts[Count::visible_states] += last.states;
+    const bool brings_all =
+        group.mapped.own_share < 1;  // else the map's paths bring what it covers
+    counts[Count::distinct_visible] += last.distinct - (brings_all ? 0 : last.distinct_covered);
+    counts[Count::visible_states] += last.states - (brings_all ? 0 : last.covered);
     return paths;
 }
 

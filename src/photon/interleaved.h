@@ -97,8 +97,6 @@ private:
         walk.number = from.number;
         walk.read.emplace(from.read);
         walk.state = from.state;
-        if constexpr (requires { walk.read->weight(); })
-            walk.state.flux *= static_cast<float>(walk.read->weight());
     }
 
     /// Asks for the next surface of every path, and works out where it is a few paths later: late

@@ -77,7 +77,8 @@ template <SlotReader Reader, class Surface>
     if (hit.shading_normal != hit.normal)
         flux *= std::abs(w_from.z * w_to.dot(hit.normal)) /
                 std::abs(state.direction.dot(hit.normal) * drawn->w_to.z);
-    const float survival = std::min(1.0F, state.faded * (flux.sum() / state.flux.sum()));
+    const float before = state.flux.sum();  // zero where the pass has no wavelength of the light
+    const float survival = before > 0 ? std::min(1.0F, state.faded * (flux.sum() / before)) : 0;
     return {
         flux, w_to, survival, unit(BounceSlot::roulette), drawn->pdf.has_value(), drawn->dispersed};
 }

@@ -10,6 +10,7 @@
 #include "sampler/emission_points.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace sunfleck {
@@ -22,15 +23,12 @@ struct UniformPaths {
     std::uint32_t count = 0;
 };
 
-/// Paths of which at least one photon was taken, ascending. @param range  of the batch.
-inline std::vector<std::uint32_t> visible_paths(const PhotonBatch& batch, const PathRange& range) {
+/// The number of paths of which at least one photon was taken. @param range  of the batch.
+inline std::uint64_t visible_paths(const PhotonBatch& batch, const PathRange& range) {
     std::vector<std::uint8_t> visible(range.size(), 0);
     for (std::size_t i = 0; i < batch.paths.size(); ++i)
         visible[batch.paths[i] - range.begin] |= batch.taken[i];
-    std::vector<std::uint32_t> numbers;
-    for (std::size_t i = 0; i < visible.size(); ++i)
-        if (visible[i] != 0) numbers.push_back(static_cast<std::uint32_t>(range.begin + i));
-    return numbers;
+    return std::accumulate(visible.begin(), visible.end(), std::uint64_t{0});
 }
 
 /// Traces the paths of one batch.
@@ -78,17 +76,17 @@ std::vector<PhotonBatch> trace_batches(const PhotonTracer& tracer, const Uniform
 template <class MayTake, class Deposit>
 Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& paths,
                                const MayTake& may_take, const Deposit& deposit) {
-    constexpr std::size_t kAtOnce = std::size_t{1} << 17U;
+    const std::size_t at_once = paths_at_once(paths.count);
     Statistics total;
-    for (std::size_t begin = 0; begin < paths.count; begin += kAtOnce) {
-        const PathRange range{begin, std::min<std::size_t>(paths.count, begin + kAtOnce)};
+    for (std::size_t begin = 0; begin < paths.count; begin += at_once) {
+        const PathRange range{begin, std::min<std::size_t>(paths.count, begin + at_once)};
         std::vector<PhotonBatch> batches = trace_batches(tracer, paths, range, may_take);
         total += deposit(batches);
         for (std::size_t i = 0; i < batches.size(); ++i) {
             const std::size_t first = begin + i * kBatchPaths;
             total += batches[i].statistics;
             total[Count::uniform_visible] +=
-                visible_paths(batches[i], {first, std::min(range.end, first + kBatchPaths)}).size();
+                visible_paths(batches[i], {first, std::min(range.end, first + kBatchPaths)});
         }
     }
     return total;

@@ -32,9 +32,8 @@ TrialPixels luminance_of(const PassImage& image) {
 /// Trial passes, and their photons' counts together.
 class Trials {
 public:
-    Trials(const EyePass& first, const std::vector<PhotonGroup>& groups, PhotonSampler sampler,
-           const PilotName& name)
-        : first_(first), groups_(groups), sampler_(sampler), name_(name), seeds_(groups.size()) {}
+    Trials(const EyePass& first, const std::vector<PhotonGroup>& groups, const PilotName& name)
+        : first_(first), groups_(groups), name_(name), seeds_(groups.size()) {}
 
     /// @param round  of the first of two.
     TrialPair of(const EyeView& view, std::uint32_t round) {
@@ -64,8 +63,9 @@ private:
     TrialPixels pixels(const VisiblePointIndex& index, const TrialPixels& eye,
                        std::uint32_t round) {
         PassImage image(first_.window.pixels(), {});
-        const PhotonTotals photons = trace_photons({first_.scene, first_.transport, index},
-                                                   name_.round(round), sampler_, groups_, {image});
+        const PhotonTotals photons =
+            trace_photons({first_.scene, first_.transport, index}, name_.round(round),
+                          PhotonSampler::adaptive, groups_, {image});
         counts_ += photons.statistics;
         for (std::size_t g = 0; g < groups_.size(); ++g)
             for (const std::uint64_t seeds : photons.groups[g].ladder.survivors) seeds_[g] += seeds;
@@ -76,7 +76,6 @@ private:
 
     const EyePass& first_;
     const std::vector<PhotonGroup>& groups_;
-    PhotonSampler sampler_;
     PilotName name_;
     Statistics counts_;
     std::vector<std::uint64_t> seeds_;  // by group
@@ -112,11 +111,10 @@ EyeView view_of(const EyePass& pass) {
 }
 
 Balance measured_balance(const EyePass& first, const EyeView& seen, LightPlanner& planner,
-                         const EpochPhotons& photons) {
-    const auto& [sampler, name, usual] = photons;
+                         const PilotName& name, std::uint32_t usual) {
     if (usual < 2 * kSets) return {usual};
     const std::vector<PhotonGroup> groups = part_of(planner.plan(usual));
-    Trials trials(first, groups, sampler, name);
+    Trials trials(first, groups, name);
     EyePass second = first;
     second.id = name.round(kRound);
     const TrialPair one = trials.of(seen, kRound + 1);

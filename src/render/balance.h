@@ -20,15 +20,10 @@ struct EyeView {
 
 EyeView view_of(const EyePass& pass);
 
-/// The photons of an epoch.
-struct EpochPhotons {
-    PhotonSampler sampler;
-    PilotName name;
-    std::uint32_t usual;  // paths of a draw, were nothing measured
-};
-
+/// Of the sampler `adaptive`.
 /// @param first  the epoch's first pass. @param seen  its view: what the planner explored.
+/// @param usual  paths of a draw, were nothing measured.
 Balance measured_balance(const EyePass& first, const EyeView& seen, LightPlanner& planner,
-                         const EpochPhotons& photons);
+                         const PilotName& name, std::uint32_t usual);
 
 }  // namespace sunfleck

@@ -45,8 +45,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const PilotName name{settings.seed, epoch.number};
     LightPlanner planner(view, settings.photon, name);
     if (is_balanced(settings.photon, epoch.number)) {
-        const Balance balance =
-            measured_balance(eye, seen, planner, {settings.photon.sampler, name, paths});
+        const Balance balance = measured_balance(eye, seen, planner, name, paths);
         epoch.paths = balance.paths;
         epoch.draws = balance.draws;
     }

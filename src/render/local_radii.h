@@ -51,8 +51,7 @@ public:
                std::all_of(factors_.begin(), factors_.end(), is_factor);
     }
 
-    /// R over the first radius.
-    double factor(std::size_t pixel) const { return factors_[pixel]; }
+    /// Of R over the first radius.
     double mean_factor() const {
         double sum = 0;
         for (const double factor : factors_) sum += factor;

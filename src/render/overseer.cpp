@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 namespace sunfleck {
 namespace {
@@ -21,20 +20,6 @@ double paths_of(const Film& film, Integrator integrator) {
            film.statistic("mutated_paths");
 }
 
-/// How many times as many passes as there are bring the error down to the target: its noise falls
-/// about with their root, its bias with the disc's area, as passes^(alpha - 1).
-double passes_to(const TargetError& error, double target, double alpha) {
-    double low = 1;
-    double high = 0x1p50;
-    for (int i = 0; i < 50; ++i) {
-        const double middle = std::sqrt(low * high);
-        const TargetError then{error.noise / std::sqrt(middle),
-                               error.bias * std::pow(middle, alpha - 1)};
-        (then.value() > target ? low : high) = middle;
-    }
-    return high;
-}
-
 std::optional<double> seconds_left(const Progress& p, const RenderJob& job) {
     const StopSettings& stop = job.stop;
     std::optional<double> left;
@@ -45,7 +30,7 @@ std::optional<double> seconds_left(const Progress& p, const RenderJob& job) {
     if (stop.seconds) at_most(*stop.seconds - p.seconds);
     if (stop.cpu_seconds) at_most(p.seconds * (*stop.cpu_seconds / p.cpu_seconds - 1));
     if (p.error && p.target)
-        at_most(p.seconds * (passes_to(*p.error, *p.target, job.settings.alpha) - 1));
+        at_most(p.seconds * (times_passes_to(*p.error, *p.target, job.settings.alpha) - 1));
     return left;
 }
 

@@ -7,7 +7,6 @@
 #include "photon/paper_paths.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace sunfleck {
 namespace {
@@ -58,9 +57,9 @@ PassResult PaperRender::next_pass() {
 /// A term of the film; cut and counted where it is too large.
 FixedPoint PaperRender::scaled(const FixedPoint& flux, double factor) {
     const double value = flux.to_double() * factor;
-    if (std::abs(value) <= kLargestTerm) return FixedPoint::from_double(value);
-    ++saturated_;
-    return FixedPoint::from_double(std::copysign(kLargestTerm, value));
+    const double term = cut_term(value);
+    if (term != value) ++saturated_;
+    return FixedPoint::from_double(term);
 }
 
 /// L_P = UniformCount / i times the mean over splatted paths; terms are rounded alike when they are

@@ -54,8 +54,8 @@ struct RenderSettings {
     std::uint64_t seed = 0;
     bool energy_compensation = false;  // of the scene's materials: compensate_energy()
 
-    /// One line that two renders share if and only if their passes are the same function:
-    /// what film files are compared by.
+    /// Lines that two renders share if and only if their passes are the same function of scene and
+    /// seed: what film files are compared by.
     std::string text() const;
 };
 

@@ -33,10 +33,10 @@ struct LadderCounts {
 
     /// Another run of the same plan: counts add up, fractions by their share in the mean.
     void add(const LadderCounts& other, double share) {
-        levels.resize(other.levels.size());
-        survivors.resize(other.survivors.size());
-        for (std::size_t k = 0; k < levels.size(); ++k) levels[k] += other.levels[k];
-        for (std::size_t k = 0; k < survivors.size(); ++k) survivors[k] += other.survivors[k];
+        levels.resize(std::max(levels.size(), other.levels.size()));  // fewer where it starved
+        survivors.resize(std::max(survivors.size(), other.survivors.size()));
+        for (std::size_t k = 0; k < other.levels.size(); ++k) levels[k] += other.levels[k];
+        for (std::size_t k = 0; k < other.survivors.size(); ++k) survivors[k] += other.survivors[k];
         mapped += other.mapped;
         visible_fraction += other.visible_fraction * share;
     }

@@ -96,11 +96,12 @@ std::vector<int> even_heights(const HeightTail& tail, int sets) {
 
 /// Heights at which the tail falls, as far as it was reached.
 std::vector<int> reached_heights(const HeightTail& tail) {
+    constexpr double kLessThanTheLast = 0.2;  // steps that chains of few states still take
     std::vector<int> heights;
     double last = 1;
     for (int h = 1; h < kVisible; ++h) {
         const double p = tail.at(static_cast<std::size_t>(h));
-        if (!(p > 0) || p > 0.2 * last) continue;
+        if (!(p > 0) || p > kLessThanTheLast * last) continue;
         heights.push_back(h);
         last = p;
     }

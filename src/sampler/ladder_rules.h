@@ -19,7 +19,8 @@ bool is_rare(const HeightTail& tail);
 ///   visible paths or more: one set.
 /// - Else the least number of sets whose conditional fractions are 0.05 or less on average; the
 ///   heights are those whose tail is nearest to even steps.
-/// - No visible path found: every height that was reached is a set.
+/// - No visible path found: a set at each height that was reached by a fifth or less of the paths
+///   of the set before.
 /// @param paths  of a pass, all levels together; at least 2.
 LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths);
 

@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "sampler/chain.h"
+#include "sampler/path_range.h"
 #include "sampler/population.h"
 #include "sampler/systematic.h"
 
@@ -36,11 +37,13 @@ struct LevelCounts {
     Acceptances acceptances;
     HeightCounts heights{};     // of states, with repeats
     std::uint64_t covered = 0;  // of states, with repeats: where a map covers
+    std::uint64_t distinct_covered = 0;
 
     LevelCounts& operator+=(const LevelCounts& other) {
         states += other.states;
         distinct += other.distinct;
         covered += other.covered;
+        distinct_covered += other.distinct_covered;
         for (std::size_t k = 0; k < kMutationKinds; ++k) acceptances[k] += other.acceptances[k];
         for (std::size_t h = 0; h < heights.size(); ++h) heights[h] += other.heights[h];
         return *this;
@@ -103,7 +106,8 @@ public:
         const double offset = offsets.next();
         const double apart = population_.weight() / static_cast<double>(chains);
         const SystematicLengths length(states_, chains, offsets.next_fraction());
-        const std::uint64_t at_once = std::max<std::uint64_t>(1, kStatesAtOnce * chains / states_);
+        const std::uint64_t at_once =
+            std::max<std::uint64_t>(1, paths_at_once(states_) * chains / states_);
         for (std::uint64_t first = 0; first < chains; first += at_once) {
             const std::size_t some = std::min(at_once, chains - first);
             std::vector<Collector> collectors;
@@ -122,8 +126,6 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t kStatesAtOnce = std::uint64_t{1} << 17U;
-
     struct One {
         std::uint64_t number;
         double seed;  // its place in the population
@@ -142,6 +144,7 @@ private:
             counts.states += steps;
             ++counts.distinct;
             counts.covered += chain.is_covered() ? steps : 0;
+            counts.distinct_covered += chain.is_covered() ? 1 : 0;
             counts.heights[static_cast<std::size_t>(chain.height())] += steps;
         };
         for (std::uint64_t i = 1; i < one.states; ++i) {

@@ -45,11 +45,11 @@ UniformLevel mapped_level(const Space& space, PassId pass, const MappedPlan& pla
                           typename Space::Tally& tally) {
     using Block = PathBlock<Space>;
     using Collector = typename Sink::Collector;
-    constexpr std::size_t kAtOnce = 256 * Block::kPaths;
+    const std::size_t at_once = paths_at_once(plan.paths);
     const MappedPoints points(pass, plan.map);
     UniformLevel level;
-    for (std::size_t first = 0; first < plan.paths; first += kAtOnce) {
-        const std::size_t some = std::min(kAtOnce, plan.paths - first);
+    for (std::size_t first = 0; first < plan.paths; first += at_once) {
+        const std::size_t some = std::min(at_once, plan.paths - first);
         std::vector<Block> blocks(Block::needed(some));
         std::vector<Collector> collectors;
         for (std::size_t i = 0; i < blocks.size(); ++i) collectors.push_back(sink.make());

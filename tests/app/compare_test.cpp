@@ -99,6 +99,19 @@ TEST_F(Compare, a_series_has_curves) {
     EXPECT_NE(read_text(path("x.html")).find("Chart.js"), std::string::npos);
 }
 
+/// One that cannot be written is told when it is due, and is a fault at the end; the rest is there.
+TEST_F(Compare, a_lost_snapshot_does_not_end_the_render) {
+    std::filesystem::create_directories(path("s/passes-000002.json"));
+    const Ran ran = render({"-o", "x.exr", "--passes", "4", "--snapshots", "s", "--stats", "x.json",
+                            "--checkpoint", "x.ckpt"});
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.err.find("passes-000002.json: is a folder"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("(the render goes on)"), std::string::npos) << ran.err;
+    EXPECT_EQ(json("x.json")["passes"], 4);
+    for (const char* name : {"x.exr", "x.ckpt", "s/passes-000001.exr", "s/passes-000004.exr"})
+        EXPECT_TRUE(exists(name)) << name;
+}
+
 TEST_F(Compare, snapshots_of_two_renders_do_not_mix) {
     render({"-o", "x.exr", "--passes", "1", "--snapshots", "s"});
     const Ran again = render({"-o", "y.exr", "--passes", "1", "--snapshots", "s"});

@@ -20,6 +20,8 @@ TEST_F(EmissionMaps, are_told_in_the_statistics) {
     EXPECT_EQ(s["photon_paths"]["mapped"], 2 * 2250);
     EXPECT_GT(s["photon_paths"]["mapped_visible"], 20);
     EXPECT_EQ(s["photon_paths"]["uniform_visible"], 0);
+    // Chains within what the map covers bring nothing there.
+    EXPECT_EQ(s["photon_paths"]["deposited"], s["photon_paths"]["mapped_visible"]);
     EXPECT_GT(s["visible_fraction"]["value"], 8e-7);  // 1e-6, and what wide discs add
     EXPECT_LT(s["visible_fraction"]["value"], 2.5e-6);
     EXPECT_GT(s["visible_fraction"]["std_error"], 0);

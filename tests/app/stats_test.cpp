@@ -9,6 +9,7 @@ namespace {
 using testing_support::ProgramTest;
 using testing_support::read_text;
 using testing_support::Words;
+using testing_support::write_text;
 
 class Stats : public ProgramTest {
 protected:
@@ -101,6 +102,24 @@ TEST_F(Stats, are_reproducible) {
         again.erase(name);
     }
     EXPECT_EQ(once, again);
+}
+
+/// Eight wavelengths a pass seldom meet a lamp of 585 to 590 nm: then no path has light to bring.
+TEST_F(Stats, paths_without_light_end_where_they_start) {
+    std::string text = room_text("0.6");
+    const std::string lamp = "\"rgb L\" [5 5 5]";
+    text.replace(text.find(lamp), lamp.size(), "\"spectrum L\" [585 0 586 1 589 1 590 0]");
+    write_text(path("room.pbrt"), text);
+    ASSERT_EQ(render({"-o", "x.exr", "--passes", "16", "--max-depth", "64", "--photon-sampler",
+                      "uniform", "--stats", "x.json"})
+                  .code,
+              0);
+    const auto stats = json("x.json");
+    EXPECT_EQ(stats["too_long"], 0);
+    const auto paths = stats["photon_paths"]["uniform"].get<double>();
+    const auto rays = stats["rays"]["photon"].get<double>();
+    EXPECT_GT(rays, 0.1 * paths);  // the lamp is met sometimes
+    EXPECT_LT(rays, 1.5 * paths);
 }
 
 }  // namespace

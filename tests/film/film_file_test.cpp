@@ -175,5 +175,16 @@ TEST_F(FilmFile, errors_are_one_clear_line) {
     EXPECT_THROW(read_film(path("none.film")), Error);
 }
 
+/// Names that no picture could hold beside its other layers.
+TEST_F(FilmFile, light_layers_have_names_of_layers) {
+    FilmKey key = small_key();
+    key.light_layers = {"lamps", "sun-2"};
+    EXPECT_EQ(fault_of(bytes_of(film_of(key, numbers(0, 2)))), "");
+    for (const char* name : {"a b", "", "2nd", "error", "bias", "direct", "d.R"}) {
+        key.light_layers[1] = name;
+        EXPECT_NE(fault_of(bytes_of(film_of(key, numbers(0, 2)))), "") << name;
+    }
+}
+
 }  // namespace
 }  // namespace sunfleck

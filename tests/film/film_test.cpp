@@ -225,5 +225,20 @@ TEST(Film, a_pass_that_does_not_fit_is_refused) {
     EXPECT_EQ(film.sums(), film_of(small_key(), {3}).sums());
 }
 
+/// Layers are compared one by one: their names in a row would be the same.
+TEST(Film, layers_of_other_names_are_of_another_render) {
+    FilmKey key = small_key();
+    key.light_layers = {"a", "b"};
+    FilmKey other = key;
+    other.light_layers = {"a b"};
+    EXPECT_TRUE(difference(key, other).has_value());
+    EXPECT_FALSE(difference(key, key).has_value());
+    key.light_layers = {"direct"};
+    other.light_layers = {};
+    other.layers[static_cast<std::size_t>(Layer::direct)] = true;
+    key.layers[static_cast<std::size_t>(Layer::direct)] = false;
+    EXPECT_TRUE(difference(key, other).has_value());
+}
+
 }  // namespace
 }  // namespace sunfleck

@@ -94,5 +94,15 @@ TEST(TargetError, square_of_the_bias_is_not_that_of_its_noise) {
     }
 }
 
+/// Noise alone: passes by the square of the error. Bias alone: to the power of 1 / (1 - alpha).
+TEST(TargetError, says_how_many_passes_are_left) {
+    EXPECT_NEAR(times_passes_to({0.06, 0}, 0.02, 0.5), 9, 1e-6);
+    EXPECT_NEAR(times_passes_to({0, 0.04}, 0.02, 2.0 / 3), 8, 1e-6);
+    EXPECT_NEAR(times_passes_to({0, 0.04}, 0.02, 0.5), 4, 1e-6);
+    EXPECT_NEAR(times_passes_to({0.01, 0.01}, 0.02, 0.5), 1, 1e-6);
+    const double both = times_passes_to({0.06, 0.04}, 0.02, 0.5);
+    EXPECT_NEAR(std::hypot(0.06, 0.04) / std::sqrt(both), 0.02, 1e-6);
+}
+
 }  // namespace
 }  // namespace sunfleck

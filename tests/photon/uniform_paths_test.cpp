@@ -79,7 +79,7 @@ TEST_P(UniformPathsTest, side_by_side_are_those_one_by_one) {
 /// More paths than are traced at once; photons of the upper sheet are unwanted, those of the
 /// lower sheet's left half are taken.
 TEST_P(UniformPathsTest, counts_the_visible_paths_and_keeps_what_is_wanted) {
-    const std::uint32_t count = (1U << 17U) + 700;
+    const auto count = static_cast<std::uint32_t>(paths_at_once(1) + 700);
     std::uint64_t visible = 0;
     const auto taken = [](const Photon& photon) { return photon.position.x < 0; };
     const auto wanted = [](const Photon& photon) { return photon.position.z < 0.5F; };
@@ -109,6 +109,18 @@ TEST_P(UniformPathsTest, counts_the_visible_paths_and_keeps_what_is_wanted) {
     EXPECT_EQ(counted[Count::photon_rays], one_by_one.statistics[Count::photon_rays]);
     EXPECT_EQ(counted[Count::escaped], one_by_one.statistics[Count::escaped]);
     EXPECT_GT(counted[Count::too_long], 100U);
+}
+
+/// However many paths there are, what is seen is walked over eight times at most.
+TEST(PathsAtOnce, are_few_deposits_of_many_paths) {
+    for (const std::uint64_t count : {1ULL, 200'000ULL, 600'000ULL, 16'588'800ULL, 1ULL << 40U}) {
+        const std::uint64_t at_once = paths_at_once(count);
+        EXPECT_GE(at_once, 1U << 19U);
+        EXPECT_LE((count + at_once - 1) / at_once, 8U);
+        if (at_once > 1U << 19U) {
+            EXPECT_GT((count + at_once - 1) / at_once, 4U);
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(kinds, UniformPathsTest,

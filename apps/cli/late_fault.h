@@ -1,0 +1,43 @@
+// A file that could not be written while a render goes on: told at once, a fault at its end.
+#pragma once
+
+#include "apps/cli/options.h"
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <optional>
+
+namespace sunfleck {
+
+class LateFault {
+public:
+    explicit LateFault(LogLevel log) : log_(log) {}
+
+    /// @param write  may throw Error: the first is a warning. @return whether it did not.
+    template <class Write>
+    bool attempt(const Write& write) {
+        try {
+            write();
+            return true;
+        } catch (const Error& error) {
+            if (!fault_ && log_ != LogLevel::quiet)
+                fmt::print(stderr, "warning: {} (the render goes on)\n", error.what());
+            fault_ = error;
+            return false;
+        }
+    }
+    /// What failed before no longer matters.
+    void forget() { fault_.reset(); }
+    /// @throws Error if something failed that still matters.
+    void finish() const {
+        if (fault_) throw Error(*fault_);
+    }
+
+private:
+    LogLevel log_;
+    std::optional<Error> fault_;
+};
+
+}  // namespace sunfleck
