@@ -8,7 +8,8 @@
 
 namespace sunfleck {
 
-/// Photon i belongs to path paths[i] of the pass and is marked in taken[i] when deposited.
+/// Photon i belongs to path paths[i], a number within the pass or the batch, and is marked in
+/// taken[i] when deposited.
 struct PhotonBatch {
     std::vector<Photon> photons;
     std::vector<std::uint32_t> paths;

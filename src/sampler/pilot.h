@@ -20,7 +20,7 @@ struct PilotResult {
     MappedPlan mapped;        // besides, where that pays
     HeightTail tail{};        // its last entry is the visible fraction
     LadderCounts last;        // of the last trial of the plan's levels, if it has several
-    std::uint64_t paths = 0;  // traced
+    std::uint64_t paths = 0;  // traced by pilots' rounds, without the search for a map
 };
 
 /// What a pilot's random numbers are named by, but for its rounds.

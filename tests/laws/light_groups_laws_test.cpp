@@ -23,7 +23,8 @@ std::vector<ToyGroup> lamp_and_sun() {
             {50.0 / 51, {"sun", {0, 6}, {{0.3, 0.02, 0.5, 1}, {0.7, 0.012, 0.5, 4}}}, {}}};
 }
 
-/// As photon/light_groups.cpp does it: a pilot each, then paths by what they found.
+/// As photon/light_groups.cpp does it, but that pilots have numbers of their own: a pilot each,
+/// then paths by what they found.
 void learn(std::vector<ToyGroup>& groups, std::uint64_t seed, std::uint32_t paths) {
     std::vector<Pilot<Islands, EmissionPoints>> pilots;
     std::vector<GroupFlux> fluxes;

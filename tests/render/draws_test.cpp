@@ -51,7 +51,9 @@ protected:
 
     /// Variances are means over 144 pixels and 128 passes, known to some percent.
     void expect_mean_of_draws(Layer layer, double least, double most) {
-        const Scene scene = procedural("cornell", 12);
+        expect_mean_of_draws(procedural("cornell", 12), layer, least, most);
+    }
+    void expect_mean_of_draws(const Scene& scene, Layer layer, double least, double most) {
         const Spread one = spread_of(scene, settings_, layer, 1);
         const Spread four = spread_of(scene, settings_, layer, kDraws);
         EXPECT_NEAR(four.mean / one.mean, 1, 0.02);
@@ -69,6 +71,15 @@ TEST_F(Draws, take_the_camera_paths_noise_away) {
 
 TEST_F(Draws, take_the_photons_noise_away) {
     expect_mean_of_draws(Layer::indirect, 0.2, 0.3);
+}
+
+// Chains that shared their numbers would leave the variance as it is.
+TEST_F(Draws, take_the_chains_noise_away) {
+    const Scene scene = procedural("cognac-1", 12);
+    settings_.photon.paths_per_pass = 2000;
+    settings_.layers[static_cast<std::size_t>(Layer::caustic)] = true;
+    ASSERT_FALSE(learn_epoch(scene, settings_, 0).groups[0].plan.levels.empty());
+    expect_mean_of_draws(scene, Layer::caustic, 0.15, 0.4);
 }
 
 // Each photon that a visible point takes is a deposit.
