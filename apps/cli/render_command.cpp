@@ -72,6 +72,14 @@ struct Beside {
     explicit Beside(const RenderOptions& options) : checkpoints(options), snapshots(options.log) {}
 };
 
+void keep_snapshot(const RenderSetup& setup, const RenderState& so_far, LateFault& fault,
+                   RunFacts& facts) {
+    set_times(facts, so_far);
+    InterruptGuard::finish_first([&] {
+        fault.attempt([&] { write_snapshot(setup.options.snapshots, so_far.film, facts); });
+    });
+}
+
 /// What rank 0 does while it renders: a progress line, snapshots and checkpoints if wanted.
 RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, Beside& beside,
                      RunFacts& facts) {
@@ -81,11 +89,7 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, Beside& besid
     hooks.interrupted = &InterruptGuard::interrupted();
     if (!options.snapshots.empty())
         hooks.snapshot = [&](const RenderResult& so_far) {
-            set_times(facts, so_far);
-            InterruptGuard::finish_first([&] {
-                beside.snapshots.attempt(
-                    [&] { write_snapshot(options.snapshots, so_far.film, facts); });
-            });
+            keep_snapshot(setup, so_far, beside.snapshots, facts);
         };
     if (!options.checkpoint.empty())
         hooks.save = [&](const RenderState& state) {

@@ -190,7 +190,6 @@ private:
         state.flux =
             pass_.emission[choice.index] * static_cast<float>(start.factor / choice.probability);
         if (start.tint) state.flux = pass_.tinted(state.flux, start.tint);
-        if (!(state.flux.sum() > 0)) return {};  // dark at the wavelengths of the pass
         if (has_media_) state.medium = pass_.start_medium(choice.index, start, state.flux);
         state.direction = Vec3(start.direction);
         return start;

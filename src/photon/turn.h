@@ -77,8 +77,12 @@ template <SlotReader Reader, class Surface>
     if (hit.shading_normal != hit.normal)
         flux *= std::abs(w_from.z * w_to.dot(hit.normal)) /
                 std::abs(state.direction.dot(hit.normal) * drawn->w_to.z);
-    const float before = state.flux.sum();  // zero where the pass has no wavelength of the light
-    const float survival = before > 0 ? std::min(1.0F, state.faded * (flux.sum() / before)) : 0;
+    // A light that is dark at the wavelengths of the pass sends paths as if it were grey: what a
+    // pilot learns of them holds for other passes, too.
+    const float before = state.flux.sum();
+    const float kept =
+        before > 0 ? flux.sum() / before : drawn->weight.sum() / static_cast<float>(kLanes);
+    const float survival = std::min(1.0F, state.faded * kept);
     return {
         flux, w_to, survival, unit(BounceSlot::roulette), drawn->pdf.has_value(), drawn->dispersed};
 }
