@@ -13,7 +13,6 @@ std::optional<Checkpoint> open_checkpoints(const RenderOptions& options) {
     const std::string& file = options.checkpoint;
     std::error_code code;
     if (!file.empty()) {
-        check_writable(file);
         if (fs::exists(file, code) &&
             (options.resume.empty() || !fs::equivalent(file, options.resume, code)))
             throw Error({file}, "stands there already, and --checkpoint would replace it",

@@ -3,6 +3,7 @@
 
 #include "apps/cli/number_check.h"
 #include "core/error.h"
+#include "image/picture_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -39,9 +40,8 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
 
 /// Layers that no output can hold are refused: they would be lost.
 void check_layers_fit(const CLI::App& given, const RenderOptions& o) {
-    const auto holds_layers = [](const std::string& path) { return !path.ends_with(".png"); };
     if (o.outputs.empty() || !o.snapshots.empty() ||
-        std::any_of(o.outputs.begin(), o.outputs.end(), holds_layers))
+        !std::all_of(o.outputs.begin(), o.outputs.end(), loses_layers))
         return;
     for (const char* flag : {"--layers", "--light-layer"})
         if (given.count(flag) > 0)

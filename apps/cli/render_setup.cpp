@@ -79,8 +79,7 @@ RenderOptions options_of(const RenderOptions& options, const Ranks& ranks) {
 
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks) {
     check_shareable(options.settings, ranks);
-    if (!options.outputs.empty())
-        check_outputs(options.outputs, {options.stats, options.checkpoint});
+    check_outputs(options.outputs, {options.stats, options.checkpoint});
     std::optional<Checkpoint> checkpoint = open_checkpoints(options);
     SceneDescription description = load_scene(options.scene);
     adjust(description, options);

@@ -2,12 +2,12 @@
 #include "image/picture_file.h"
 
 #include "core/error.h"
+#include "core/small_letters.h"
 #include "image/atomic_file.h"
 #include "image/exr.h"
 #include "image/png.h"
 
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 
@@ -16,16 +16,17 @@ namespace {
 
 struct Format {
     std::string_view ending;
+    bool holds_layers;
     void (*write)(const std::string& path, const Picture& picture,
                   const PictureFileOptions& options);
 };
 
 constexpr std::array kFormats = {
-    Format{".exr",
+    Format{".exr", true,
            [](const std::string& path, const Picture& picture, const PictureFileOptions& options) {
                write_exr(path, picture, {options.half});
            }},
-    Format{".png",
+    Format{".png", false,
            [](const std::string& path, const Picture& picture, const PictureFileOptions& options) {
                write_png(path, picture, options.exposure);
            }},
@@ -33,8 +34,7 @@ constexpr std::array kFormats = {
 
 /// By the ending of the name; null for another.
 const Format* find_format(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string ending = small_letters(std::filesystem::path(path).extension().string());
     for (const Format& format : kFormats)
         if (format.ending == ending) return &format;
     return nullptr;
@@ -42,13 +42,21 @@ const Format* find_format(const std::string& path) {
 
 const Format& format_of(const std::string& path) {
     if (const Format* format = find_format(path)) return *format;
-    throw Error({path}, "has no ending of a picture", "end the name in .exr or .png");
+    std::string known;
+    for (const Format& format : kFormats)
+        known += (known.empty() ? "" : " or ") + std::string(format.ending);
+    throw Error({path}, "has no ending of a picture", "end the name in " + known);
 }
 
 }  // namespace
 
 bool is_picture_path(const std::string& path) {
     return find_format(path) != nullptr;
+}
+
+bool loses_layers(const std::string& path) {
+    const Format* format = find_format(path);
+    return format != nullptr && !format->holds_layers;
 }
 
 void check_picture_path(const std::string& path) {

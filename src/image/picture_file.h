@@ -15,6 +15,9 @@ struct PictureFileOptions {
 /// Whether the name's ending is that of a picture.
 bool is_picture_path(const std::string& path);
 
+/// Whether a picture of the name's ending holds R, G, B alone.
+bool loses_layers(const std::string& path);
+
 /// Tried before long work: the ending is known and the file can be written.
 /// @throws Error, with the endings that there are.
 void check_picture_path(const std::string& path);

@@ -2,20 +2,14 @@
 #include "image/read_image.h"
 
 #include "core/error.h"
+#include "core/small_letters.h"
 #include "image/formats.h"
-
-#include <algorithm>
-#include <cctype>
 
 namespace sunfleck {
 namespace {
 
 bool ends_in_tga(const std::string& name) {
-    if (name.size() < 4) return false;
-    std::string ending = name.substr(name.size() - 4);
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".tga";
+    return name.size() >= 4 && small_letters(name.substr(name.size() - 4)) == ".tga";
 }
 
 Image parse_any(std::string_view bytes, const std::string& name, const Encoding& encoding) {

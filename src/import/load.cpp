@@ -2,27 +2,15 @@
 #include "import/load.h"
 
 #include "core/error.h"
+#include "core/small_letters.h"
 #include "import/pbrt/reader.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace sunfleck {
-namespace {
-
-/// In small letters, with its point.
-std::string ending_of(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
-
-}  // namespace
 
 SceneDescription load_scene(const std::string& path) {
-    const std::string ending = ending_of(path);
+    const std::string ending = small_letters(std::filesystem::path(path).extension().string());
     if (ending == ".gltf" || ending == ".glb")
         throw Error({path}, "is a glTF scene, and those of pbrt-v4 alone are read",
                     "convert it to pbrt-v4");

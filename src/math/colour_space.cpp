@@ -1,10 +1,9 @@
 // Matrices of colour spaces.
 #include "math/colour_space.h"
 
+#include "core/small_letters.h"
 #include "math/colour_matrix.h"
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 
 namespace sunfleck {
@@ -49,9 +48,7 @@ const Space& entry(ColourSpace space) {
 }  // namespace
 
 std::optional<ColourSpace> colour_space(std::string_view name) {
-    std::string small(name);
-    std::transform(small.begin(), small.end(), small.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string small = small_letters(std::string(name));
     for (std::size_t i = 0; i < kSpaces.size(); ++i)
         if (kSpaces.at(i).name == small) return static_cast<ColourSpace>(i);
     return {};
