@@ -10,13 +10,17 @@ if ! command -v dpkg-query >/dev/null; then
     exit 0
 fi
 
+# What is installed, by its own names and by those that it provides: Node.js of its makers brings npm.
+installed=" $(dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' |
+    sed -n 's/^installed //p' | sed 's/([^)]*)//g' | tr -s ', \n' ' ') "
+
 missing=()
 for group in "$@"; do
     known=0
     while read -r of_group package _; do
         if [[ $of_group != "$group" ]]; then continue; fi
         known=1
-        if [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) != installed ]]; then
+        if [[ $installed != *" $package "* ]]; then
             missing+=("$package")
         fi
     done <"$list"

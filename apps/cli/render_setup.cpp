@@ -85,7 +85,7 @@ std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& 
     adjust(description, options);
     std::vector<std::string> outputs;
     if (ranks.is_first()) outputs = outputs_of(options, description);
-    check_outputs(outputs, {options.stats, options.checkpoint});
+    if (options.outputs.empty()) check_outputs(outputs, {options.stats, options.checkpoint});
     if (!options.snapshots.empty()) prepare_snapshots(options.snapshots, checkpoint.has_value());
     auto setup = std::make_unique<RenderSetup>(options, std::move(description));
     setup->checkpoint = std::move(checkpoint);

@@ -19,6 +19,14 @@ std::vector<std::span<Sum>> totals(Sums& sums) {
     return all;
 }
 
+template <class Sum, class Sums>
+std::vector<std::span<Sum>> everything(Sums& sums) {
+    std::vector<std::span<Sum>> all = totals<Sum>(sums);
+    for (auto& [number, round] : sums.open_rounds)
+        all.insert(all.end(), {round.rgb, round.photon_blocks});
+    return all;
+}
+
 }  // namespace
 
 FilmSums empty_sums(FilmKey key) {
@@ -53,6 +61,14 @@ std::vector<std::span<FixedPoint>> total_arrays(FilmSums& sums) {
 
 std::vector<std::span<const FixedPoint>> total_arrays(const FilmSums& sums) {
     return totals<const FixedPoint>(sums);
+}
+
+std::vector<std::span<FixedPoint>> all_arrays(FilmSums& sums) {
+    return everything<FixedPoint>(sums);
+}
+
+std::vector<std::span<const FixedPoint>> all_arrays(const FilmSums& sums) {
+    return everything<const FixedPoint>(sums);
 }
 
 }  // namespace sunfleck

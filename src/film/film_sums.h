@@ -70,6 +70,10 @@ OpenRound empty_round(const FilmKey& key);
 std::vector<std::span<FixedPoint>> total_arrays(FilmSums& sums);
 std::vector<std::span<const FixedPoint>> total_arrays(const FilmSums& sums);
 
+/// These and the open rounds', round after round.
+std::vector<std::span<FixedPoint>> all_arrays(FilmSums& sums);
+std::vector<std::span<const FixedPoint>> all_arrays(const FilmSums& sums);
+
 /// The arrays of an open round.
 inline std::array<std::span<FixedPoint>, 2> arrays(OpenRound& round) {
     return {round.rgb, round.photon_blocks};

@@ -15,13 +15,11 @@ namespace sunfleck {
 static_assert(std::endian::native == std::endian::little, "words are stored as they stand");
 static_assert(sizeof(FixedPoint) == 16, "sums are stored as two words");
 
-void WordWriter::put(const std::string& text) {
-    put(text.size());
-    for (std::size_t i = 0; i < text.size(); i += 8) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, text.data() + i, std::min<std::size_t>(8, text.size() - i));
-        put(word);
-    }
+std::vector<std::uint64_t> words_of(const std::string& text) {
+    std::vector<std::uint64_t> words((text.size() + 7) / 8 + 1, 0);
+    words[0] = text.size();
+    std::memcpy(words.data() + 1, text.data(), text.size());
+    return words;
 }
 
 void WordWriter::finish() {

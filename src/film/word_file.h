@@ -18,6 +18,23 @@
 
 namespace sunfleck {
 
+/// A text as words: its length in bytes and those, padded with zeros.
+std::vector<std::uint64_t> words_of(const std::string& text);
+
+/// Words in memory, put together as in a file.
+struct WordList {
+    std::vector<std::uint64_t> words;
+
+    void put(std::uint64_t word) { words.push_back(word); }
+    void put(const std::string& text) {
+        for (const std::uint64_t word : words_of(text)) put(word);
+    }
+    void put(const FixedPoint& sum) {
+        put(static_cast<std::uint64_t>(sum.high));
+        put(sum.low);
+    }
+};
+
 /// Writes a file; it has its name when finish() has returned. All faults throw Error.
 class WordWriter {
 public:
@@ -28,7 +45,10 @@ public:
         buffer_.push_back(word);
         if (buffer_.size() >= kWordsAtOnce) flush();
     }
-    void put(const std::string& text);
+    void put(const std::vector<std::uint64_t>& words) {
+        for (const std::uint64_t word : words) put(word);
+    }
+    void put(const std::string& text) { put(words_of(text)); }
     void put(const FixedPoint& sum) {
         put(static_cast<std::uint64_t>(sum.high));
         put(sum.low);

@@ -8,6 +8,7 @@
 
 namespace sunfleck {
 
+// Like numbers that are not initialised, Vec2{} and Vec3{} have no value: zero is Vec3(0).
 using Vec2 = Imath::V2f;
 using Vec2d = Imath::V2d;
 using Vec2i = Imath::V2i;

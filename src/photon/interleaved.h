@@ -138,7 +138,7 @@ private:
         walk.surface = nullptr;
         walk.end = PathEnd::escaped;
         if (!walk.arrived) return;
-        const auto visit = [&](const Photon& photon) { return visit_(photon, walk.number); };
+        const auto visit = [&](const Photon& photon) { visit_(photon, walk.number); };
         const Lambert* surface = tracer_.plain_surface(walk.hit, walk.state);
         if (surface == nullptr) {
             walk.end = tracer_.go_on(*walk.read, visit, walk.hit, walk.state);

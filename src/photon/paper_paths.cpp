@@ -40,7 +40,6 @@ public:
         path.clear();
         const auto visit = [&](const Photon& photon) {
             if (index_.may_take(photon)) path.photons.push_back(photon);
-            return true;
         };
         count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
         path.visible = index_.any(path.photons);
@@ -56,7 +55,6 @@ public:
         for (std::size_t i = range.begin; i < range.end; ++i) path_of(i).clear();
         const auto visit = [&](const Photon& photon, std::uint32_t i) {
             if (index_.may_take(photon)) path_of(i).photons.push_back(photon);
-            return true;
         };
         const auto ended = [&](PathEnd end) { count_end(end, counts); };
         InterleavedPaths paths(tracer_, points, visit, ended);

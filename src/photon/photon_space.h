@@ -34,10 +34,7 @@ public:
     void trace(Reader&& read, PhotonPath& path, Statistics& counts) const {
         path.photons.clear();
         path.near = 0;
-        const auto visit = [&](const Photon& photon) {
-            see(photon, path);
-            return true;
-        };
+        const auto visit = [&](const Photon& photon) { see(photon, path); };
         count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
     }
 

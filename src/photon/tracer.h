@@ -16,18 +16,15 @@
 
 namespace sunfleck {
 
-/// Called with each photon; false ends the path.
+/// Called with each photon.
 template <class V>
-concept PhotonVisitor = requires(V& visit, const Photon& photon) {
-    { visit(photon) } -> std::same_as<bool>;
-};
+concept PhotonVisitor = std::invocable<V&, const Photon&>;
 
 enum class PathEnd {
     no_light,  // nothing emits, or not from there
     escaped,   // left the scene
     absorbed,  // by a surface or a medium, or by roulette
-    too_long,  // the next event would exceed the greatest depth
-    stopped    // by the visitor
+    too_long   // the next event would exceed the greatest depth
 };
 
 /// Counts how a path ended.
@@ -107,7 +104,7 @@ public:
     /// @return how the path ends, if it does; else draw_turn() follows, and turn_away().
     template <PhotonVisitor Visitor>
     std::optional<PathEnd> see(Visitor&& visit, const Hit& hit, const PhotonState& state) const {
-        if (!visit(arrive(hit, state))) return PathEnd::stopped;
+        visit(arrive(hit, state));
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
         return {};
     }
@@ -153,7 +150,7 @@ private:
                                                               PhotonState& state) const {
         const auto* lambert = std::get_if<Lambert>(&bsdf);
         const bool gathers = lambert != nullptr || scattering(bsdf) != Scattering::specular;
-        if (gathers && !visit(arrive(hit, state))) return PathEnd::stopped;
+        if (gathers) visit(arrive(hit, state));
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
         const bool goes_on =
             lambert != nullptr ? turn(read, *lambert, hit, state) : scatter(read, bsdf, hit, state);

@@ -38,7 +38,6 @@ void trace_batch(const PhotonTracer& tracer, const Points& points, const PathRan
                  const MayTake& may_take, PhotonBatch& batch) {
     const auto visit = [&](const Photon& photon, std::uint32_t number) {
         if (may_take(photon)) batch.add(photon, number);
-        return true;
     };
     const auto ended = [&](PathEnd end) { count_end(end, batch.statistics); };
     batch.reserve(range.size() + range.size() / 4);

@@ -1,4 +1,4 @@
-// Films on their way between ranks: heads as numbers and texts, sums as they stand in memory.
+// Films on their way between ranks: heads as in film files, sums as they stand in memory.
 //
 // All ranks run one program on machines of one byte order, so there is no format to keep.
 #pragma once

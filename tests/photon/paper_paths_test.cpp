@@ -21,10 +21,7 @@ public:
     template <SlotReader Reader>
     void trace(Reader&& read, Path& path, Statistics& counts) const {
         path.clear();
-        const auto visit = [&](const Photon& photon) {
-            path.push_back(photon);
-            return true;
-        };
+        const auto visit = [&](const Photon& photon) { path.push_back(photon); };
         count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
     }
     int height(const Path& path) const { return index_.any(path) ? kVisible : 0; }

@@ -176,7 +176,6 @@ TEST(PhotonTracer, portals_bring_what_direct_samples_promise) {
             EXPECT_LT(photon.position.z, 0.1F) << photon.position;
             photons.at(photon.position.x < 0 ? 0 : 1) +=
                 static_cast<double>(photon.flux[0]) / kPaths;
-            return true;
         };
         tracer.trace(IndependentReader(PassId{1, 0}.stream(Purpose::test, i)), visit, rays);
     }

@@ -32,10 +32,7 @@ protected:
 
     template <class Reader>
     void trace(Reader read, std::uint32_t number, Seen& seen) const {
-        const auto visit = [&](const Photon& photon) {
-            seen.photons[number].push_back(photon);
-            return true;
-        };
+        const auto visit = [&](const Photon& photon) { seen.photons[number].push_back(photon); };
         const PathEnd end = tracer_.trace(read, visit, seen.statistics[Count::photon_rays]);
         seen.statistics[Count::escaped] += end == PathEnd::escaped ? 1 : 0;
         seen.statistics[Count::too_long] += end == PathEnd::too_long ? 1 : 0;

@@ -100,14 +100,13 @@ TEST(FarScale, photons_pass_a_hole_of_a_millimetre) {
     for (std::uint32_t i = 0; i < kPaths; ++i) {
         std::uint64_t rays = 0;
         const auto visit = [&](const Photon& photon) {
-            if (photon.position.z > 0.005F) return false;
+            if (photon.bounces > 0 || photon.position.z > 0.005F) return;
             ++on_ground;
             const double x = static_cast<double>(photon.position.x) - kHoleX;
             const double y = static_cast<double>(photon.position.y) - kHoleY;
             if (std::min({x, y, kHole - x, kHole - y}) > kEdge)
                 bright += static_cast<double>(photon.flux[0]);
             if (std::min({x, y, kHole - x, kHole - y}) < -kEdge) ++outside;
-            return false;
         };
         tracer.trace(window.path(i), visit, rays);
     }

@@ -38,11 +38,10 @@ void trace(const Scene& scene, PassId id, std::uint32_t paths, int events, const
     std::uint64_t rays = 0;
     bool more = true;
     const auto see = [&](const Photon& photon) {
-        if (photon.bounces != events) return true;
+        if (photon.bounces != events) return;
         std::size_t lane = 0;
         while (lane < kLanes && photon.flux[lane] == 0) ++lane;
         more = visit(pass.wavelengths.nm.at(lane), photon);
-        return true;
     };
     for (std::uint32_t i = 0; i < paths && more; ++i)
         tracer.trace(IndependentReader(id.stream(Purpose::test, i)), see, rays);
@@ -133,8 +132,8 @@ double rainbow_angle(double n) {
 TEST(Refraction, primary_rainbow) {
     constexpr double kBin = 0.2 * kDegree;
     const Scene scene = drop();
-    std::array<int, 5> bins{};     // by the distance from the edge, inwards
-    std::array<Vec2d, 2> edges{};  // of violet and of red: seen, by the closed form
+    std::array<int, 5> bins{};                // by the distance from the edge, inwards
+    std::array edges = {Vec2d(0), Vec2d(0)};  // of violet and of red: seen, by the closed form
     for (std::uint32_t pass = 0; pass < 64; ++pass)
         trace(scene, {2, pass}, 30000, 3, [&](float nm, const Photon& photon) {
             const double angle = std::atan2(std::hypot(photon.w.x, photon.w.y), -photon.w.z);

@@ -64,7 +64,8 @@ Section fig7_section(const Results& results) {
     Section section;
     section.tables.push_back(error_table(results, "fig7-errors", kFig7Scenes, sizes()));
     Chart chart{"fig7", "Error by mutation size", "mutation size", "relMSE", {}, true};
-    section.findings.emplace_back("Fixed sizes below are the best of seven, after the fact.");
+    section.findings.push_back(
+        fmt::format("Fixed sizes below are the best of {}, after the fact.", kSizes.size()));
     for (const std::string& scene : kFig7Scenes) {
         add_lines(results, scene, chart);
         const double by_mse = best_size(results, scene, &PictureError::mse);

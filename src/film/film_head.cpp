@@ -1,0 +1,122 @@
+// Heads of films, word by word.
+#include "film/film_head.h"
+
+#include "film/film.h"
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::uint64_t kMagic = 0x0A'6D'6C'69'66'6E'75'73;  // "sunfilm\n"
+constexpr std::uint64_t kVersion = 3;
+constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
+constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
+constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
+
+FilmKey read_key(WordReader& in) {
+    in.check_head(kMagic, kVersion);
+    FilmKey key;
+    key.width = static_cast<int>(in.word_up_to(kMostPixelsAcross));
+    key.height = static_cast<int>(in.word_up_to(kMostPixelsAcross));
+    const std::uint64_t flags = in.word();
+    const std::uint64_t layers = flags & ~kSequential;
+    key.sequential = layers != flags;
+    if ((layers >> kLayerCount) != 0) in.damaged();
+    if (key.pixels() == 0 || (layers & 1U) == 0) in.damaged();
+    for (std::size_t i = 0; i < kLayerCount; ++i) key.layers.at(i) = (layers >> i & 1U) != 0;
+    key.alpha = std::bit_cast<double>(in.word());
+    if (!(key.alpha >= 0 && key.alpha < 1) || std::signbit(key.alpha)) in.damaged();
+    if (key.sequential && key.has_discs()) in.damaged();
+    key.seed = in.word();
+    key.scene_hash = in.word();
+    key.settings = in.text();
+    const std::uint64_t light_layers = in.word_up_to(kMostLightLayers);
+    for (std::uint64_t i = 0; i < light_layers; ++i) {
+        key.light_layers.push_back(in.text());
+        const std::string& name = key.light_layers.back();
+        if (!is_layer_name(name) || is_taken_layer_name(name)) in.damaged();
+    }
+    return key;
+}
+
+PassSet read_passes(WordReader& in) {
+    PassSet passes;
+    const std::uint64_t count = in.word_up_to(in.left() / 2);
+    std::uint64_t last_end = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        PassRange range;
+        range.begin = in.word_up_to(kMostPasses);
+        range.end = in.word_up_to(kMostPasses);
+        const bool touches = i > 0 && range.begin <= last_end;
+        if (range.begin >= range.end || touches) in.damaged();
+        last_end = range.end;
+        passes.insert(range);
+    }
+    return passes;
+}
+
+FilmStatistics read_statistics(WordReader& in) {
+    FilmStatistics statistics;
+    const std::uint64_t count = in.word_up_to(in.left() / 3);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        std::string name = in.text();
+        if (!statistics.empty() && name <= statistics.rbegin()->first) in.damaged();
+        statistics.emplace(std::move(name), in.sum());
+    }
+    return statistics;
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> head_words(const FilmSums& sums) {
+    std::uint64_t layers = sums.key.sequential ? kSequential : 0;
+    for (std::size_t i = 0; i < kLayerCount; ++i)
+        if (sums.key.has(i)) layers |= std::uint64_t{1} << i;
+    WordList out;
+    for (const std::uint64_t word :
+         {kMagic, kVersion, static_cast<std::uint64_t>(sums.key.width),
+          static_cast<std::uint64_t>(sums.key.height), layers,
+          std::bit_cast<std::uint64_t>(sums.key.alpha), sums.key.seed, sums.key.scene_hash})
+        out.put(word);
+    out.put(sums.key.settings);
+    out.put(sums.key.light_layers.size());
+    for (const std::string& name : sums.key.light_layers) out.put(name);
+    out.put(sums.passes.ranges().size());
+    for (const PassRange& range : sums.passes.ranges()) {
+        out.put(range.begin);
+        out.put(range.end);
+    }
+    out.put(sums.statistics.size());
+    for (const auto& [name, value] : sums.statistics) {
+        out.put(name);
+        out.put(value);
+    }
+    return out.words;
+}
+
+FilmHead take_head(WordReader& in) {
+    FilmHead head;
+    head.key = read_key(in);
+    head.passes = read_passes(in);
+    head.statistics = read_statistics(in);
+    return head;
+}
+
+std::vector<std::uint64_t> open_rounds(const FilmHead& head) {
+    if (head.key.sequential) return {};
+    return open_rounds(head.passes);
+}
+
+FilmSums empty_sums(FilmHead head) {
+    const std::vector<std::uint64_t> open = open_rounds(head);
+    FilmSums sums = empty_sums(std::move(head.key));
+    sums.passes = std::move(head.passes);
+    sums.statistics = std::move(head.statistics);
+    for (const std::uint64_t number : open) sums.open_rounds[number] = empty_round(sums.key);
+    return sums;
+}
+
+}  // namespace sunfleck

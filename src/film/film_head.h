@@ -1,0 +1,30 @@
+// What stands in a film file before its sums: from it a reader knows how many follow.
+#pragma once
+
+#include "film/film_sums.h"
+#include "film/word_file.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace sunfleck {
+
+struct FilmHead {
+    FilmKey key;
+    PassSet passes;
+    FilmStatistics statistics;
+};
+
+/// The head as words, magic and version first (film_file.h has the layout).
+std::vector<std::uint64_t> head_words(const FilmSums& sums);
+
+/// The same back. @throws Error for what is none, or of another version.
+FilmHead take_head(WordReader& in);
+
+/// The numbers of the rounds whose sums stand in a film of that head.
+std::vector<std::uint64_t> open_rounds(const FilmHead& head);
+
+/// A film of that head, all its sums zero.
+FilmSums empty_sums(FilmHead head);
+
+}  // namespace sunfleck
