@@ -1,4 +1,4 @@
-// A file that could not be written while a render goes on: told at once, a fault at its end.
+// Files that could not be written: no reason to lose what else there is, but a fault at the end.
 #pragma once
 
 #include "apps/cli/options.h"
@@ -15,7 +15,8 @@ class LateFault {
 public:
     explicit LateFault(LogLevel log) : log_(log) {}
 
-    /// @param write  may throw Error: the first is a warning. @return whether it did not.
+    /// @param write  may throw Error: the first is a warning, if not quiet. @return whether it did
+    /// not.
     template <class Write>
     bool attempt(const Write& write) {
         try {
@@ -24,7 +25,7 @@ public:
         } catch (const Error& error) {
             if (!fault_ && log_ != LogLevel::quiet)
                 fmt::print(stderr, "warning: {} (the render goes on)\n", error.what());
-            fault_ = error;
+            if (!fault_) fault_ = error;
             return false;
         }
     }

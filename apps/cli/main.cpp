@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/kept_memory.h"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -40,6 +41,7 @@ int fail(const sunfleck::Job& job, int code, const std::string& line) {
 }  // namespace
 
 int main(int count, char** words) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a fault as any other
     sunfleck::keep_freed_memory();
     const sunfleck::Job job(count > 1 && std::string_view(words[1]) == "render");
     try {

@@ -23,7 +23,8 @@ int run_merge(const MergeOptions& options) {
             {"--extrapolate"},
             "is about the discs of photon mapping, and there are none in " + options.inputs.front(),
             "leave it out");
-    write_outputs(options.outputs, film, {options.exposure, options.extrapolate});
+    LateFault faults(LogLevel::quiet);  // thrown when all is tried
+    write_outputs(options.outputs, film, {options.exposure, options.extrapolate}, faults);
     const auto doubts = extrapolation_warnings(film, options.extrapolate);
     for (const std::string& line : doubts) fmt::print(stderr, "{}\n", line);
     if (!options.stats.empty()) {
@@ -33,8 +34,9 @@ int run_merge(const MergeOptions& options) {
         facts.warnings = reliability_warnings(film);
         facts.warnings.insert(facts.warnings.end(), doubts.begin(), doubts.end());
         const std::string json = stats_json(film, facts);
-        write_file(options.stats, json);
+        faults.attempt([&] { write_file(options.stats, json); });
     }
+    faults.finish();
     return 0;
 }
 

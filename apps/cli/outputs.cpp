@@ -45,14 +45,15 @@ void check_outputs(const std::vector<std::string>& outputs,
 }
 
 void write_outputs(const std::vector<std::string>& outputs, const Film& film,
-                   const OutputOptions& options) {
+                   const OutputOptions& options, LateFault& faults) {
     const Picture picture = film_picture(film, {1, options.extrapolate});
-    for (const std::string& path : outputs) {
-        if (is_film(path))
-            write_film(path, film);
-        else
-            write_picture(path, picture, {static_cast<float>(options.exposure), false});
-    }
+    for (const std::string& path : outputs)
+        faults.attempt([&] {
+            if (is_film(path))
+                write_film(path, film);
+            else
+                write_picture(path, picture, {static_cast<float>(options.exposure), false});
+        });
 }
 
 }  // namespace sunfleck

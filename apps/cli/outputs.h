@@ -1,6 +1,7 @@
 // Output files of render and merge: tried before the work, written whole or not at all.
 #pragma once
 
+#include "apps/cli/late_fault.h"
 #include "film/film.h"
 
 #include <string>
@@ -20,8 +21,9 @@ struct OutputOptions {
     bool extrapolate = false;  // pictures less their bias
 };
 
-/// Writes the film to every output: .film, or a picture.
+/// Writes the film to every output: .film, or a picture. What cannot be written is no reason to
+/// lose the others. @param faults  has it then.
 void write_outputs(const std::vector<std::string>& outputs, const Film& film,
-                   const OutputOptions& options);
+                   const OutputOptions& options, LateFault& faults);
 
 }  // namespace sunfleck

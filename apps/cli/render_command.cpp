@@ -102,9 +102,10 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, Beside& besid
 /// Pictures, doubts, statistics.
 void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& facts) {
     const RenderOptions& options = setup.options;
+    LateFault faults(LogLevel::quiet);  // thrown when all is tried
     InterruptGuard::finish_first([&] {
         write_outputs(setup.outputs, result.film,
-                      {options.exposure, facts.error_terms.extrapolated});
+                      {options.exposure, facts.error_terms.extrapolated}, faults);
     });
     auto doubts = extrapolation_warnings(result.film, facts.error_terms.extrapolated);
     // Without a light the picture is black for sure, and that has been said.
@@ -113,9 +114,12 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
     print_lines(doubts, options.log);
     facts.warnings.insert(facts.warnings.end(), doubts.begin(), doubts.end());
     set_times(facts, result);
-    if (options.stats.empty()) return;
-    const std::string json = stats_json(result.film, facts);
-    InterruptGuard::finish_first([&] { write_file(options.stats, json); });
+    if (!options.stats.empty()) {
+        const std::string json = stats_json(result.film, facts);
+        InterruptGuard::finish_first(
+            [&] { faults.attempt([&] { write_file(options.stats, json); }); });
+    }
+    faults.finish();
 }
 
 /// A rank that writes nothing.

@@ -201,6 +201,11 @@ std::vector<std::string> reliability_warnings(const Film& film) {
     if (error && error->mean > 0 && error->standard_error > 0.05 * error->mean)
         lines.push_back(fmt::format("the brightness of the whole picture is uncertain by {:.0f}%",
                                     100 * error->standard_error / error->mean));
+    if (is_too_dim(film))
+        lines.push_back(
+            fmt::format("the picture is so dark, {:.2g} on average, that its error bars "
+                        "are not known; scale its lights up",
+                        image_mean(film)));
     const double dropped = film.statistic("dropped_nonfinite");
     if (dropped > 0)
         lines.push_back(

@@ -2,7 +2,10 @@
 //
 // L = 1 / (N pi r^2) sum over photons of throughput * f(w, w_from) * flux * |n_s.w| / |n_g.w|.
 // Source: paper section 3.1 (progressive density estimation); Hachisuka and Jensen 2009, eq. 8,
-// with one radius a pass; shading normals: photon density measures |n_g.w|, a bsdf |n_s.w|.
+// with one radius a pass; shading normals: photon density measures |n_g.w|, a bsdf |n_s.w|
+// (Veach, Robust Monte Carlo Methods, 1997, section 5.3.2). n_g is that of the photon's own
+// surface: beyond an edge of a mesh it differs from the point's, and the light there is to be as
+// bright as on this side.
 #pragma once
 
 #include "estimate/photon_counts.h"
@@ -26,11 +29,19 @@ inline Spectrum gather_lobe(const PassScene& pass, const VisiblePoint& point, co
     return eval(bsdf, from, to, Transport::radiance);
 }
 
+/// |n_s.w| / |n_g.w|; zero where a Lambertian surface is lit and looked at from different sides of
+/// its shading normal (other bsdfs know by themselves).
+inline float correction(const VisiblePoint& point, const Photon& photon) {
+    if (point.is_flat()) return 1;
+    const float cosine = point.shading_normal.dot(photon.w);
+    const bool gathers = Lambert::gathers(point.shading_normal.dot(point.w_from), cosine);
+    if (point.bsdf == kLambertian && !gathers) return 0;
+    return std::abs(cosine) / std::abs(photon.normal.dot(photon.w));
+}
+
 /// The part of the estimate that differs from photon to photon: flux as the point's bsdf sees it.
 inline Spectrum light_of(const PassScene& pass, const VisiblePoint& point, const Photon& photon) {
-    const float corrected =
-        std::abs(point.shading_normal.dot(photon.w)) / std::abs(point.disc.normal.dot(photon.w));
-    const Spectrum light = photon.flux * corrected;
+    const Spectrum light = photon.flux * correction(point, photon);
     return point.bsdf == kLambertian ? light : light * gather_lobe(pass, point, photon.w);
 }
 

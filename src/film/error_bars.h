@@ -13,6 +13,9 @@
 
 namespace sunfleck {
 
+/// Of pictures that are darker the squares say nothing.
+inline constexpr double kDimmestMean = 0x1p-18;
+
 struct MeanError {
     double mean = 0;            // over complete rounds
     double standard_error = 0;  // of that mean
@@ -31,5 +34,11 @@ std::optional<MeanError> image_error(const Film& film);
 
 /// Mean luminance over all passes, complete round or not; zero without passes.
 double image_mean(const Film& film);
+
+/// Is there light, but too little for standard errors to be known?
+inline bool is_too_dim(const Film& film) {
+    const double mean = image_mean(film);
+    return mean > 0 && mean < kDimmestMean;
+}
 
 }  // namespace sunfleck

@@ -66,7 +66,7 @@ double times_passes_to(const TargetError& error, double target, double alpha) {
 }
 
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {
-    if (film.rounds() < kTargetRounds) return {};
+    if (film.rounds() < kTargetRounds || is_too_dim(film)) return {};
     const std::vector<BrightBlock> bright = bright_blocks(film);
     if (bright.empty()) return {};
     TargetError error{noise_of(film, bright, terms.extrapolated), 0};

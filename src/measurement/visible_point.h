@@ -101,6 +101,9 @@ struct VisiblePoint {
     bool single_lane = false;
     bool after_rough = false;  // the eye path has been scattered by a rough surface before
     bool shares_pixel = true;  // there may be other points of the same pixel (set by the index)
+
+    /// Is there no shading normal other than the surface's own?
+    bool is_flat() const { return shading_normal == disc.normal || shading_normal == -disc.normal; }
 };
 
 inline constexpr std::uint32_t kLambertian = 0xFFFFFFFF;

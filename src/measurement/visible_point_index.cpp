@@ -29,8 +29,7 @@ Box box_of(const Disc& disc) {
 }
 
 bool is_plain(const VisiblePoint& p) {
-    const bool same = p.shading_normal == p.disc.normal || p.shading_normal == -p.disc.normal;
-    return same && p.bsdf == kLambertian;
+    return p.is_flat() && p.bsdf == kLambertian;
 }
 
 /// What is known of all points together.

@@ -18,14 +18,17 @@ public:
     /// Any number of threads. @param light  radiance times film area, in pixels.
     void add(const Vec2d& film, const Spectrum& light) const;
 
-    /// Where filters reach: x0 x1 y0 y1, in pixels.
+    /// Where points of the film that filters reach are: x0 x1 y0 y1, in pixels.
     const std::array<double, 4>& reach() const { return reach_; }
 
 private:
+    void add_at(const Vec2d& film, const Vec3& rgb) const;
+
     FilterSettings filter_;
     double scale_;
     PixelWindow window_;
     std::array<double, 4> reach_;
+    const Camera& camera_;
     const Wavelengths& wavelengths_;
     PassImage& image_;
 };

@@ -64,7 +64,7 @@ Overseer::Overseer(const RenderJob& job, const RenderHooks& hooks, RenderResult&
     progress_.passes = static_cast<std::uint32_t>(state.film.pass_count());
     progress_.seconds = state.total_seconds;
     progress_.cpu_seconds = state.cpu_seconds;
-    if (progress_.passes > 0) progress_.error = target_error(state.film, job.stop.error_terms);
+    reached_target(std::uint64_t{job.stop.first_pass} + progress_.passes);
 }
 
 bool Overseer::is_over() const {

@@ -4,6 +4,7 @@
 namespace sunfleck {
 namespace {
 
+using testing_support::Process;
 using testing_support::ProgramTest;
 using testing_support::Ran;
 using testing_support::Words;
@@ -21,6 +22,37 @@ protected:
         EXPECT_EQ(names(), before);
     }
 };
+
+/// A folder that goes away under a render: the other files are written, and the fault is told.
+TEST_F(Outputs, of_which_one_cannot_be_written_leave_the_others) {
+    std::filesystem::create_directory(path("away"));
+    Process process(path(""), {"render", "room.pbrt", "--quiet", "-o", "away/x.png", "-o", "x.film",
+                               "--stats", "x.json", "--passes", "1000000"});
+    ASSERT_TRUE(process.wait_for_handler());
+    std::filesystem::remove(path("away"));
+    process.send(SIGINT);
+    const Ran ran = process.wait();
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_TRUE(ran.err.starts_with("away/x.png: ")) << ran.err;
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+    EXPECT_EQ(names(), "x.film x.json");
+    EXPECT_EQ(run({"merge", "x.film", "-o", "x.png"}).code, 0);
+    EXPECT_EQ(run({"merge", "x.film", "-o", "away/y.png"}).code, 2);
+}
+
+/// More than a limit on the size of files: a fault as any other.
+TEST_F(Outputs, that_grow_too_large_are_faults) {
+    write_text(path("limited"), "#!/bin/sh\nulimit -f 1\nexec " SUNFLECK_PROGRAM " \"$@\"\n");
+    std::filesystem::permissions(path("limited"), std::filesystem::perms::owner_all);
+    const Ran ran = Process(path(""),
+                            {"render", "room.pbrt", "--quiet", "-o", "x.exr", "--passes", "1",
+                             "--resolution", "64x64"},
+                            path("limited"))
+                        .wait();
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_TRUE(ran.err.starts_with("x.exr: cannot write: File too large")) << ran.err;
+    EXPECT_EQ(names(), "limited");
+}
 
 TEST_F(Outputs, are_files_apart) {
     const std::string text = "is to be written twice; give each file a name of its own";

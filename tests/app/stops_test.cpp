@@ -62,6 +62,16 @@ TEST_F(Stops, target_error_ends_at_the_first_round_that_reaches_it) {
     EXPECT_EQ(stats_of(few + Words{"--target-error", "0.5"})["passes"], 64);
 }
 
+/// The squares of what is so dark are lost below the unit of exact sums: no error would be seen.
+TEST_F(Stops, pictures_too_dark_for_error_bars_do_not_end_early) {
+    std::string dark = room_text("0.6");
+    dark.replace(dark.find("[5 5 5]"), 7, "[5e-8 5e-8 5e-8]");
+    testing_support::write_text(path("room.pbrt"), dark);
+    const auto stats = stats_of({"--target-error", "10%", "--passes", "80"});
+    EXPECT_EQ(stats["passes"], 80);
+    EXPECT_NE(stats["warnings"].dump().find("its error bars are not known"), std::string::npos);
+}
+
 TEST_F(Stops, passes_come_first) {
     EXPECT_EQ(stats_of({"--passes", "3", "--time", "1h", "--target-error", "0.0001"})["passes"], 3);
     EXPECT_EQ(stats_of({"--pass-range", "40:43", "--time", "2m"})["passes"], 3);

@@ -131,8 +131,11 @@ struct Expected {
     bool add(const PassScene& pass, const VisiblePoint& point, const Photon& photon) {
         if (!takes(point.disc, photon, kMaxDepth)) return false;
         ++deposits;
-        const double corrected = std::abs(double{point.shading_normal.dot(photon.w)}) /
-                                 std::abs(double{point.disc.normal.dot(photon.w)});
+        const double cosine{point.shading_normal.dot(photon.w)};
+        double corrected = std::abs(cosine / double{photon.normal.dot(photon.w)});
+        const bool from_behind = cosine * double{point.shading_normal.dot(point.w_from)} <= 0;
+        if (point.bsdf == kLambertian && from_behind) corrected = 0;
+        if (point.shading_normal == point.disc.normal) corrected = 1;
         const double radius = point.disc.radius_for(photon.kind);
         const double kernel = corrected / (kPaths * kPiDouble * radius * radius);
         Spectrum value = point.throughput * photon.flux;

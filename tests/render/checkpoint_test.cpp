@@ -137,7 +137,8 @@ TEST_F(Checkpoints, limits_that_are_reached_end_without_another_pass) {
     EXPECT_EQ(passes_after({0, 70, {}, {}, {}}), 70U);
     EXPECT_EQ(passes_after({0, {}, 1e-9, {}, {}}), 70U);
     EXPECT_EQ(passes_after({0, {}, {}, 1e-9, {}}), 70U);
-    EXPECT_EQ(passes_after({0, {}, {}, {}, 0.9}), 70U);
+    // Errors are asked for where rounds end, as in one go.
+    EXPECT_EQ(passes_after({0, {}, {}, {}, 0.9}), 80U);
     EXPECT_EQ(passes_after({0, 75, 1000, 1000, 1e-9}), 75U);
 }
 
