@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
@@ -154,13 +155,28 @@ Image read_colours(OpenExr& file, const std::vector<std::string>& names) {
     return {file.resolution(), static_cast<int>(count), std::move(texels)};
 }
 
+/// Files that say nothing are taken to be of the primaries of sRGB, those of Rec. 709.
+bool has_other_primaries(const Imf::Header& header) {
+    if (!Imf::hasChromaticities(header)) return false;
+    constexpr float kAlike = 0.003F;
+    const Imf::Chromaticities given = Imf::chromaticities(header);
+    const Imf::Chromaticities usual;
+    const auto differ = [](const Imath::V2f& a, const Imath::V2f& b) {
+        return !a.equalWithAbsError(b, kAlike);
+    };
+    return differ(given.red, usual.red) || differ(given.green, usual.green) ||
+           differ(given.blue, usual.blue) || differ(given.white, usual.white);
+}
+
 Image read_image(std::string_view bytes, const std::string& name) {
     OpenExr file(bytes, name);
     const std::vector<std::string> names = colours_of(file.channels(), name);
     const bool all_half = std::all_of(names.begin(), names.end(), [&](const std::string& n) {
         return file.channels().findChannel(n)->type == Imf::HALF;
     });
-    return all_half ? read_colours<half>(file, names) : read_colours<float>(file, names);
+    Image image = all_half ? read_colours<half>(file, names) : read_colours<float>(file, names);
+    if (names.size() >= 3 && has_other_primaries(file.header())) image.set_other_primaries();
+    return image;
 }
 
 /// What the library throws becomes an Error.

@@ -72,8 +72,8 @@ void read_row(ByteSource& source, std::vector<Rgbe>& row) {
 Image parse_hdr(std::string_view bytes, const std::string& name) {
     ByteSource source(bytes, name, "HDR");
     const Vec2i resolution = read_head(source);
-    // Of old, two texels of four bytes may stand for 65535.
-    source.check_size(resolution.x, resolution.y, source.left() * 8192);
+    // Of old, two texels of four bytes may stand for 65535; no picture is as empty as that.
+    source.check_size(resolution.x, resolution.y, source.left() * 256);
     std::vector<Rgbe> row(static_cast<std::size_t>(resolution.x));
     std::vector<float> texels;
     for (int y = 0; y < resolution.y; ++y) {

@@ -41,6 +41,9 @@ public:
     const Vec2i& resolution() const { return resolution_; }
     int channels() const { return channels_; }
     const Texels& texels() const { return texels_; }
+    /// Does the file say that its colours have other primaries than those of sRGB?
+    bool has_other_primaries() const { return has_other_primaries_; }
+    void set_other_primaries() { has_other_primaries_ = true; }
 
     /// All channels of a texel, as linear light; zero where there are fewer than four.
     /// @param x  in [0, width) from the left. @param y  in [0, height) from the top.
@@ -62,6 +65,7 @@ private:
     int channels_ = 1;
     Texels texels_;
     std::array<float, 256> light_{};  // of 8 bits
+    bool has_other_primaries_ = false;
 };
 
 }  // namespace sunfleck

@@ -18,10 +18,13 @@ namespace {
 /// A coefficient costs at least a bit, and stands for 64 pixels of one channel.
 constexpr std::uint64_t kPixelsPerByte = 512;
 constexpr std::uint64_t kFreePixels = 1U << 12U;
+/// Each goes over the whole picture, and may be some bytes long. Usual are ten.
+constexpr int kMostScans = 500;
 
 /// What one call of libjpeg works on. `manager` comes first: the library hands out its address.
 struct Job {
     jpeg_error_mgr manager;
+    jpeg_progress_mgr progress;
     std::jmp_buf way_out;
     std::array<char, JMSG_LENGTH_MAX> fault;
     const ByteSource* source;
@@ -43,6 +46,17 @@ void on_warning(j_common_ptr info, int level) {
     if (level < 0 && info->err->msg_code == JWRN_JPEG_EOF) on_fault(info);
 }
 
+/// Called now and then while the library is at work.
+void on_progress(j_common_ptr info) {
+    // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast): the library's only interface
+    const auto& decompress = *reinterpret_cast<j_decompress_ptr>(info);
+    auto& job = *reinterpret_cast<Job*>(info->err);
+    // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
+    if (decompress.input_scan_number <= kMostScans) return;
+    std::snprintf(job.fault.data(), job.fault.size(), "it has more than %d scans", kMostScans);
+    std::longjmp(job.way_out, 1);
+}
+
 void read_rows(jpeg_decompress_struct& info, Job& job) {
     jpeg_start_decompress(&info);
     const std::size_t width = std::size_t{info.image_width} * static_cast<unsigned>(job.channels);
@@ -60,6 +74,8 @@ void decode(Job& job) {
     // NOLINTNEXTLINE(cert-err52-cpp,modernize-avoid-*): the library's only way to report
     if (setjmp(job.way_out) == 0) {
         jpeg_create_decompress(&info);
+        job.progress.progress_monitor = on_progress;
+        info.progress = &job.progress;
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): characters as bytes
         const auto* bytes = reinterpret_cast<const unsigned char*>(job.bytes.data());
         jpeg_mem_src(&info, bytes, job.bytes.size());

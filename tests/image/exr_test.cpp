@@ -4,16 +4,19 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "image/read_file.h"
+#include "image/read_image.h"
 #include "temporary_folder.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <optional>
 
 namespace sunfleck {
 namespace {
@@ -80,6 +83,31 @@ TEST_F(Exr, rows_are_read_from_a_data_window_anywhere) {
     EXPECT_EQ(picture.width, 2);
     EXPECT_EQ(picture.height, 3);
     EXPECT_EQ(picture.channels[0].values, values);
+}
+
+/// Rec. 2020's are not sRGB's; no primaries, and those of Rec. 709, are.
+TEST_F(Exr, other_primaries_are_known) {
+    const auto other = [&](const std::optional<Imf::Chromaticities>& primaries) {
+        Imf::Header header(1, 1);
+        std::array<half, 3> texel = {half(0.1F), half(0.8F), half(0.1F)};
+        Imf::FrameBuffer buffer;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::string name(1, "RGB"[c]);
+            header.channels().insert(name, Imf::Channel(Imf::HALF));
+            buffer.insert(name, Imf::Slice::Make(Imf::HALF, &texel.at(c), header.dataWindow()));
+        }
+        if (primaries) Imf::addChromaticities(header, *primaries);
+        {
+            Imf::OutputFile file(path("p.exr").c_str(), header);
+            file.setFrameBuffer(buffer);
+            file.writePixels(1);
+        }
+        return parse_image(read_file(path("p.exr")), "p.exr").has_other_primaries();
+    };
+    EXPECT_FALSE(other({}));
+    EXPECT_FALSE(other(Imf::Chromaticities()));
+    EXPECT_TRUE(other(Imf::Chromaticities({0.708F, 0.292F}, {0.17F, 0.797F}, {0.131F, 0.046F},
+                                          {0.3127F, 0.329F})));
 }
 
 std::string fault_of(const std::string& path) {

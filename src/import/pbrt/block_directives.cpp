@@ -89,6 +89,7 @@ void attribute(Reading& reading, TokenStream& tokens, const Token& keyword) {
     if (!defaults)
         throw Error(statement.where, "Attribute of " + in_quotes(statement.type),
                     "use \"shape\", \"light\", \"material\", \"medium\" or \"texture\"");
+    reading.defaults.insert(reading.defaults.end(), statement.own.begin(), statement.own.end());
     Parameters all = *defaults ? **defaults : Parameters();
     all.insert(all.end(), statement.own.begin(), statement.own.end());
     if (all.size() > kMostDefaults)

@@ -93,7 +93,10 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
 
     {"Shape", "trianglemesh", kExact, "`P`, `indices`, `N`, `uv`, `S`"},
     {"Shape", "plymesh", kExact,
-     "triangles, quads, normals, uv; ASCII and both binary forms; normals that are no numbers are "
+     "triangles, normals, uv; ASCII and both binary forms; quads become two triangles each, where "
+     "pbrt-v4 has a bilinear patch: one that is not flat has a crease, one without uv has others "
+     "in "
+     "half of it, and `power` counts both; normals that are no numbers are "
      "left out, and its `displacement` is ignored "
      "with a "
      "warning"},

@@ -10,6 +10,14 @@
 
 namespace sunfleck {
 
+void warn_of_primaries(const Image& image, const std::string& name, const SourceLocation& from,
+                       Reading& reading) {
+    if (!image.has_other_primaries()) return;
+    reading.warn(from, "the colours of " + name +
+                           " are of other primaries than sRGB's (chromaticities): they are taken "
+                           "for sRGB's");
+}
+
 std::shared_ptr<const Image> ImageTable::enter(const std::string& name, const Encoding& encoding,
                                                const SourceLocation& from, Reading& reading) {
     const std::string path = resolved(name, reading.folder);
@@ -21,7 +29,7 @@ std::shared_ptr<const Image> ImageTable::enter(const std::string& name, const En
     return slots_[place->second].image;
 }
 
-void ImageTable::load(const Reading& reading) {
+void ImageTable::load(Reading& reading) {
     const std::size_t first = std::exchange(loaded_, slots_.size());
     std::vector<std::optional<Error>> faults(slots_.size() - first);
     parallel_for(faults.size(), [&](std::size_t i) {
@@ -35,6 +43,8 @@ void ImageTable::load(const Reading& reading) {
     });
     for (const std::optional<Error>& fault : faults)
         if (fault) throw Error(*fault);
+    for (std::size_t i = first; i < slots_.size(); ++i)
+        warn_of_primaries(*slots_[i].image, slots_[i].path, slots_[i].from, reading);
 }
 
 }  // namespace sunfleck

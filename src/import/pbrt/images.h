@@ -14,15 +14,20 @@ namespace sunfleck {
 
 struct Reading;
 
+/// Warns if the image's colours are not those of sRGB, as which they are taken.
+void warn_of_primaries(const Image& image, const std::string& name, const SourceLocation& from,
+                       Reading& reading);
+
 class ImageTable {
 public:
     /// The image of a file, empty until load(). @param encoding  of a PNG.
     std::shared_ptr<const Image> enter(const std::string& name, const Encoding& encoding,
                                        const SourceLocation& from, Reading& reading);
 
-    /// Reads all files that were not read before. @throws Error, that of the first one which cannot
+    /// Reads all files that were not read before; warns of colours that are taken for those of sRGB
+    /// and are not. @throws Error, that of the first one which cannot
     /// be read.
-    void load(const Reading& reading);
+    void load(Reading& reading);
 
 private:
     struct Slot {

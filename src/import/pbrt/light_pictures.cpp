@@ -16,6 +16,7 @@ Image light_image(const Statement& statement, Reading& reading) {
         throw Error(statement.where, "a light without its picture", "add \"string filename\"");
     const SourceLocation& where = statement.find("filename")->where;
     Image image = parse_image(reading.read_file(*name, where), *name);
+    warn_of_primaries(image, *name, where, reading);
     for (int y = 0; y < image.resolution().y; ++y)
         for (int x = 0; x < image.resolution().x; ++x) {
             const Vec3 rgb = image.rgb(x, y);

@@ -123,7 +123,8 @@ bool is_interface(const std::string& name, const SourceLocation& where, Reading&
     return type == "interface" || type == "none" || type.empty();
 }
 
-/// The names of both parts. @throws Error when they mix each other in a circle.
+/// The names of both parts; what is below is looked at once. @throws Error when they mix each other
+/// in a circle.
 const Parameter& parts_of_mix(const Statement& statement, int depth, Reading& reading) {
     const Parameter* names = statement.find("materials", ParameterType::text);
     if (!names || names->texts.size() != 2)
@@ -134,8 +135,10 @@ const Parameter& parts_of_mix(const Statement& statement, int depth, Reading& re
     for (const std::string& name : names->texts) {
         if (is_interface(name, names->where, reading)) continue;
         const Statement& part = reading.materials.named(name, names->where);
-        if (part.type == "mix") parts_of_mix(part, depth + 1, reading);
+        if (part.type == "mix" && !reading.sound_mixes.contains(&part))
+            parts_of_mix(part, depth + 1, reading);
     }
+    reading.sound_mixes.insert(&statement);
     return *names;
 }
 

@@ -22,6 +22,9 @@ void camera(Reading& reading, TokenStream& tokens, const Token& keyword) {
 
 void film(Reading& reading, TokenStream& tokens, const Token& keyword) {
     reading.options.film = read_statement(tokens, keyword);
+    if (reading.state.colour_space != ColourSpace::srgb)
+        reading.warn(keyword.where(),
+                     "the picture is written in linear sRGB, not in the colour space given before");
 }
 
 void filter(Reading& reading, TokenStream& tokens, const Token& keyword) {

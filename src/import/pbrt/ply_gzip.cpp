@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <new>
 
 namespace sunfleck {
 namespace {
 
-constexpr std::size_t kLargestOutput = std::size_t{1} << 34U;
+constexpr std::size_t kFreeOutput = std::size_t{1} << 28U;
+constexpr std::size_t kMostOfAByte = 256;  // deflate could give 1032
 constexpr std::size_t kSmallestStep = std::size_t{1} << 16U;
 constexpr std::size_t kLargestStep = std::size_t{1} << 30U;  // zlib counts in 32 bits
 
@@ -41,7 +43,8 @@ public:
 
 private:
     void grow(std::string& output) {
-        if (output.size() >= kLargestOutput) fail("it unpacks to more than 16 GiB");
+        if (output.size() >= kFreeOutput + kMostOfAByte * input_.size())
+            fail("it unpacks to more than 256 times its size");
         output.resize(std::max({2 * output.size(), 4 * input_.size(), kSmallestStep}));
     }
 
@@ -78,7 +81,11 @@ private:
 }  // namespace
 
 std::string gunzip(std::string_view bytes, const std::string& name) {
-    return Inflater(bytes, name).all();
+    try {
+        return Inflater(bytes, name).all();
+    } catch (const std::bad_alloc&) {
+        throw Error({name}, "unpacks to more than there is memory for", "use a smaller file");
+    }
 }
 
 }  // namespace sunfleck

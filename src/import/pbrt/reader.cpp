@@ -12,13 +12,28 @@
 namespace sunfleck {
 namespace {
 
+/// Rays in the frame of such an instance would be out of the range of their floats.
+bool is_extreme(const Matrix& to_world) {
+    constexpr double kMost = 1e10;
+    const auto is_far = [](const Affine& map) {
+        return std::max({map.x.length(), map.y.length(), map.z.length()}) > kMost;
+    };
+    const Affine map(to_world);
+    return is_far(map) || is_far(map.inverse());
+}
+
 void finish_instances(Reading& reading) {
     for (const InstanceUse& use : reading.instances) {
         const auto found = reading.objects.find(use.name);
         if (found == reading.objects.end())
             throw Error(use.where, "there is no object " + in_quotes(use.name),
                         "make it by ObjectBegin and ObjectEnd");
-        reading.scene.instances.push_back({found->second, use.to_world});
+        if (is_extreme(use.to_world))
+            reading.warn(use.where,
+                         "an instance whose size is less than 10^-10 or more than 10^10 "
+                         "of its object's is left out");
+        else
+            reading.scene.instances.push_back({found->second, use.to_world});
     }
 }
 
@@ -57,6 +72,7 @@ SceneDescription read_all(std::string text, const std::string& path, const FileA
     reading.media.finish(reading);
     finish_instances(reading);
     reading.images.load(reading);
+    reading.warn_unused_defaults();
     for (const auto& [word, count] : reading.words)
         reading.scene.words.push_back({word.first, word.second, count});
     return std::move(reading.scene);

@@ -25,6 +25,13 @@ void Reading::warn_unused(const Statement& statement) {
              "unused parameter " + parameter->title() + " of " + statement.title() + " is ignored");
 }
 
+void Reading::warn_unused_defaults() {
+    for (const auto& parameter : defaults)
+        if (!parameter->used)
+            warn(parameter->where, "no statement after it uses the parameter " +
+                                       parameter->title() + " of Attribute: it is ignored");
+}
+
 void Reading::count_file(const std::string& path, const SourceLocation& from) {
     if (scene.files.size() >= kMostFiles)
         throw Error(from, "the scene opens more than 100000 files", "join some of them");

@@ -11,6 +11,7 @@
 #include "import/pbrt/textures.h"
 
 #include <map>
+#include <set>
 
 namespace sunfleck {
 
@@ -48,6 +49,8 @@ struct Reading {
     TextureTable textures;
     ImageTable images;
     MediumTable media;
+    std::set<const Statement*> sound_mixes;  // known to end
+    Parameters defaults;                     // given by Attribute, for whoever asks
     std::map<std::string, std::uint32_t> objects;
     std::map<std::pair<std::string, std::string>, std::size_t> words;  // count by directive, word
     std::optional<std::uint32_t> open_object;
@@ -59,6 +62,8 @@ struct Reading {
     void warn(const SourceLocation& where, const std::string& text);
     /// Warns of parameters that nobody asked for.
     void warn_unused(const Statement& statement);
+    /// The same, of those given by Attribute: at the end.
+    void warn_unused_defaults();
     /// The bytes of a file named in the scene, which is entered in the list of files.
     std::string read_file(const std::string& name, const SourceLocation& from);
     /// Enters a file in the list. @throws Error when there are too many.

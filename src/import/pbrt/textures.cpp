@@ -11,6 +11,7 @@ namespace sunfleck {
 namespace {
 
 constexpr int kDeepest = 100;
+constexpr double kMostLookups = 100'000;
 
 /// One name, as a texture parameter must have.
 const Parameter& checked(const Parameter& parameter) {
@@ -33,7 +34,7 @@ void TextureTable::add(const std::string& kind, const std::string& name, Stateme
         throw Error(statement.where, "unknown texture " + in_quotes(statement.type),
                     use_one_of(classes, statement.type));
     const SourceLocation where = statement.where;
-    Entry entry{std::move(statement), to_world, textures_.size(), 0, {}, {}};
+    Entry entry{std::move(statement), to_world, textures_.size(), {}, {}, {}};
     if (!textures_.try_emplace({kind, name}, std::move(entry)).second)
         throw Error(where, "a second " + kind + " texture " + in_quotes(name),
                     "give it another name");
@@ -57,11 +58,17 @@ T TextureTable::make(Entry& entry, SpectrumUse use, Reading& reading) {
     };
     check(++open_);
     const std::size_t limit_above = std::exchange(limit_, entry.order);
-    const int depth_above = std::exchange(depth_, 0);
+    const Tree above = std::exchange(below_, {});
     T texture = texture_of<T>(entry.statement, entry.to_world, use, reading);
     limit_ = limit_above;
-    entry.depth = std::exchange(depth_, depth_above) + 1;
-    check(entry.depth);
+    const Tree below = std::exchange(below_, above);
+    entry.tree = {below.depth + 1, below.lookups + 1};
+    check(entry.tree.depth);
+    if (entry.tree.lookups > kMostLookups)
+        throw Error(entry.statement.where,
+                    "a texture of more than 100000 others, each as often as "
+                    "it is asked for",
+                    "use fewer of them");
     --open_;
     return texture;
 }
@@ -69,7 +76,7 @@ T TextureTable::make(Entry& entry, SpectrumUse use, Reading& reading) {
 FloatTexture TextureTable::number(const Parameter& parameter, Reading& reading) {
     Entry& entry = entry_of("float", parameter);
     if (!entry.number) entry.number = make<FloatTexture>(entry, SpectrumUse::reflectance, reading);
-    depth_ = std::max(depth_, entry.depth);
+    below_.add(entry.tree);
     return *entry.number;
 }
 
@@ -80,7 +87,7 @@ SpectrumTexture TextureTable::spectrum(const Parameter& parameter, SpectrumUse u
     SpectrumTexture texture =
         known != entry.spectra.end() ? known->second : make<SpectrumTexture>(entry, use, reading);
     entry.spectra.try_emplace(use, texture);
-    depth_ = std::max(depth_, entry.depth);
+    below_.add(entry.tree);
     return texture;
 }
 

@@ -5,6 +5,7 @@
 #include "import/pbrt/spectra.h"
 #include "texture/texture.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -25,11 +26,22 @@ public:
     SpectrumTexture spectrum(const Parameter& parameter, SpectrumUse use, Reading& reading);
 
 private:
+    /// Of the tree of textures below one, that one included.
+    struct Tree {
+        int depth = 0;
+        double lookups = 0;  // as often as the tree has them, where parts are shared
+
+        void add(const Tree& part) {
+            depth = std::max(depth, part.depth);
+            lookups += part.lookups;
+        }
+    };
+
     struct Entry {
         Statement statement;
         Matrix to_world;
         std::size_t order = 0;
-        int depth = 0;  // of the tree below, once it is made
+        Tree tree;  // once it is made
         std::optional<FloatTexture> number;
         std::map<SpectrumUse, SpectrumTexture> spectra;
     };
@@ -40,7 +52,7 @@ private:
 
     std::map<std::pair<std::string, std::string>, Entry> textures_;  // by kind and name
     std::size_t limit_ = ~std::size_t{0};  // textures see only those that were made before
-    int depth_ = 0;                        // of what is below the texture that is being made
+    Tree below_;                           // of what is below the texture that is being made
     int open_ = 0;                         // textures that are being made
 };
 

@@ -137,6 +137,17 @@ TEST(Materials, mixes_have_two_parts) {
                  "circle"));
 }
 
+/// Looked at once each: as a tree these would be 2^30.
+TEST(Materials, that_share_mixes_are_read_at_once) {
+    std::string text = "MakeNamedMaterial \"m0\" \"string type\" \"diffuse\"\n";
+    for (int i = 1; i <= 30; ++i) {
+        const std::string below = "\"m" + std::to_string(i - 1) + "\" ";
+        text += "MakeNamedMaterial \"m" + std::to_string(i) +
+                "\" \"string type\" \"mix\" \"string materials\" [ " + below + below + "]\n";
+    }
+    EXPECT_EQ(world_error(text + "NamedMaterial \"m30\" Shape \"sphere\""), "");
+}
+
 TEST(Materials, take_defaults_of_their_block) {
     const SceneDescription scene = read_world(
         "AttributeBegin Attribute \"material\" \"rgb reflectance\" [ .2 .2 .2 ] \"float eta\" 2 "

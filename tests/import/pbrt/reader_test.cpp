@@ -115,6 +115,37 @@ TEST(Reader, warns_of_unused_parameters_with_their_place) {
               "ignored (2 times)");
 }
 
+TEST(Reader, warns_of_unused_parameters_of_attribute) {
+    const std::string one = "Attribute \"shape\" \"float radius\" 2 \"float raduis\" 2\n";
+    const SceneDescription scene = read_world(one + "Shape \"disk\" Shape \"sphere\"");
+    ASSERT_EQ(scene.warnings.entries().size(), 1U);
+    EXPECT_TRUE(contains(scene.warnings.entries()[0].line(),
+                         "main.pbrt:2:36: warning: no statement after it uses the parameter "
+                         "\"float raduis\" of Attribute"));
+}
+
+TEST(Reader, warns_of_a_colour_space_of_the_film) {
+    const std::string rest = "Film \"rgb\" WorldBegin Shape \"sphere\"";
+    EXPECT_EQ(warnings_with(read_text("ColorSpace \"rec2020\" " + rest), "in linear sRGB"), 1);
+    EXPECT_EQ(warnings_with(read_text(rest), "in linear sRGB"), 0);
+}
+
+/// In their frame rays would be out of range.
+TEST(Reader, leaves_out_instances_of_extreme_size) {
+    const auto read = [](const std::string& inner, const std::string& outer) {
+        const auto scale = [](const std::string& s) { return "Scale " + s + " " + s + " " + s; };
+        return read_world("ObjectBegin \"o\" " + scale(inner) +
+                          " Shape \"sphere\" ObjectEnd ObjectInstance \"o\" " + scale(outer) +
+                          " ObjectInstance \"o\"");
+    };
+    for (const char* size : {"1e-18", "1e30"}) {
+        const SceneDescription scene = read("1", size);
+        EXPECT_EQ(scene.instances.size(), 1U) << size;
+        EXPECT_EQ(warnings_with(scene, "is left out"), 1) << size;
+    }
+    EXPECT_EQ(read("1e-6", "1e6").instances.size(), 2U);
+}
+
 TEST(Reader, ends_its_list_of_warnings) {
     std::string text;
     for (int i = 0; i < 2000; ++i)

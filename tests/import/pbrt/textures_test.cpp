@@ -217,5 +217,25 @@ TEST(Textures, nested_without_end_are_refused) {
     EXPECT_EQ(world_error(text + "Shape \"sphere\" \"texture alpha\" \"t90\""), "");
 }
 
+/// Each lookup asks for all: 2^16 are too many, though the tree is not deep.
+TEST(Textures, that_ask_for_too_many_are_refused) {
+    const auto chain = [](int length) {
+        std::string text = "Texture \"t0\" \"float\" \"constant\"\n";
+        for (int i = 1; i <= length; ++i) {
+            const std::string below = "\"t" + std::to_string(i - 1) + "\"";
+            text += "Texture \"t" + std::to_string(i) + "\" \"float\" \"mix\" \"texture tex1\" " +
+                    below + " \"texture tex2\" " + below + "\n";
+        }
+        return text + "Shape \"sphere\" \"texture alpha\" \"t" + std::to_string(length) + "\"";
+    };
+    EXPECT_NO_THROW(read_world(chain(12)));
+    try {
+        read_world(chain(40));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_TRUE(contains(error.what(), "more than 100000 others")) << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace sunfleck
