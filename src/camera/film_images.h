@@ -4,13 +4,26 @@
 
 #include "camera/camera.h"
 
-#include <vector>
+#include <array>
+#include <cstddef>
 
 namespace sunfleck {
+
+/// Points of a film, and around it.
+class FilmPoints {
+public:
+    void add(const Vec2d& point) { points_.at(count_++) = point; }
+    const Vec2d* begin() const { return points_.data(); }
+    const Vec2d* end() const { return points_.data() + count_; }
+
+private:
+    std::array<Vec2d, 9> points_;
+    std::size_t count_ = 0;
+};
 
 /// The point, and all others less than half a film beyond the edges that camera_ray() takes to show
 /// the same. Alone where the film is flat. @param film  in pixels; of a spherical camera on the
 /// film.
-std::vector<Vec2d> film_images(const Camera& camera, const Vec2d& film);
+FilmPoints film_images(const Camera& camera, const Vec2d& film);
 
 }  // namespace sunfleck

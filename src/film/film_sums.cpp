@@ -23,7 +23,7 @@ template <class Sum, class Sums>
 std::vector<std::span<Sum>> everything(Sums& sums) {
     std::vector<std::span<Sum>> all = totals<Sum>(sums);
     for (auto& [number, round] : sums.open_rounds)
-        all.insert(all.end(), {round.rgb, round.photon_blocks});
+        for (const auto& array : arrays(round)) all.push_back(array);
     return all;
 }
 

@@ -30,7 +30,6 @@ Splatter::Splatter(const ReferencePass& pass, PassImage& image)
 
 void Splatter::add(const Vec2d& film, const Spectrum& light) const {
     const Vec3 rgb = wavelengths_.to_rgb(light);
-    if (!std::holds_alternative<SphericalCamera>(camera_)) return add_at(film, rgb);
     for (const Vec2d& image : film_images(camera_, film)) add_at(image, rgb);
 }
 

@@ -64,7 +64,7 @@ Overseer::Overseer(const RenderJob& job, const RenderHooks& hooks, RenderResult&
     progress_.passes = static_cast<std::uint32_t>(state.film.pass_count());
     progress_.seconds = state.total_seconds;
     progress_.cpu_seconds = state.cpu_seconds;
-    reached_target(std::uint64_t{job.stop.first_pass} + progress_.passes);
+    ask_error(std::uint64_t{job.stop.first_pass} + progress_.passes);
 }
 
 bool Overseer::is_over() const {
@@ -104,8 +104,12 @@ PassRange Overseer::next_turn() {
     return {begin, begin + turn_passes_};
 }
 
-bool Overseer::reached_target(std::uint64_t end) {
+void Overseer::ask_error(std::uint64_t end) {
     if (end % kRoundPasses == 0) progress_.error = target_error(state_.film, job_.stop.error_terms);
+}
+
+bool Overseer::reached_target(std::uint64_t end) {
+    ask_error(end);
     return is_at(progress_);
 }
 

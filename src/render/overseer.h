@@ -28,6 +28,8 @@ public:
     void finish();
 
 private:
+    /// Where a round ends: of other passes a render in one go knows no error, either.
+    void ask_error(std::uint64_t end);
     bool is_over() const;
     double seconds_of_turn() const;
     void count_time();

@@ -95,11 +95,8 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
     {"Shape", "plymesh", kExact,
      "triangles, normals, uv; ASCII and both binary forms; quads become two triangles each, where "
      "pbrt-v4 has a bilinear patch: one that is not flat has a crease, one without uv has others "
-     "in "
-     "half of it, and `power` counts both; normals that are no numbers are "
-     "left out, and its `displacement` is ignored "
-     "with a "
-     "warning"},
+     "in half of it, and `power` counts both; normals that are no numbers are left out, and its "
+     "`displacement` is ignored with a warning"},
     {"Shape", "sphere", kExact, "`radius zmin zmax phimax`; met exactly, in double"},
     {"Shape", "disk", kExact, "`height radius innerradius phimax`"},
     {"Shape", "cylinder", kExact, "`radius zmin zmax phimax`"},

@@ -135,10 +135,10 @@ const Parameter& parts_of_mix(const Statement& statement, int depth, Reading& re
     for (const std::string& name : names->texts) {
         if (is_interface(name, names->where, reading)) continue;
         const Statement& part = reading.materials.named(name, names->where);
-        if (part.type == "mix" && !reading.sound_mixes.contains(&part))
-            parts_of_mix(part, depth + 1, reading);
+        if (part.type != "mix" || reading.sound_mixes.contains(&part)) continue;
+        parts_of_mix(part, depth + 1, reading);
+        reading.sound_mixes.insert(&part);
     }
-    reading.sound_mixes.insert(&statement);
     return *names;
 }
 

@@ -1,12 +1,14 @@
 // The reading from its first statement to the finished scene.
 #include "import/pbrt/reader.h"
 
+#include "geometry/affine.h"
 #include "import/pbrt/camera.h"
 #include "import/pbrt/directives.h"
 #include "import/pbrt/film.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace sunfleck {

@@ -49,7 +49,7 @@ struct Reading {
     TextureTable textures;
     ImageTable images;
     MediumTable media;
-    std::set<const Statement*> sound_mixes;  // known to end
+    std::set<const Statement*> sound_mixes;  // named ones that are known to end
     Parameters defaults;                     // given by Attribute, for whoever asks
     std::map<std::string, std::uint32_t> objects;
     std::map<std::pair<std::string, std::string>, std::size_t> words;  // count by directive, word

@@ -66,8 +66,7 @@ T TextureTable::make(Entry& entry, SpectrumUse use, Reading& reading) {
     check(entry.tree.depth);
     if (entry.tree.lookups > kMostLookups)
         throw Error(entry.statement.where,
-                    "a texture of more than 100000 others, each as often as "
-                    "it is asked for",
+                    "a texture of more than 100000 others, each as often as it is asked for",
                     "use fewer of them");
     --open_;
     return texture;
