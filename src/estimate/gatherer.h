@@ -17,8 +17,8 @@
 
 namespace sunfleck {
 
-inline constexpr std::array<PhotonKind, 3> kKinds = {PhotonKind::direct, PhotonKind::caustic,
-                                                     PhotonKind::indirect};
+inline constexpr std::array<PhotonKind, 4> kKinds = {
+    PhotonKind::direct, PhotonKind::caustic, PhotonKind::indirect, PhotonKind::deep_caustic};
 
 inline std::size_t number_of(PhotonKind kind) {
     return static_cast<std::size_t>(__builtin_ctz(static_cast<unsigned>(kind)));

@@ -7,7 +7,8 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::uint8_t kCausticOnly = static_cast<std::uint8_t>(PhotonKind::caustic);
+constexpr std::uint8_t kCausticOnly = static_cast<std::uint8_t>(PhotonKind::caustic) |
+                                      static_cast<std::uint8_t>(PhotonKind::deep_caustic);
 constexpr std::uint8_t kScattered = kCausticOnly | static_cast<std::uint8_t>(PhotonKind::indirect);
 constexpr std::uint8_t kEverything = kScattered | static_cast<std::uint8_t>(PhotonKind::direct);
 

@@ -96,16 +96,23 @@ HWY_INLINE Mask accept(const DiscBlock& discs, const Photon& photon, int max_dep
                       hn::RebindMask(Floats(), wanted));
 }
 
+/// radius_of_kind(), of discs i and on.
+HWY_INLINE Vector radii_for(const DiscBlock& discs, PhotonKind kind, std::size_t i) {
+    if (kind == PhotonKind::indirect) return load(discs.indirect_radius, i);
+    const Vector radius = load(discs.radius, i);
+    if (kind != PhotonKind::deep_caustic) return radius;
+    const Vector indirect = load(discs.indirect_radius, i);
+    return hn::Sub(hn::Add(indirect, indirect), radius);
+}
+
 /// Bit i is set if disc i takes the photon. The names are those of takes().
 HWY_INLINE unsigned takers(const DiscBlock& discs, const Photon& photon, int max_depth) {
-    const DiscBlock::Floats& radii =
-        photon.kind == PhotonKind::indirect ? discs.indirect_radius : discs.radius;
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
         const Vectors to = all(photon.position);
         const Vectors from = load(discs.position, i);
         const Vectors d{hn::Sub(to.x, from.x), hn::Sub(to.y, from.y), hn::Sub(to.z, from.z)};
-        const Vector radius = load(radii, i);
+        const Vector radius = radii_for(discs, photon.kind, i);
         const Vector radius2 = hn::Mul(radius, radius);
         const Vector distance2 = dot(d, d);
         const Mask near = hn::Lt(distance2, hn::Mul(all(1.5F), radius2));

@@ -16,10 +16,16 @@ namespace sunfleck {
 
 /// How a photon reached the surface that it meets: exactly one.
 enum class PhotonKind : std::uint8_t {
-    direct = 1,   // straight from the light
-    caustic = 2,  // scattered by smooth (specular) surfaces alone, at least once
-    indirect = 4  // scattered by a rough surface at least once
+    direct = 1,       // straight from the light
+    caustic = 2,      // scattered by smooth (specular) surfaces alone, at least once
+    indirect = 4,     // scattered by a rough surface at least once
+    deep_caustic = 8  // scattered by smooth surfaces alone, kDeepCaustic times or more
 };
+
+/// Light that so many smooth surfaces have passed on came by a way of its own that few photons find
+/// and that spreads them far: it bears more blur. Through a full glass behind a pane there are six
+/// (docs/decisions.md, deep caustics).
+inline constexpr std::uint16_t kDeepCaustic = 7;
 
 /// A photon at a surface that can gather; or several alike, as states of a chain bring them.
 struct Photon {
@@ -33,10 +39,17 @@ struct Photon {
     Spectrum flux;                             // of all copies
 };
 
+/// A disc's radius for photons of a kind. @param sharp  that for direct photons and caustics.
+/// @param indirect  that for indirect ones.
+inline float radius_of_kind(PhotonKind kind, float sharp, float indirect) {
+    if (kind == PhotonKind::indirect) return indirect;
+    return kind == PhotonKind::deep_caustic ? (indirect + indirect) - sharp : sharp;
+}
+
 /// The part of a visible point that decides which photons it takes. 36 bytes.
 struct Disc {
     Vec3 position{0};
-    float radius = 0;           // for direct and caustic photons
+    float radius = 0;           // for direct photons and caustics
     Vec3 normal{0};             // geometric, on the side that the camera path arrived at
     std::uint16_t bounces = 0;  // scattering events of the eye path before this point
     std::uint8_t kinds = 0;     // sum of the PhotonKinds that it takes
@@ -44,15 +57,17 @@ struct Disc {
     float indirect_reach = 1;   // of the disc for indirect photons, over the radius; 1 or more
 
     /// For photons of this kind. Light that a rough surface has scattered has few edges: a wider
-    /// disc has less noise and hardly more bias.
+    /// disc has less noise and hardly more bias. Deep caustics have one that is wider by twice as
+    /// much.
     float radius_for(PhotonKind kind) const {
-        return kind == PhotonKind::indirect ? radius * indirect_reach : radius;
+        return radius_of_kind(kind, radius, radius * indirect_reach);
     }
     bool takes_kind(PhotonKind kind) const {
         return (kinds & static_cast<std::uint8_t>(kind)) != 0;
     }
     /// Of all kinds that it takes.
     float widest_radius() const {
+        if (takes_kind(PhotonKind::deep_caustic)) return radius_for(PhotonKind::deep_caustic);
         return takes_kind(PhotonKind::indirect) ? radius_for(PhotonKind::indirect) : radius;
     }
 };

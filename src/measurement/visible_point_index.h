@@ -50,7 +50,7 @@ public:
     /// Of point i of block b, for photons of this kind.
     float radius(std::size_t b, std::size_t i, PhotonKind kind) const {
         const DiscBlock& discs = blocks_[b];
-        return kind == PhotonKind::indirect ? discs.indirect_radius[i] : discs.radius[i];
+        return radius_of_kind(kind, discs.radius[i], discs.indirect_radius[i]);
     }
     /// Holds every photon that a point of the block takes.
     const Box& box(std::size_t b) const { return boxes_[b]; }

@@ -93,8 +93,9 @@ inline bool take_turn(const Turn& turn, PhotonState& state) {
     if (turn.disperses) state.lanes.single = true;
     if (turn.is_rough)
         state.kind = PhotonKind::indirect;
-    else if (state.kind == PhotonKind::direct)
-        state.kind = PhotonKind::caustic;
+    else if (state.kind != PhotonKind::indirect)
+        state.kind =
+            state.bounces + 1 < kDeepCaustic ? PhotonKind::caustic : PhotonKind::deep_caustic;
     state.flux = turn.flux / turn.survival;
     state.faded = 1;
     state.direction = turn.direction;

@@ -56,7 +56,7 @@ protected:
             p.disc.radius = 0.003F * std::pow(100.0F, random_.next_float());
             p.disc.indirect_reach = 1.5F;
             p.disc.bounces = static_cast<std::uint16_t>(below(4));
-            p.disc.kinds = static_cast<std::uint8_t>(1 + below(7));
+            p.disc.kinds = static_cast<std::uint8_t>(1 + below(15));
             p.disc.both_sides = below(3) == 0;
             p.shading_normal = p.disc.normal;
             if (below(2) == 0) p.shading_normal = (p.disc.normal + direction() * 0.3F).normalized();
@@ -80,7 +80,7 @@ protected:
         photon.position = disc.position + direction() * (1.2F * disc.radius * random_.next_float());
         photon.w = (photon.normal + direction() * 0.9F).normalized();
         photon.bounces = static_cast<std::uint16_t>(below(5));
-        photon.kind = static_cast<PhotonKind>(1U << below(3));
+        photon.kind = static_cast<PhotonKind>(1U << below(4));
         photon.flux = spectrum() * std::pow(10.0F, 4 * random_.next_float());
         return photon;
     }

@@ -21,7 +21,7 @@ protected:
             p.disc.position = Vec3(random_.next_float(), random_.next_float(), 0);
             p.disc.radius = 0.02F + 0.1F * random_.next_float();
             p.disc.normal = p.shading_normal = p.w_from = Vec3(0, 0, 1);
-            p.disc.kinds = static_cast<std::uint8_t>(1 + i % 7);
+            p.disc.kinds = static_cast<std::uint8_t>(1 + i % 15);
             p.throughput = Spectrum(random_.next_float());
             p.pixel = static_cast<std::uint32_t>(i % kPixels);
             p.bsdf = kLambertian;
@@ -31,7 +31,7 @@ protected:
             Photon photon;
             photon.position = Vec3(1.2F * random_.next_float() - 0.1F, random_.next_float(), 0);
             photon.normal = photon.w = Vec3(0, 0, 1);
-            photon.kind = static_cast<PhotonKind>(1U << (i % 3));
+            photon.kind = static_cast<PhotonKind>(1U << (i % 4));
             photon.flux = Spectrum(random_.next_float());
             photons_.push_back(photon);
         }

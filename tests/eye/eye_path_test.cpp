@@ -70,10 +70,10 @@ TEST(EyePath, a_diffuse_surface_ends_every_path) {
         EXPECT_EQ(p.disc.normal, Vec3(0, 0, 1));
         EXPECT_EQ(p.disc.bounces, 0);
         EXPECT_FALSE(p.disc.both_sides);
-        EXPECT_EQ(p.disc.kinds, 2 + 4);  // caustic and indirect: direct light is sampled
+        EXPECT_EQ(p.disc.kinds, 2 + 4 + 8);  // no direct light, which is sampled
     }
     for (const VisiblePoint& p : trace(seen_from_above({square(0, 0)}), kPhotons).points)
-        EXPECT_EQ(p.disc.kinds, 1 + 2 + 4);
+        EXPECT_EQ(p.disc.kinds, 15);
 }
 
 /// Two pixel footprints: the pixel's width on the floor; and the schedule's factor, and fixed.
@@ -140,7 +140,7 @@ TEST(EyePath, glossy_surfaces_gather_and_go_on) {
     for (const VisiblePoint& p : sampled.points) {
         const bool metal = p.disc.position.z == 0;
         ++(metal ? at_metal : beyond);
-        EXPECT_EQ(p.disc.kinds, metal ? 2 : 2 + 4);
+        EXPECT_EQ(p.disc.kinds, metal ? 2 + 8 : 2 + 4 + 8);
         EXPECT_EQ(p.after_rough, !metal);
         EXPECT_EQ(p.disc.bounces, metal ? 0 : 1);
         EXPECT_EQ(p.bsdf, metal ? 2U : kLambertian);
@@ -150,7 +150,7 @@ TEST(EyePath, glossy_surfaces_gather_and_go_on) {
     EXPECT_GT(beyond, 20);
     const Seen photons = trace(scene, kPhotons);
     EXPECT_EQ(photons.points.size(), static_cast<std::size_t>(kPixels * kPixels));
-    for (const VisiblePoint& p : photons.points) EXPECT_EQ(p.disc.kinds, 7);
+    for (const VisiblePoint& p : photons.points) EXPECT_EQ(p.disc.kinds, 15);
 }
 
 /// In a mirror discs are as wide as the pixel; in brushed metal wider, by a hundredth of what the

@@ -27,7 +27,7 @@ protected:
         for (std::uint32_t i = 0; i < count; ++i) {
             Photon photon;
             photon.position = Vec3(static_cast<float>(i), 0, 0);
-            photon.kind = static_cast<PhotonKind>(1U << below(3));
+            photon.kind = static_cast<PhotonKind>(1U << below(4));
             photon.flux = spectrum();
             if (i + 1 == count) photon.flux = Spectrum(std::numeric_limits<float>::quiet_NaN());
             batches[0].add(photon, i);

@@ -23,7 +23,7 @@ struct Sheet {
         disc.radius = 0.01F + 0.1F * random.next_float();
         disc.indirect_reach = 1 + random.next_float();
         disc.bounces = below(3);
-        disc.kinds = static_cast<std::uint8_t>(below(8));
+        disc.kinds = static_cast<std::uint8_t>(below(16));
         disc.both_sides = random.next_float() < 0.3F;
         return disc;
     }
@@ -47,7 +47,7 @@ struct Sheet {
             photon.position = here.position;
             photon.normal = here.normal;
             photon.bounces = below(4);
-            photon.kind = static_cast<PhotonKind>(1U << below(3));
+            photon.kind = static_cast<PhotonKind>(1U << below(4));
             batches[i % batches.size()].add(photon, static_cast<std::uint32_t>(i));
         }
         return batches;

@@ -23,7 +23,7 @@ VisiblePoint point_at(const Vec3& position, float radius) {
     point.disc.radius = radius;
     point.disc.indirect_reach = 1.6F;
     point.disc.normal = Vec3(0, 0, 1);
-    point.disc.kinds = 7;
+    point.disc.kinds = 15;
     return point;
 }
 
@@ -58,7 +58,9 @@ TEST(ViewOctree, whatever_a_disc_takes_is_in_a_full_cell) {
         Photon photon;
         photon.normal = disc.normal;
         const float phi = 2 * kPi * stream.next_float();
-        photon.kind = taken % 2 == 0 ? PhotonKind::caustic : PhotonKind::indirect;
+        constexpr std::array kKinds = {PhotonKind::caustic, PhotonKind::indirect,
+                                       PhotonKind::deep_caustic};
+        photon.kind = kKinds.at(static_cast<std::size_t>(taken) % kKinds.size());
         const float radius = disc.radius_for(photon.kind);
         const float r = radius * std::sqrt(0.7F + 0.31F * stream.next_float());
         const float z = 0.3F * radius * (2 * stream.next_float() - 1);

@@ -34,21 +34,24 @@ std::vector<VisiblePoint> random_points(std::uint32_t count, std::uint32_t which
         p.disc.radius = 0.05F * scale * (0.1F + stream.next_float());
         p.disc.normal = direction(stream);
         p.disc.indirect_reach = i % 2 == 0 ? 2.5F : 1;
-        p.disc.kinds = 7;
+        p.disc.kinds = 15;
         p.disc.both_sides = stream.next_float() < 0.3F;
         p.pixel = i;
     }
     return points;
 }
 
-/// Most photons near a disc, with a normal near its own; every other is indirect.
+/// Most photons near a disc, with a normal near its own; a half are indirect, a quarter deep
+/// caustics.
 Photon random_photon(const std::vector<VisiblePoint>& points, RandomStream& stream) {
     const Disc& near =
         points[static_cast<std::size_t>(stream.next() * static_cast<double>(points.size()))].disc;
     Photon photon;
     photon.normal = (near.normal + direction(stream) * stream.next_float()).normalized();
     if (stream.next_float() < 0.3F) photon.normal = -photon.normal;
-    if (stream.next_float() < 0.5F) photon.kind = PhotonKind::indirect;
+    photon.kind = stream.next_float() < 0.5F   ? PhotonKind::indirect
+                  : stream.next_float() < 0.5F ? PhotonKind::deep_caustic
+                                               : PhotonKind::direct;
     const float radius = near.radius_for(photon.kind);
     photon.position = near.position + direction(stream) * (radius * stream.next_float());
     photon.w = photon.normal;
@@ -99,6 +102,8 @@ TEST(VisiblePointIndex, knows_who_shares_a_pixel_and_who_is_plain) {
         EXPECT_EQ(index.radius(at / 8, at % 8, PhotonKind::caustic), p.disc.radius);
         EXPECT_EQ(index.radius(at / 8, at % 8, PhotonKind::indirect),
                   p.disc.indirect_reach * p.disc.radius);
+        EXPECT_FLOAT_EQ(index.radius(at / 8, at % 8, PhotonKind::deep_caustic),
+                        (2 * p.disc.indirect_reach - 1) * p.disc.radius);
     }
 }
 
@@ -146,12 +151,15 @@ TEST_F(Takes, nothing_from_the_wall_beside) {
     EXPECT_FALSE(takes(disc_, photon_, 4));
 }
 
-TEST_F(Takes, indirect_photons_in_a_wider_disc) {
-    disc_.kinds = 7;
+TEST_F(Takes, indirect_photons_and_deep_caustics_in_wider_discs) {
+    disc_.kinds = 15;
     disc_.indirect_reach = 3;
-    for (const PhotonKind kind : {PhotonKind::direct, PhotonKind::caustic, PhotonKind::indirect}) {
+    const std::vector<std::pair<PhotonKind, float>> wanted = {{PhotonKind::direct, 1.0F},
+                                                              {PhotonKind::caustic, 1.0F},
+                                                              {PhotonKind::indirect, 3.0F},
+                                                              {PhotonKind::deep_caustic, 5.0F}};
+    for (const auto& [kind, reach] : wanted) {
         photon_.kind = kind;
-        const float reach = kind == PhotonKind::indirect ? 3 : 1;
         photon_.position = Vec3(0.999F * reach, 0, 0);
         EXPECT_TRUE(takes(disc_, photon_, 4));
         photon_.position = Vec3(1.001F * reach, 0, 0);

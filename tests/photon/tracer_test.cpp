@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <vector>
 
 namespace sunfleck {
@@ -88,6 +89,27 @@ TEST(PhotonTracer, kinds_follow_what_scattered_the_photon) {
     }
     EXPECT_GT(caustic, 500);
     EXPECT_GT(indirect, 5);
+}
+
+/// Between panes some light goes to and fro: few events or many, by smooth surfaces alone.
+TEST(PhotonTracer, many_smooth_surfaces_make_a_deep_caustic) {
+    for (const int panes : {int{kDeepCaustic} - 1, int{kDeepCaustic}, int{kDeepCaustic} + 3}) {
+        std::vector<ShapeDescription> sheets = {square(0, 0)};
+        for (int i = 1; i <= panes; ++i) sheets.push_back(square(0.1F * static_cast<float>(i), 1));
+        int deep = 0;
+        int shallow = 0;
+        for (const Path& path : paths_of(sunny(sheets), 64)) {
+            if (path.photons.empty()) continue;
+            const Photon& first = path.photons.front();
+            const bool is_deep = first.bounces >= kDeepCaustic;
+            EXPECT_EQ(first.kind, is_deep ? PhotonKind::deep_caustic : PhotonKind::caustic);
+            ++(is_deep ? deep : shallow);
+            for (const Photon& later : std::span(path.photons).subspan(1))
+                EXPECT_EQ(later.kind, PhotonKind::indirect);
+        }
+        EXPECT_GT(deep, 20);
+        EXPECT_EQ(shallow > 20, panes < kDeepCaustic);
+    }
 }
 
 TEST(PhotonTracer, photons_from_below_have_their_normal_below) {
