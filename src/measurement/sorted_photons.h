@@ -1,4 +1,5 @@
-// The photons of many batches in Morton order, to be asked which of them are in a box.
+// The photons of many batches in Morton order, deep caustics last, to be asked which of them are in
+// a box.
 #pragma once
 
 #include "measurement/box_tree.h"
@@ -21,6 +22,8 @@ public:
 
     std::size_t size() const { return photons_.size(); }
     const Photon& operator[](std::size_t i) const { return photons_[i]; }
+    /// Photons from this one on are deep caustics, and no others.
+    std::size_t first_deep() const { return first_deep_; }
 
     /// Photons 8 l .. 8 l + 7.
     const PhotonLeaf& leaf(std::size_t l) const { return leaves_[l]; }
@@ -39,6 +42,7 @@ private:
     UnfilledVector<Photon> photons_;
     UnfilledVector<PhotonLeaf> leaves_;
     BoxTree tree_;
+    std::size_t first_deep_ = 0;
 };
 
 }  // namespace sunfleck

@@ -65,10 +65,14 @@ struct Disc {
     bool takes_kind(PhotonKind kind) const {
         return (kinds & static_cast<std::uint8_t>(kind)) != 0;
     }
+    /// The widest of the kinds that it takes, but for deep caustics.
+    float usual_radius() const {
+        return takes_kind(PhotonKind::indirect) ? radius_for(PhotonKind::indirect) : radius;
+    }
     /// Of all kinds that it takes.
     float widest_radius() const {
-        if (takes_kind(PhotonKind::deep_caustic)) return radius_for(PhotonKind::deep_caustic);
-        return takes_kind(PhotonKind::indirect) ? radius_for(PhotonKind::indirect) : radius;
+        const bool deep = takes_kind(PhotonKind::deep_caustic);
+        return deep ? radius_for(PhotonKind::deep_caustic) : usual_radius();
     }
 };
 

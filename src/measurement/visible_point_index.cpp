@@ -13,9 +13,8 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;
 
-/// Half width of a box around the disc along each axis: every photon that takes() accepts is in.
-Box box_of(const Disc& disc) {
-    const float radius = disc.widest_radius();
+/// Around the disc of that radius: every photon that takes() accepts is in.
+Box box_of(const Disc& disc, float radius) {
     Vec3 half;
     for (int c = 0; c < 3; ++c) {
         const float n = disc.normal[c];
@@ -80,7 +79,8 @@ MortonKeys in_order(const VisiblePointLists& lists, const MortonGrid& grid) {
     constexpr unsigned kSortedBits = 63;
     return in_morton_order(
         lists.size(), [&](std::size_t l) { return lists[l].size(); },
-        [&](std::size_t l, std::size_t i) { return lists[l][i].disc.position; }, grid, kSortedBits);
+        [&](std::size_t l, std::size_t i) { return grid.code(lists[l][i].disc.position); },
+        kSortedBits);
 }
 
 }  // namespace
@@ -95,7 +95,8 @@ VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, int max_depth)
     const std::vector<std::uint8_t> pixels = shared_pixels(lists, whole.last_pixel);
     points_.resize(order.size());
     blocks_.resize((order.size() + kWidth - 1) / kWidth);
-    boxes_.resize(blocks_.size());
+    std::vector<Box> usual(blocks_.size());
+    std::vector<Box> all(blocks_.size());
     plain_.resize(blocks_.size());
     static_assert(kBlock % kWidth == 0);
     parallel_blocks(order.size(), kBlock, [&](std::size_t begin, std::size_t end) {
@@ -105,16 +106,18 @@ VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, int max_depth)
             points_[i].shares_pixel = pixels[points_[i].pixel] == kShared;
             if (is_plain(points_[i])) plain_[i / kWidth] |= std::uint8_t(1U << i % kWidth);
             blocks_[i / kWidth].set(i % kWidth, points_[i].disc);
-            boxes_[i / kWidth].extend(box_of(points_[i].disc));
+            const Disc& disc = points_[i].disc;
+            usual[i / kWidth].extend(box_of(disc, disc.usual_radius()));
+            all[i / kWidth].extend(box_of(disc, disc.widest_radius()));
         }
     });
-    tree_ = BoxTree(boxes_);
-    occupancy_ = Occupancy(boxes_);
+    usual_ = BlockBoxes(std::move(usual));
+    all_ = BlockBoxes(std::move(all));
 }
 
 std::size_t VisiblePointIndex::bytes() const {
-    return points_.size() * sizeof(VisiblePoint) +
-           blocks_.size() * (sizeof(DiscBlock) + sizeof(Box)) + tree_.bytes() + occupancy_.bytes();
+    return points_.size() * sizeof(VisiblePoint) + blocks_.size() * sizeof(DiscBlock) +
+           usual_.bytes() + all_.bytes();
 }
 
 }  // namespace sunfleck

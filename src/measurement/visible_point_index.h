@@ -5,10 +5,9 @@
 #pragma once
 
 #include "core/unfilled.h"
-#include "measurement/box_tree.h"
+#include "measurement/block_boxes.h"
 #include "measurement/disc_block.h"
 #include "measurement/morton.h"
-#include "measurement/occupancy.h"
 #include "measurement/visible_point.h"
 
 #include <span>
@@ -26,11 +25,10 @@ public:
     bool any(std::span<const Photon> path) const;
     bool any(const Photon& photon) const { return any({&photon, 1}); }
 
-    /// May any point take a photon there? A quick no for most places that are not seen.
-    bool may_take(const Vec3& position) const { return occupancy_.may_be_in_a_box(position); }
-    /// The same, knowing the kind.
+    /// May any point take it? A quick no for most photons in places that are not seen.
     bool may_take(const Photon& photon) const {
-        return takes_kind(photon.kind) && may_take(photon.position);
+        return takes_kind(photon.kind) &&
+               around(photon.kind).occupancy.may_be_in_a_box(photon.position);
     }
     /// Does any point take such photons?
     bool takes_kind(PhotonKind kind) const {
@@ -52,10 +50,11 @@ public:
         const DiscBlock& discs = blocks_[b];
         return radius_of_kind(kind, discs.radius[i], discs.indirect_radius[i]);
     }
-    /// Holds every photon that a point of the block takes.
-    const Box& box(std::size_t b) const { return boxes_[b]; }
-    /// Over blocks.
-    const BoxTree& tree() const { return tree_; }
+    /// Boxes that hold every photon of this kind that a point of the block takes. Those for deep
+    /// caustics hold the others: they would make all questions dearer for the sake of few photons.
+    const BlockBoxes& around(PhotonKind kind) const {
+        return kind == PhotonKind::deep_caustic ? all_ : usual_;
+    }
     int max_depth() const { return max_depth_; }
 
     std::span<const VisiblePoint> points() const { return points_; }
@@ -67,10 +66,9 @@ private:
     MortonGrid grid_;
     UnfilledVector<VisiblePoint> points_;  // in Morton order
     UnfilledVector<DiscBlock> blocks_;     // the same order: what a query reads
-    std::vector<Box> boxes_;               // around blocks
     std::vector<std::uint8_t> plain_;      // one bit a point of a block
-    BoxTree tree_;
-    Occupancy occupancy_;
+    BlockBoxes usual_;                     // around what points take but deep caustics
+    BlockBoxes all_;
 };
 
 }  // namespace sunfleck

@@ -29,7 +29,10 @@ protected:
             photon.position = Vec3(static_cast<float>(i), 0, 0);
             photon.kind = static_cast<PhotonKind>(1U << below(4));
             photon.flux = spectrum();
-            if (i + 1 == count) photon.flux = Spectrum(std::numeric_limits<float>::quiet_NaN());
+            if (i + 1 == count) {
+                photon.kind = PhotonKind::deep_caustic;  // and so the last one in order, too
+                photon.flux = Spectrum(std::numeric_limits<float>::quiet_NaN());
+            }
             batches[0].add(photon, i);
         }
         return {batches, MortonGrid(Vec3(0), Vec3(static_cast<float>(count), 1, 1))};

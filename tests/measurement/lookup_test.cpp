@@ -101,6 +101,8 @@ TEST_P(Lookup, finds_what_takes_accepts) {
         std::sort(found.begin(), found.end());
         ASSERT_EQ(found, one_by_one(index, photons)) << count;
         for (std::size_t i = 0; i < photons.size(); ++i) {
+            const bool is_deep = photons[i].kind == PhotonKind::deep_caustic;
+            ASSERT_EQ(is_deep, i >= photons.first_deep());
             const bool taken = std::any_of(found.begin(), found.end(), [&](const Pair& pair) {
                 return std::get<0>(pair) == i;
             });

@@ -40,7 +40,7 @@ struct Points {
             testing_support::for_each_taker(index, photon, [&](const VisiblePoint&) { ++count; });
         EXPECT_EQ(taken, count > 0);
         EXPECT_EQ(taken, index.any(photon));
-        EXPECT_TRUE(!taken || index.may_take(photon.position));
+        EXPECT_TRUE(!taken || index.may_take(photon));
         if (thorough) {
             EXPECT_EQ(one_by_one(photon), count);
         }

@@ -21,7 +21,7 @@ bool for_each_taker(const VisiblePointIndex& index, const Photon& photon, const 
     const std::span<const VisiblePoint> points = index.points();
     bool any = false;
     for (std::size_t b = 0; b < index.block_count(); ++b) {
-        if (!is_inside(photon.position, index.box(b))) continue;
+        if (!is_inside(photon.position, index.around(photon.kind).boxes[b])) continue;
         for (std::size_t i = b * kWidth; i < std::min((b + 1) * kWidth, points.size()); ++i) {
             if (!takes(points[i].disc, photon, index.max_depth())) continue;
             found(points[i]);
