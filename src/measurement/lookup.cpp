@@ -146,19 +146,13 @@ HWY_INLINE std::uint32_t* write_numbers(unsigned met, std::uint32_t first, std::
     return out;
 }
 
-/// Boxes around a block: for photons but deep caustics, and for all.
-struct Around {
-    Box usual;
-    Box all;
-};
-
 /// Lists the photons in the block's boxes, of the nodes that are near. @return how many.
-HWY_INLINE std::size_t list_near(const SortedPhotons& photons, const Around& around,
-                                 TakenPhotons& taken) {
+HWY_INLINE std::size_t list_near(const VisiblePointIndex& index, const SortedPhotons& photons,
+                                 std::size_t block, TakenPhotons& taken) {
     std::size_t count = 0;
     for (const std::uint32_t node : taken.nodes) {
-        const bool any_deep = (std::size_t{node} + 1) * 64 > photons.first_deep();
-        const Box& box = any_deep ? around.all : around.usual;
+        const PhotonKind widest = photons.widest_before((std::size_t{node} + 1) * 64);
+        const Box& box = index.around(widest).boxes[block];
         if (count + kPhotonsOfNode > taken.near.size())
             taken.near.resize(2 * count + kPhotonsOfNode);
         std::uint32_t* const begin = taken.near.data();
@@ -173,17 +167,12 @@ HWY_INLINE std::size_t list_near(const SortedPhotons& photons, const Around& aro
     return count;
 }
 
-HWY_INLINE Around around(const VisiblePointIndex& index, std::size_t block) {
-    return {index.around(PhotonKind::direct).boxes[block],
-            index.around(PhotonKind::deep_caustic).boxes[block]};
-}
-
 /// Lists what the block takes from `first` on. All that is near is listed before any of it is asked
 /// for: loops whose ends can be foreseen.
 HWY_INLINE TakenPhotons::Block list_taken(const VisiblePointIndex& index,
                                           const SortedPhotons& photons, std::size_t block,
                                           std::size_t first, TakenPhotons& taken) {
-    const std::size_t count = list_near(photons, around(index, block), taken);
+    const std::size_t count = list_near(index, photons, block, taken);
     if (first + count > taken.list.size()) taken.list.resize(2 * first + count);
     const DiscBlock& discs = index.discs(block);
     std::size_t end = first;
@@ -200,8 +189,7 @@ HWY_INLINE TakenPhotons::Block list_taken(const VisiblePointIndex& index,
 
 bool find_taken(const VisiblePointIndex& index, const SortedPhotons& photons, std::size_t begin,
                 std::size_t end, TakenPhotons& taken) {
-    const bool any_deep = photons.first_deep() < photons.size();
-    const PhotonKind widest = any_deep ? PhotonKind::deep_caustic : PhotonKind::direct;
+    const PhotonKind widest = photons.widest_before(photons.size());
     Box around_all;
     for (std::size_t block = begin; block < end; ++block)
         around_all.extend(index.around(widest).boxes[block]);

@@ -11,6 +11,10 @@
 namespace sunfleck {
 namespace {
 
+bool is_deep(const Photon& photon) {
+    return photon.kind == PhotonKind::deep_caustic;
+}
+
 /// All photons of the batches, deep caustics last.
 MortonKeys in_order(const std::vector<PhotonBatch>& batches, const MortonGrid& grid) {
     constexpr unsigned kSortedBits = 33;
@@ -18,8 +22,7 @@ MortonKeys in_order(const std::vector<PhotonBatch>& batches, const MortonGrid& g
         batches.size(), [&](std::size_t b) { return batches[b].photons.size(); },
         [&](std::size_t b, std::size_t i) {
             const Photon& photon = batches[b].photons[i];
-            const std::uint64_t deep = photon.kind == PhotonKind::deep_caustic ? 1 : 0;
-            return grid.code(photon.position) >> 1U | deep << 62U;
+            return grid.code(photon.position) >> 1U | std::uint64_t{is_deep(photon)} << 62U;
         },
         kSortedBits);
 }
@@ -48,9 +51,6 @@ SortedPhotons::SortedPhotons(const std::vector<PhotonBatch>& batches, const Mort
         for (std::size_t leaf = begin; leaf < end; ++leaf) boxes[leaf] = fill(leaf);
     });
     tree_ = BoxTree(std::move(boxes));
-    const auto is_deep = [](const Photon& photon) {
-        return photon.kind == PhotonKind::deep_caustic;
-    };
     first_deep_ = static_cast<std::size_t>(
         std::partition_point(photons_.begin(), photons_.end(), std::not_fn(is_deep)) -
         photons_.begin());

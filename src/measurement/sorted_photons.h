@@ -6,6 +6,7 @@
 #include "measurement/morton.h"
 #include "measurement/photon_batch.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace sunfleck {
@@ -24,6 +25,10 @@ public:
     const Photon& operator[](std::size_t i) const { return photons_[i]; }
     /// Photons from this one on are deep caustics, and no others.
     std::size_t first_deep() const { return first_deep_; }
+    /// A kind whose boxes hold photons 0 .. end - 1. @param end  may be beyond the last.
+    PhotonKind widest_before(std::size_t end) const {
+        return first_deep_ < std::min(end, size()) ? PhotonKind::deep_caustic : PhotonKind::direct;
+    }
 
     /// Photons 8 l .. 8 l + 7.
     const PhotonLeaf& leaf(std::size_t l) const { return leaves_[l]; }

@@ -87,6 +87,12 @@ template <SlotReader Reader, class Surface>
         flux, w_to, survival, unit(BounceSlot::roulette), drawn->pdf.has_value(), drawn->dispersed};
 }
 
+/// Of a photon that so many smooth surfaces have scattered, and no rough one.
+inline PhotonKind kind_after_smooth(int events) {
+    if (events == 0) return PhotonKind::direct;
+    return events < kDeepCaustic ? PhotonKind::caustic : PhotonKind::deep_caustic;
+}
+
 /// Roulette, and the photon after it. @return false when it is absorbed.
 inline bool take_turn(const Turn& turn, PhotonState& state) {
     if (!(turn.number < turn.survival)) return false;
@@ -94,8 +100,7 @@ inline bool take_turn(const Turn& turn, PhotonState& state) {
     if (turn.is_rough)
         state.kind = PhotonKind::indirect;
     else if (state.kind != PhotonKind::indirect)
-        state.kind =
-            state.bounces + 1 < kDeepCaustic ? PhotonKind::caustic : PhotonKind::deep_caustic;
+        state.kind = kind_after_smooth(state.bounces + 1);
     state.flux = turn.flux / turn.survival;
     state.faded = 1;
     state.direction = turn.direction;

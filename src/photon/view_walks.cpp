@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "math/warp.h"
+#include "photon/turn.h"
 
 #include <algorithm>
 
@@ -53,8 +54,8 @@ private:
         if (!(cosine > 0)) return;
         const double weight = weight_of(*sample, Spectrum(cosine / kPi));
         const int panes = panes_to({at, sample->direct.direction}, sample->direct.distance);
-        const PhotonKind kind = panes == 0 ? PhotonKind::direct : PhotonKind::caustic;
-        if (panes < 0 || (disc.kinds & static_cast<std::uint8_t>(kind)) == 0) return;
+        const PhotonKind kind = kind_after_smooth(panes);
+        if (panes < 0 || !disc.takes_kind(kind)) return;
         add(*sample, at, weight);
     }
 
