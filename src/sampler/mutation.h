@@ -20,7 +20,10 @@ namespace sunfleck {
 inline constexpr std::size_t kMutationKinds = 2;
 /// Of bounce slots over emission slots, by kind.
 inline constexpr std::array<float, kMutationKinds> kBounceStretch = {1, 16};
+/// Of mutations, in sets that few seeds lead to: chains must get around.
 inline constexpr float kTargetAcceptance = 0.5F;
+/// In a set that independent paths find often enough: chains stay nearer to their seeds.
+inline constexpr float kTargetOfOneSet = 0.65F;
 /// Over which the magnitudes of mutations spread, and the steps of one mutation.
 inline constexpr float kDecadesOfMagnitudes = 3;
 inline constexpr float kDecadesOfSteps = 1;
@@ -97,20 +100,21 @@ private:
     RandomStream& stream_;
 };
 
-/// The scale that should accept about kTargetAcceptance, from what was counted with `scale`. Left
+/// The scale that should accept about the target's share, from what was counted with `scale`. Left
 /// as it is below 30 proposals; at most halved or doubled at once, and at most half a turn.
-inline float adapted(float scale, const Acceptance& counted) {
+inline float adapted(float scale, const Acceptance& counted, float target) {
     if (counted.proposed < 30) return scale;
     const float ratio =
         (static_cast<float>(counted.accepted) + 0.5F) / (static_cast<float>(counted.proposed) + 1);
-    const float change = std::log(kTargetAcceptance) / std::log(ratio);
+    const float change = std::log(target) / std::log(ratio);
     return std::min(0.5F, scale * std::clamp(change, 0.5F, 2.0F));
 }
 
-inline MutationScales adapted(const MutationScales& scales, const Acceptances& counted) {
+inline MutationScales adapted(const MutationScales& scales, const Acceptances& counted,
+                              float target = kTargetAcceptance) {
     MutationScales result;
     for (std::size_t kind = 0; kind < kMutationKinds; ++kind)
-        result.scale.at(kind) = adapted(scales.scale.at(kind), counted.at(kind));
+        result.scale.at(kind) = adapted(scales.scale.at(kind), counted.at(kind), target);
     return result;
 }
 

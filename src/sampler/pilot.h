@@ -9,6 +9,7 @@
 #include "sampler/ladder_rules.h"
 #include "sampler/learned_map.h"
 #include "sampler/map_source.h"
+#include "sampler/set_walk.h"
 
 #include <optional>
 
@@ -23,23 +24,11 @@ struct PilotResult {
     std::uint64_t paths = 0;  // traced by pilots' rounds, without the search for a map
 };
 
-/// What a pilot's random numbers are named by, but for its rounds.
-struct PilotName {
-    std::uint64_t seed = 0;
-    std::uint32_t epoch = 0;  // below 2^20
-    std::uint32_t part = 0;   // see PassId
-
-    /// Streams of a round: passes that no render reaches. @param number  below 512.
-    constexpr PassId round(std::uint32_t number) const {
-        return {seed, 0x80000000U + epoch * 512 + number, part};
-    }
-};
-
 template <PathSpace Space, class Points>
 class Pilot {
 public:
     Pilot(const Space& space, const PilotName& name, MapSource maps = {})
-        : space_(space), name_(name), maps_(std::move(maps)) {}
+        : space_(space), maps_(std::move(maps)), walk_(space, name) {}
 
     /// Climbs from uniform paths to visible ones, set by set, or starts from hints where that leads
     /// nowhere, or was luck: the first thing to ask of a pilot.
@@ -69,9 +58,14 @@ public:
         } else {
             result_.plan = ladder_plan(tail, paths);
         }
-        for (LevelPlan& level : result_.plan.levels) level.scales = scales_near(level.height);
-        if (result_.plan.levels.size() > 1) refine();
-        return result_;
+        std::vector<LevelPlan>& levels = result_.plan.levels;
+        const bool has_one_set = levels.size() == 1 && result_.mapped.paths == 0 && has_climbed_;
+        for (LevelPlan& level : levels)
+            level.scales = has_one_set ? scales_of_one_set() : scales_near(level.height);
+        if (levels.size() > 1) refine();
+        PilotResult result = result_;
+        result.paths += walk_.paths();
+        return result;
     }
 
     /// Both. @param paths  of the passes that the plan is for.
@@ -81,11 +75,9 @@ public:
     }
 
 private:
+    using Walk = SetWalk<Space>;
+
     static constexpr std::uint32_t kUniformPaths = 20'000;
-    static constexpr std::uint32_t kStates = 4'000;
-    static constexpr std::uint32_t kChains = 64;
-    static constexpr int kLeastRounds = 3;
-    static constexpr int kMostRounds = 12;
     static constexpr int kRefiningRounds = 3;
     static constexpr int kRefiningRest = 6;  // what a map leaves out is narrower than its set
     static constexpr int kStartingRounds = 4;
@@ -106,41 +98,25 @@ private:
         MutationScales scales;
     };
 
-    static bool is_settled(const MutationScales& before, const MutationScales& now) {
-        for (std::size_t kind = 0; kind < kMutationKinds; ++kind) {
-            const float change = now.scale.at(kind) / before.scale.at(kind);
-            if (change < 0.8F || change > 1.25F) return false;
-        }
-        return true;
-    }
-
-    PassId next_pass() { return name_.round(round_++); }
-
-    /// One round in one set: the population becomes its states, the scales adapt.
-    LevelCounts walk(int height, MutationScales& scales, Population& population) {
-        const LevelPlan plan{height, kStates, kChains, scales};
-        const Level<Space> level(space_, next_pass(), 1, plan, population);
-        LevelCounts counts;
-        population = surviving_states(level, height, counts, tally_);
-        scales = adapted(scales, counts.acceptances);
-        result_.paths += kStates;
-        return counts;
-    }
-
     void walk_until_settled(int height, MutationScales& scales, Population& population) {
-        for (int i = 0; i < kMostRounds; ++i) {
-            const MutationScales before = scales;
-            counts_ = walk(height, scales, population);
-            if (i + 1 >= kLeastRounds && is_settled(before, scales)) break;
-        }
+        counts_ = walk_.until_settled(height, kTargetAcceptance, scales, population, tally_);
         explored_.push_back({height, scales});
         if (height == kVisible) visible_ = population;
+    }
+
+    /// Scales of the visible set where uniform paths are its seeds.
+    const MutationScales& scales_of_one_set() {
+        if (!one_set_) {
+            one_set_ = scales_near(kVisible);
+            walk_.until_settled(kVisible, kTargetOfOneSet, *one_set_, visible_, tally_);
+        }
+        return *one_set_;
     }
 
     /// @param weight  of all of them.
     void add_starts(const Population& population, double weight) {
         std::vector<Seed> seeds = population.seeds();
-        redraw_emission(space_, seeds, next_pass(), tally_);
+        redraw_emission(space_, seeds, walk_.next_round(), tally_);
         for (const Seed& seed : seeds)
             starts_.push_back(
                 {emission_of(seed.sample), weight * seed.total() / population.weight()});
@@ -148,7 +124,7 @@ private:
 
     std::vector<WeightedEmission> look_for_hints(PassId pass) {
         constexpr double kEventsMissed = 3;  // at most, with 95% confidence, where none was seen
-        const double seen = maps_.seen ? maps_.seen(next_pass()) : 0;
+        const double seen = maps_.seen ? maps_.seen(walk_.next_round()) : 0;
         const std::uint32_t most = has_climbed_ ? kFewWalks : kMostWalks;
         std::vector<WeightedEmission> hints;
         double possible = 0;
@@ -165,9 +141,9 @@ private:
 
     /// @return whether any hint leads to a visible path.
     bool start_from_hints() {
-        const PassId pass = next_pass();
+        const PassId pass = walk_.next_round();
         const std::vector<WeightedEmission> hints = look_for_hints(pass);
-        Population population = visible_from(space_, hints, next_pass(), tally_);
+        Population population = visible_from(space_, hints, walk_.next_round(), tally_);
         if (population.units() == 0) return false;
         add_starts(population, kStartingRounds);
         if (has_climbed_) add_starts(visible_, 1);
@@ -180,12 +156,12 @@ private:
     void learn_map(Covering covering) {
         MutationScales scales = scales_near(kVisible);
         for (int i = 0; i < kStartingRounds; ++i) {
-            walk(kVisible, scales, visible_);
+            walk_.once(kVisible, kTargetAcceptance, scales, visible_, tally_);
             add_starts(visible_, 1);
         }
         const MapLearner<Space> learner(space_, tally_);
         std::vector<PassId> rounds(covering == Covering::all_known ? kRoundsAlone : kRounds);
-        for (PassId& round : rounds) round = next_pass();
+        for (PassId& round : rounds) round = walk_.next_round();
         map_ = learner.learn(starts_, covering, rounds);
         result_.paths += rounds.size() * MapLearner<Space>::kTrials;
     }
@@ -209,15 +185,15 @@ private:
         } nowhere;
         LadderPlan small = result_.plan;
         MappedPlan mapped = result_.mapped;
-        if (mapped.paths > 0) mapped.paths = kStates / 4;
-        small.uniform_paths = 2 * kStates;
+        if (mapped.paths > 0) mapped.paths = Walk::kStates / 4;
+        small.uniform_paths = 2 * Walk::kStates;
         for (LevelPlan& level : small.levels) {
-            level.states = kStates;
-            level.chains = kChains;
+            level.states = Walk::kStates;
+            level.chains = Walk::kChains;
         }
         const int rounds = result_.mapped.paths > 0 ? kRefiningRest : kRefiningRounds;
         for (int i = 0; i < rounds; ++i) {
-            const PassId pass = next_pass();
+            const PassId pass = walk_.next_round();
             const Points points(pass);
             result_.last = Ladder(space_, points, pass, small, mapped).run(nowhere, tally_);
             for (std::size_t k = 0; k + 1 < result_.last.levels.size(); ++k)
@@ -232,23 +208,23 @@ private:
     void climb();
 
     const Space& space_;
-    PilotName name_;
     MapSource maps_;
-    std::uint32_t round_ = 0;
     typename Space::Tally tally_;
+    Walk walk_;
     LevelCounts counts_;  // of the last round
     std::vector<Explored> explored_;
-    bool has_climbed_ = false;              // to the visible set
-    bool was_lucky_ = false;                // on the way: what it leads to may be little of all
-    Population visible_;                    // states of that
-    std::vector<WeightedEmission> starts_;  // of visible paths
-    std::optional<LearnedMap> map_;         // if it was learned
+    bool has_climbed_ = false;               // to the visible set
+    bool was_lucky_ = false;                 // on the way: what it leads to may be little of all
+    Population visible_;                     // states of that
+    std::vector<WeightedEmission> starts_;   // of visible paths
+    std::optional<LearnedMap> map_;          // if it was learned
+    std::optional<MutationScales> one_set_;  // of the visible set alone
     PilotResult result_;
 };
 
 template <PathSpace Space, class Points>
 void Pilot<Space, Points>::climb() {
-    const PassId pass = next_pass();
+    const PassId pass = walk_.next_round();
     UniformLevel uniform = uniform_level(space_, Points(pass), kUniformPaths, 1, tally_);
     counts_ = uniform.counts;
     Population population = std::move(uniform.population);

@@ -137,24 +137,24 @@ TEST(LogUniformMove, every_slot_has_its_own_step) {
 }
 
 TEST(Adapted, follows_the_ratio_of_logarithms) {
-    EXPECT_FLOAT_EQ(adapted(0.01F, {999, 499}), 0.01F * std::log(0.5F) / std::log(0.4995F));
-    EXPECT_FLOAT_EQ(adapted(0.01F, {999, 299}), 0.01F * std::log(0.5F) / std::log(0.2995F));
-    EXPECT_FLOAT_EQ(adapted(0.01F, {999, 599}), 0.01F * std::log(0.5F) / std::log(0.5995F));
+    EXPECT_FLOAT_EQ(adapted(0.01F, {999, 499}, 0.5F), 0.01F * std::log(0.5F) / std::log(0.4995F));
+    EXPECT_FLOAT_EQ(adapted(0.01F, {999, 299}, 0.5F), 0.01F * std::log(0.5F) / std::log(0.2995F));
+    EXPECT_FLOAT_EQ(adapted(0.01F, {999, 599}, 0.5F), 0.01F * std::log(0.5F) / std::log(0.5995F));
 }
 
 TEST(Adapted, is_halved_or_doubled_at_most) {
-    EXPECT_FLOAT_EQ(adapted(0.01F, {1000, 0}), 0.005F);
-    EXPECT_FLOAT_EQ(adapted(0.01F, {1000, 1000}), 0.02F);
+    EXPECT_FLOAT_EQ(adapted(0.01F, {1000, 0}, 0.5F), 0.005F);
+    EXPECT_FLOAT_EQ(adapted(0.01F, {1000, 1000}, 0.5F), 0.02F);
 }
 
 TEST(Adapted, waits_for_thirty_proposals) {
-    EXPECT_EQ(adapted(0.01F, {29, 29}), 0.01F);
-    EXPECT_NE(adapted(0.01F, {30, 30}), 0.01F);
+    EXPECT_EQ(adapted(0.01F, {29, 29}, 0.5F), 0.01F);
+    EXPECT_NE(adapted(0.01F, {30, 30}, 0.5F), 0.01F);
 }
 
 TEST(Adapted, stays_within_half_a_turn) {
-    EXPECT_EQ(adapted(0.4F, {1000, 1000}), 0.5F);
-    EXPECT_EQ(adapted(0.5F, {1000, 1000}), 0.5F);
+    EXPECT_EQ(adapted(0.4F, {1000, 1000}, 0.5F), 0.5F);
+    EXPECT_EQ(adapted(0.5F, {1000, 1000}, 0.5F), 0.5F);
 }
 
 TEST(Adapted, each_kind_by_its_own_counts) {
