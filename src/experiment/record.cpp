@@ -54,6 +54,7 @@ Json cell_json(const Results& results, const Cell& cell, bool has_reference) {
     const PictureError error = results.error(cell);
     json["mse"] = number(error.mse);
     json["rel_mse"] = number(error.rel_mse);
+    json["trimmed_mse"] = number(error.trimmed_mse);
     return json;
 }
 

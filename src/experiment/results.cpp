@@ -49,6 +49,14 @@ double mean_of(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
+/// The mean without the greatest hundredth.
+double trimmed_mean(std::vector<double> values) {
+    const std::size_t kept = values.size() - values.size() / 100;
+    std::sort(values.begin(), values.end());
+    values.resize(kept);
+    return mean_of(values);
+}
+
 bool sees_lamp(const MeasuredPicture& picture, std::size_t pixel) {
     return !picture.sees_lamp.empty() && picture.sees_lamp[pixel];
 }
@@ -149,20 +157,17 @@ PictureError Results::measured(const std::string& scene, const std::string& pict
     if (measured.luminance.size() != r.picture.luminance.size())
         throw Error({picture}, "has another size than the reference of " + scene,
                     "render it at the size of this run");
-    PictureError error{0, 0};
-    std::size_t counted = 0;
+    std::vector<double> squares;
+    double rel_mse = 0;
     for (std::size_t i = 0; i < measured.luminance.size(); ++i) {
         if (sees_lamp(measured, i) || sees_lamp(r.picture, i)) continue;
         const double truth = r.picture.luminance[i];
         const double difference = measured.luminance[i] - truth;
         const double square = difference * difference - (r.variance.empty() ? 0 : r.variance[i]);
-        error.mse += square / (r.mean * r.mean);
-        error.rel_mse += square / (truth * truth + 0.01 * r.mean * r.mean);
-        ++counted;
+        squares.push_back(square / (r.mean * r.mean));
+        rel_mse += square / (truth * truth + 0.01 * r.mean * r.mean);
     }
-    error.mse /= static_cast<double>(counted);
-    error.rel_mse /= static_cast<double>(counted);
-    return error;
+    return {mean_of(squares), rel_mse / static_cast<double>(squares.size()), trimmed_mean(squares)};
 }
 
 std::vector<Cell> Results::cells(const std::string& scene, const Method& method) const {

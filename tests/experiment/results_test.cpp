@@ -62,6 +62,20 @@ TEST_F(ExperimentResults, errors_lose_the_variance_of_the_reference) {
     EXPECT_NEAR(results.costs("box", cell_.method, &PictureError::mse)[0], 3 * error.mse, 1e-6);
 }
 
+/// Of 250 pixels two.
+TEST_F(ExperimentResults, trimmed_errors_leave_out_the_worst_hundredth) {
+    Floats grey(250, 2);
+    grey[7] = 100;
+    grey[249] = -50;
+    grey[100] = 4;
+    write(reference(), Floats(grey.size(), 1), {}, {});
+    write(cell_, grey, {}, {});
+    const CellStore store(settings());
+    const PictureError error = Results(store).error(cell_);
+    EXPECT_NEAR(error.trimmed_mse, (247 + 9) / 248.0, 1e-6);
+    EXPECT_NEAR(error.mse, (247 + 9 + 99 * 99 + 51 * 51) / 250.0, 1e-6);
+}
+
 /// One lamp is seen in the reference alone, one in the picture alone.
 TEST_F(ExperimentResults, pixels_that_see_a_lamp_are_left_out) {
     write(reference(), {1, 3, 900, 4}, Floats{0.5F, 0, 400, 7}, Floats{0, 0, 800, 0});

@@ -9,17 +9,13 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::array<ErrorKind, 2> kErrorKinds = {&PictureError::mse, &PictureError::rel_mse};
+constexpr std::array<ErrorKind, 3> kErrorKinds = {&PictureError::mse, &PictureError::rel_mse,
+                                                  &PictureError::trimmed_mse};
 
 double mean_of(const Results& results, const std::vector<Cell>& cells, double CellFacts::*fact) {
     double sum = 0;
     for (const Cell& cell : cells) sum += results.facts(cell).*fact;
     return sum / static_cast<double>(cells.size());
-}
-
-Interval cost_ratio(const Results& results, const std::string& scene, const Method& a,
-                    const Method& b, ErrorKind kind) {
-    return ratio_interval(results.costs(scene, a, kind), results.costs(scene, b, kind));
 }
 
 std::vector<std::string> method_row(const Results& results, const std::string& scene,
@@ -42,7 +38,8 @@ void add_others(const Results& results, const std::string& scene, Table& table) 
         if (other.scene != scene) continue;
         const PictureError error = results.error(scene, other.file);
         table.rows.push_back({scene, other.label, "-", "-", number_text(error.mse),
-                              number_text(error.rel_mse), "-", "-"});
+                              number_text(error.rel_mse), number_text(error.trimmed_mse), "-", "-",
+                              "-"});
     }
 }
 
@@ -91,8 +88,9 @@ Table error_table(const Results& results, const std::string& name,
     Table table{name,
                 fmt::format("Errors after equal time, {} seeds: mean and 95% interval",
                             results.settings().seeds),
-                {"scene", "method", "passes", "cpu s", "MSE", "relMSE",
-                 "MSE x cpu s over " + methods[0].name, "relMSE x cpu s over " + methods[0].name},
+                {"scene", "method", "passes", "cpu s", "MSE", "relMSE", "trimmed MSE",
+                 "MSE x cpu s over " + methods[0].name, "relMSE x cpu s over " + methods[0].name,
+                 "trimmed MSE x cpu s over " + methods[0].name},
                 {}};
     for (const std::string& scene : scenes) {
         for (const Method& method : methods)
@@ -100,7 +98,7 @@ Table error_table(const Results& results, const std::string& name,
         add_others(results, scene, table);
         const Reference& r = results.reference(scene);
         table.rows.push_back({scene, r.method + " (its own error)", "-", "-", "-",
-                              number_text(r.own_rel_mse), "-", "-"});
+                              number_text(r.own_rel_mse), "-", "-", "-", "-"});
     }
     return table;
 }
@@ -135,12 +133,21 @@ PictureRow picture_row(const Results& results, const std::string& name, const st
     return row;
 }
 
+Interval cost_ratio(const Results& results, const std::string& scene, const Method& a,
+                    const Method& b, ErrorKind kind) {
+    return ratio_interval(results.costs(scene, a, kind), results.costs(scene, b, kind));
+}
+
 std::string ratio_sentence(const Results& results, const std::string& scene, const Method& a,
                            const Method& b) {
-    return fmt::format("{} over {} in {}: relMSE x processor time {}, MSE x processor time {}.",
-                       a.name, b.name, scene,
-                       interval_text(cost_ratio(results, scene, a, b, &PictureError::rel_mse)),
-                       interval_text(cost_ratio(results, scene, a, b, &PictureError::mse)));
+    const auto ratio = [&](ErrorKind kind) {
+        return interval_text(cost_ratio(results, scene, a, b, kind));
+    };
+    return fmt::format(
+        "{} over {} in {}: relMSE x processor time {}, MSE x processor time {}, without the worst "
+        "1% of pixels {}.",
+        a.name, b.name, scene, ratio(&PictureError::rel_mse), ratio(&PictureError::mse),
+        ratio(&PictureError::trimmed_mse));
 }
 
 }  // namespace sunfleck

@@ -24,7 +24,12 @@ Chart error_chart(const Results& results, const std::string& name, const std::st
 PictureRow picture_row(const Results& results, const std::string& name, const std::string& scene,
                        const std::vector<Method>& methods);
 
-/// "A over B in SCENE: relMSE x processor time 3.1 [2.8, 3.4], MSE x ...".
+/// Error x processor seconds of one method over that of another, over seeds.
+Interval cost_ratio(const Results& results, const std::string& scene, const Method& a,
+                    const Method& b, ErrorKind kind);
+
+/// "A over B in SCENE: relMSE x processor time 3.1 [2.8, 3.4], MSE x ..., without the worst 1%
+/// ...".
 std::string ratio_sentence(const Results& results, const std::string& scene, const Method& a,
                            const Method& b);
 

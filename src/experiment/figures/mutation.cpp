@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 namespace sunfleck {
 namespace {
@@ -46,6 +45,29 @@ double best_size(const Results& results, const std::string& scene, ErrorKind kin
                              [&](double a, double b) { return cost(a) < cost(b); });
 }
 
+struct Measure {
+    ErrorKind kind;
+    const char* name;
+};
+constexpr std::array<Measure, 3> kMeasures = {{
+    {&PictureError::mse, "MSE"},
+    {&PictureError::trimmed_mse, "MSE without the worst 1% of pixels"},
+    {&PictureError::rel_mse, "relMSE"},
+}};
+
+std::string best_sentence(const Results& results, const std::string& scene,
+                          const Measure& measure) {
+    const double theta = best_size(results, scene, measure.kind);
+    const auto over_best = [&](const char* name) {
+        return interval_text(
+            cost_ratio(results, scene, sampler_method(name), fixed_size(theta), measure.kind));
+    };
+    return fmt::format(
+        "{}: by {} x processor time the best fixed size is {}; over it paper has {}, "
+        "adaptive {}.",
+        scene, measure.name, theta, over_best("paper"), over_best("adaptive"));
+}
+
 void add_lines(const Results& results, const std::string& scene, Chart& chart) {
     ChartLine fixed{scene, {}};
     for (const double theta : kSizes) {
@@ -65,17 +87,11 @@ Section fig7_section(const Results& results) {
     section.tables.push_back(error_table(results, "fig7-errors", kFig7Scenes, sizes()));
     Chart chart{"fig7", "Error by mutation size", "mutation size", "relMSE", {}, true};
     section.findings.push_back(
-        fmt::format("Fixed sizes below are the best of {}, after the fact.", kSizes.size()));
+        fmt::format("The best of {} fixed sizes is known after the fact alone.", kSizes.size()));
     for (const std::string& scene : kFig7Scenes) {
         add_lines(results, scene, chart);
-        const double by_mse = best_size(results, scene, &PictureError::mse);
-        const double by_rel_mse = best_size(results, scene, &PictureError::rel_mse);
-        for (const char* name : {"paper", "adaptive"}) {
-            const Method method = sampler_method(name);
-            for (const double theta : std::set<double>{by_mse, by_rel_mse})
-                section.findings.push_back(
-                    ratio_sentence(results, scene, method, fixed_size(theta)));
-        }
+        for (const Measure& measure : kMeasures)
+            section.findings.push_back(best_sentence(results, scene, measure));
     }
     section.charts.push_back(chart);
     section.rows.push_back(picture_row(
