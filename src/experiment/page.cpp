@@ -130,7 +130,9 @@ std::string intro_html(const Results& results, const std::vector<FinishedFigure>
         "pixel "
         "by pixel, as in its algorithm, the others' alike everywhere. Errors are against "
         "references of {:.3g} times "
-        "the budget; intervals are of 95%, over seeds; ratios are geometric means.</p>\n<nav>",
+        "the budget: MSE over the squared mean, relMSE over each pixel's own square, trimmed MSE "
+        "without the worst 1% of each picture's pixels; intervals are of 95%, over seeds; ratios "
+        "are geometric means.</p>\n<nav>",
         SUNFLECK_VERSION, budget, s.seeds,
         s.scale == 1 ? "full size" : fmt::format("{:.3g} of their size", s.scale),
         escaped(machine_text()), s.reference_budget);

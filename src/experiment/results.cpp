@@ -49,10 +49,12 @@ double mean_of(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-/// The mean without the greatest hundredth.
+/// The mean without the hundredth of the largest, whatever their sign: where the reference is
+/// noisy, a square less its variance may be far below zero.
 double trimmed_mean(std::vector<double> values) {
     const std::size_t kept = values.size() - values.size() / 100;
-    std::sort(values.begin(), values.end());
+    std::sort(values.begin(), values.end(),
+              [](double a, double b) { return std::abs(a) < std::abs(b); });
     values.resize(kept);
     return mean_of(values);
 }

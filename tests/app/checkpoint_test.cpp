@@ -217,9 +217,11 @@ TEST_F(Resume, a_kill_while_writing_leaves_the_former_one) {
         Process process(path(""),
                         endless("0.000001") + (again ? Words{"--resume", "x.ckpt"} : Words{}));
         wait_for("x.ckpt");
-        while (!writes()) std::this_thread::yield();
+        const auto end = std::chrono::steady_clock::now() + 60s;
+        while (!writes() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
         process.send(SIGKILL);
-        EXPECT_EQ(process.wait().code, 1000 + SIGKILL);
+        ASSERT_EQ(process.wait().code, 1000 + SIGKILL);
+        ASSERT_LT(std::chrono::steady_clock::now(), end) << "it writes no checkpoint";
     }
     ASSERT_TRUE(writes()) << "it died while writing";
     const std::uint64_t held = passes_in("x.ckpt");
