@@ -55,6 +55,16 @@ constexpr std::array<Measure, 3> kMeasures = {{
     {&PictureError::rel_mse, "relMSE"},
 }};
 
+std::vector<std::string> best_row(const Results& results, const std::string& scene,
+                                  const Measure& measure) {
+    const double theta = best_size(results, scene, measure.kind);
+    const auto over_best = [&](const char* name) {
+        return interval_text(
+            cost_ratio(results, scene, sampler_method(name), fixed_size(theta), measure.kind));
+    };
+    return {scene, measure.name, number_text(theta), over_best("paper"), over_best("adaptive")};
+}
+
 /// The samplers over the best fixed size, which is known after the fact alone.
 Table best_table(const Results& results) {
     Table table{"fig7-best",
@@ -63,17 +73,9 @@ Table best_table(const Results& results) {
                             kSizes.size()),
                 {"scene", "measure", "best size", "paper", "adaptive"},
                 {}};
-    for (const std::string& scene : kFig7Scenes) {
-        for (const Measure& measure : kMeasures) {
-            const double theta = best_size(results, scene, measure.kind);
-            const auto over_best = [&](const char* name) {
-                return interval_text(cost_ratio(results, scene, sampler_method(name),
-                                                fixed_size(theta), measure.kind));
-            };
-            table.rows.push_back({scene, measure.name, number_text(theta), over_best("paper"),
-                                  over_best("adaptive")});
-        }
-    }
+    for (const std::string& scene : kFig7Scenes)
+        for (const Measure& measure : kMeasures)
+            table.rows.push_back(best_row(results, scene, measure));
     return table;
 }
 
