@@ -52,10 +52,10 @@ double mean_of(const std::vector<double>& values) {
 /// The mean without the hundredth of the largest, whatever their sign: where the reference is
 /// noisy, a square less its variance may be far below zero.
 double trimmed_mean(std::vector<double> values) {
-    const std::size_t kept = values.size() - values.size() / 100;
-    std::sort(values.begin(), values.end(),
-              [](double a, double b) { return std::abs(a) < std::abs(b); });
-    values.resize(kept);
+    const std::size_t left_out = values.size() / 100;
+    std::nth_element(values.begin(), values.end() - static_cast<std::ptrdiff_t>(left_out),
+                     values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    values.resize(values.size() - left_out);
     return mean_of(values);
 }
 

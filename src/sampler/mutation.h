@@ -111,7 +111,7 @@ inline float adapted(float scale, const Acceptance& counted, float target) {
 }
 
 inline MutationScales adapted(const MutationScales& scales, const Acceptances& counted,
-                              float target = kTargetAcceptance) {
+                              float target) {
     MutationScales result;
     for (std::size_t kind = 0; kind < kMutationKinds; ++kind)
         result.scale.at(kind) = adapted(scales.scale.at(kind), counted.at(kind), target);

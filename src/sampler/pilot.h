@@ -63,9 +63,8 @@ public:
         for (LevelPlan& level : levels)
             level.scales = has_one_set ? scales_of_one_set() : scales_near(level.height);
         if (levels.size() > 1) refine();
-        PilotResult result = result_;
-        result.paths += walk_.paths();
-        return result;
+        result_.paths = walk_.paths();
+        return result_;
     }
 
     /// Both. @param paths  of the passes that the plan is for.
@@ -163,7 +162,7 @@ private:
         std::vector<PassId> rounds(covering == Covering::all_known ? kRoundsAlone : kRounds);
         for (PassId& round : rounds) round = walk_.next_round();
         map_ = learner.learn(starts_, covering, rounds);
-        result_.paths += rounds.size() * MapLearner<Space>::kTrials;
+        walk_.add_paths(rounds.size() * MapLearner<Space>::kTrials);
     }
 
     /// The scales of the highest explored set that is not above `height`.
@@ -198,8 +197,9 @@ private:
             result_.last = Ladder(space_, points, pass, small, mapped).run(nowhere, tally_);
             for (std::size_t k = 0; k + 1 < result_.last.levels.size(); ++k)
                 small.levels[k].scales =
-                    adapted(small.levels[k].scales, result_.last.levels[k + 1].acceptances);
-            result_.paths += small.paths() + mapped.paths;
+                    adapted(small.levels[k].scales, result_.last.levels[k + 1].acceptances,
+                            kTargetAcceptance);
+            walk_.add_paths(small.paths() + mapped.paths);
         }
         for (std::size_t k = 0; k < small.levels.size(); ++k)
             result_.plan.levels[k].scales = small.levels[k].scales;
@@ -228,7 +228,7 @@ void Pilot<Space, Points>::climb() {
     UniformLevel uniform = uniform_level(space_, Points(pass), kUniformPaths, 1, tally_);
     counts_ = uniform.counts;
     Population population = std::move(uniform.population);
-    result_.paths += kUniformPaths;
+    walk_.add_paths(kUniformPaths);
     int height = 0;
     double fraction = 1;
     MutationScales scales;

@@ -55,7 +55,9 @@ public:
         }
     }
 
-    /// Traced so far.
+    /// Counts what the pilot traced in rounds of other kinds.
+    void add_paths(std::uint64_t paths) { paths_ += paths; }
+    /// Traced so far, in all rounds.
     std::uint64_t paths() const { return paths_; }
 
     static constexpr std::uint32_t kStates = 4'000;  // of a round

@@ -158,7 +158,8 @@ TEST(Adapted, stays_within_half_a_turn) {
 }
 
 TEST(Adapted, each_kind_by_its_own_counts) {
-    const MutationScales scales = adapted(MutationScales{{0.01F, 0.02F}}, {{{50, 0}, {50, 50}}});
+    const MutationScales scales =
+        adapted(MutationScales{{0.01F, 0.02F}}, {{{50, 0}, {50, 50}}}, 0.5F);
     EXPECT_FLOAT_EQ(scales.scale[0], 0.005F);
     EXPECT_FLOAT_EQ(scales.scale[1], 0.04F);
 }

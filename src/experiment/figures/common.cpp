@@ -9,9 +9,6 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::array<ErrorKind, 3> kErrorKinds = {&PictureError::mse, &PictureError::rel_mse,
-                                                  &PictureError::trimmed_mse};
-
 double mean_of(const Results& results, const std::vector<Cell>& cells, double CellFacts::*fact) {
     double sum = 0;
     for (const Cell& cell : cells) sum += results.facts(cell).*fact;
@@ -24,12 +21,12 @@ std::vector<std::string> method_row(const Results& results, const std::string& s
     std::vector<std::string> row = {scene, method.name,
                                     number_text(mean_of(results, cells, &CellFacts::passes)),
                                     number_text(mean_of(results, cells, &CellFacts::cpu_seconds))};
-    for (const ErrorKind kind : kErrorKinds)
-        row.push_back(interval_text(mean_interval(results.errors(scene, method, kind))));
-    for (const ErrorKind kind : kErrorKinds)
+    for (const Measure& m : kMeasures)
+        row.push_back(interval_text(mean_interval(results.errors(scene, method, m.kind))));
+    for (const Measure& m : kMeasures)
         row.push_back(method.name == base.name
                           ? "1"
-                          : interval_text(cost_ratio(results, scene, method, base, kind)));
+                          : interval_text(cost_ratio(results, scene, method, base, m.kind)));
     return row;
 }
 
@@ -37,9 +34,10 @@ void add_others(const Results& results, const std::string& scene, Table& table) 
     for (const OtherPicture& other : results.settings().others) {
         if (other.scene != scene) continue;
         const PictureError error = results.error(scene, other.file);
-        table.rows.push_back({scene, other.label, "-", "-", number_text(error.mse),
-                              number_text(error.rel_mse), number_text(error.trimmed_mse), "-", "-",
-                              "-"});
+        std::vector<std::string>& row = table.rows.emplace_back();
+        row = {scene, other.label, "-", "-"};
+        for (const Measure& m : kMeasures) row.push_back(number_text(error.*m.kind));
+        row.resize(table.columns.size(), "-");
     }
 }
 
@@ -88,10 +86,11 @@ Table error_table(const Results& results, const std::string& name,
     Table table{name,
                 fmt::format("Errors after equal time, {} seeds: mean and 95% interval",
                             results.settings().seeds),
-                {"scene", "method", "passes", "cpu s", "MSE", "relMSE", "trimmed MSE",
-                 "MSE x cpu s over " + methods[0].name, "relMSE x cpu s over " + methods[0].name,
-                 "trimmed MSE x cpu s over " + methods[0].name},
+                {"scene", "method", "passes", "cpu s"},
                 {}};
+    for (const Measure& m : kMeasures) table.columns.emplace_back(m.name);
+    for (const Measure& m : kMeasures)
+        table.columns.push_back(fmt::format("{} x cpu s over {}", m.name, methods[0].name));
     for (const std::string& scene : scenes) {
         for (const Method& method : methods)
             table.rows.push_back(method_row(results, scene, method, methods[0]));

@@ -4,7 +4,20 @@
 #include "experiment/figure.h"
 #include "experiment/methods.h"
 
+#include <array>
+
 namespace sunfleck {
+
+/// An error, and what tables call it.
+struct Measure {
+    ErrorKind kind;
+    const char* name;
+};
+inline constexpr std::array<Measure, 3> kMeasures = {{
+    {&PictureError::mse, "MSE"},
+    {&PictureError::rel_mse, "relMSE"},
+    {&PictureError::trimmed_mse, "trimmed MSE"},
+}};
 
 /// All methods in all scenes, one cell a seed.
 std::vector<Cell> seed_cells(const RunSettings& settings, const std::vector<std::string>& scenes,

@@ -45,16 +45,6 @@ double best_size(const Results& results, const std::string& scene, ErrorKind kin
                              [&](double a, double b) { return cost(a) < cost(b); });
 }
 
-struct Measure {
-    ErrorKind kind;
-    const char* name;
-};
-constexpr std::array<Measure, 3> kMeasures = {{
-    {&PictureError::mse, "MSE"},
-    {&PictureError::trimmed_mse, "trimmed MSE"},
-    {&PictureError::rel_mse, "relMSE"},
-}};
-
 std::vector<std::string> best_row(const Results& results, const std::string& scene,
                                   const Measure& measure) {
     const double theta = best_size(results, scene, measure.kind);
