@@ -7,6 +7,8 @@
 #include "sampler/ladder.h"
 #include "scene/pass_scene.h"
 
+#include <vector>
+
 namespace sunfleck {
 
 /// What photons of a pass go through and towards.
@@ -32,6 +34,13 @@ struct PhotonGroup {
 
     std::uint64_t paths() const { return plan.paths() + mapped.paths; }
 };
+
+/// Of all groups.
+inline std::uint64_t paths_of(const std::vector<PhotonGroup>& groups) {
+    std::uint64_t paths = 0;
+    for (const PhotonGroup& group : groups) paths += group.paths();
+    return paths;
+}
 
 /// What a group's paths brought to one pass.
 struct GroupCounts {

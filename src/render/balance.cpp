@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kBlock = 16;      // pixels a side: enough of them to tell a variance
 constexpr std::uint32_t kSets = 4;      // of photons, which together are those of one usual pass
+constexpr double kTried = 1.0 / kSets;  // share of the usual paths that a trial has
 constexpr std::uint32_t kRound = 500;   // of the pilots' numbers: beyond all that they use
 constexpr std::uint64_t kSeeds = 128;   // of a ladder's one set, or more
 constexpr double kRaysOfPixel = 0.6;    // work beside its rays: its point's place in the index
@@ -33,7 +34,11 @@ TrialPixels luminance_of(const PassImage& image) {
 class Trials {
 public:
     Trials(const EyePass& first, const std::vector<PhotonGroup>& groups, const PilotName& name)
-        : first_(first), groups_(groups), name_(name), seeds_(groups.size()) {}
+        : first_(first),
+          groups_(groups),
+          name_(name),
+          seeds_(groups.size()),
+          visible_(groups.size()) {}
 
     /// @param round  of the first of two.
     TrialPair of(const EyeView& view, std::uint32_t round) {
@@ -43,17 +48,18 @@ public:
 
     const Statistics& counts() const { return counts_; }
 
-    /// The share of the usual paths that every ladder's one set needs for its seeds; with more
-    /// sets, or a map beside, fewer paths would be less than their share worth: all.
+    /// The share of the usual paths below which nothing is known of what paths are worth: that of
+    /// the trials, or less where a ladder has one set and seeds enough. All, where a ladder has
+    /// found nothing.
     double least_share() const {
         double share = 0;
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             const PhotonGroup& group = groups_[g];
-            const bool is_simple = group.plan.levels.size() < 2 && group.mapped.paths == 0;
-            if (!is_simple) return 1;
-            if (!group.plan.levels.empty())
-                share =
-                    std::max(share, static_cast<double>(kSeeds) / static_cast<double>(seeds_[g]));
+            if (group.plan.levels.empty()) continue;
+            if (!(visible_[g] > 0)) return 1;
+            const bool is_simple = group.plan.levels.size() == 1 && group.mapped.paths == 0;
+            const double for_seeds = kSeeds / static_cast<double>(std::max(seeds_[g], 1UL));
+            share = std::max(share, is_simple ? std::min(for_seeds, kTried) : kTried);
         }
         return share;
     }
@@ -67,8 +73,11 @@ private:
             trace_photons({first_.scene, first_.transport, index}, name_.round(round),
                           PhotonSampler::adaptive, groups_, {image});
         counts_ += photons.statistics;
-        for (std::size_t g = 0; g < groups_.size(); ++g)
-            for (const std::uint64_t seeds : photons.groups[g].ladder.survivors) seeds_[g] += seeds;
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            const LadderCounts& ladder = photons.groups[g].ladder;
+            for (const std::uint64_t seeds : ladder.survivors) seeds_[g] += seeds;
+            visible_[g] += ladder.visible_fraction;
+        }
         TrialPixels sum = luminance_of(image);
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += eye[i];
         return sum;
@@ -79,11 +88,13 @@ private:
     PilotName name_;
     Statistics counts_;
     std::vector<std::uint64_t> seeds_;  // by group
+    std::vector<double> visible_;       // the same
 };
 
-/// The same sets and maps, with a part of the paths and chains.
-std::vector<PhotonGroup> part_of(std::vector<PhotonGroup> groups) {
-    const auto part = [](std::uint32_t& number) { number = std::max(1U, number / kSets); };
+}  // namespace
+
+std::vector<PhotonGroup> part_of(std::vector<PhotonGroup> groups, std::uint32_t parts) {
+    const auto part = [&](std::uint32_t& number) { number = std::max(1U, number / parts); };
     for (PhotonGroup& group : groups) {
         part(group.plan.uniform_paths);
         for (LevelPlan& level : group.plan.levels) {
@@ -95,14 +106,6 @@ std::vector<PhotonGroup> part_of(std::vector<PhotonGroup> groups) {
     return groups;
 }
 
-double paths_of(const std::vector<PhotonGroup>& groups) {
-    std::uint64_t paths = 0;
-    for (const PhotonGroup& group : groups) paths += group.paths();
-    return static_cast<double>(paths);
-}
-
-}  // namespace
-
 EyeView view_of(const EyePass& pass) {
     PassImage image(pass.window.pixels(), {});
     Statistics counts;
@@ -110,10 +113,11 @@ EyeView view_of(const EyePass& pass) {
     return {std::move(image), counts, std::move(index)};
 }
 
-Balance measured_balance(const EyePass& first, const EyeView& seen, LightPlanner& planner,
-                         const PilotName& name, std::uint32_t usual) {
+Balance measured_balance(const EyePass& first, const EyeView& seen,
+                         const std::vector<PhotonGroup>& plan, const PilotName& name,
+                         std::uint32_t usual) {
     if (usual < 2 * kSets) return {usual};
-    const std::vector<PhotonGroup> groups = part_of(planner.plan(usual));
+    const std::vector<PhotonGroup> groups = part_of(plan, kSets);
     Trials trials(first, groups, name);
     EyePass second = first;
     second.id = name.round(kRound);
@@ -122,7 +126,7 @@ Balance measured_balance(const EyePass& first, const EyeView& seen, LightPlanner
     const auto count = [](const Statistics& counts, Count which) {
         return static_cast<double>(counts[which]);
     };
-    const double paths = paths_of(groups);
+    const auto paths = static_cast<double>(paths_of(groups));
     const auto pixels = static_cast<double>(first.window.pixels());
     const DrawCost cost{count(seen.counts, Count::eye_rays) + kRaysOfPixel * pixels,
                         (count(trials.counts(), Count::photon_rays) +

@@ -1,13 +1,14 @@
 // How many photon paths and draws the passes of an epoch have: measured on trials, which are no
 // part of a picture.
 //
-// In:  an epoch's first view, and a planner that explored it. Out: numbers of paths and of draws.
+// In:  an epoch's first view, and a plan for it. Out: numbers of paths and of draws.
 // Source: the rule and its constants are measured ones (docs/decisions.md).
 #pragma once
 
 #include "eye/eye_pass.h"
-#include "photon/light_groups.h"
+#include "photon/photon_group.h"
 #include "render/balance_rule.h"
+#include "sampler/set_walk.h"
 
 namespace sunfleck {
 
@@ -22,8 +23,13 @@ EyeView view_of(const EyePass& pass);
 
 /// Of the sampler `adaptive`.
 /// @param first  the epoch's first pass. @param seen  its view: what the planner explored.
-/// @param usual  paths of a draw, were nothing measured.
-Balance measured_balance(const EyePass& first, const EyeView& seen, LightPlanner& planner,
-                         const PilotName& name, std::uint32_t usual);
+/// @param plan  of a draw, were nothing measured. @param usual  its paths.
+Balance measured_balance(const EyePass& first, const EyeView& seen,
+                         const std::vector<PhotonGroup>& plan, const PilotName& name,
+                         std::uint32_t usual);
+
+/// The same sets and maps, with one of so many parts of the paths and chains: what a trial measures
+/// holds for it, as it would not for a ladder planned anew for few paths.
+std::vector<PhotonGroup> part_of(std::vector<PhotonGroup> groups, std::uint32_t parts);
 
 }  // namespace sunfleck

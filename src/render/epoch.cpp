@@ -44,12 +44,14 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const PhotonView view{at_wavelengths, settings.transport, seen.index};
     const PilotName name{settings.seed, epoch.number};
     LightPlanner planner(view, settings.photon, name);
+    epoch.groups = planner.plan(paths);
     if (is_balanced(settings.photon, epoch.number)) {
-        const Balance balance = measured_balance(eye, seen, planner, name, paths);
-        epoch.paths = balance.paths;
+        const Balance balance = measured_balance(eye, seen, epoch.groups, name, paths);
+        if (balance.paths > paths) epoch.groups = planner.plan(balance.paths);
+        if (balance.paths < paths) epoch.groups = part_of(epoch.groups, paths / balance.paths);
+        epoch.paths = static_cast<std::uint32_t>(paths_of(epoch.groups));
         epoch.draws = balance.draws;
     }
-    epoch.groups = planner.plan(epoch.paths);
     epoch.seconds = watch.seconds();
     return epoch;
 }

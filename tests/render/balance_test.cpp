@@ -1,4 +1,6 @@
 // The photon paths of a pass, in balance with its camera paths.
+#include "render/balance.h"
+
 #include "core/parallel.h"
 #include "support/procedural.h"
 #include "support/renders.h"
@@ -41,6 +43,25 @@ Epoch learned(const Scene& scene, const RenderSettings& settings, std::uint32_t 
 
 TEST(Balance, spares_photons_that_cost_more_than_they_bring) {
     EXPECT_LE(learned(small_room(), {}).paths, kUsual / 4);
+}
+
+// Glass in the sun, of which a ladder's chains have hardly a hundred seeds a pass: refracted camera
+// paths make most of the noise, not photons.
+TEST(Balance, spares_photons_of_chains_that_bring_less_than_camera_paths) {
+    const Epoch epoch = learned(procedural("diamond", 96), {});
+    ASSERT_FALSE(epoch.groups.front().plan.levels.empty());
+    EXPECT_EQ(epoch.paths, kUsual / 4);
+}
+
+TEST(Balance, takes_a_part_of_all_that_a_plan_has) {
+    PhotonGroup group{};
+    group.plan = {1000, {{3, 400, 40, {}}, {kVisible, 800, 2, {}}}};
+    const std::vector<PhotonGroup> parts = part_of({group, group}, 4);
+    ASSERT_EQ(parts.size(), 2U);
+    const LadderPlan expected{250, {{3, 100, 10, {}}, {kVisible, 200, 1, {}}}};
+    EXPECT_EQ(parts.front().plan, expected);
+    EXPECT_EQ(parts.front().mapped.paths, 0U);  // no map: none through it
+    EXPECT_EQ(paths_of(parts), 2 * 550U);
 }
 
 // They may bring what was not found yet.
