@@ -5,6 +5,7 @@
 #include "render/trial_variance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace sunfleck {
@@ -135,7 +136,8 @@ Balance measured_balance(const EyePass& first, const EyeView& seen,
     const BlockGrid grid(first.window.width(), first.window.height(), kBlock);
     std::vector<BlockVariance> variances = block_variances(grid, one, other, paths);
     for (BlockVariance& block : variances) block.eye *= kOfRound;
-    return balanced(variances, cost, usual, std::max(2.0, trials.least_share() * usual));
+    const double fewest = std::floor(trials.least_share() * usual);  // as part_of() rounds
+    return balanced(variances, cost, usual, std::max(2.0, fewest));
 }
 
 }  // namespace sunfleck

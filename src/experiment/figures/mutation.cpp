@@ -13,6 +13,7 @@ namespace {
 const std::vector<std::string> kFig7Scenes = {"watch", "room", "cognac-2"};
 constexpr std::array<double, 7> kSizes = {0.01, 0.03, 0.1, 0.3, 1, 2, 4};
 constexpr std::array<double, 4> kTargets = {0.05, 0.234, 0.4, 0.9};
+constexpr double kHigherTarget = 0.4;  // the one beside the paper's that figure 8 calls as good
 
 Method fixed_size(double theta) {
     return paper_method(fmt::format("theta-{}", theta),
@@ -25,7 +26,7 @@ Method target(double acceptance) {
 }
 
 std::vector<Method> sizes() {
-    std::vector<Method> methods = {sampler_method("paper")};
+    std::vector<Method> methods = {sampler_method("paper"), target(kHigherTarget)};
     for (const double theta : kSizes) methods.push_back(fixed_size(theta));
     methods.push_back(sampler_method("random"));
     methods.push_back(sampler_method("adaptive"));
@@ -34,6 +35,11 @@ std::vector<Method> sizes() {
 
 double mean_of(const std::vector<double>& values) {
     return mean_interval(values).value;
+}
+
+/// Those that find their sizes themselves.
+std::vector<Method> adapted() {
+    return {sampler_method("paper"), target(kHigherTarget), sampler_method("adaptive")};
 }
 
 /// The fixed size of least error times time, known after the fact.
@@ -45,14 +51,15 @@ double best_size(const Results& results, const std::string& scene, ErrorKind kin
                              [&](double a, double b) { return cost(a) < cost(b); });
 }
 
+/// @return texts by column of best_table().
 std::vector<std::string> best_row(const Results& results, const std::string& scene,
                                   const Measure& measure) {
     const double theta = best_size(results, scene, measure.kind);
-    const auto over_best = [&](const char* name) {
-        return interval_text(
-            cost_ratio(results, scene, sampler_method(name), fixed_size(theta), measure.kind));
-    };
-    return {scene, measure.name, number_text(theta), over_best("paper"), over_best("adaptive")};
+    std::vector<std::string> row = {scene, measure.name, number_text(theta)};
+    for (const Method& method : adapted())
+        row.push_back(
+            interval_text(cost_ratio(results, scene, method, fixed_size(theta), measure.kind)));
+    return row;
 }
 
 /// The samplers over the best fixed size, which is known after the fact alone.
@@ -61,7 +68,7 @@ Table best_table(const Results& results) {
                 fmt::format("Error x processor time over the best of {} fixed sizes, chosen by the "
                             "same measure after the fact",
                             kSizes.size()),
-                {"scene", "measure", "best size", "paper", "adaptive"},
+                {"scene", "measure", "best size", "paper", "paper, target .4", "adaptive"},
                 {}};
     for (const std::string& scene : kFig7Scenes)
         for (const Measure& measure : kMeasures)
