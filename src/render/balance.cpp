@@ -35,11 +35,7 @@ TrialPixels luminance_of(const PassImage& image) {
 class Trials {
 public:
     Trials(const EyePass& first, const std::vector<PhotonGroup>& groups, const PilotName& name)
-        : first_(first),
-          groups_(groups),
-          name_(name),
-          seeds_(groups.size()),
-          visible_(groups.size()) {}
+        : first_(first), groups_(groups), name_(name) {}
 
     /// @param round  of the first of two.
     TrialPair of(const EyeView& view, std::uint32_t round) {
@@ -47,7 +43,7 @@ public:
         return {pixels(view.index, eye, round), pixels(view.index, eye, round + 1)};
     }
 
-    const Statistics& counts() const { return counts_; }
+    const Statistics& counts() const { return photons_.statistics; }
 
     /// The share of the usual paths below which nothing is known of what paths are worth: that of
     /// the trials, or less where a ladder has one set and seeds enough. All, where a ladder has
@@ -57,10 +53,12 @@ public:
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             const PhotonGroup& group = groups_[g];
             if (group.plan.levels.empty()) continue;
-            if (!(visible_[g] > 0)) return 1;
+            const LadderCounts& ladder = photons_.groups[g].ladder;
+            if (!(ladder.visible_fraction > 0)) return 1;
             const bool is_simple = group.plan.levels.size() == 1 && group.mapped.paths == 0;
-            const double for_seeds = kSeeds / static_cast<double>(std::max(seeds_[g], 1UL));
-            share = std::max(share, is_simple ? std::min(for_seeds, kTried) : kTried);
+            const double for_seeds =
+                is_simple ? kSeeds / static_cast<double>(ladder.survivors.front()) : kTried;
+            share = std::max(share, std::min(for_seeds, kTried));
         }
         return share;
     }
@@ -70,15 +68,9 @@ private:
     TrialPixels pixels(const VisiblePointIndex& index, const TrialPixels& eye,
                        std::uint32_t round) {
         PassImage image(first_.window.pixels(), {});
-        const PhotonTotals photons =
-            trace_photons({first_.scene, first_.transport, index}, name_.round(round),
-                          PhotonSampler::adaptive, groups_, {image});
-        counts_ += photons.statistics;
-        for (std::size_t g = 0; g < groups_.size(); ++g) {
-            const LadderCounts& ladder = photons.groups[g].ladder;
-            for (const std::uint64_t seeds : ladder.survivors) seeds_[g] += seeds;
-            visible_[g] += ladder.visible_fraction;
-        }
+        photons_.add(trace_photons({first_.scene, first_.transport, index}, name_.round(round),
+                                   PhotonSampler::adaptive, groups_, {image}),
+                     kTried);
         TrialPixels sum = luminance_of(image);
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += eye[i];
         return sum;
@@ -87,9 +79,7 @@ private:
     const EyePass& first_;
     const std::vector<PhotonGroup>& groups_;
     PilotName name_;
-    Statistics counts_;
-    std::vector<std::uint64_t> seeds_;  // by group
-    std::vector<double> visible_;       // the same
+    PhotonTotals photons_;  // of all trials
 };
 
 }  // namespace
@@ -136,7 +126,7 @@ Balance measured_balance(const EyePass& first, const EyeView& seen,
     const BlockGrid grid(first.window.width(), first.window.height(), kBlock);
     std::vector<BlockVariance> variances = block_variances(grid, one, other, paths);
     for (BlockVariance& block : variances) block.eye *= kOfRound;
-    const double fewest = std::floor(trials.least_share() * usual);  // as part_of() rounds
+    const double fewest = std::floor(trials.least_share() * usual);  // as balanced() rounds
     return balanced(variances, cost, usual, std::max(2.0, fewest));
 }
 

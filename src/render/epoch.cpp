@@ -7,6 +7,8 @@
 #include "render/balance.h"
 #include "render/pass.h"
 
+#include <utility>
+
 namespace sunfleck {
 namespace {
 
@@ -48,7 +50,8 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     if (is_balanced(settings.photon, epoch.number)) {
         const Balance balance = measured_balance(eye, seen, epoch.groups, name, paths);
         if (balance.paths > paths) epoch.groups = planner.plan(balance.paths);
-        if (balance.paths < paths) epoch.groups = part_of(epoch.groups, paths / balance.paths);
+        if (balance.paths < paths)
+            epoch.groups = part_of(std::move(epoch.groups), paths / balance.paths);
         epoch.paths = static_cast<std::uint32_t>(paths_of(epoch.groups));
         epoch.draws = balance.draws;
     }
