@@ -1,7 +1,8 @@
 // Counter-based random streams: number n of a stream is a function of the stream's name alone.
 //
 // In:  a seed, and a name (purpose, pass, index) that no other stream of the render has.
-// Out: 64-bit fractions of one turn, or numbers of the open interval (0,1); the same everywhere.
+// Out: 64-bit fractions of one turn, words of 32 bits, or numbers of the open interval (0,1); the
+// same everywhere.
 // Source: Philox4x32-10; Salmon et al., Parallel Random Numbers: As Easy as 1, 2, 3 (SC 2011).
 #pragma once
 
@@ -65,6 +66,11 @@ constexpr float to_unit_float(std::uint64_t fraction) {
     return (static_cast<float>(fraction >> 41U) + 0.5F) * 0x1p-23F;
 }
 
+/// A word of 32 bits as a float of (0,1): as that of a fraction with these highest bits.
+constexpr float word_to_unit_float(std::uint32_t word) {
+    return (static_cast<float>(word >> 9U) + 0.5F) * 0x1p-23F;
+}
+
 /// Numbers by position: number i of a stream, in any order.
 class RandomStream {
 public:
@@ -75,26 +81,42 @@ public:
 
     /// Number i of the stream, as a fraction of one turn. Neighbours i, i ^ 1 share one block.
     constexpr std::uint64_t at(std::uint32_t i) {
-        if ((i >> 1U) + 1 != cached_) {
-            cached_ = (i >> 1U) + 1;
-            name_[0] = i >> 1U;
-            block_ = philox(name_, seed_);
-        }
+        go_to(i >> 1U);
         const std::size_t half = (i & 1U) * 2;
         return (std::uint64_t{block_.at(half)} << 32U) | block_.at(half + 1);
     }
 
-    /// The number after the last one that next() gave.
-    constexpr std::uint64_t next_fraction() { return at(next_++); }
+    /// Word i of the stream, of 32 bits: number i consists of words 2 i and 2 i + 1. Words i to
+    /// i | 3 share one block.
+    constexpr std::uint32_t word(std::uint32_t i) {
+        go_to(i >> 2U);
+        return block_.at(i & 3U);
+    }
+
+    /// The word after the last one that any next_...() read. There are 2^32.
+    constexpr std::uint32_t next_word() { return word(next_++); }
+    /// The first number after that.
+    constexpr std::uint64_t next_fraction() {
+        const std::uint32_t i = (next_ + 1) / 2;
+        next_ = 2 * i + 2;
+        return at(i);
+    }
     constexpr double next() { return to_unit(next_fraction()); }
     constexpr float next_float() { return to_unit_float(next_fraction()); }
 
 private:
+    constexpr void go_to(std::uint32_t block) {
+        if (block + 1 == cached_) return;
+        cached_ = block + 1;
+        name_[0] = block;
+        block_ = philox(name_, seed_);
+    }
+
     std::uint64_t seed_;
     RandomBlock name_;
     RandomBlock block_{};
     std::uint32_t cached_ = 0;
-    std::uint32_t next_ = 0;
+    std::uint32_t next_ = 0;  // word
 };
 
 /// Which pass of which render: all that randomness may depend on.

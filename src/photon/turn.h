@@ -38,7 +38,7 @@ struct Turn {
     Spectrum flux;  // before roulette
     Vec3 direction{0};
     float survival = 0;      // probability
-    float number = 1;        // of roulette: below it the photon survives
+    float number = 1;        // of roulette: the photon survives if it is below
     bool is_rough = false;   // it was no delta lobe
     bool disperses = false;  // other lanes than the chosen one are zero
 };
@@ -54,6 +54,18 @@ inline std::optional<BsdfSample> sample_of(const Bsdf& bsdf, const Vec3& w_from,
     return sample(bsdf, w_from, draw);
 }
 
+/// The numbers of u that the surface makes a direction of; the others are left unread, as chains
+/// have less to move then. @param unit  gives a slot's number.
+template <class Unit>
+Vec3 numbers_for(const Lambert&, const Unit& unit) {
+    return {0, unit(BounceSlot::direction_u), unit(BounceSlot::direction_v)};
+}
+template <class Unit>
+Vec3 numbers_for(const Bsdf& bsdf, const Unit& unit) {
+    if (scattering(bsdf) == Scattering::specular) return {unit(BounceSlot::lobe), 0, 0};
+    return {unit(BounceSlot::lobe), unit(BounceSlot::direction_u), unit(BounceSlot::direction_v)};
+}
+
 }  // namespace turn_detail
 
 /// One scattering event, but for what wavelengths have to do with it. @tparam Surface  a Bsdf, or
@@ -66,10 +78,7 @@ template <SlotReader Reader, class Surface>
     };
     const Frame frame(hit.shading_normal, hit.tangent);
     const Vec3 w_from = frame.to_local(-state.direction);
-    const BsdfDraw draw{
-        {unit(BounceSlot::lobe), unit(BounceSlot::direction_u), unit(BounceSlot::direction_v)},
-        Transport::flux,
-        state.lanes};
+    const BsdfDraw draw{turn_detail::numbers_for(bsdf, unit), Transport::flux, state.lanes};
     const auto drawn = turn_detail::sample_of(bsdf, w_from, draw);
     if (!drawn) return {};
     const Vec3 w_to = frame.to_world(drawn->w_to);
@@ -83,8 +92,8 @@ template <SlotReader Reader, class Surface>
     const float kept =
         before > 0 ? flux.sum() / before : drawn->weight.sum() / static_cast<float>(kLanes);
     const float survival = std::min(1.0F, state.faded * kept);
-    return {
-        flux, w_to, survival, unit(BounceSlot::roulette), drawn->pdf.has_value(), drawn->dispersed};
+    const float number = survival < 1 ? unit(BounceSlot::roulette) : 0;
+    return {flux, w_to, survival, number, drawn->pdf.has_value(), drawn->dispersed};
 }
 
 /// Of a photon that so many smooth surfaces have scattered, and no rough one.

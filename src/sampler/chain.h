@@ -31,7 +31,7 @@ public:
 
     /// Proposes once. @return what follows if it was accepted: then accept() must be called.
     bool propose(const MutationScales& scales, Acceptances& counts, Tally& tally) {
-        const auto kind = static_cast<std::size_t>(stream_.next_fraction() >> 63U);
+        const auto kind = static_cast<std::size_t>(stream_.next_word() >> 31U);
         proposed_sample_.clear();
         space_.trace(MutatingReader(sample_, proposed_sample_, stream_,
                                     LogUniformMove(scales, kind, stream_)),

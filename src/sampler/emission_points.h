@@ -5,6 +5,7 @@
 // Why it is exact: only each path's own distribution matters for unbiasedness (docs/method.md).
 #pragma once
 
+#include "core/hash.h"
 #include "sampler/primary_sample.h"
 #include "sampler/sobol.h"
 
@@ -17,24 +18,25 @@ public:
     explicit EmissionPoints(PassId pass) : pass_(pass) {
         RandomStream shift = pass.stream(Purpose::sobol_shift, 0);
         for (std::uint64_t& s : shift_) s = shift.next_fraction();
+        jitter_ = shift.next_fraction();
     }
 
     class Reader {
     public:
         std::uint64_t operator()(std::uint32_t index) {
-            return index < kSobolDimensions ? emission_[index] : stream_.at(index);
+            return index < kSobolDimensions ? emission_[index] : slot_of(stream_, index);
         }
 
     private:
         friend class EmissionPoints;
-        /// Jitter below 2^-32: the four words of one random block, and the first once more with
-        /// its halves swapped. The shift alone makes all slots of a path uniform and independent;
-        /// the jitter keeps different paths from having the same lower bits.
-        Reader(const std::array<std::uint64_t, kSobolDimensions>& shift, std::uint32_t path,
-               RandomStream stream)
+        /// Jitter below 2^-32: the four words of two hashes, and the first once more with its
+        /// halves swapped. The shift alone makes all slots of a path uniform and independent; the
+        /// jitter keeps different paths from having the same lower bits.
+        Reader(const std::array<std::uint64_t, kSobolDimensions>& shift, std::uint64_t jitter,
+               std::uint32_t path, RandomStream stream)
             : stream_(stream) {
-            const std::uint64_t low = stream_.at(0);
-            const std::uint64_t high = stream_.at(1);
+            const std::uint64_t low = hash_joined(jitter, path);
+            const std::uint64_t high = hash_joined(low, path);
             const std::uint64_t first = low >> 32U;
             const std::array<std::uint64_t, kSobolDimensions> below = {
                 first, low & 0xFFFFFFFFU, high >> 32U, high & 0xFFFFFFFFU,
@@ -48,12 +50,13 @@ public:
     };
 
     Reader path(std::uint32_t number) const {
-        return {shift_, number, pass_.stream(Purpose::uniform_path, number)};
+        return {shift_, jitter_, number, pass_.stream(Purpose::uniform_path, number)};
     }
 
 private:
     PassId pass_;
     std::array<std::uint64_t, kSobolDimensions> shift_{};
+    std::uint64_t jitter_ = 0;
 };
 
 static_assert(SlotReader<EmissionPoints::Reader>);

@@ -65,14 +65,14 @@ inline float approximate_exp2(float x) {
 }
 
 /// 10^(decades (xi - 1/2)). @param random  uniform: its highest bits are xi.
-inline float log_uniform(float decades, std::uint64_t random) {
+inline float log_uniform(float decades, std::uint32_t random) {
     constexpr float kDoublingsOfADecade = 3.3219281F;  // ln(10) / ln(2)
-    return approximate_exp2(decades * kDoublingsOfADecade * (to_unit_float(random) - 0.5F));
+    return approximate_exp2(decades * kDoublingsOfADecade * (word_to_unit_float(random) - 0.5F));
 }
 
 /// A step of scale * 10^(xi - 1/2) turns to either side, wrapped: symmetric to the last bit.
 /// @param random  uniform: its lowest bit is the side, its highest bits are xi.
-inline std::uint64_t moved(std::uint64_t slot, float scale, std::uint64_t random) {
+inline std::uint64_t moved(std::uint64_t slot, float scale, std::uint32_t random) {
     const double turns =
         static_cast<double>(scale) * static_cast<double>(log_uniform(kDecadesOfSteps, random));
     const double wrapped = turns - std::floor(turns);
@@ -85,13 +85,12 @@ class LogUniformMove {
 public:
     /// Draws the magnitude, the same for all slots.
     LogUniformMove(const MutationScales& scales, std::size_t kind, RandomStream& stream)
-        : emission_(scales.scale.at(kind) *
-                    log_uniform(kDecadesOfMagnitudes, stream.next_fraction())),
+        : emission_(scales.scale.at(kind) * log_uniform(kDecadesOfMagnitudes, stream.next_word())),
           bounce_(emission_ * kBounceStretch.at(kind)),
           stream_(stream) {}
 
     std::uint64_t operator()(std::uint32_t slot, std::uint64_t value) {
-        return moved(value, is_emission(slot) ? emission_ : bounce_, stream_.next_fraction());
+        return moved(value, is_emission(slot) ? emission_ : bounce_, stream_.next_word());
     }
 
 private:

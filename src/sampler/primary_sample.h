@@ -37,6 +37,15 @@ constexpr bool is_emission(std::uint32_t index) {
     return index < slot(EmissionSlot::count);
 }
 
+/// Slot i of a path's own stream. Of bounce slots no more than the highest 23 bits are read, so
+/// each has one word, and all of a bounce share one random block; emission slots have 64 bits.
+constexpr std::uint64_t slot_of(RandomStream& stream, std::uint32_t index) {
+    if (is_emission(index)) return stream.at(index);
+    constexpr std::uint32_t kEmissionSlots = slot(EmissionSlot::count);
+    static_assert(2 * kEmissionSlots % 4 == 0);
+    return std::uint64_t{stream.word(index + kEmissionSlots)} << 32U;
+}
+
 /// What a tracer sees of a primary sample: it names a slot and gets its fraction, the same each
 /// time. The samplers differ in nothing but their readers.
 template <class R>
@@ -44,11 +53,11 @@ concept SlotReader = requires(R& read, std::uint32_t index) {
     { read(index) } -> std::same_as<std::uint64_t>;
 };
 
-/// Independent uniform slots: slot i is number i of the path's own stream.
+/// Independent uniform slots, of the path's own stream.
 class IndependentReader {
 public:
     explicit IndependentReader(RandomStream stream) : stream_(stream) {}
-    std::uint64_t operator()(std::uint32_t index) { return stream_.at(index); }
+    std::uint64_t operator()(std::uint32_t index) { return slot_of(stream_, index); }
 
 private:
     RandomStream stream_;

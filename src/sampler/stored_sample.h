@@ -21,10 +21,7 @@ public:
     std::uint64_t operator[](std::uint32_t slot) const { return values_[slot]; }
 
     void set(std::uint32_t slot, std::uint64_t value) {
-        if (slot >= values_.size()) {
-            values_.resize(slot + 1);
-            read_.resize(slot / 64 + 1);
-        }
+        if (slot >= values_.size()) grow(slot);
         values_[slot] = value;
         read_[slot / 64] |= std::uint64_t{1} << (slot % 64);
     }
@@ -46,6 +43,13 @@ public:
     bool is_sound() const { return read_.size() == (values_.size() + 63) / 64; }
 
 private:
+    /// Room for the slot, and for the next ones, which paths read soon.
+    [[gnu::noinline]] void grow(std::uint32_t slot) {
+        constexpr std::uint32_t kAtOnce = 16;  // divides 64
+        values_.resize((slot / kAtOnce + 1) * kAtOnce);
+        read_.resize(slot / 64 + 1);
+    }
+
     std::vector<std::uint64_t> values_;
     std::vector<std::uint64_t> read_;  // one bit a slot
 };

@@ -51,14 +51,14 @@ TEST_F(Stops, time_shorter_than_a_pass_gives_one_pass) {
 
 TEST_F(Stops, target_error_ends_at_the_first_round_that_reaches_it) {
     const Words few{"--photons-per-pass", "200"};
-    const auto stats = stats_of(few + Words{"--target-error", "3%", "--passes", "5000"});
+    const auto stats = stats_of(few + Words{"--target-error", "2%", "--passes", "5000"});
     const int passes = stats["passes"];
-    EXPECT_LE(stats["image"]["target_error"], 0.03);
+    EXPECT_LE(stats["image"]["target_error"], 0.02);
     EXPECT_EQ(passes % 16, 0);
     EXPECT_LT(passes, 5000);
     ASSERT_GT(passes, 64) << "four rounds are the fewest that have an error: take a smaller one";
     const auto before = stats_of(few + Words{"--passes", std::to_string(passes - 16)});
-    EXPECT_GT(before["image"]["target_error"], 0.03);
+    EXPECT_GT(before["image"]["target_error"], 0.02);
     EXPECT_EQ(stats_of(few + Words{"--target-error", "0.5"})["passes"], 64);
 }
 

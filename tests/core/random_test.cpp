@@ -52,6 +52,35 @@ TEST(RandomStream, at_does_not_move_next) {
     EXPECT_EQ(plain.next_fraction(), asked.next_fraction());
 }
 
+TEST(RandomStream, a_number_is_two_words) {
+    RandomStream numbers(1, Purpose::test, 0, 0);
+    RandomStream words(1, Purpose::test, 0, 0);
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        const std::uint64_t high = words.word(2 * i);
+        EXPECT_EQ(numbers.at(i), high << 32U | words.word(2 * i + 1)) << i;
+    }
+}
+
+TEST(RandomStream, next_word_and_next_fraction_read_no_bit_twice) {
+    RandomStream stream(1, Purpose::test, 0, 0);
+    RandomStream same(1, Purpose::test, 0, 0);
+    EXPECT_EQ(stream.next_word(), same.word(0));
+    EXPECT_EQ(stream.next_word(), same.word(1));
+    EXPECT_EQ(stream.next_fraction(), same.at(1));  // words 2 and 3
+    EXPECT_EQ(stream.next_word(), same.word(4));
+    EXPECT_EQ(stream.next_fraction(), same.at(3));  // words 6 and 7: 5 is half a number
+    EXPECT_EQ(stream.next_word(), same.word(8));
+}
+
+TEST(RandomStream, a_word_is_the_float_of_a_fraction_that_begins_with_it) {
+    RandomStream stream(1, Purpose::test, 0, 0);
+    for (int i = 0; i < 1000; ++i) {
+        const std::uint32_t word = stream.next_word();
+        const std::uint64_t below = stream.next_word();
+        EXPECT_EQ(word_to_unit_float(word), to_unit_float(std::uint64_t{word} << 32U | below));
+    }
+}
+
 TEST(RandomStream, reaches_its_last_position) {
     RandomStream stream(1, Purpose::test, 0, 0);
     const std::uint64_t last = stream.at(kOnes32);

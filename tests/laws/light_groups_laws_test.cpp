@@ -69,7 +69,7 @@ TEST(LightGroupLaws, what_all_groups_bring_is_unbiased) {
     learn(groups, 1, 4000);
     EXPECT_TRUE(groups[0].plan.levels.empty());
     EXPECT_GE(groups[1].plan.levels.size(), 1U);
-    const Ratios ratios = run_groups(groups, 1, 6000);
+    const Ratios ratios = run_groups(groups, 1, 12000);
     expect_one(ratios.flux, 0.999, 0.035, "flux");
     expect_one(ratios.visible_fraction, 0.999, 0.02, "visible fraction");
 }

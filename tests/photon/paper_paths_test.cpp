@@ -90,7 +90,7 @@ protected:
         return counts;
     }
 
-    PassId id_{7, 2};
+    PassId id_{7, 3};
     Scene scene_{testing_support::lantern()};
     PassScene pass_{scene_, id_};
     TransportSettings transport_{DirectLight::sampled, 8};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <span>
 #include <vector>
 
@@ -150,6 +151,38 @@ TEST(PhotonTracer, glossy_surfaces_keep_photons_and_make_them_indirect) {
             second += i > 0 ? 1 : 0;
         }
     EXPECT_GT(second, 5);
+}
+
+/// Bounce slots of the first event, read by any of 200 paths onto a surface of that material.
+std::set<BounceSlot> read_at(std::uint32_t material) {
+    const Scene scene(sunny({square(0, material)}));
+    const PassScene pass(scene, {1, 0});
+    const TransportSettings transport{DirectLight::photons, 2};
+    const PhotonTracer tracer(pass, transport);
+    std::set<BounceSlot> slots;
+    std::uint64_t rays = 0;
+    for (std::uint32_t i = 0; i < 200; ++i) {
+        IndependentReader numbers(PassId{1, 0}.stream(Purpose::test, i));
+        const auto read = [&](std::uint32_t index) {
+            for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(BounceSlot::count); ++k)
+                if (index == slot(0, static_cast<BounceSlot>(k)))
+                    slots.insert(static_cast<BounceSlot>(k));
+            return numbers(index);
+        };
+        tracer.trace(
+            read, [](const Photon&) { return true; }, rays);
+    }
+    return slots;
+}
+
+TEST(PhotonTracer, a_surface_reads_the_numbers_that_it_needs) {
+    using enum BounceSlot;
+    EXPECT_EQ(read_at(0), (std::set{direction_u, direction_v, roulette}));
+    EXPECT_EQ(read_at(2), (std::set{direction_u, direction_v}));  // white: nothing is absorbed
+    EXPECT_EQ(read_at(3), (std::set{lobe, direction_u, direction_v, roulette}));
+    const std::set<BounceSlot> glass = read_at(1);
+    EXPECT_TRUE(glass.contains(lobe));
+    EXPECT_FALSE(glass.contains(direction_u) || glass.contains(direction_v));
 }
 
 TEST(PhotonTracer, nothing_starts_without_a_light) {

@@ -41,6 +41,20 @@ TEST(EmissionPoints, one_path_is_uniform_over_passes) {
     EXPECT_NEAR(sum_of_squares / kPasses, 1.0 / 3, 4 * error);
 }
 
+// Slots of paths from Sobol' points and of independent ones: no two have the same highest 32 bits.
+TEST(EmissionPoints, every_slot_has_numbers_of_its_own) {
+    const PassId pass{7, 3};
+    std::set<std::uint64_t> seen;
+    constexpr std::uint32_t kSlots = 50;
+    for (const std::uint32_t number : {0U, 1U}) {
+        auto even = EmissionPoints(pass).path(number);
+        for (std::uint32_t i = 0; i < kSlots; ++i) seen.insert(even(i) >> 32U);
+        auto independent = IndependentPoints(pass.with_part(1)).path(number);
+        for (std::uint32_t i = 0; i < kSlots; ++i) seen.insert(independent(i) >> 32U);
+    }
+    EXPECT_EQ(seen.size(), 4 * kSlots);
+}
+
 // The error of a pass's mean of an indicator falls faster than independent numbers allow, and the
 // mean over passes converges: a shift that stood still would leave the same error in every pass.
 TEST(EmissionPoints, fresh_shift_each_pass) {

@@ -21,7 +21,7 @@ TEST(Moved, is_undone_by_the_other_side) {
     RandomStream stream = numbers(0);
     for (int i = 0; i < 100'000; ++i) {
         const std::uint64_t slot = stream.next_fraction();
-        const std::uint64_t random = stream.next_fraction();
+        const std::uint32_t random = stream.next_word();
         const float scale = std::exp2(-30 * stream.next_float() + 4);
         const std::uint64_t there = moved(slot, scale, random);
         EXPECT_EQ(moved(there, scale, random ^ 1U), slot);
@@ -32,7 +32,7 @@ TEST(Moved, does_not_depend_on_where_it_starts) {
     RandomStream stream = numbers(1);
     for (int i = 0; i < 1000; ++i) {
         const std::uint64_t slot = stream.next_fraction();
-        const std::uint64_t random = stream.next_fraction();
+        const std::uint32_t random = stream.next_word();
         EXPECT_EQ(moved(slot, 0.3F, random) - slot, moved(0, 0.3F, random));
     }
 }
@@ -45,7 +45,7 @@ TEST(Moved, sizes_are_log_uniform_over_a_decade) {
     RandomStream stream = numbers(2);
     std::array<int, 2 * kBins> seen{};
     for (int i = 0; i < kSteps; ++i) {
-        const double step = turns(moved(0, kScale, stream.next_fraction()));
+        const double step = turns(moved(0, kScale, stream.next_word()));
         const double decades = std::log10(std::abs(step) / static_cast<double>(kScale));
         ASSERT_NEAR(decades, 0, 0.50005);
         const int bin = std::clamp(static_cast<int>((decades + 0.5) * kBins), 0, kBins - 1);
@@ -58,7 +58,7 @@ TEST(Moved, sizes_are_log_uniform_over_a_decade) {
 }
 
 TEST(Moved, goes_around_the_ends) {
-    constexpr std::uint64_t kOutwards = 1ULL << 63U;  // xi of 1/2: exactly `scale`
+    constexpr std::uint32_t kOutwards = 1U << 31U;  // xi of 1/2: exactly `scale`
     const auto step = static_cast<double>(moved(0, 0.25F, kOutwards | 1U)) * 0x1p-64;
     EXPECT_NEAR(step, 0.25, 1e-5);
     EXPECT_NEAR(to_unit(moved(1ULL << 60U, 0.25F, kOutwards)), 1 + 0.0625 - 0.25, 1e-5);
