@@ -121,7 +121,7 @@ private:
         state.flux *= pass_.left_after(state.medium, hit.distance);
         const float after = state.flux.sum();
         if (!(after > 0)) return false;
-        state.faded *= after / before;
+        state.throughput *= after / before;
         return true;
     }
 

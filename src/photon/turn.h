@@ -9,6 +9,7 @@
 #include "geometry/ray.h"
 #include "measurement/visible_point.h"
 #include "sampler/primary_sample.h"
+#include "scene/media.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +28,10 @@ struct PhotonState {
     std::uint8_t light_layer = kNoLightLayer;
     bool at_light = true;     // about to leave it
     MediumNumber medium = 0;  // of the next ray
-    float faded = 1;          // what media left of the flux since the last roulette
-    Vec3d origin{0};          // of the next ray
+    /// The flux over what roulette makes it: 1 but where a medium took some of it, or a shading
+    /// normal at a rim made it more.
+    float throughput = 1;
+    Vec3d origin{0};  // of the next ray
     Vec3d first_direction{0};
     float unlit = 0;  // still to go where it lights nothing: Emission
 };
@@ -37,8 +40,8 @@ struct PhotonState {
 struct Turn {
     Spectrum flux;  // before roulette
     Vec3 direction{0};
-    float survival = 0;      // probability
-    float number = 1;        // of roulette: the photon survives if it is below
+    float throughput = 0;    // below 1: the probability with which the photon survives
+    float number = 1;        // of roulette: it does if this is below
     bool is_rough = false;   // it was no delta lobe
     bool disperses = false;  // other lanes than the chosen one are zero
 };
@@ -91,9 +94,9 @@ template <SlotReader Reader, class Surface>
     const float before = state.flux.sum();
     const float kept =
         before > 0 ? flux.sum() / before : drawn->weight.sum() / static_cast<float>(kLanes);
-    const float survival = std::min(1.0F, state.faded * kept);
-    const float number = survival < 1 ? unit(BounceSlot::roulette) : 0;
-    return {flux, w_to, survival, number, drawn->pdf.has_value(), drawn->dispersed};
+    const float throughput = state.throughput * kept;
+    const float number = throughput < 1 ? unit(BounceSlot::roulette) : 0;
+    return {flux, w_to, throughput, number, drawn->pdf.has_value(), drawn->dispersed};
 }
 
 /// Of a photon that so many smooth surfaces have scattered, and no rough one.
@@ -102,16 +105,17 @@ inline PhotonKind kind_after_smooth(int events) {
     return events < kDeepCaustic ? PhotonKind::caustic : PhotonKind::deep_caustic;
 }
 
-/// Roulette, and the photon after it. @return false when it is absorbed.
+/// Roulette, and the photon after it. One that grew fades first, surface by surface.
+/// @return false when it is absorbed.
 inline bool take_turn(const Turn& turn, PhotonState& state) {
-    if (!(turn.number < turn.survival)) return false;
+    if (!(turn.number < turn.throughput)) return false;
     if (turn.disperses) state.lanes.single = true;
     if (turn.is_rough)
         state.kind = PhotonKind::indirect;
     else if (state.kind != PhotonKind::indirect)
         state.kind = kind_after_smooth(state.bounces + 1);
-    state.flux = turn.flux / turn.survival;
-    state.faded = 1;
+    state.flux = turn.flux / std::min(1.0F, turn.throughput);
+    state.throughput = std::max(1.0F, turn.throughput);
     state.direction = turn.direction;
     ++state.bounces;
     return true;
