@@ -129,6 +129,7 @@ TEST(PaperChain, theta_grows_where_most_paths_are_visible) {
     EXPECT_GT(longer, 2.9);
     EXPECT_NEAR(grown, (walk.acceptance() - 0.234) * longer, 0.05);
     EXPECT_GT(grown, 1);
+    EXPECT_GT(walk.state.size.theta(), 4);
 }
 
 TEST(PaperChain, theta_has_a_floor) {

@@ -164,9 +164,8 @@ std::set<BounceSlot> read_at(std::uint32_t material) {
     for (std::uint32_t i = 0; i < 200; ++i) {
         IndependentReader numbers(PassId{1, 0}.stream(Purpose::test, i));
         const auto read = [&](std::uint32_t index) {
-            for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(BounceSlot::count); ++k)
-                if (index == slot(0, static_cast<BounceSlot>(k)))
-                    slots.insert(static_cast<BounceSlot>(k));
+            const std::uint32_t first = slot(0, BounceSlot{});
+            if (index >= first) slots.insert(static_cast<BounceSlot>(index - first));
             return numbers(index);
         };
         tracer.trace(

@@ -65,7 +65,7 @@ TEST(Turn, what_a_medium_took_counts) {
     EXPECT_NEAR(state.flux[0], 6, 1e-5);
 }
 
-/// At a rim, where the shading normal is far from the facet's, as much arrives as if it were not.
+/// It grazes the facet, but not the smooth surface that the shading normal stands for.
 TEST(Turn, a_shading_normal_makes_a_photon_heavy) {
     PhotonState state = falling(1);
     state.direction = {0.995F, 0, -std::sqrt(1 - 0.995F * 0.995F)};
