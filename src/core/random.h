@@ -61,14 +61,14 @@ constexpr std::uint64_t to_fraction(double unit) {
     return static_cast<std::uint64_t>((unit < 1 ? unit : 1 - 0x1p-53) * 0x1p64);
 }
 
-/// A 64-bit fraction of one turn as a float of (0,1): an odd multiple of 2^-24.
-constexpr float to_unit_float(std::uint64_t fraction) {
-    return (static_cast<float>(fraction >> 41U) + 0.5F) * 0x1p-23F;
-}
-
-/// A word of 32 bits as a float of (0,1): as that of a fraction with these highest bits.
+/// The highest 32 bits of a fraction of one turn as a float of (0,1): an odd multiple of 2^-24.
 constexpr float word_to_unit_float(std::uint32_t word) {
     return (static_cast<float>(word >> 9U) + 0.5F) * 0x1p-23F;
+}
+
+/// The same of a 64-bit fraction.
+constexpr float to_unit_float(std::uint64_t fraction) {
+    return word_to_unit_float(static_cast<std::uint32_t>(fraction >> 32U));
 }
 
 /// Numbers by position: number i of a stream, in any order.
