@@ -48,13 +48,41 @@ struct Turn {
 
 namespace turn_detail {
 
-inline std::optional<BsdfSample> sample_of(const Lambert& bsdf, const Vec3& w_from,
-                                           const BsdfDraw& draw) {
-    return bsdf.sample(w_from, draw);
+/// Where a surface sends a photon, as far as its bsdf and normals say.
+struct Departure {
+    Spectrum weight;  // of the flux
+    Vec3 direction{0};
+    bool is_rough = false;
+    bool disperses = false;
+};
+
+/// A bsdf's own sample, corrected for the shading normal (Veach 1997, section 5.3.2).
+inline std::optional<Departure> departure(const Bsdf& bsdf, const Hit& hit, const Vec3& came,
+                                          const BsdfDraw& draw) {
+    const Frame frame(hit.shading_normal, hit.tangent);
+    const Vec3 w_from = frame.to_local(-came);
+    const auto drawn = sample(bsdf, w_from, draw);
+    if (!drawn) return {};
+    const Vec3 w_to = frame.to_world(drawn->w_to);
+    Spectrum weight = drawn->weight;
+    if (hit.shading_normal != hit.normal)
+        weight *= std::abs(w_from.z * w_to.dot(hit.normal)) /
+                  std::abs(came.dot(hit.normal) * drawn->w_to.z);
+    return Departure{weight, w_to, drawn->pdf.has_value(), drawn->dispersed};
 }
-inline std::optional<BsdfSample> sample_of(const Bsdf& bsdf, const Vec3& w_from,
-                                           const BsdfDraw& draw) {
-    return sample(bsdf, w_from, draw);
+
+/// A Lambertian surface sends flux as |n_g.w| on the side of its shading normal where it is lit:
+/// drawn so, no direction weighs more than another. What a lobe around n_g has on the other side is
+/// the point reflection of what it lacks on this one.
+inline std::optional<Departure> departure(const Lambert& bsdf, const Hit& hit, const Vec3& came,
+                                          const BsdfDraw& draw) {
+    const Frame frame(hit.normal, hit.tangent);
+    const float facing = -came.dot(hit.shading_normal);
+    const auto drawn = bsdf.sample({0, 0, facing}, draw);
+    const Vec3 w_to = frame.to_world(drawn->w_to);
+    if (hit.shading_normal == hit.normal) return Departure{bsdf.albedo, w_to, true, false};
+    return Departure{bsdf.albedo * std::abs(facing / came.dot(hit.normal)),
+                     w_to.dot(hit.shading_normal) * facing < 0 ? -w_to : w_to, true, false};
 }
 
 /// The numbers of u that the surface makes a direction of; the others are left unread, as chains
@@ -79,24 +107,18 @@ template <SlotReader Reader, class Surface>
     const auto unit = [&](BounceSlot which) {
         return to_unit_float(read(slot(state.bounces, which)));
     };
-    const Frame frame(hit.shading_normal, hit.tangent);
-    const Vec3 w_from = frame.to_local(-state.direction);
     const BsdfDraw draw{turn_detail::numbers_for(bsdf, unit), Transport::flux, state.lanes};
-    const auto drawn = turn_detail::sample_of(bsdf, w_from, draw);
-    if (!drawn) return {};
-    const Vec3 w_to = frame.to_world(drawn->w_to);
-    Spectrum flux = state.flux * drawn->weight;
-    if (hit.shading_normal != hit.normal)
-        flux *= std::abs(w_from.z * w_to.dot(hit.normal)) /
-                std::abs(state.direction.dot(hit.normal) * drawn->w_to.z);
+    const auto left = turn_detail::departure(bsdf, hit, state.direction, draw);
+    if (!left) return {};
+    const Spectrum flux = state.flux * left->weight;
     // A light that is dark at the wavelengths of the pass sends paths as if it were grey: what a
     // pilot learns of them holds for other passes, too.
     const float before = state.flux.sum();
     const float kept =
-        before > 0 ? flux.sum() / before : drawn->weight.sum() / static_cast<float>(kLanes);
+        before > 0 ? flux.sum() / before : left->weight.sum() / static_cast<float>(kLanes);
     const float throughput = state.throughput * kept;
     const float number = throughput < 1 ? unit(BounceSlot::roulette) : 0;
-    return {flux, w_to, throughput, number, drawn->pdf.has_value(), drawn->dispersed};
+    return {flux, left->direction, throughput, number, left->is_rough, left->disperses};
 }
 
 /// Of a photon that so many smooth surfaces have scattered, and no rough one.

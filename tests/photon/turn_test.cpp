@@ -79,5 +79,68 @@ TEST(Turn, a_shading_normal_makes_a_photon_heavy) {
     EXPECT_NEAR(state.flux[0], 6 * state.throughput, 1e-4);
 }
 
+/// A photon that meets a facet under a normal 37 degrees from its own.
+struct Tilted {
+    PhotonState state = falling(1);
+    Hit hit = floor_hit();
+    Tilted() {
+        state.direction = {0.6F, 0, -0.8F};
+        hit.shading_normal = Vec3(-0.6F, 0, 0.8F);
+    }
+
+    /// The mean of f(flux, direction) over a grid of the numbers that make a direction.
+    template <class Surface, class F>
+    double mean(const Surface& surface, const F& f) {
+        constexpr int kSteps = 512;
+        double sum = 0;
+        for (int i = 0; i < kSteps * kSteps; ++i) {
+            const auto read = [&](std::uint32_t index) {
+                const int step =
+                    index == slot(0, BounceSlot::direction_u) ? i / kSteps : i % kSteps;
+                return to_fraction((step + 0.5) / kSteps);
+            };
+            const Turn turn = draw_turn(read, surface, hit, state);
+            sum += f(turn);
+        }
+        return sum / kSteps / kSteps;
+    }
+};
+
+/// By quadrature over the hemisphere of the shading normal: f |n_g.w| of the light on the surface,
+/// which the shading normal makes 1 / 0.8 times that on the facet.
+TEST(Turn, lambertian_flux_goes_where_bsdf_and_normals_say) {
+    Tilted at;
+    const Lambert grey{Spectrum(0.5F)};
+    constexpr int kSteps = 512;
+    const Frame frame(at.hit.shading_normal);
+    Vec3d expected(0);
+    for (int i = 0; i < kSteps * kSteps; ++i) {
+        const double z = (i / kSteps + 0.5) / kSteps;
+        const double angle = (i % kSteps + 0.5) / kSteps * 2 * kPiDouble;
+        const double across = std::sqrt(1 - z * z);
+        const Vec3d w(frame.to_world(Vec3(Vec3d(across * cos(angle), across * sin(angle), z))));
+        expected += w * (6 * 0.5 / kPiDouble / 0.8 * std::abs(w.z));
+    }
+    expected *= 2 * kPiDouble / kSteps / kSteps;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto value = [&](const Turn& turn) {
+            return static_cast<double>(turn.flux[0] * turn.direction[axis]);
+        };
+        EXPECT_NEAR(at.mean(grey, value), expected[axis], 0.002) << axis;
+    }
+    const auto below = [](const Turn& turn) { return turn.direction.z < 0 ? 1.0 : 0.0; };
+    EXPECT_NEAR(at.mean(grey, below), (1 - 0.8) / 2, 0.002);
+}
+
+TEST(Turn, no_direction_of_lambertian_flux_weighs_more_than_another) {
+    Tilted at;
+    const Lambert grey{Spectrum(0.5F)};
+    const float expected = 0.5F / 0.8F;
+    EXPECT_NEAR(at.mean(grey, [](const Turn& turn) { return turn.throughput; }), expected, 1e-4);
+    const auto spread = [&](const Turn& turn) { return std::abs(turn.throughput - expected); };
+    EXPECT_NEAR(at.mean(grey, spread), 0, 1e-5);
+    EXPECT_GT(at.mean(Bsdf{grey}, spread), 0.1);
+}
+
 }  // namespace
 }  // namespace sunfleck
