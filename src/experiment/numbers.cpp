@@ -10,7 +10,7 @@
 namespace sunfleck {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::array<double, 30> kStudent = {
     12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
@@ -45,6 +45,12 @@ double student_t(std::size_t freedom) {
     return 1.959964 + (2.37228 + 2.8226 * inverse) * inverse;
 }
 
+double mean_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double v : values) sum += v;
+    return sum / static_cast<double>(values.size());
+}
+
 Interval mean_interval(const std::vector<double>& values) {
     RunningMean mean;
     for (const double v : values) mean.add(v);
@@ -54,13 +60,13 @@ Interval mean_interval(const std::vector<double>& values) {
 }
 
 Interval ratio_interval(const std::vector<double>& a, const std::vector<double>& b) {
-    if (a.size() < 2 || b.size() < 2) return {kNone, kNone, kNone};
+    if (a.size() < 2 || b.size() < 2) return {kUnknown, kUnknown, kUnknown};
     const RunningMean x = logarithms(a);
     const RunningMean y = logarithms(b);
     const double u = x.standard_error() * x.standard_error();
     const double v = y.standard_error() * y.standard_error();
     const double difference = x.mean() - y.mean();
-    if (!std::isfinite(difference)) return {kNone, kNone, kNone};
+    if (!std::isfinite(difference)) return {kUnknown, kUnknown, kUnknown};
     if (u + v == 0) return {std::exp(difference), std::exp(difference), std::exp(difference)};
     const double freedom =
         (u + v) * (u + v) /

@@ -17,6 +17,9 @@ struct Interval {
 /// Fisher's first two terms.
 double student_t(std::size_t freedom);
 
+/// @param values  at least one.
+double mean_of(const std::vector<double>& values);
+
 /// Mean of the values; without an interval (low = high = value) for fewer than two.
 Interval mean_interval(const std::vector<double>& values);
 

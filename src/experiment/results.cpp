@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "experiment/methods.h"
+#include "experiment/numbers.h"
 #include "film/luminance.h"
 #include "image/exr.h"
 #include "image/read_file.h"
@@ -41,12 +42,6 @@ CellFacts read_facts(const fs::path& picture) {
     facts.acceptance = number(json, "acceptance");
     facts.mean = number(json["image"], "mean");
     return facts;
-}
-
-double mean_of(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double v : values) sum += v;
-    return sum / static_cast<double>(values.size());
 }
 
 /// The mean without the hundredth of the largest, whatever their sign: where the reference is
@@ -92,8 +87,8 @@ std::vector<double> luminance_of(const Picture& picture, const std::string& name
     std::vector<double> by_pixel(picture.pixels());
     for (std::size_t i = 0; i < by_pixel.size(); ++i)
         by_pixel[i] =
-            luminance({static_cast<double>(r->values[i]), static_cast<double>(g->values[i]),
-                       static_cast<double>(b->values[i])});
+            luminance(Triple{static_cast<double>(r->values[i]), static_cast<double>(g->values[i]),
+                             static_cast<double>(b->values[i])});
     return by_pixel;
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t kMagic = 0x0A'74'70'6B'63'6E'75'73;     // "sunckpt\n"
 constexpr std::uint64_t kVersion = 3;                           // films of version 3
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 30U;  // as --passes
-constexpr WordFileKind kKind{"checkpoint", "use another copy, or render anew without --resume"};
+constexpr WordFileKind kCheckpointFile{"checkpoint", "use another copy, or render anew without --resume"};
 
 /// The archive (see StoredSample::visit) that writes.
 class Put {
@@ -151,7 +151,7 @@ void write_checkpoint(const std::string& path, const Origin& origin, const Rende
 }
 
 Checkpoint read_checkpoint(std::istream& stream, std::uint64_t size, const std::string& name) {
-    WordReader in(stream, size, name, kKind);
+    WordReader in(stream, size, name, kCheckpointFile);
     Take take(in);
     in.check_head(kMagic, kVersion);
     Origin origin{in.text(), in.text(), take_files(in)};

@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::vector<std::uint64_t>;
 
-constexpr WordFileKind kKind{"film", "start the render again"};
+constexpr WordFileKind kSentFilm{"film", "start the render again"};
 
 std::string bytes_of(const FilmSums& sums) {
     Words words = head_words(sums);
@@ -27,7 +27,7 @@ std::string bytes_of(const FilmSums& sums) {
 
 FilmHead head_from(const std::string& bytes) {
     std::istringstream stream(bytes);
-    WordReader in(stream, bytes.size(), "what a rank sent", kKind);
+    WordReader in(stream, bytes.size(), "what a rank sent", kSentFilm);
     FilmHead head = take_head(in);
     in.finish();
     return head;

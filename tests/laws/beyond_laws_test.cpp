@@ -4,6 +4,7 @@
 // Fixed seeds; significance 1e-4.
 #include "core/random.h"
 #include "laws/light_examples.h"
+#include "laws/significance.h"
 #include "support/statistics.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,6 @@ namespace sunfleck {
 namespace {
 
 using namespace testing_support;
-
-constexpr double kSignificance = 1e-4;
 
 class BeyondLaws : public testing::TestWithParam<LightExample> {
 protected:

@@ -3,6 +3,7 @@
 // Chi-square of 2^18 samples in 20 x 12 bins of the sphere and one for "absorbed", seed 2,
 // significance 1e-4 a test. Smallest effect: a pdf that is 2% too large is seen in every example.
 #include "laws/bsdf_examples.h"
+#include "laws/significance.h"
 #include "math/statistics.h"
 #include "support/statistics.h"
 
@@ -18,8 +19,6 @@ namespace {
 constexpr std::size_t kSamples = 1U << 18U;
 constexpr std::size_t kRows = 20;     // of equal cosine steps
 constexpr std::size_t kColumns = 12;  // of equal azimuth steps
-constexpr double kSignificance = 1e-4;
-
 std::size_t bin_of(const Vec3& w) {
     const double turn = std::atan2(w.y, w.x) / (2 * kPiDouble);
     const auto row = static_cast<std::size_t>((w.z + 1) / 2 * kRows);

@@ -6,6 +6,7 @@
 #include "core/random.h"
 #include "laws/light_examples.h"
 #include "laws/light_surfaces.h"
+#include "laws/significance.h"
 #include "light/light.h"
 #include "support/statistics.h"
 
@@ -18,8 +19,6 @@ namespace sunfleck {
 namespace {
 
 using namespace testing_support;
-
-constexpr double kSignificance = 1e-4;
 
 class LightLaws : public testing::TestWithParam<LightExample> {
 protected:

@@ -59,8 +59,6 @@ TEST(CognacGlass, stands_clear_of_the_table_and_is_as_high_as_it_says) {
     EXPECT_FLOAT_EQ((*high)[2], static_cast<float>(kSnifterHeight));
 }
 
-constexpr int kAir = 0;
-constexpr int kGlass = 1;
 constexpr int kBrandy = 2;
 
 std::vector<Interface> interfaces_of(const CognacGlass& glass) {

@@ -92,8 +92,6 @@ TEST(IcedTea, no_piece_of_ice_touches_another_or_the_glass) {
     }
 }
 
-constexpr int kAir = 0;
-constexpr int kGlass = 1;
 constexpr int kTea = 2;
 constexpr int kIce = 3;
 

@@ -10,6 +10,9 @@
 
 namespace sunfleck {
 
+inline constexpr int kAir = 0;
+inline constexpr int kGlass = 1;
+
 /// A mesh between two media, named by numbers.
 struct Interface {
     Mesh mesh;

@@ -8,7 +8,7 @@
 namespace sunfleck {
 namespace {
 
-double mean_of(const Results& results, const std::vector<Cell>& cells, double CellFacts::*fact) {
+double mean_fact(const Results& results, const std::vector<Cell>& cells, double CellFacts::*fact) {
     double sum = 0;
     for (const Cell& cell : cells) sum += results.facts(cell).*fact;
     return sum / static_cast<double>(cells.size());
@@ -17,9 +17,9 @@ double mean_of(const Results& results, const std::vector<Cell>& cells, double Ce
 std::vector<std::string> method_row(const Results& results, const std::string& scene,
                                     const Method& method, const Method& base) {
     const std::vector<Cell> cells = results.cells(scene, method);
-    std::vector<std::string> row = {scene, method.name,
-                                    number_text(mean_of(results, cells, &CellFacts::passes)),
-                                    number_text(mean_of(results, cells, &CellFacts::cpu_seconds))};
+    std::vector<std::string> row = {
+        scene, method.name, number_text(mean_fact(results, cells, &CellFacts::passes)),
+        number_text(mean_fact(results, cells, &CellFacts::cpu_seconds))};
     for (const Measure& m : kMeasures)
         row.push_back(interval_text(mean_interval(results.errors(scene, method, m.kind))));
     for (const Measure& m : kMeasures)

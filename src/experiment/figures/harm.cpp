@@ -8,7 +8,7 @@ namespace {
 
 const std::vector<std::string> kScenes = {"cornell", "box"};
 
-std::vector<Method> methods() {
+std::vector<Method> unharmed_methods() {
     return {sampler_method("random"), sampler_method("paper"), sampler_method("adaptive")};
 }
 
@@ -31,9 +31,9 @@ Section fig9_section(const Results& results) {
             section.findings.push_back(
                 ratio_sentence(results, scene, sampler_method(name), sampler_method("random")));
         section.findings.push_back(least_cost(results, scene));
-        section.rows.push_back(picture_row(results, "fig9", scene, methods()));
+        section.rows.push_back(picture_row(results, "fig9", scene, unharmed_methods()));
     }
-    section.tables.push_back(error_table(results, "fig9-errors", kScenes, methods()));
+    section.tables.push_back(error_table(results, "fig9-errors", kScenes, unharmed_methods()));
     return section;
 }
 
@@ -45,7 +45,7 @@ Figure fig9() {
             "There is no benefit where most photons are visible (ratio below 10), and no visible "
             "harm either.",
             kScenes,
-            [](const RunSettings& s) { return seed_cells(s, kScenes, methods()); },
+            [](const RunSettings& s) { return seed_cells(s, kScenes, unharmed_methods()); },
             fig9_section};
 }
 

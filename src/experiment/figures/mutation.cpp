@@ -1,5 +1,6 @@
 // Figures 7 and 8: mutation sizes, fixed and adapted, and target acceptances.
 #include "experiment/figures/common.h"
+#include "experiment/numbers.h"
 
 #include <fmt/format.h>
 
@@ -31,10 +32,6 @@ std::vector<Method> sizes() {
     methods.push_back(sampler_method("random"));
     methods.push_back(sampler_method("adaptive"));
     return methods;
-}
-
-double mean_of(const std::vector<double>& values) {
-    return mean_interval(values).value;
 }
 
 /// Those that find their sizes themselves.

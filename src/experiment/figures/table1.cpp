@@ -36,14 +36,15 @@ constexpr std::array<PaperRow, 12> kPaper = {{
     {"Buddha (near)", "statue-near", 378731, 54.4, 90, 0.106},
 }};
 
-std::vector<Method> methods() {
+std::vector<Method> table1_methods() {
     return {sampler_method("paper"), sampler_method("adaptive"), default_method()};
 }
 
 std::vector<Cell> table1_cells(const RunSettings&) {
     std::vector<Cell> cells;
     for (const PaperRow& row : kPaper)
-        for (const Method& method : methods()) cells.push_back({std::string(row.scene), method});
+        for (const Method& method : table1_methods())
+            cells.push_back({std::string(row.scene), method});
     return cells;
 }
 
