@@ -13,7 +13,8 @@ namespace {
 constexpr std::uint64_t kMagic = 0x0A'74'70'6B'63'6E'75'73;     // "sunckpt\n"
 constexpr std::uint64_t kVersion = 3;                           // films of version 3
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 30U;  // as --passes
-constexpr WordFileKind kCheckpointFile{"checkpoint", "use another copy, or render anew without --resume"};
+constexpr WordFileKind kCheckpointFile{"checkpoint",
+                                       "use another copy, or render anew without --resume"};
 
 /// The archive (see StoredSample::visit) that writes.
 class Put {
