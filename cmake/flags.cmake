@@ -9,6 +9,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(sunfleck_flags INTERFACE -Wno-restrict -Wno-stringop-overread
     -fno-tree-slp-vectorize)
 endif()
+# clang takes signs for conversions, g++ does not.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  target_compile_options(sunfleck_flags INTERFACE -Wno-sign-conversion)
+endif()
 if(SUNFLECK_WERROR)
   target_compile_options(sunfleck_flags INTERFACE -Werror)
 endif()

@@ -21,7 +21,7 @@ class FoundPath {
 public:
     FoundPath(const PassScene& scene, const Projection& camera, const Subpath& eye,
               const MetLight& met)
-        : met_(met), eye_(eye.vertices.begin(), eye.vertices.begin() + long(met.vertices)) {
+        : eye_(eye.vertices.begin(), eye.vertices.begin() + long(met.vertices)) {
         end_ = end_densities(scene.scene, met.light, met.ray, eye_.back().hit);
         light_ = eye_;
         for (std::size_t i = 0; i < light_.size(); ++i) {
@@ -110,7 +110,6 @@ private:
         return eye_[at + 1].leaving.back * geometric_cosine(eye_[at].hit, way(at)) / distance2(at);
     }
 
-    const MetLight& met_;
     std::vector<SubpathVertex> eye_;
     std::vector<SubpathVertex> light_;
     EndDensities end_;
