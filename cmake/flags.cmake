@@ -9,10 +9,6 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(sunfleck_flags INTERFACE -Wno-restrict -Wno-stringop-overread
     -fno-tree-slp-vectorize)
 endif()
-# clang takes signs for conversions, g++ does not.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  target_compile_options(sunfleck_flags INTERFACE -Wno-sign-conversion)
-endif()
 if(SUNFLECK_WERROR)
   target_compile_options(sunfleck_flags INTERFACE -Werror)
 endif()
@@ -28,16 +24,18 @@ find_program(SUNFLECK_CCACHE ccache)
 if(SUNFLECK_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${SUNFLECK_CCACHE})
 endif()
-# Headers are read once a room or once a program (cmake/rooms.cmake, tests/CMakeLists.txt), but not
-# with ccache, which knows files one by one: such a build shows whether each includes what it uses.
+# Headers are read once a room or once a program (cmake/rooms.cmake, tests/CMakeLists.txt), and files
+# compiled together, but not with ccache, which knows files one by one: such a build shows whether
+# each includes what it uses.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+  set(SUNFLECK_TOGETHER OFF)
 endif()
 
 # Six files of the target at a time, which then read headers and make templates once. Local names must
-# differ within the target. Not with ccache, nor where SUNFLECK_TOGETHER is off, for who edits.
+# differ within the target. Not where SUNFLECK_TOGETHER is off, for who edits.
 function(sunfleck_compile_together target)
-  if(SUNFLECK_TOGETHER AND NOT CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)
+  if(SUNFLECK_TOGETHER)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
   endif()
 endfunction()

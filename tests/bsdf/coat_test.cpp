@@ -107,7 +107,10 @@ struct Case {
 /// a ring is about 0.5%.
 TEST(Coat, agrees_with_random_walks) {
     constexpr int kWalks = 400'000;
-    constexpr int kRings = 4;
+    constexpr std::size_t kRings = 4;
+    const auto ring_of = [](const Vec3& w) {
+        return std::min(kRings - 1, static_cast<std::size_t>(kRings * w.z * w.z));
+    };
     for (const Case& c : {Case{{}, 0, 0.9F, 0.02}, Case{{}, 0.2F, 0.5F, 0.02},
                           Case{Ggx{0.3F, 0.3F}, 0.05F, 0.8F, 0.03}})
         for (const float cosine : {0.95F, 0.4F}) {
@@ -121,9 +124,7 @@ TEST(Coat, agrees_with_random_walks) {
                 const auto out = walk.run(w);
                 const bool mirrored =
                     out && !c.facets && std::abs(out->x + w.x) < 1e-6F && out->y == 0;
-                if (out && !mirrored)
-                    walked.at(std::min(kRings - 1, static_cast<int>(kRings * out->z * out->z))) +=
-                        1.0 / kWalks;
+                if (out && !mirrored) walked.at(ring_of(*out)) += 1.0 / kWalks;
             }
             RandomStream random(6, Purpose::test, 0, 0);
             std::array<double, kRings> formula{};
@@ -131,8 +132,7 @@ TEST(Coat, agrees_with_random_walks) {
                 const Vec3 to(cosine_hemisphere(Vec2d(random.next(), random.next())));
                 Spectrum f = base.eval(w, to, Transport::flux);
                 if (c.facets) f += top.eval(w, to, Transport::flux);
-                formula.at(std::min(kRings - 1, static_cast<int>(kRings * to.z * to.z))) +=
-                    static_cast<double>(f[0] * kPi) / kWalks;
+                formula.at(ring_of(to)) += static_cast<double>(f[0] * kPi) / kWalks;
             }
             for (std::size_t r = 0; r < kRings; ++r)
                 EXPECT_NEAR(walked.at(r) / formula.at(r), 1, c.band)

@@ -128,7 +128,7 @@ TEST(FixedPoint, sums_what_doubles_lose) {
 TEST(AtomicFixedPoint, threads_in_any_order_give_the_same_bits) {
     const std::vector<FixedPoint> terms = mixed_terms(20000);
     const FixedPoint expected = sum(terms);
-    for (const std::size_t threads : {1, 2, 5, 16}) {
+    for (const std::size_t threads : {1U, 2U, 5U, 16U}) {
         const ThreadLimit limit(threads);
         AtomicFixedPoint total;
         parallel_for(terms.size(), [&](std::size_t i) { total.add(terms[i]); });

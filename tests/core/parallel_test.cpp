@@ -37,7 +37,7 @@ std::size_t threads_seen(std::size_t hoped) {
 }
 
 TEST(ParallelFor, calls_each_index_once) {
-    for (const std::size_t count : {0, 1, 2, 1000, 100000}) {
+    for (const std::size_t count : {0U, 1U, 2U, 1000U, 100000U}) {
         std::vector<std::atomic<int>> calls(count);
         parallel_for(count, [&](std::size_t i) { ++calls.at(i); });
         for (const std::atomic<int>& n : calls) ASSERT_EQ(n, 1) << "of " << count;
@@ -90,8 +90,8 @@ void expect_cover(std::size_t count, std::size_t block) {
 }
 
 TEST(ParallelBlocks, cover_the_range_in_blocks_of_one_size) {
-    for (const std::size_t count : {0, 1, 7, 8, 9, 1000})
-        for (const std::size_t block : {1, 8, 64, 5000}) expect_cover(count, block);
+    for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 1000U})
+        for (const std::size_t block : {1U, 8U, 64U, 5000U}) expect_cover(count, block);
 }
 
 TEST(BlockOfAThread, is_the_share_of_each_rounded_up_but_not_small) {
@@ -112,7 +112,7 @@ TEST(ParallelBlocks, a_block_may_be_as_large_as_a_number_can_be) {
 }
 
 TEST(ThreadLimit, gives_the_number_of_threads_asked_for) {
-    for (const std::size_t count : {1, 2, 5}) {
+    for (const std::size_t count : {1U, 2U, 5U}) {
         const ThreadLimit limit(count);
         EXPECT_EQ(thread_count(), count);
         EXPECT_EQ(threads_seen(count), count);

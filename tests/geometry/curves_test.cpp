@@ -17,8 +17,8 @@ Curves wild_curve(Dice& dice, CurveKind kind, double width) {
     Curves curves;
     curves.kind = kind;
     CurveSegment segment;
-    for (int i = 0; i < 4; ++i)
-        segment.points.at(i) = Vec3(Vec3d(i - 1.5, 0, 0) + dice.in_box(0.45));
+    for (std::size_t i = 0; i < 4; ++i)
+        segment.points.at(i) = Vec3(Vec3d(double(i) - 1.5, 0, 0) + dice.in_box(0.45));
     segment.width = {float(width), float(width * dice.number(0.4, 1))};
     const Vec3d up(0, 0, 1);
     segment.normal = {Vec3(up + dice.in_box(0.4)), Vec3(up + dice.in_box(0.4))};

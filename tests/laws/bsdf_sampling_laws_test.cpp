@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t kSamples = 1U << 18U;
 constexpr std::size_t kRows = 20;     // of equal cosine steps
 constexpr std::size_t kColumns = 12;  // of equal azimuth steps
+
 std::size_t bin_of(const Vec3& w) {
     const double turn = std::atan2(w.y, w.x) / (2 * kPiDouble);
     const auto row = static_cast<std::size_t>((w.z + 1) / 2 * kRows);

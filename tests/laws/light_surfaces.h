@@ -82,7 +82,9 @@ inline std::vector<SurfaceHit> surface_hits(const EmittingPatch& patch, const Ve
     const std::array<Vec3d, 4> terms{p[0] - origin, p[1] - p[0], p[2] - p[0],
                                      p[3] - p[1] - p[2] + p[0]};
     for (std::size_t i = 0; i < 4; ++i) c.at(i) = {terms.at(i).dot(x), terms.at(i).dot(y), 0};
-    const auto cross = [&](int i, int j) { return c.at(i).x * c.at(j).y - c.at(i).y * c.at(j).x; };
+    const auto cross = [&](std::size_t i, std::size_t j) {
+        return c.at(i).x * c.at(j).y - c.at(i).y * c.at(j).x;
+    };
     // (c0 + v c2) x (c1 + v c3) = 0
     const double a = cross(2, 3);
     const double b = cross(0, 3) + cross(2, 1);

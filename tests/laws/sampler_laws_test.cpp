@@ -50,7 +50,7 @@ TEST_P(SamplerLaws, counts_are_what_the_plan_says) {
 
 TEST_P(SamplerLaws, same_bytes_for_any_number_of_threads) {
     std::vector<std::uint64_t> bytes;
-    for (const std::size_t threads : {1, 2, 3, 8}) {
+    for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
         const ThreadLimit limit(threads);
         std::uint64_t all = 0;
         for (std::uint32_t p = 0; p < 5; ++p)

@@ -118,7 +118,8 @@ TEST(Turn, lambertian_flux_goes_where_bsdf_and_normals_say) {
         const double z = (i / kSteps + 0.5) / kSteps;
         const double angle = (i % kSteps + 0.5) / kSteps * 2 * kPiDouble;
         const double across = std::sqrt(1 - z * z);
-        const Vec3d w(frame.to_world(Vec3(Vec3d(across * cos(angle), across * sin(angle), z))));
+        const Vec3d w(
+            frame.to_world(Vec3(Vec3d(across * std::cos(angle), across * std::sin(angle), z))));
         expected += w * (6 * 0.5 / kPiDouble / 0.8 * std::abs(w.z));
     }
     expected *= 2 * kPiDouble / kSteps / kSteps;

@@ -26,7 +26,7 @@ TEST(Cognac, all_views_show_the_same_world) {
 
 TEST(Cognac, the_views_close_in) {
     const auto fov = [](std::size_t i) { return std::stod(std::string(kCognacViews.at(i).fov)); };
-    for (const std::size_t i : {1, 2, 4, 5, 6}) EXPECT_LT(fov(i), fov(i == 4 ? 2 : i - 1));
+    for (const std::size_t i : {1U, 2U, 4U, 5U, 6U}) EXPECT_LT(fov(i), fov(i == 4 ? 2 : i - 1));
     EXPECT_NE(kCognacViews[3].target, kCognacViews[2].target);
 }
 

@@ -10,6 +10,7 @@
 
 namespace sunfleck {
 
+/// Numbers of media that most of these scenes have; others follow from 2.
 inline constexpr int kAir = 0;
 inline constexpr int kGlass = 1;
 

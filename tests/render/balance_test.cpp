@@ -88,7 +88,7 @@ TEST(Balance, holds_for_an_epoch_whatever_the_threads) {
     const Scene scene = small_room();
     const std::uint32_t paths = learned(scene, {}).paths;
     EXPECT_NE(paths, kUsual);
-    for (const std::size_t threads : {1, 3}) {
+    for (const std::size_t threads : {1U, 3U}) {
         const ThreadLimit limit(threads);
         EXPECT_EQ(learned(scene, {}, 77).paths, paths);
     }

@@ -57,7 +57,7 @@ TEST(LightGroups, part_a_lamp_that_is_hardly_seen) {
 TEST(LightGroups, are_the_same_for_any_number_of_threads_and_others_for_other_names) {
     const Scene scene = two_lamps(16);
     const std::vector<PhotonGroup> first = learned(scene, 1);
-    for (const std::size_t threads : {1, 2, 3, 8}) {
+    for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
         const ThreadLimit limit(threads);
         EXPECT_TRUE(are_equal(learned(scene, 1), first)) << threads;
     }

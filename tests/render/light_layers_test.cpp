@@ -153,7 +153,7 @@ TEST(LightLayers, hold_what_their_lights_bring_alone) {
     const std::vector<std::uint32_t>& stated = scene.stated_in();
     RenderSettings reference = settings;
     reference.integrator = Integrator::bdpt;
-    for (const std::size_t light : {0, 1, 2}) {
+    for (const std::size_t light : {0U, 1U, 2U}) {
         settings.transport.light_layers = {{"it"}, "", {}};
         for (const std::uint32_t statement : stated)
             settings.transport.light_layers.of_light.push_back(statement == light ? 0

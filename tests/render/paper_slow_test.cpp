@@ -35,7 +35,7 @@ TEST(Paper, same_bytes_with_any_number_of_threads) {
     RenderSettings settings = paper(150'000);  // several blocks of iterations
     settings.layers.fill(true);
     std::vector<Film> films;
-    for (const std::size_t threads : {1, 2, 3}) {
+    for (const std::size_t threads : {1U, 2U, 3U}) {
         const ThreadLimit limit(threads);
         films.push_back(film_of(scene, settings, 3));
     }

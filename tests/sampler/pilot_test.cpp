@@ -97,7 +97,7 @@ TEST(Pilot, plans_the_ladder_that_the_rules_ask_for) {
 TEST(Pilot, plans_the_same_for_any_number_of_threads) {
     for (const Islands& space : {spaces()[1], spaces()[3]}) {
         const PilotResult first = learn(space, 1);
-        for (const std::size_t threads : {1, 2, 3, 8}) {
+        for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
             const ThreadLimit limit(threads);
             const PilotResult again = learn(space, 1);
             EXPECT_EQ(again.plan, first.plan) << space.name << threads;
