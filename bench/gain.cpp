@@ -38,9 +38,10 @@ struct Variant {
     void (*apply)(RenderSettings&);
 };
 
-constexpr std::array<Variant, 5> kVariants = {{
+constexpr std::array<Variant, 6> kVariants = {{
     {"unmapped", [](RenderSettings& s) { s.photon.emission_maps = false; }},
     {"together", [](RenderSettings& s) { s.photon.light_groups = false; }},
+    {"even", [](RenderSettings& s) { s.photon.noisy_pixels = false; }},
     {"unbalanced", [](RenderSettings& s) { s.photon.balance = false; }},
     {"bare",
      [](RenderSettings& s) {

@@ -17,19 +17,23 @@ void add_adaptive_flags(CLI::App& app, AdaptiveTexts& texts) {
     add("--emission-maps", texts.emission_maps,
         "Sampler adaptive: auto: where few paths are seen, learn from where light must start; "
         "off: chains alone");
+    add("--noisy-pixels", texts.noisy_pixels,
+        "Sampler adaptive: auto: from pass 16 on up to 16 camera paths a draw in pixels that are "
+        "noisier than others; off: one in each");
     add("--balance", texts.balance,
         "Sampler adaptive: auto: from pass 16 on as many photon paths a pass as pay beside its "
         "camera paths, measured; off: as many in all passes");
 }
 
 void finish_adaptive(const CLI::App& given, const AdaptiveTexts& texts, PhotonSettings& photon) {
-    for (const char* flag : {"--light-groups", "--emission-maps", "--balance"})
+    for (const char* flag : {"--light-groups", "--emission-maps", "--noisy-pixels", "--balance"})
         if (given.count(flag) > 0 && photon.sampler != PhotonSampler::adaptive)
             throw Error({flag}, "has a meaning with the sampler adaptive alone", "leave it out");
     if (given.count("--balance") > 0 && given.count("--photons-per-pass") > 0)
         throw Error({"--balance"}, "given together with --photons-per-pass, which is a number",
                     "give one");
     photon.emission_maps = texts.emission_maps == "auto";
+    photon.noisy_pixels = texts.noisy_pixels == "auto";
     photon.light_groups = texts.light_groups == "auto";
     photon.balance = texts.balance == "auto";
 }

@@ -13,6 +13,7 @@ namespace sunfleck {
 struct AdaptiveTexts {
     std::string light_groups = "auto";
     std::string emission_maps = "auto";
+    std::string noisy_pixels = "auto";
     std::string balance = "auto";
 };
 

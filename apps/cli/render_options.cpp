@@ -28,10 +28,11 @@ void add_choice(CLI::App& app, const char* flag, std::string& text, const Rows& 
 /// What the reference integrators have no use for is refused rather than passed over.
 void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     if (t.integrator == "sppm") return;
-    for (const char* flag : {"--photon-sampler", "--light-groups", "--emission-maps", "--balance",
-                             "--mode", "--replica-exchange", "--mutation-size",
-                             "--target-acceptance", "--direct", "--photons-per-pass", "--radius",
-                             "--radius-pixels", "--alpha", "--layers", "--light-layer"}) {
+    for (const char* flag :
+         {"--photon-sampler", "--light-groups", "--emission-maps", "--noisy-pixels", "--balance",
+          "--mode", "--replica-exchange", "--mutation-size", "--target-acceptance", "--direct",
+          "--photons-per-pass", "--radius", "--radius-pixels", "--alpha", "--layers",
+          "--light-layer"}) {
         const bool counts_paths = std::string_view(flag) == "--photons-per-pass";
         if (given.count(flag) == 0 || (counts_paths && t.integrator == "light")) continue;
         throw Error({flag}, "has no meaning with --integrator " + t.integrator, "leave it out");

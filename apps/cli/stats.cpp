@@ -68,17 +68,20 @@ Json groups_json(const Film& film) {
     }
 }
 
-/// Epochs of which passes were rendered, and the photon paths that a pass of theirs has.
+/// Epochs of which passes were rendered, and the paths that a pass of theirs has.
 Json epochs_json(const Film& film) {
+    const auto pixels = static_cast<double>(film.key().pixels());
     Json epochs = Json::array();
     for (std::uint32_t number = 0; number <= epoch_of(~0U); ++number) {
         const std::string name = fmt::format("epoch.{}.", number);
         const double passes = film.statistic(name + "passes");
         if (passes == 0) continue;
-        epochs.push_back({{"epoch", number},
-                          {"passes", static_cast<std::uint64_t>(passes)},
-                          {"draws_per_pass", film.statistic(name + "draws") / passes},
-                          {"photons_per_pass", film.statistic(name + "paths") / passes}});
+        epochs.push_back(
+            {{"epoch", number},
+             {"passes", static_cast<std::uint64_t>(passes)},
+             {"draws_per_pass", film.statistic(name + "draws") / passes},
+             {"camera_paths_per_pixel", film.statistic(name + "camera_paths") / passes / pixels},
+             {"photons_per_pass", film.statistic(name + "paths") / passes}});
     }
     return epochs;
 }

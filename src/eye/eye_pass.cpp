@@ -5,6 +5,16 @@
 #include "eye/eye_path.h"
 
 namespace sunfleck {
+namespace {
+
+bool has_paths(const EyePass& pass, std::size_t pixel) {
+    if (pass.every == 1) return true;
+    const auto width = static_cast<std::size_t>(pass.window.width());
+    const auto every = static_cast<std::size_t>(pass.every);
+    return pixel % width % every == 0 && pixel / width % every == 0;
+}
+
+}  // namespace
 
 VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics) {
     constexpr std::size_t kBlock = 256;
@@ -15,10 +25,18 @@ VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statist
     parallel_blocks(pixels, kBlock, [&](std::size_t begin, std::size_t end) {
         const std::size_t block = begin / kBlock;
         lists[block].reserve(end - begin);
-        for (std::size_t pixel = begin; pixel < end; ++pixel)
-            EyePath(pass, filter, image, lists[block], counts[block])
-                .trace(static_cast<std::uint32_t>(pixel));
-        counts[block][Count::visible_points] += lists[block].size();
+        Statistics& count = counts[block];
+        for (std::size_t pixel = begin; pixel < end; ++pixel) {
+            if (!has_paths(pass, pixel)) continue;
+            PathOfPixel path{0, pass.doublings.empty() ? 0U : pass.doublings[pixel]};
+            const std::uint64_t before = count[Count::eye_rays];
+            for (; path.number < path.count(); ++path.number)
+                EyePath(pass, filter, image, lists[block], count)
+                    .trace(static_cast<std::uint32_t>(pixel), path);
+            count[Count::camera_paths] += path.count();
+            if (!pass.rays.empty()) pass.rays[pixel] += count[Count::eye_rays] - before;
+        }
+        count[Count::visible_points] += lists[block].size();
     });
     for (const Statistics& c : counts) statistics += c;
     return lists;

@@ -13,6 +13,7 @@
 #include "measurement/visible_point.h"
 #include "scene/pass_scene.h"
 
+#include <span>
 #include <vector>
 
 namespace sunfleck {
@@ -27,9 +28,14 @@ struct EyePass {
     /// Of discs for indirect photons, over their radius.
     float indirect_reach =
         static_cast<float>(sunfleck::indirect_reach(settings, scene.scene.film().resolution));
+    /// Pixel i has 2^doublings[i] camera paths, each with that share of its light; one if empty.
+    std::span<const std::uint8_t> doublings = {};
+    /// Rays of each pixel's paths are added, unless empty.
+    std::span<std::uint64_t> rays = {};
+    int every = 1;  // so many columns and rows have paths, from the first on: others have none
 };
 
-/// One camera path a pixel. The order of the points, list after list, is that of the pixels.
+/// All camera paths of all pixels. The order of the points, list after list, is that of the pixels.
 VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics);
 
 }  // namespace sunfleck

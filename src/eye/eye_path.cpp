@@ -31,9 +31,10 @@ constexpr float kGlossySpread = 0.01F;
 
 }  // namespace
 
-void EyePath::trace(std::uint32_t pixel) {
+void EyePath::trace(std::uint32_t pixel, const PathOfPixel& path) {
     pixel_ = pixel;
-    RoundPoints numbers(pass_.id, pixel);
+    of_pixel_ = 1 / static_cast<float>(path.count());
+    RoundPoints numbers(pass_.id, pixel, path);
     const Ray ray = start(numbers);
     follow(ray, numbers);
 }
@@ -71,7 +72,7 @@ Ray EyePath::start(RoundPoints& numbers) {
     const FilterSample filtered = filter_.sample(numbers.next_2d());
     const Vec2d film = pass_.window.place(pixel_, filtered.offset);
     const CameraRay ray = camera_ray(pass_.scene.scene.camera(), film, numbers.next_2d());
-    weight_ = filtered.weight * pass_.scene.scene.film().imaging_ratio;
+    weight_ = filtered.weight * pass_.scene.scene.film().imaging_ratio * of_pixel_;
     throughput_ = Spectrum(1);
     medium_ = pass_.scene.scene.media().at_camera;
     lanes_.chosen = lane_of(numbers.next());
@@ -275,11 +276,13 @@ float EyePath::radius_at(const Hit& hit) const {
 void EyePath::add_features(const Hit& hit, const Spectrum& reflectance) {
     if (has_features_) return;
     has_features_ = true;
-    image_.add_feature(pixel_, hit.shading_normal, Layer::normal);
-    image_.add_feature(pixel_, Vec3(length_), Layer::depth);
+    const auto add = [&](const Vec3& value, Layer layer) {
+        image_.add_feature(pixel_, value * of_pixel_, layer);
+    };
+    add(hit.shading_normal, Layer::normal);
+    add(Vec3(length_), Layer::depth);
     if (image_.has(Layer::albedo))
-        image_.add_feature(pixel_, pass_.scene.wavelengths.to_rgb(reflectance * pass_.scene.white),
-                           Layer::albedo);
+        add(pass_.scene.wavelengths.to_rgb(reflectance * pass_.scene.white), Layer::albedo);
 }
 
 }  // namespace sunfleck

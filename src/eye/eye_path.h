@@ -22,7 +22,7 @@ public:
         : pass_(pass), filter_(filter), image_(image), points_(points), statistics_(statistics) {}
 
     /// @param pixel  index in the pass's window.
-    void trace(std::uint32_t pixel);
+    void trace(std::uint32_t pixel, const PathOfPixel& path);
 
 private:
     /// What an emitter met by the next hit counts, by the vertex that the path left last.
@@ -64,7 +64,8 @@ private:
     std::uint32_t pixel_ = 0;
     bool has_met_ = false;  // a surface
     bool has_features_ = false;
-    float weight_ = 1;  // of the pixel filter, and of the film's exposure
+    float of_pixel_ = 1;  // this path's share of the pixel's light
+    float weight_ = 1;    // of the pixel filter, and of the film's exposure, of that share
     Spectrum throughput_;
     LaneChoice lanes_;
     Vec3 position_{0};  // of the last vertex

@@ -11,6 +11,7 @@ namespace sunfleck {
 enum class Count : std::size_t {
     eye_rays,
     photon_rays,
+    camera_paths,
     visible_points,
     uniform_paths,
     mapped_paths,
@@ -40,6 +41,7 @@ inline constexpr std::size_t kCounts = static_cast<std::size_t>(Count::count);
 inline constexpr std::array<CountRow, kCounts> kCountRows = {{
     {Count::eye_rays, "eye_rays", "rays of camera paths and of direct light"},
     {Count::photon_rays, "photon_rays", "rays of photon paths"},
+    {Count::camera_paths, "camera_paths", "camera paths that end in visible points"},
     {Count::visible_points, "visible_points", "visible points"},
     {Count::uniform_paths, "uniform_paths", "photon paths traced from uniform numbers"},
     {Count::mapped_paths, "mapped_paths", "photon paths whose emission went through a map"},

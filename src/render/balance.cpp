@@ -1,10 +1,12 @@
 // Two views, two sets of photons each, and what they cost.
 #include "render/balance.h"
 
+#include "render/noisy_pixels.h"
 #include "render/photon_stage.h"
 #include "render/trial_variance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -16,19 +18,82 @@ constexpr std::uint32_t kSets = 4;      // of photons, which together are those 
 constexpr double kTried = 1.0 / kSets;  // share of the usual paths that a trial has
 constexpr std::uint32_t kRound = 500;   // of the pilots' numbers: beyond all that they use
 constexpr std::uint64_t kSeeds = 128;   // of a ladder's one set, or more
-constexpr double kRaysOfPixel = 0.6;    // work beside its rays: its point's place in the index
+constexpr double kRaysOfPath =
+    0.6;  // work beside a camera path's rays: its point's place in the index
 constexpr double kRaysOfDeposit = 0.6;  // work
 constexpr double kOfRound = 0.25;       // variance of a round's spread camera paths, over chance's
 
-TrialPixels luminance_of(const PassImage& image) {
-    TrialPixels pixels;
-    pixels.reserve(image.pixels());
-    for (std::size_t i = 0; i < image.pixels(); ++i) {
-        const RgbSum sum{{image.value(Layer::total, i, 0), image.value(Layer::total, i, 1),
-                          image.value(Layer::total, i, 2)}};
-        pixels.push_back(sum.mean_luminance(1));
+constexpr double kWorthwhile = 0.95;  // of the error: for less there are no more camera paths
+
+/// Of a draw, in rays.
+struct Work {
+    double eye = 0;       // with one camera path a pixel
+    double photon = 0;    // of a photon path
+    double deposits = 0;  // of a photon path, with one camera path a pixel
+
+    /// @param shares  work of the camera paths over that of one a pixel.
+    DrawCost cost(double shares) const { return {eye * shares, photon + deposits * shares}; }
+};
+
+/// @param paths  photon paths of a set.
+Work work_of(const EyeView& seen, const Statistics& photons, double paths) {
+    const auto count = [](const Statistics& counts, Count which) {
+        return static_cast<double>(counts[which]);
+    };
+    return {
+        count(seen.counts, Count::eye_rays) + kRaysOfPath * count(seen.counts, Count::camera_paths),
+        count(photons, Count::photon_rays) / (kSets * paths),
+        kRaysOfDeposit * count(photons, Count::deposits) / (kSets * paths)};
+}
+
+/// All that is measured of an epoch's draws.
+struct Measured {
+    std::vector<BlockVariance> blocks;  // with one camera path a pixel
+    Work work;
+    std::uint32_t usual = 0;  // photon paths
+    double fewest = 0;        // that a balance may take
+    bool may_balance = true;  // or paths are as usual
+
+    DrawMeasures even() const { return {blocks, work.cost(1)}; }
+
+    DrawMeasures with(const CameraShares& shares, const PixelTrials& trials,
+                      const BlockGrid& grid) const {
+        DrawMeasures draw{blocks, work.cost(shares.work)};
+        for (BlockVariance& block : draw.blocks)
+            block.eye *= left_of(shares, trials, grid, block.block);
+        return draw;
     }
-    return pixels;
+
+    Balance best_for(const DrawMeasures& draw) const {
+        if (!may_balance) return {usual};
+        const DrawMeasures usual_draw = even();
+        return balanced(draw, usual, fewest, &usual_draw);
+    }
+};
+
+/// Camera paths shared in the best of these ways, each with the balance that is best for it; or one
+/// a pixel, if that is hardly worse.
+DrawPlan best_plan(const Measured& measured, std::vector<CameraShares> ways,
+                   const PixelTrials& trials, const BlockGrid& grid) {
+    const DrawMeasures even = measured.even();
+    DrawPlan best{measured.best_for(even), {}};
+    double least = kWorthwhile * error_of_render(even, measured.usual, even, best.balance);
+    for (CameraShares& way : ways) {
+        const DrawMeasures draw = measured.with(way, trials, grid);
+        const Balance balance = measured.best_for(draw);
+        const double error = error_of_render(even, measured.usual, draw, balance);
+        if (!(error < least)) continue;
+        least = error;
+        best = {balance, std::move(way.doublings)};
+    }
+    return best;
+}
+
+TrialPixels mean_of(const std::array<const TrialPixels*, kSets>& trials) {
+    TrialPixels mean(trials.front()->size(), 0);
+    for (const TrialPixels* trial : trials)
+        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += (*trial)[i] / kSets;
+    return mean;
 }
 
 /// Trial passes, and their photons' counts together.
@@ -104,30 +169,30 @@ EyeView view_of(const EyePass& pass) {
     return {std::move(image), counts, std::move(index)};
 }
 
-Balance measured_balance(const EyePass& first, const EyeView& seen,
-                         const std::vector<PhotonGroup>& plan, const PilotName& name,
-                         std::uint32_t usual) {
-    if (usual < 2 * kSets) return {usual};
+DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
+                       const std::vector<PhotonGroup>& plan, const PilotName& name,
+                       std::uint32_t usual, const DrawWishes& wishes) {
+    const PixelTrials pixels = wishes.shares ? trials_of_pixels(first, name) : PixelTrials();
+    const bool shares = pixels.have_noise();
+    if (usual < 2 * kSets || !(shares || wishes.balance)) return {{usual}, {}};
     const std::vector<PhotonGroup> groups = part_of(plan, kSets);
     Trials trials(first, groups, name);
     EyePass second = first;
     second.id = name.round(kRound);
     const TrialPair one = trials.of(seen, kRound + 1);
     const TrialPair other = trials.of(view_of(second), kRound + 3);
-    const auto count = [](const Statistics& counts, Count which) {
-        return static_cast<double>(counts[which]);
-    };
-    const auto paths = static_cast<double>(paths_of(groups));
-    const auto pixels = static_cast<double>(first.window.pixels());
-    const DrawCost cost{count(seen.counts, Count::eye_rays) + kRaysOfPixel * pixels,
-                        (count(trials.counts(), Count::photon_rays) +
-                         kRaysOfDeposit * count(trials.counts(), Count::deposits)) /
-                            (kSets * paths)};
     const BlockGrid grid(first.window.width(), first.window.height(), kBlock);
-    std::vector<BlockVariance> variances = block_variances(grid, one, other, paths);
-    for (BlockVariance& block : variances) block.eye *= kOfRound;
+    const auto paths = static_cast<double>(paths_of(groups));
     const double fewest = std::floor(trials.least_share() * usual);  // as balanced() rounds
-    return balanced(variances, cost, usual, std::max(2.0, fewest));
+    Measured measured{block_variances(grid, one, other, paths),
+                      work_of(seen, trials.counts(), paths), usual, std::max(2.0, fewest),
+                      wishes.balance};
+    for (BlockVariance& block : measured.blocks) block.eye *= kOfRound;
+    std::vector<CameraShares> ways;
+    if (shares)
+        ways =
+            camera_shares(first.window, pixels, mean_of({&one[0], &one[1], &other[0], &other[1]}));
+    return best_plan(measured, std::move(ways), pixels, grid);
 }
 
 }  // namespace sunfleck

@@ -1,5 +1,5 @@
-// How many photon paths and draws the passes of an epoch have: measured on trials, which are no
-// part of a picture.
+// How many photon paths, camera paths and draws the passes of an epoch have: measured on trials,
+// which are no part of a picture.
 //
 // In:  an epoch's first view, and a plan for it. Out: numbers of paths and of draws.
 // Source: the rule and its constants are measured ones (docs/decisions.md).
@@ -21,12 +21,24 @@ struct EyeView {
 
 EyeView view_of(const EyePass& pass);
 
+/// How the draws of an epoch share their paths.
+struct DrawPlan {
+    Balance balance;
+    std::vector<std::uint8_t> doublings;  // of camera paths: see EyePass
+};
+
+/// What is to be measured.
+struct DrawWishes {
+    bool balance = true;
+    bool shares = true;  // of camera paths
+};
+
 /// Of the sampler `adaptive`.
 /// @param first  the epoch's first pass. @param seen  its view: what the planner explored.
 /// @param plan  of a draw, were nothing measured. @param usual  its paths.
-Balance measured_balance(const EyePass& first, const EyeView& seen,
-                         const std::vector<PhotonGroup>& plan, const PilotName& name,
-                         std::uint32_t usual);
+DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
+                       const std::vector<PhotonGroup>& plan, const PilotName& name,
+                       std::uint32_t usual, const DrawWishes& wishes);
 
 /// The same sets and maps, with one of so many parts of the paths and chains: what a trial measures
 /// holds for it, as it would not for a ladder planned anew for few paths.

@@ -1,21 +1,22 @@
 // Camera paths against photon paths: the rule, without the measuring.
 //
 // In:  what variance each of them leaves in the blocks of a picture, and what each costs. Out: the
-// photon paths of a draw, and the draws of a pass. A draw has one camera path a pixel, so the first
-// number is the balance; the second makes passes worth the same, for in the picture each counts
-// the same.
+// photon paths of a draw, and the draws of a pass. The camera paths of a draw are given, so the
+// first number is the balance; the second makes passes worth the same, for in the picture each
+// counts the same.
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <vector>
 
 namespace sunfleck {
 
 /// Of one block of pixels in one draw, relative to the square of its brightness. An estimate that
 /// is negative counts as none.
 struct BlockVariance {
-    double eye = 0;     // of camera paths: no number of photons takes it away
-    double photon = 0;  // of one photon path: that of n paths is a share 1/n of it
+    double eye = 0;         // of camera paths: no number of photons takes it away
+    double photon = 0;      // of one photon path: that of n paths is a share 1/n of it
+    std::size_t block = 0;  // of the picture's
 };
 
 /// Work in rays, about.
@@ -31,6 +32,12 @@ struct Balance {
     friend bool operator==(const Balance&, const Balance&) = default;
 };
 
+/// What trials measured.
+struct DrawMeasures {
+    std::vector<BlockVariance> blocks;
+    DrawCost cost;
+};
+
 /// The number of paths among usual * {1/16, 1/8, 1/4, 1/2, 1, 2, 4} that makes the relative
 /// standard error of a block least after some work, in the mean over blocks: so that a few blocks
 /// of wild light do not speak for all. A block's error after work w is sqrt((eye + photon / n) (c +
@@ -38,8 +45,16 @@ struct Balance {
 /// paths; one, if it has less: many cheap passes would undo what a few good ones before have
 /// brought.
 /// @param fewest  no number below it is taken, unless it is `usual`; at least 2.
+/// @param worth  of a usual draw, if its camera paths are others: else those of `draw`.
 /// @return one draw of `usual` paths if there is no block, or no variance at all.
-Balance balanced(std::span<const BlockVariance> blocks, const DrawCost& cost, std::uint32_t usual,
-                 double fewest = 2);
+Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest = 2,
+                 const DrawMeasures* worth = nullptr);
+
+/// The relative standard error of a block times the root of the work, in the sum over blocks, after
+/// an epoch of draws with the usual paths and three times as many passes of a balance: the first
+/// ones stay in the picture.
+/// @param usual  with its paths. @param draw  what the balance is of.
+double error_of_render(const DrawMeasures& usual, std::uint32_t usual_paths,
+                       const DrawMeasures& draw, const Balance& balance);
 
 }  // namespace sunfleck

@@ -33,7 +33,7 @@ void count_groups(Film& film, const std::vector<GroupCounts>& groups) {
     }
 }
 
-/// How many draws and photon paths the passes of an epoch have.
+/// How many draws, camera paths and photon paths the passes of an epoch have.
 void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     if (pass.groups.empty()) return;
     std::uint64_t paths = 0;
@@ -41,6 +41,7 @@ void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     const std::string name = "epoch." + std::to_string(epoch_of(number)) + ".";
     film.count(name + "passes", 1);
     film.count(name + "draws", pass.draws);
+    film.count(name + "camera_paths", pass.statistics[Count::camera_paths]);
     film.count(name + "paths", paths);
 }
 

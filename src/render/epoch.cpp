@@ -20,9 +20,10 @@ std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels)
     return settings.paths_per_pass.value_or(static_cast<std::uint32_t>(usual));
 }
 
-/// The first epoch is too short for it to pay.
-bool is_balanced(const PhotonSettings& settings, std::uint32_t epoch) {
-    return settings.balance && !settings.paths_per_pass && epoch > 0;
+/// The first epoch is too short for trials to pay.
+DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch) {
+    if (epoch == 0) return {false, false};
+    return {settings.balance && !settings.paths_per_pass, settings.noisy_pixels};
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const Stopwatch watch;
     const PixelWindow window = window_of(scene.film());
     const std::uint32_t paths = paths_per_pass(settings.photon, window.pixels());
-    Epoch epoch{epoch_of(pass), paths, 1, {}, 0};
+    Epoch epoch{epoch_of(pass), paths, 1, {}, {}, 0};
     if (settings.integrator != Integrator::sppm ||
         settings.photon.sampler != PhotonSampler::adaptive || paths < 2) {
         epoch.groups.push_back({scene.light_choice(), {paths, {}}, {}});
@@ -47,8 +48,11 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const PilotName name{settings.seed, epoch.number};
     LightPlanner planner(view, settings.photon, name);
     epoch.groups = planner.plan(paths);
-    if (is_balanced(settings.photon, epoch.number)) {
-        const Balance balance = measured_balance(eye, seen, epoch.groups, name, paths);
+    const DrawWishes wishes = wishes_of(settings.photon, epoch.number);
+    DrawPlan plan = measured_plan(eye, seen, epoch.groups, name, paths, wishes);
+    epoch.doublings = std::move(plan.doublings);
+    if (wishes.balance) {
+        const Balance& balance = plan.balance;
         if (balance.paths > paths) epoch.groups = planner.plan(balance.paths);
         if (balance.paths < paths)
             epoch.groups = part_of(std::move(epoch.groups), paths / balance.paths);

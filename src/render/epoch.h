@@ -27,9 +27,10 @@ constexpr std::uint32_t first_pass_of(std::uint32_t epoch) {
 /// What an epoch's passes share.
 struct Epoch {
     std::uint32_t number = 0;
-    std::uint32_t paths = 0;  // photon paths of a draw
-    std::uint32_t draws = 1;  // of a pass, which is their mean: each has a camera path a pixel
-    std::vector<PhotonGroup> groups;  // at least one
+    std::uint32_t paths = 0;              // photon paths of a draw
+    std::uint32_t draws = 1;              // of a pass, which is their mean
+    std::vector<std::uint8_t> doublings;  // of a draw's camera paths: EyePass
+    std::vector<PhotonGroup> groups;      // at least one
     double seconds = 0;
 };
 

@@ -69,8 +69,8 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     Stopwatch watch;
     const PassScene at_wavelengths(scene, id);
     result.seconds.build = watch.lap();
-    const EyePass eye{at_wavelengths,      settings.transport, settings.eye, window, id,
-                      result.radius_factor};
+    EyePass eye{at_wavelengths, settings.transport, settings.eye, window, id, result.radius_factor};
+    eye.doublings = epoch.doublings;
     const ReferencePass reference{at_wavelengths, settings.transport, window, id};
     switch (settings.integrator) {
         case Integrator::sppm:

@@ -26,6 +26,7 @@ std::string RenderSettings::text() const {
     if (energy_compensation) text += "energy_compensation=on\n";
     if (!photon.light_groups) text += "light_groups=off\n";
     if (!photon.emission_maps) text += "emission_maps=off\n";
+    if (!photon.noisy_pixels) text += "noisy_pixels=off\n";
     if (!photon.balance) text += "balance=off\n";
     if (!transport.light_layers.names.empty())
         text += fmt::format("light_layers={}\n", transport.light_layers.text);

@@ -31,6 +31,17 @@ BlockMeans means_of(const BlockGrid& grid, std::size_t block, const TrialPair& o
 
 }  // namespace
 
+TrialPixels luminance_of(const PassImage& image) {
+    TrialPixels pixels;
+    pixels.reserve(image.pixels());
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+        const RgbSum sum{{image.value(Layer::total, i, 0), image.value(Layer::total, i, 1),
+                          image.value(Layer::total, i, 2)}};
+        pixels.push_back(sum.mean_luminance(1));
+    }
+    return pixels;
+}
+
 std::vector<BlockVariance> block_variances(const BlockGrid& grid, const TrialPair& one,
                                            const TrialPair& other, double paths) {
     std::vector<BlockMeans> blocks;
@@ -41,10 +52,11 @@ std::vector<BlockVariance> block_variances(const BlockGrid& grid, const TrialPai
     }
     const double floor = kDark * light / static_cast<double>(one[0].size());
     std::vector<BlockVariance> variances;
-    for (const BlockMeans& block : blocks) {
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const BlockMeans& block = blocks[b];
         if (block.light <= floor) continue;
         const double square = block.light * block.light;
-        variances.push_back({block.eye / square, block.photon / square * paths});
+        variances.push_back({block.eye / square, block.photon / square * paths, b});
     }
     return variances;
 }

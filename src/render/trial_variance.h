@@ -7,6 +7,7 @@
 #pragma once
 
 #include "film/luminance.h"
+#include "measurement/pass_image.h"
 #include "render/balance_rule.h"
 
 #include <array>
@@ -16,6 +17,8 @@ namespace sunfleck {
 
 /// Luminance of each pixel.
 using TrialPixels = std::vector<double>;
+
+TrialPixels luminance_of(const PassImage& image);
 
 /// One view's trial passes.
 using TrialPair = std::array<TrialPixels, 2>;

@@ -1,6 +1,6 @@
 // Numbers for camera paths and direct light: over the 16 passes of a round, each pair of
-// dimensions of a pixel runs through 16 Owen-scrambled Sobol' points, scrambled anew each round
-// and for each draw of the passes.
+// dimensions of a pixel runs through 16 Owen-scrambled Sobol' points, or 16 times as many as the
+// pixel has camera paths a pass, scrambled anew each round and for each draw of the passes.
 //
 // In:  a pass, a pixel; then dimensions in the order of asking. Out: numbers in (0,1).
 // Source: Owen 1995; hashed nested scrambling: Laine and Karras 2011, Burley 2020 (JCGT 9(4));
@@ -36,12 +36,21 @@ constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
 
 }  // namespace round_detail
 
+/// One of the camera paths that a pixel has in a pass.
+struct PathOfPixel {
+    std::uint32_t number = 0;
+    std::uint32_t doublings = 0;  // 2^doublings there are, the same in all passes of a round
+
+    std::uint32_t count() const { return 1U << doublings; }
+};
+
 class RoundPoints {
 public:
-    /// @param pixel  any index that no other camera path of the pass has.
-    RoundPoints(PassId pass, std::uint32_t pixel)
+    /// @param pixel  any index that no other pixel of the pass has.
+    RoundPoints(PassId pass, std::uint32_t pixel, const PathOfPixel& path = {})
         : seed_(pass.seed),
-          index_(pass.number % kRoundPasses),
+          index_(pass.number % kRoundPasses * path.count() + path.number),
+          unused_(28 - path.doublings),
           name_{0, pixel, pass.number / kRoundPasses,
                 static_cast<std::uint32_t>(Purpose::eye) | pass.part << 16U} {}
 
@@ -50,7 +59,8 @@ public:
         const RandomBlock random = philox(name_, seed_);
         ++name_[0];
         // Owen's scrambling of the index permutes the points within each power of two.
-        const std::uint32_t shuffled = round_detail::owen_scramble(index_ << 28U, random[2]) >> 28U;
+        const std::uint32_t shuffled =
+            round_detail::owen_scramble(index_ << unused_, random[2]) >> unused_;
         return {unit(round_detail::owen_scramble(sobol(shuffled, 0), random[0])),
                 unit(round_detail::owen_scramble(sobol(shuffled, 1), random[1]))};
     }
@@ -71,7 +81,8 @@ private:
     }
 
     std::uint64_t seed_;
-    std::uint32_t index_;
+    std::uint32_t index_;   // of the point in its round
+    std::uint32_t unused_;  // bits of a word beyond those of an index
     RandomBlock name_;
 };
 

@@ -55,6 +55,14 @@ Seen trace(const SceneDescription& description, const TransportSettings& transpo
     return seen;
 }
 
+/// Doublings 0 to 4, pixel by pixel.
+std::vector<std::uint8_t> mixed_doublings() {
+    std::vector<std::uint8_t> doublings(kPixels * kPixels);
+    for (std::size_t i = 0; i < doublings.size(); ++i)
+        doublings[i] = static_cast<std::uint8_t>(i % 5);
+    return doublings;
+}
+
 const TransportSettings kSampled{DirectLight::sampled, 64};
 const TransportSettings kPhotons{DirectLight::photons, 64};
 
@@ -203,6 +211,41 @@ TEST(EyePath, the_sky_is_emission) {
     const Seen seen = trace(scene, kSampled);
     EXPECT_TRUE(seen.points.empty());
     EXPECT_GT(seen.emission, 0.5 * kPixels * kPixels);
+}
+
+// Light, features and throughputs of a flat surface below a camera far away: alike in all pixels,
+// whatever their numbers of paths.
+TEST(EyePath, the_paths_of_a_pixel_share_its_light) {
+    SceneDescription description = seen_from_above({square(0, 0)});
+    description.lights.push_back(InfiniteLight{SpectralCurve::constant(0)});
+    const Scene scene(description);
+    const PassId id{2, 0};
+    const PassScene at(scene, id);
+    const std::vector<std::uint8_t> doublings = mixed_doublings();
+    LayerSet layers{};
+    layers.at(static_cast<std::size_t>(Layer::normal)) = true;
+    layers.at(static_cast<std::size_t>(Layer::albedo)) = true;
+    PassImage image(kPixels * kPixels, layers);
+    std::vector<std::uint64_t> rays(kPixels * kPixels, 3);
+    EyePass pass{at, kPhotons, {}, {0, 0, kPixels, kPixels}, id};
+    pass.doublings = doublings;
+    pass.rays = rays;
+    Statistics statistics;
+    const auto points = testing_support::joined(trace_eye_paths(pass, image, statistics));
+    std::vector<double> throughput(kPixels * kPixels, 0);
+    std::vector<std::uint64_t> paths(kPixels * kPixels, 0);
+    for (const VisiblePoint& p : points) {
+        throughput[p.pixel] += static_cast<double>(p.throughput[0]);
+        ++paths[p.pixel];
+    }
+    for (std::size_t i = 0; i < doublings.size(); ++i) {
+        EXPECT_EQ(paths[i], 1U << doublings[i]);
+        EXPECT_EQ(rays[i], 3 + paths[i]);
+        EXPECT_NEAR(throughput[i], 0.5 / kPiDouble, 1e-6);
+        EXPECT_NEAR(image.value(Layer::normal, i, 2).to_double(), 1, 1e-6);
+        EXPECT_NEAR(image.value(Layer::albedo, i, 1).to_double(), 0.5, 1e-3);
+    }
+    EXPECT_EQ(statistics[Count::camera_paths], points.size());
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace sunfleck {
@@ -12,7 +14,7 @@ constexpr std::uint32_t kUsual = 160'000;
 constexpr DrawCost kCost{100'000, 2};
 
 std::uint32_t of(std::vector<BlockVariance> blocks, const DrawCost& cost = kCost) {
-    return balanced(blocks, cost, kUsual).paths;
+    return balanced({std::move(blocks), cost}, kUsual).paths;
 }
 
 TEST(BalanceRule, few_photons_where_camera_paths_are_all_the_noise) {
@@ -39,7 +41,7 @@ TEST(BalanceRule, the_best_number_between) {
 // With n = u / 4 and E = 3 P / u a draw has a variance of 7 in place of 4 P / u.
 TEST(BalanceRule, as_many_draws_as_are_worth_a_usual_one) {
     const auto all_of = [](double eye, double fewest, const DrawCost& cost) {
-        return balanced(std::vector<BlockVariance>{{eye, 160'000}}, cost, kUsual, fewest);
+        return balanced({{{eye, 160'000}}, cost}, kUsual, fewest);
     };
     constexpr DrawCost kNoCamera{0, 2};
     EXPECT_EQ(all_of(3, kUsual / 4.0, kNoCamera), (Balance{kUsual / 4, 2}));    // 7 over 4
@@ -49,6 +51,25 @@ TEST(BalanceRule, as_many_draws_as_are_worth_a_usual_one) {
     EXPECT_EQ(all_of(1e-3, 2, kNoCamera), (Balance{kUsual / 16, 16}));
     constexpr DrawCost kNoPhotons{100'000, 0};
     EXPECT_EQ(all_of(1, 2, kNoPhotons), (Balance{kUsual * 4, 1}));  // never less than one
+}
+
+// What a usual draw is worth may be said apart: its camera paths have twice the variance here.
+TEST(BalanceRule, draws_are_worth_a_usual_one_with_its_own_camera_paths) {
+    const DrawMeasures usual{{{6, 160'000}}, kCost};
+    const Balance balance = balanced({{{3, 160'000}}, {0, 2}}, kUsual, kUsual / 4.0, &usual);
+    EXPECT_EQ(balance, (Balance{kUsual / 4, 1}));  // 7 over 7
+}
+
+// 16 usual passes and 48 of four times as many paths of both kinds: less than half the variance
+// at 3.25 times the work, so what comes of it is worse than usual passes alone.
+TEST(BalanceRule, the_first_passes_stay_in_the_picture) {
+    const DrawMeasures usual{{{1, kUsual}}, kCost};
+    const DrawMeasures more{{{0.25, kUsual}}, {4 * kCost.eye, kCost.photon}};
+    const double work = kCost.eye + kCost.photon * kUsual;
+    EXPECT_NEAR(error_of_render(usual, kUsual, usual, {kUsual, 1}), std::sqrt(8 * 4 * work), 1e-6);
+    EXPECT_NEAR(error_of_render(usual, kUsual, more, {4 * kUsual, 1}),
+                std::sqrt((2 + 1.5) * 13 * work), 1e-6);
+    EXPECT_NEAR(error_of_render(usual, kUsual, usual, {kUsual, 2}), std::sqrt(5 * 7 * work), 1e-6);
 }
 
 // In the mean of squares it would: 50 of camera paths, 25 of the usual photons, best at 0.4 of
@@ -67,14 +88,14 @@ TEST(BalanceRule, a_negative_variance_counts_as_none) {
 
 TEST(BalanceRule, nothing_known_changes_nothing) {
     const Balance usual{kUsual, 1};
-    EXPECT_EQ(balanced({}, kCost, kUsual), usual);
-    EXPECT_EQ(balanced(std::vector<BlockVariance>{{0, 0}, {0, 0}}, kCost, kUsual), usual);
-    EXPECT_EQ(balanced(std::vector<BlockVariance>{{1, 0}}, kCost, 16), (Balance{2, 1}));
+    EXPECT_EQ(balanced({{}, kCost}, kUsual), usual);
+    EXPECT_EQ(balanced({{{0, 0}, {0, 0}}, kCost}, kUsual), usual);
+    EXPECT_EQ(balanced({{{1, 0}}, kCost}, 16), (Balance{2, 1}));
 }
 
 TEST(BalanceRule, keeps_to_the_fewest_that_are_allowed) {
     const auto fewest = [](double paths) {
-        return balanced(std::vector<BlockVariance>{{1, 0}}, kCost, kUsual, paths).paths;
+        return balanced({{{1, 0}}, kCost}, kUsual, paths).paths;
     };
     EXPECT_EQ(fewest(kUsual / 4), kUsual / 4);
     EXPECT_EQ(fewest(kUsual / 4 + 1), kUsual / 2);

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace sunfleck {
 namespace {
@@ -25,6 +27,38 @@ TEST(RoundPoints, a_round_is_a_net_in_every_pair) {
                 EXPECT_EQ(cells.size(), 16U) << split << " " << pair;
             }
         }
+    }
+}
+
+/// Cells of a grid of 2^columns x 2^rows in which some paths' third pair lies.
+std::set<std::uint32_t> cells_of(const std::vector<std::pair<PassId, PathOfPixel>>& paths,
+                                 std::uint32_t columns, std::uint32_t rows) {
+    std::set<std::uint32_t> cells;
+    for (const auto& [pass, path] : paths) {
+        RoundPoints points(pass, 77, path);
+        points.next_2d();
+        points.next_2d();
+        const Vec2d u = points.next_2d();
+        const auto x = static_cast<std::uint32_t>(u.x * (1U << columns));
+        const auto y = static_cast<std::uint32_t>(u.y * (1U << rows));
+        cells.insert(x << rows | y);
+    }
+    return cells;
+}
+
+TEST(RoundPoints, several_paths_of_a_pixel_are_a_net_in_a_pass_and_a_finer_one_in_the_round) {
+    for (std::uint32_t doublings = 1; doublings <= 4; ++doublings) {
+        std::vector<std::pair<PassId, PathOfPixel>> round;
+        for (std::uint32_t pass = 32; pass < 48; ++pass) {
+            std::vector<std::pair<PassId, PathOfPixel>> here;
+            for (std::uint32_t number = 0; number < 1U << doublings; ++number)
+                here.push_back({{5, pass}, {number, doublings}});
+            for (std::uint32_t split = 0; split <= doublings; ++split)
+                EXPECT_EQ(cells_of(here, split, doublings - split).size(), here.size());
+            round.insert(round.end(), here.begin(), here.end());
+        }
+        for (std::uint32_t split = 0; split <= 4 + doublings; ++split)
+            EXPECT_EQ(cells_of(round, split, 4 + doublings - split).size(), round.size());
     }
 }
 

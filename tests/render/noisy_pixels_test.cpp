@@ -1,0 +1,184 @@
+// Camera paths where pixels are noisy: the numbers, what they are learned from, the same light.
+#include "render/noisy_pixels.h"
+
+#include "core/parallel.h"
+#include "support/procedural.h"
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+constexpr int kSide = 32;
+constexpr std::size_t kPixels = std::size_t{kSide} * kSide;
+const PixelWindow kWindow{0, 0, kSide, kSide};
+
+/// Noise in columns 8 to 11 alone, where paths need so many rays.
+PixelTrials stripe(double variance, double rays) {
+    const TrialPixels none(kPixels, 0);
+    PixelTrials trials{none, none, TrialPixels(kPixels, 1)};
+    for (std::size_t i = 0; i < kPixels; ++i) {
+        if (i % kSide / 4 != 2) continue;
+        trials.variance[i] = trials.steady[i] = variance;
+        trials.rays[i] = rays;
+    }
+    return trials;
+}
+
+// The stripe is an eighth of the pixels, its noise eight times the mean: levels 1/8 to 2 give it 1
+// to 16 paths, and 4 no more.
+TEST(NoisyPixels, get_paths_in_proportion_to_their_noise) {
+    const PixelTrials trials = stripe(9, 1);
+    const auto all = camera_shares(kWindow, trials, TrialPixels(kPixels, 5));
+    constexpr std::array<std::uint32_t, 6> kPaths = {1, 2, 4, 8, 16, 16};
+    ASSERT_EQ(all.size(), kPaths.size());
+    for (std::size_t level = 0; level < all.size(); ++level) {
+        for (std::size_t i = 0; i < kPixels; ++i)
+            EXPECT_EQ(1U << all[level].doublings[i],
+                      trials.variance[i] > 0 ? kPaths.at(level) : 1U);
+        EXPECT_NEAR(all[level].work, 1 + (kPaths.at(level) - 1) / 8.0, 1e-12);
+    }
+}
+
+// The noise of both stripes is relative to their brightness: one is twice as bright and as noisy.
+TEST(NoisyPixels, count_by_noise_over_brightness_and_the_root_of_the_rays) {
+    PixelTrials trials = stripe(1, 1);
+    TrialPixels light(kPixels, 1);
+    const auto in_column = [](std::size_t i, std::size_t first) {
+        return i % kSide >= first && i % kSide < first + 4;
+    };
+    for (std::size_t i = 0; i < kPixels; ++i) {
+        if (in_column(i, 20)) trials.steady[i] = 4;
+        if (in_column(i, 19) || in_column(i, 21)) light[i] = 2;
+        if (in_column(i, 26)) trials.steady[i] = trials.rays[i] = 16;
+    }
+    const CameraShares shares = camera_shares(kWindow, trials, light).at(3);
+    EXPECT_EQ(shares.doublings[9], shares.doublings[22]);
+    EXPECT_EQ(shares.doublings[9], shares.doublings[28]);
+    EXPECT_GT(shares.doublings[9], 0);
+    EXPECT_EQ(shares.doublings[2], 0);
+}
+
+TEST(NoisyPixels, have_no_shares_where_nothing_is_noisy_or_bright) {
+    const TrialPixels light(kPixels, 1);
+    EXPECT_FALSE(stripe(0, 1).have_noise());
+    EXPECT_TRUE(camera_shares(kWindow, stripe(0, 1), light).empty());
+    EXPECT_TRUE(camera_shares(kWindow, stripe(1, 1), TrialPixels(kPixels, 0)).empty());
+}
+
+TEST(NoisyPixels, leave_a_share_of_the_variance) {
+    const PixelTrials trials = stripe(9, 1);
+    CameraShares shares{std::vector<std::uint8_t>(kPixels, 0), 1};
+    const BlockGrid grid(kSide, kSide, 16);
+    EXPECT_EQ(left_of(shares, trials, grid, 0), 1);
+    for (std::size_t i = 0; i < kPixels; ++i)
+        shares.doublings[i] = i % kSide < 10 ? 3 : 0;  // half of the stripe
+    EXPECT_NEAR(left_of(shares, trials, grid, 0), (1 + 0.125) / 2, 1e-12);
+    EXPECT_EQ(left_of(shares, trials, grid, 1), 1) << "without noise";
+}
+
+/// Of a pixel, on average over a part of the picture.
+double paths_in(const Epoch& epoch, int side, int x0, int y0, int x1, int y1) {
+    double sum = 0;
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x)
+            sum += 1U << epoch.doublings.at(static_cast<std::size_t>(y * side + x));
+    return sum / ((x1 - x0) * (y1 - y0));
+}
+
+/// A disc that glows before nothing, and a grey wall below it.
+Scene glowing_disc(int side) {
+    return scene_of(view("0 0 4  0 0 0  0 1 0", 40, side) +
+                    "AttributeBegin\nTranslate 0 .6 0\n"
+                    "AreaLightSource \"diffuse\" \"rgb L\" [50 50 50] \"bool twosided\" true\n"
+                    "Shape \"disk\" \"float radius\" .5\nAttributeEnd\n"
+                    "LightSource \"point\" \"rgb I\" [9 9 9] \"point3 from\" [0 -1 3]\n" +
+                    diffuse("0.5 0.5 0.5") + quad("-2 -2 -.1  2 -2 -.1  2 0 -.1  -2 0 -.1"));
+}
+
+// Its rim is all the noise that camera paths make without photons.
+TEST(NoisyPixels, are_found_at_the_rim_of_a_lamp) {
+    constexpr int kHere = 48;
+    const Epoch epoch = learn_epoch(glowing_disc(kHere), {}, 16);
+    ASSERT_FALSE(epoch.doublings.empty());
+    EXPECT_GT(paths_in(epoch, kHere, 14, 4, 34, 26), 1.5);
+    EXPECT_EQ(paths_in(epoch, kHere, 22, 12, 26, 16), 1) << "within";
+    EXPECT_EQ(paths_in(epoch, kHere, 0, 0, 8, 4), 1) << "beside it";
+}
+
+TEST(NoisyPixels, are_the_same_for_any_number_of_threads_in_all_of_an_epoch) {
+    const Scene scene = glowing_disc(24);
+    const std::vector<std::uint8_t> first = learn_epoch(scene, {}, 16).doublings;
+    for (const std::size_t threads : {1U, 3U}) {
+        const ThreadLimit limit(threads);
+        EXPECT_EQ(learn_epoch(scene, {}, 77).doublings, first);
+    }
+}
+
+TEST(NoisyPixels, are_like_others_in_the_first_epoch_and_where_the_user_says_so) {
+    const Scene scene = glowing_disc(24);
+    RenderSettings settings;
+    EXPECT_TRUE(learn_epoch(scene, settings, 15).doublings.empty());
+    settings.photon.noisy_pixels = false;
+    EXPECT_TRUE(learn_epoch(scene, settings, 16).doublings.empty());
+    settings.photon.noisy_pixels = true;
+    settings.photon.sampler = PhotonSampler::uniform;
+    EXPECT_TRUE(learn_epoch(scene, settings, 16).doublings.empty());
+}
+
+/// Of the pictures of some passes of one epoch.
+struct Spread {
+    double mean = 0;
+    double variance = 0;  // of a round's mean, in the mean over pixels
+};
+
+Spread spread_of(const Scene& scene, const RenderSettings& settings, const Epoch& epoch) {
+    constexpr std::uint32_t kRounds = 16;
+    const std::size_t pixels = window_of(scene.film()).pixels();
+    std::vector<double> sum(pixels, 0);
+    std::vector<double> squares(pixels, 0);
+    for (std::uint32_t round = 0; round < kRounds; ++round) {
+        std::vector<double> light(pixels, 0);
+        for (std::uint32_t p = 0; p < kRoundPasses; ++p) {
+            const PassResult pass =
+                render_pass(scene, settings, 128 + round * kRoundPasses + p, epoch);
+            for (std::size_t i = 0; i < pixels; ++i)
+                light[i] += luminance(pixel_value(pass.image, i)) / kRoundPasses;
+        }
+        for (std::size_t i = 0; i < pixels; ++i) {
+            sum[i] += light[i] / kRounds;
+            squares[i] += light[i] * light[i] / kRounds;
+        }
+    }
+    Spread spread;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        spread.mean += sum[i] / static_cast<double>(pixels);
+        spread.variance += (squares[i] - sum[i] * sum[i]) / static_cast<double>(pixels);
+    }
+    return spread;
+}
+
+// 256 passes at 16 x 16 pixels: the mean is known to .1%; a variance of 4 paths a pixel that is not
+// a quarter or, by nets, less would be seen.
+TEST(NoisyPixels, have_the_same_light_with_less_noise) {
+    const Scene scene = glowing_disc(16);
+    RenderSettings settings;
+    settings.photon.paths_per_pass = 100;
+    Epoch epoch = learn_epoch(scene, settings, 128);
+    epoch.doublings.clear();
+    const Spread even = spread_of(scene, settings, epoch);
+    epoch.doublings.assign(256, 0);
+    for (std::size_t i = 0; i < 256; ++i) epoch.doublings[i] = i % 2 == 0 ? 2 : 3;
+    const Spread more = spread_of(scene, settings, epoch);
+    EXPECT_NEAR(more.mean / even.mean, 1, 0.004);
+    EXPECT_LT(more.variance / even.variance, 0.25);
+}
+
+}  // namespace
+}  // namespace sunfleck
