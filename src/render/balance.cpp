@@ -6,7 +6,6 @@
 #include "render/trial_variance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -89,10 +88,10 @@ DrawPlan best_plan(const Measured& measured, std::vector<CameraShares> ways,
     return best;
 }
 
-TrialPixels mean_of(const std::array<const TrialPixels*, kSets>& trials) {
-    TrialPixels mean(trials.front()->size(), 0);
-    for (const TrialPixels* trial : trials)
-        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += (*trial)[i] / kSets;
+TrialPixels mean_of(const TrialPair& one, const TrialPair& other) {
+    TrialPixels mean(one[0].size());
+    for (std::size_t i = 0; i < mean.size(); ++i)
+        mean[i] = (one[0][i] + one[1][i] + other[0][i] + other[1][i]) / kSets;
     return mean;
 }
 
@@ -171,7 +170,8 @@ EyeView view_of(const EyePass& pass) {
 
 DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
                        const std::vector<PhotonGroup>& plan, const PilotName& name,
-                       std::uint32_t usual, const DrawWishes& wishes) {
+                       const DrawWishes& wishes) {
+    const std::uint32_t usual = wishes.usual;
     const PixelTrials pixels = wishes.shares ? trials_of_pixels(first, name) : PixelTrials();
     const bool shares = pixels.have_noise();
     if (usual < 2 * kSets || !(shares || wishes.balance)) return {{usual}, {}};
@@ -189,9 +189,7 @@ DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
                       wishes.balance};
     for (BlockVariance& block : measured.blocks) block.eye *= kOfRound;
     std::vector<CameraShares> ways;
-    if (shares)
-        ways =
-            camera_shares(first.window, pixels, mean_of({&one[0], &one[1], &other[0], &other[1]}));
+    if (shares) ways = camera_shares(first.window, pixels, mean_of(one, other));
     return best_plan(measured, std::move(ways), pixels, grid);
 }
 

@@ -29,16 +29,17 @@ struct DrawPlan {
 
 /// What is to be measured.
 struct DrawWishes {
+    std::uint32_t usual = 0;  // photon paths of a draw, were nothing measured
     bool balance = true;
     bool shares = true;  // of camera paths
 };
 
 /// Of the sampler `adaptive`.
 /// @param first  the epoch's first pass. @param seen  its view: what the planner explored.
-/// @param plan  of a draw, were nothing measured. @param usual  its paths.
+/// @param plan  of a draw with the usual paths.
 DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
                        const std::vector<PhotonGroup>& plan, const PilotName& name,
-                       std::uint32_t usual, const DrawWishes& wishes);
+                       const DrawWishes& wishes);
 
 /// The same sets and maps, with one of so many parts of the paths and chains: what a trial measures
 /// holds for it, as it would not for a ladder planned anew for few paths.

@@ -21,9 +21,9 @@ std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels)
 }
 
 /// The first epoch is too short for trials to pay.
-DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch) {
-    if (epoch == 0) return {false, false};
-    return {settings.balance && !settings.paths_per_pass, settings.noisy_pixels};
+DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual) {
+    if (epoch == 0) return {usual, false, false};
+    return {usual, settings.balance && !settings.paths_per_pass, settings.noisy_pixels};
 }
 
 }  // namespace
@@ -48,8 +48,8 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const PilotName name{settings.seed, epoch.number};
     LightPlanner planner(view, settings.photon, name);
     epoch.groups = planner.plan(paths);
-    const DrawWishes wishes = wishes_of(settings.photon, epoch.number);
-    DrawPlan plan = measured_plan(eye, seen, epoch.groups, name, paths, wishes);
+    const DrawWishes wishes = wishes_of(settings.photon, epoch.number, paths);
+    DrawPlan plan = measured_plan(eye, seen, epoch.groups, name, wishes);
     epoch.doublings = std::move(plan.doublings);
     if (wishes.balance) {
         const Balance& balance = plan.balance;
