@@ -21,7 +21,7 @@ public:
             std::vector<VisiblePoint>& points, Statistics& statistics)
         : pass_(pass), filter_(filter), image_(image), points_(points), statistics_(statistics) {}
 
-    /// @param pixel  index in the pass's window.
+    /// @param pixel  index in the pass's window. @param path  which of the pixel's.
     void trace(std::uint32_t pixel, const PathOfPixel& path);
 
 private:

@@ -63,10 +63,9 @@ struct Measured {
         return draw;
     }
 
-    Balance best_for(const DrawMeasures& draw) const {
+    Balance best_for(const DrawMeasures& draw, const DrawMeasures& even) const {
         if (!may_balance) return {usual};
-        const DrawMeasures usual_draw = even();
-        return balanced(draw, usual, fewest, &usual_draw);
+        return balanced(draw, usual, fewest, &even);
     }
 };
 
@@ -75,11 +74,11 @@ struct Measured {
 DrawPlan best_plan(const Measured& measured, std::vector<CameraShares> ways,
                    const PixelTrials& trials, const BlockGrid& grid) {
     const DrawMeasures even = measured.even();
-    DrawPlan best{measured.best_for(even), {}};
+    DrawPlan best{measured.best_for(even, even), {}};
     double least = kWorthwhile * error_of_render(even, measured.usual, even, best.balance);
     for (CameraShares& way : ways) {
         const DrawMeasures draw = measured.with(way, trials, grid);
-        const Balance balance = measured.best_for(draw);
+        const Balance balance = measured.best_for(draw, even);
         const double error = error_of_render(even, measured.usual, draw, balance);
         if (!(error < least)) continue;
         least = error;

@@ -10,10 +10,10 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::uint32_t kRound = 499;  // of the pilots' numbers: beyond all that they use
-constexpr std::uint32_t kTrials = 8;   // views
-constexpr int kEvery = 2;              // columns and rows that have any
-constexpr double kDark = 0.1;          // of the mean brightness: what is darker counts as that
+constexpr std::uint32_t kNoiseRound = 499;  // of the pilots' numbers: beyond all that they use
+constexpr std::uint32_t kTrials = 8;        // views
+constexpr int kEvery = 2;                   // columns and rows that have any
+constexpr double kDarkOfMean = 0.1;         // of the mean brightness: what is darker counts as that
 constexpr std::uint8_t kMostDoublings = 4;
 /// Paths of a pixel of mean noise, were all numbers allowed.
 constexpr std::array<double, 6> kLevels = {0.125, 0.25, 0.5, 1, 2, 4};
@@ -62,24 +62,18 @@ TrialPixels smoothed(const TrialPixels& pixels, const PixelWindow& window) {
     return smoothed(raster).values;
 }
 
-/// From every kEvery-th pixel of both directions to all.
-TrialPixels spread(const Raster& few, const PixelWindow& window) {
+/// What the pixels with trials tell of all: smoothed over those, then each for its kEvery x kEvery.
+TrialPixels told_of_all(const TrialPixels& pixels, const PixelWindow& window) {
+    const auto some = [](int n) { return (n + kEvery - 1) / kEvery; };
     Raster all(window.width(), window.height());
+    Raster few(some(all.width), some(all.height));
+    for (int y = 0; y < few.height; ++y)
+        for (int x = 0; x < few.width; ++x)
+            few.at(x, y) = pixels[all.index(x * kEvery, y * kEvery)];
+    few = smoothed(few);
     for (int y = 0; y < all.height; ++y)
         for (int x = 0; x < all.width; ++x) all.at(x, y) = few.at(x / kEvery, y / kEvery);
     return std::move(all.values);
-}
-
-/// The pixels that have trials.
-Raster few_of(const TrialPixels& all, const PixelWindow& window) {
-    const auto some = [](int n) { return (n + kEvery - 1) / kEvery; };
-    Raster few(some(window.width()), some(window.height()));
-    const auto width = static_cast<std::size_t>(window.width());
-    for (int y = 0; y < few.height; ++y)
-        for (int x = 0; x < few.width; ++x)
-            few.at(x, y) = all[static_cast<std::size_t>(y * kEvery) * width +
-                               static_cast<std::size_t>(x * kEvery)];
-    return few;
 }
 
 /// @param relative  noise over the mean, times a level.
@@ -91,8 +85,8 @@ std::uint8_t doublings_for(double relative) {
     return doublings;
 }
 
-CameraShares shares_for(const TrialPixels& noise, const TrialPixels& rays, double level) {
-    const double scale = level / mean_of(noise);
+/// @param scale  one over the noise of a pixel with one path.
+CameraShares shares_for(const TrialPixels& noise, const TrialPixels& rays, double scale) {
     CameraShares shares{{}, 0};
     shares.doublings.reserve(noise.size());
     for (std::size_t i = 0; i < noise.size(); ++i) {
@@ -110,7 +104,7 @@ TrialPixels variance_of(EyePass pass, const PilotName& name, std::uint32_t begin
     TrialPixels sum(pixels, 0);
     TrialPixels squares(pixels, 0);
     for (std::uint32_t trial = begin; trial < begin + kViews; ++trial) {
-        pass.id = name.round(kRound).draw(trial);
+        pass.id = name.round(kNoiseRound).draw(trial);
         PassImage image(pixels, {});
         Statistics unused;
         trace_eye_paths(pass, image, unused);
@@ -122,7 +116,7 @@ TrialPixels variance_of(EyePass pass, const PilotName& name, std::uint32_t begin
     }
     for (std::size_t i = 0; i < pixels; ++i)
         squares[i] = std::max(0.0, squares[i] - sum[i] * sum[i] / kViews) / (kViews - 1);
-    return spread(smoothed(few_of(squares, pass.window)), pass.window);
+    return told_of_all(squares, pass.window);
 }
 
 }  // namespace
@@ -144,21 +138,22 @@ PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name) {
         trials.steady[i] = std::sqrt(one[i] * other[i]);
         trials.rays[i] = static_cast<double>(rays[i]) / kTrials;
     }
-    trials.rays = spread(smoothed(few_of(trials.rays, first.window)), first.window);
+    trials.rays = told_of_all(trials.rays, first.window);
     return trials;
 }
 
 std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTrials& trials,
                                         const TrialPixels& light) {
     TrialPixels noise = smoothed(light, window);
-    const double dark = kDark * mean_of(noise);
+    const double dark = kDarkOfMean * mean_of(noise);
     for (std::size_t i = 0; i < noise.size(); ++i) {
         const double brightness = std::max(noise[i], dark);
         noise[i] = brightness > 0 ? std::sqrt(trials.steady[i] / trials.rays[i]) / brightness : 0;
     }
     std::vector<CameraShares> all;
-    if (!(mean_of(noise) > 0)) return all;
-    for (const double level : kLevels) all.push_back(shares_for(noise, trials.rays, level));
+    const double mean = mean_of(noise);
+    if (!(mean > 0)) return all;
+    for (const double level : kLevels) all.push_back(shares_for(noise, trials.rays, level / mean));
     return all;
 }
 

@@ -32,6 +32,7 @@ void render_sppm(const RenderSettings& settings, EyePass eye, const Epoch& epoch
                  PassResult& result) {
     PhotonTotals photons;
     const PassId pass = eye.id;
+    eye.doublings = epoch.doublings;
     const bool are_counted = result.image.has(Layer::samples);
     PhotonCounts taken(are_counted ? result.image.pixels() : 0);
     for (std::uint32_t draw = 0; draw < epoch.draws; ++draw) {
@@ -69,8 +70,8 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     Stopwatch watch;
     const PassScene at_wavelengths(scene, id);
     result.seconds.build = watch.lap();
-    EyePass eye{at_wavelengths, settings.transport, settings.eye, window, id, result.radius_factor};
-    eye.doublings = epoch.doublings;
+    const EyePass eye{at_wavelengths,      settings.transport, settings.eye, window, id,
+                      result.radius_factor};
     const ReferencePass reference{at_wavelengths, settings.transport, window, id};
     switch (settings.integrator) {
         case Integrator::sppm:
