@@ -1,4 +1,5 @@
 // A pass of several draws: their mean, with numbers of their own for camera and photon paths.
+#include "support/picture_spread.h"
 #include "support/procedural.h"
 #include "support/renders.h"
 
@@ -12,33 +13,11 @@ using namespace testing_support;  // NOLINT(google-build-using-namespace): a tes
 constexpr std::uint32_t kDraws = 4;
 constexpr std::uint32_t kPasses = 128;
 
-/// Of the pictures of some passes, by pixel.
-struct Spread {
-    double mean = 0;
-    double variance = 0;  // of a pass, in the mean over pixels
-};
-
-Spread spread_of(const Scene& scene, const RenderSettings& settings, Layer layer,
-                 std::uint32_t draws) {
-    const std::size_t pixels = window_of(scene.film()).pixels();
-    std::vector<double> sum(pixels);
-    std::vector<double> squares(pixels);
+PictureSpread spread_of_draws(const Scene& scene, const RenderSettings& settings, Layer layer,
+                              std::uint32_t draws) {
     Epoch epoch = learn_epoch(scene, settings, 0);
     epoch.draws = draws;
-    for (std::uint32_t p = 0; p < kPasses; ++p) {
-        const PassResult pass = render_pass(scene, settings, p, epoch);
-        for (std::size_t i = 0; i < pixels; ++i) {
-            const double value = luminance(pixel_value(pass.image, i, layer));
-            sum[i] += value / kPasses;
-            squares[i] += value * value / kPasses;
-        }
-    }
-    Spread spread;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        spread.mean += sum[i] / static_cast<double>(pixels);
-        spread.variance += (squares[i] - sum[i] * sum[i]) / static_cast<double>(pixels);
-    }
-    return spread;
+    return spread_of(scene, settings, epoch, {0, kPasses}, layer);
 }
 
 class Draws : public ::testing::Test {
@@ -54,8 +33,8 @@ protected:
         expect_mean_of_draws(procedural("cornell", 12), layer, least, most);
     }
     void expect_mean_of_draws(const Scene& scene, Layer layer, double least, double most) {
-        const Spread one = spread_of(scene, settings_, layer, 1);
-        const Spread four = spread_of(scene, settings_, layer, kDraws);
+        const PictureSpread one = spread_of_draws(scene, settings_, layer, 1);
+        const PictureSpread four = spread_of_draws(scene, settings_, layer, kDraws);
         EXPECT_NEAR(four.mean / one.mean, 1, 0.02);
         EXPECT_GT(four.variance / one.variance, least);
         EXPECT_LT(four.variance / one.variance, most);

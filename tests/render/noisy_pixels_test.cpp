@@ -2,6 +2,7 @@
 #include "render/noisy_pixels.h"
 
 #include "core/parallel.h"
+#include "support/picture_spread.h"
 #include "support/procedural.h"
 #include "support/renders.h"
 
@@ -132,38 +133,6 @@ TEST(NoisyPixels, are_like_others_in_the_first_epoch_and_where_the_user_says_so)
     EXPECT_TRUE(learn_epoch(scene, settings, 16).doublings.empty());
 }
 
-/// Of the pictures of some passes of one epoch.
-struct Spread {
-    double mean = 0;
-    double variance = 0;  // of a round's mean, in the mean over pixels
-};
-
-Spread spread_of(const Scene& scene, const RenderSettings& settings, const Epoch& epoch) {
-    constexpr std::uint32_t kRounds = 16;
-    const std::size_t pixels = window_of(scene.film()).pixels();
-    std::vector<double> sum(pixels, 0);
-    std::vector<double> squares(pixels, 0);
-    for (std::uint32_t round = 0; round < kRounds; ++round) {
-        std::vector<double> light(pixels, 0);
-        for (std::uint32_t p = 0; p < kRoundPasses; ++p) {
-            const PassResult pass =
-                render_pass(scene, settings, 128 + round * kRoundPasses + p, epoch);
-            for (std::size_t i = 0; i < pixels; ++i)
-                light[i] += luminance(pixel_value(pass.image, i)) / kRoundPasses;
-        }
-        for (std::size_t i = 0; i < pixels; ++i) {
-            sum[i] += light[i] / kRounds;
-            squares[i] += light[i] * light[i] / kRounds;
-        }
-    }
-    Spread spread;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        spread.mean += sum[i] / static_cast<double>(pixels);
-        spread.variance += (squares[i] - sum[i] * sum[i]) / static_cast<double>(pixels);
-    }
-    return spread;
-}
-
 // 256 passes at 16 x 16 pixels: the mean is known to .1%; a variance of 4 paths a pixel that is not
 // a quarter or, by nets, less would be seen.
 TEST(NoisyPixels, have_the_same_light_with_less_noise) {
@@ -172,10 +141,11 @@ TEST(NoisyPixels, have_the_same_light_with_less_noise) {
     settings.photon.paths_per_pass = 100;
     Epoch epoch = learn_epoch(scene, settings, 128);
     epoch.doublings.clear();
-    const Spread even = spread_of(scene, settings, epoch);
+    constexpr Pictures kRounds{128, 16, kRoundPasses};
+    const PictureSpread even = spread_of(scene, settings, epoch, kRounds);
     epoch.doublings.assign(256, 0);
     for (std::size_t i = 0; i < 256; ++i) epoch.doublings[i] = i % 2 == 0 ? 2 : 3;
-    const Spread more = spread_of(scene, settings, epoch);
+    const PictureSpread more = spread_of(scene, settings, epoch, kRounds);
     EXPECT_NEAR(more.mean / even.mean, 1, 0.004);
     EXPECT_LT(more.variance / even.variance, 0.25);
 }
