@@ -18,6 +18,9 @@
 
 namespace sunfleck {
 
+/// Pixel i has 2^doublings[i] camera paths, each with that share of its light; one if empty.
+using Doublings = std::vector<std::uint8_t>;
+
 struct EyePass {
     const PassScene& scene;
     const TransportSettings& transport;
@@ -28,8 +31,7 @@ struct EyePass {
     /// Of discs for indirect photons, over their radius.
     float indirect_reach =
         static_cast<float>(sunfleck::indirect_reach(settings, scene.scene.film().resolution));
-    /// Pixel i has 2^doublings[i] camera paths, each with that share of its light; one if empty.
-    std::span<const std::uint8_t> doublings = {};
+    std::span<const std::uint8_t> doublings = {};  // Doublings
     /// Rays of each pixel's paths are added, unless empty.
     std::span<std::uint64_t> rays = {};
     int every = 1;  // so many columns and rows have paths, from the first on: others have none

@@ -1,7 +1,7 @@
 // Two views, two sets of photons each, and what they cost.
 #include "render/balance.h"
 
-#include "render/noisy_pixels.h"
+#include "estimate/photon_counts.h"
 #include "render/photon_stage.h"
 #include "render/trial_variance.h"
 
@@ -12,38 +12,30 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::size_t kBlock = 16;      // pixels a side: enough of them to tell a variance
-constexpr std::uint32_t kSets = 4;      // of photons, which together are those of one usual pass
-constexpr double kTried = 1.0 / kSets;  // share of the usual paths that a trial has
-constexpr std::uint32_t kRound = 500;   // of the pilots' numbers: beyond all that they use
-constexpr std::uint64_t kSeeds = 128;   // of a ladder's one set, or more
+constexpr std::size_t kBlock = 16;     // pixels a side: enough of them to tell a variance
+constexpr std::uint32_t kRound = 500;  // of the pilots' numbers: beyond all that they use
+constexpr std::uint64_t kSeeds = 128;  // of a ladder's one set, or more
 constexpr double kRaysOfPath =
     0.6;  // work beside a camera path's rays: its point's place in the index
 constexpr double kRaysOfDeposit = 0.6;  // work
+constexpr double kMoreDeposits = 0.17;  // share of that, where a photon meets more points at once
 constexpr double kOfRound = 0.25;       // variance of a round's spread camera paths, over chance's
 
-constexpr double kWorthwhile = 0.95;  // of the error: for less there are no more camera paths
+constexpr double kWorthwhile = 0.96;  // of the error: for less there are no more camera paths
 
 /// Of a draw, in rays.
 struct Work {
     double eye = 0;       // with one camera path a pixel
     double photon = 0;    // of a photon path
     double deposits = 0;  // of a photon path, with one camera path a pixel
+    TrialPixels taken;    // photons, by pixel
 
-    /// @param shares  work of the camera paths over that of one a pixel.
-    DrawCost cost(double shares) const { return {eye * shares, photon + deposits * shares}; }
+    DrawCost even() const { return {eye, photon + deposits}; }
+    DrawCost with(const CameraShares& shares) const {
+        const double more = times(shares.doublings, taken) - 1;
+        return {eye * shares.work, photon + deposits * (1 + kMoreDeposits * more)};
+    }
 };
-
-/// @param paths  photon paths of a set.
-Work work_of(const EyeView& seen, const Statistics& photons, double paths) {
-    const auto count = [](const Statistics& counts, Count which) {
-        return static_cast<double>(counts[which]);
-    };
-    return {
-        count(seen.counts, Count::eye_rays) + kRaysOfPath * count(seen.counts, Count::camera_paths),
-        count(photons, Count::photon_rays) / (kSets * paths),
-        kRaysOfDeposit * count(photons, Count::deposits) / (kSets * paths)};
-}
 
 /// All that is measured of an epoch's draws.
 struct Measured {
@@ -51,67 +43,96 @@ struct Measured {
     Work work;
     std::uint32_t usual = 0;  // photon paths
     double fewest = 0;        // that a balance may take
-    bool may_balance = true;  // or paths are as usual
 
-    DrawMeasures even() const { return {blocks, work.cost(1)}; }
+    DrawMeasures even() const { return {blocks, work.even()}; }
 
+    /// Light that photons bring may be noisy of camera paths, too, where trials of them alone see
+    /// nothing: that noise stays.
     DrawMeasures with(const CameraShares& shares, const PixelTrials& trials,
                       const BlockGrid& grid) const {
-        DrawMeasures draw{blocks, work.cost(shares.work)};
-        for (BlockVariance& block : draw.blocks)
-            block.eye *= left_of(shares, trials, grid, block.block);
+        DrawMeasures draw{blocks, work.with(shares)};
+        for (BlockVariance& block : draw.blocks) {
+            const Foretold light = foretold(shares, trials, grid, block.block);
+            if (!(light.even > 0) || !(block.eye > 0)) continue;
+            const double spared =
+                kOfRound * (light.even - light.left) / (block.brightness * block.brightness);
+            block.eye = std::max(block.eye - spared, block.eye * light.left / light.even);
+        }
         return draw;
-    }
-
-    Balance best_for(const DrawMeasures& draw, const DrawMeasures& even) const {
-        if (!may_balance) return {usual};
-        return balanced(draw, usual, fewest, &even);
     }
 };
 
-/// Camera paths shared in the best of these ways, each with the balance that is best for it; or one
-/// a pixel, if that is hardly worse.
-DrawPlan best_plan(const Measured& measured, std::vector<CameraShares> ways,
-                   const PixelTrials& trials, const BlockGrid& grid) {
-    const DrawMeasures even = measured.even();
-    DrawPlan best{measured.best_for(even, even), {}};
-    double least = kWorthwhile * error_of_render(even, measured.usual, even, best.balance);
-    for (CameraShares& way : ways) {
-        const DrawMeasures draw = measured.with(way, trials, grid);
-        const Balance balance = measured.best_for(draw, even);
-        const double error = error_of_render(even, measured.usual, draw, balance);
+/// Ways to share camera paths, the first of them one a pixel, and the draws that each makes.
+struct Ways {
+    std::vector<Doublings> doublings;
+    std::vector<DrawMeasures> draws;
+};
+
+Ways ways_of(const Measured& measured, std::vector<CameraShares> all, const PixelTrials& trials,
+             const BlockGrid& grid) {
+    Ways ways{{{}}, {measured.even()}};
+    for (CameraShares& shares : all) {
+        ways.draws.push_back(measured.with(shares, trials, grid));
+        ways.doublings.push_back(std::move(shares.doublings));
+    }
+    return ways;
+}
+
+/// The way of least error with so many photon paths; the first, if that is hardly worse.
+std::size_t best_way(const Ways& ways, std::uint32_t paths) {
+    std::size_t best = 0;
+    double least = kWorthwhile * error_of_draws(ways.draws[0], paths);
+    for (std::size_t way = 1; way < ways.draws.size(); ++way) {
+        const double error = error_of_draws(ways.draws[way], paths);
         if (!(error < least)) continue;
         least = error;
-        best = {balance, std::move(way.doublings)};
+        best = way;
     }
     return best;
 }
 
-TrialPixels mean_of(const TrialPair& one, const TrialPair& other) {
-    TrialPixels mean(one[0].size());
-    for (std::size_t i = 0; i < mean.size(); ++i)
-        mean[i] = (one[0][i] + one[1][i] + other[0][i] + other[1][i]) / kSets;
+TrialPixels mean_of(const TrialPair& pair) {
+    TrialPixels mean(pair[0].size());
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = (pair[0][i] + pair[1][i]) / 2;
     return mean;
 }
 
-/// Trial passes, and their photons' counts together.
+TrialPair thinned(const TrialPair& pair, const PixelWindow& window, int every) {
+    return {thinned(pair[0], window, every), thinned(pair[1], window, every)};
+}
+
+/// Sets of photons, and their counts together.
 class Trials {
 public:
     Trials(const EyePass& first, const std::vector<PhotonGroup>& groups, const PilotName& name)
-        : first_(first), groups_(groups), name_(name) {}
+        : first_(first), groups_(groups), name_(name), taken_(first.window.pixels()) {}
 
-    /// @param round  of the first of two.
-    TrialPair of(const EyeView& view, std::uint32_t round) {
+    /// A view's light, with two sets.
+    TrialPair of(const EyeView& view) {
         const TrialPixels eye = luminance_of(view.image);
-        return {pixels(view.index, eye, round), pixels(view.index, eye, round + 1)};
+        TrialPixels one = pixels(view.index, eye);
+        return {std::move(one), pixels(view.index, eye)};
     }
 
-    const Statistics& counts() const { return photons_.statistics; }
+    /// Photon paths of a set.
+    double paths() const { return static_cast<double>(paths_of(groups_)); }
+
+    Work work(const EyeView& view) const {
+        const auto count = [](const Statistics& counts, Count which) {
+            return static_cast<double>(counts[which]);
+        };
+        return {count(view.counts, Count::eye_rays) +
+                    kRaysOfPath * count(view.counts, Count::camera_paths),
+                count(photons_.statistics, Count::photon_rays) / (sets_ * paths()),
+                kRaysOfDeposit * count(photons_.statistics, Count::deposits) / (sets_ * paths()),
+                TrialPixels(taken_.begin(), taken_.end())};
+    }
 
     /// The share of the usual paths below which nothing is known of what paths are worth: that of
     /// the trials, or less where a ladder has one set and seeds enough. All, where a ladder has
     /// found nothing.
-    double least_share() const {
+    /// @param tried  the trials' share.
+    double least_share(double tried) const {
         double share = 0;
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             const PhotonGroup& group = groups_[g];
@@ -120,20 +141,21 @@ public:
             if (!(ladder.visible_fraction > 0)) return 1;
             const bool is_simple = group.plan.levels.size() == 1 && group.mapped.paths == 0;
             const double for_seeds =
-                is_simple ? kSeeds / static_cast<double>(ladder.survivors.front()) : kTried;
-            share = std::max(share, std::min(for_seeds, kTried));
+                is_simple ? kSeeds / static_cast<double>(ladder.survivors.front()) : tried;
+            share = std::max(share, std::min(for_seeds, tried));
         }
         return share;
     }
 
 private:
     /// @param eye  light of the view that needs no photon.
-    TrialPixels pixels(const VisiblePointIndex& index, const TrialPixels& eye,
-                       std::uint32_t round) {
+    TrialPixels pixels(const VisiblePointIndex& index, const TrialPixels& eye) {
         PassImage image(first_.window.pixels(), {});
-        photons_.add(trace_photons({first_.scene, first_.transport, index}, name_.round(round),
-                                   PhotonSampler::adaptive, groups_, {image}),
-                     kTried);
+        photons_.add(
+            trace_photons({first_.scene, first_.transport, index}, name_.round(kRound + 1 + sets_),
+                          PhotonSampler::adaptive, groups_, {image, &taken_}),
+            1);
+        ++sets_;
         TrialPixels sum = luminance_of(image);
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += eye[i];
         return sum;
@@ -142,7 +164,9 @@ private:
     const EyePass& first_;
     const std::vector<PhotonGroup>& groups_;
     PilotName name_;
-    PhotonTotals photons_;  // of all trials
+    PhotonTotals photons_;  // of all sets
+    PhotonCounts taken_;    // by them
+    std::uint32_t sets_ = 0;
 };
 
 }  // namespace
@@ -171,25 +195,32 @@ DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
                        const std::vector<PhotonGroup>& plan, const PilotName& name,
                        const DrawWishes& wishes) {
     const std::uint32_t usual = wishes.usual;
-    const PixelTrials pixels = wishes.shares ? trials_of_pixels(first, name) : PixelTrials();
+    const PixelWindow& window = first.window;
+    const PixelTrials pixels = trials_of_pixels(first, name, wishes.views);
     const bool shares = pixels.have_noise();
-    if (usual < 2 * kSets || !(shares || wishes.balance)) return {{usual}, {}};
-    const std::vector<PhotonGroup> groups = part_of(plan, kSets);
+    if (usual < 2 * wishes.parts || !(shares || wishes.balance)) return {{usual}, {}};
+    const std::vector<PhotonGroup> groups = part_of(plan, wishes.parts);
     Trials trials(first, groups, name);
     EyePass second = first;
     second.id = name.round(kRound);
-    const TrialPair one = trials.of(seen, kRound + 1);
-    const TrialPair other = trials.of(view_of(second), kRound + 3);
-    const BlockGrid grid(first.window.width(), first.window.height(), kBlock);
-    const auto paths = static_cast<double>(paths_of(groups));
-    const double fewest = std::floor(trials.least_share() * usual);  // as balanced() rounds
-    Measured measured{block_variances(grid, one, other, paths),
-                      work_of(seen, trials.counts(), paths), usual, std::max(2.0, fewest),
-                      wishes.balance};
+    second.every = wishes.every;
+    const TrialPair one = trials.of(seen);
+    const Work work = trials.work(seen);
+    const TrialPair other = trials.of(view_of(second));
+    const BlockGrid tried(one_of(window.width(), wishes.every),
+                          one_of(window.height(), wishes.every), kBlock / wishes.every);
+    Measured measured{block_variances(tried, thinned(one, window, wishes.every),
+                                      thinned(other, window, wishes.every), trials.paths()),
+                      work, usual,
+                      std::max(2.0, std::floor(trials.least_share(1.0 / wishes.parts) * usual))};
     for (BlockVariance& block : measured.blocks) block.eye *= kOfRound;
-    std::vector<CameraShares> ways;
-    if (shares) ways = camera_shares(first.window, pixels, mean_of(one, other));
-    return best_plan(measured, std::move(ways), pixels, grid);
+    std::vector<CameraShares> all;
+    if (shares) all = camera_shares(window, pixels, mean_of(one));
+    const BlockGrid grid(window.width(), window.height(), kBlock);
+    const Ways ways = ways_of(measured, std::move(all), pixels, grid);
+    const std::size_t way = best_way(ways, usual);
+    if (!wishes.balance) return {{usual}, ways.doublings[way]};
+    return {balanced(ways.draws[way], usual, measured.fewest), ways.doublings[way]};
 }
 
 }  // namespace sunfleck

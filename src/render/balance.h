@@ -1,13 +1,14 @@
 // How many photon paths, camera paths and draws the passes of an epoch have: measured on trials,
 // which are no part of a picture.
 //
-// In:  an epoch's first view, and a plan for it. Out: numbers of paths and of draws.
-// Source: the rule and its constants are measured ones (docs/decisions.md).
+// In:  a view like those of an epoch's passes, and a plan for it. Out: numbers of paths and of
+// draws. Source: the rule and its constants are measured ones (docs/decisions.md).
 #pragma once
 
 #include "eye/eye_pass.h"
 #include "photon/photon_group.h"
 #include "render/balance_rule.h"
+#include "render/noisy_pixels.h"
 #include "sampler/set_walk.h"
 
 namespace sunfleck {
@@ -24,18 +25,21 @@ EyeView view_of(const EyePass& pass);
 /// How the draws of an epoch share their paths.
 struct DrawPlan {
     Balance balance;
-    std::vector<std::uint8_t> doublings;  // of camera paths: see EyePass
+    Doublings doublings;  // of camera paths: one a pixel if empty
 };
 
-/// What is to be measured.
+/// What is to be measured, and by how much work.
 struct DrawWishes {
     std::uint32_t usual = 0;  // photon paths of a draw, were nothing measured
     bool balance = true;
-    bool shares = true;  // of camera paths
+    std::uint32_t views = 8;  // that tell where pixels are noisy: see trials_of_pixels()
+    std::uint32_t parts = 4;  // a set of photons is one of so many of the usual paths
+    int every = 1;            // the second view has so many columns and rows: 1 or 2
 };
 
 /// Of the sampler `adaptive`.
-/// @param first  the epoch's first pass. @param seen  its view: what the planner explored.
+/// @param first  a pass like the epoch's first, but no part of the picture.
+/// @param seen  its view: what the planner explored.
 /// @param plan  of a draw with the usual paths.
 DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
                        const std::vector<PhotonGroup>& plan, const PilotName& name,

@@ -17,6 +17,7 @@ struct BlockVariance {
     double eye = 0;         // of camera paths: no number of photons takes it away
     double photon = 0;      // of one photon path: that of n paths is a share 1/n of it
     std::size_t block = 0;  // of the picture's
+    double brightness = 1;
 };
 
 /// Work in rays, about.
@@ -45,16 +46,12 @@ struct DrawMeasures {
 /// paths; one, if it has less: many cheap passes would undo what a few good ones before have
 /// brought.
 /// @param fewest  no number below it is taken, unless it is `usual`; at least 2.
-/// @param worth  of a usual draw, if its camera paths are others: else those of `draw`.
 /// @return one draw of `usual` paths if there is no block, or no variance at all.
-Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest = 2,
-                 const DrawMeasures* worth = nullptr);
+Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest = 2);
 
-/// The relative standard error of a block times the root of the work, in the sum over blocks, after
-/// an epoch of draws with the usual paths and three times as many passes of a balance: the first
-/// ones stay in the picture.
-/// @param usual  with its paths. @param draw  what the balance is of.
-double error_of_render(const DrawMeasures& usual, std::uint32_t usual_paths,
-                       const DrawMeasures& draw, const Balance& balance);
+/// What `balanced()` makes least: the relative standard error of a block times the root of the
+/// work, in the sum over blocks.
+/// @param paths  photon paths of a draw.
+double error_of_draws(const DrawMeasures& draw, double paths);
 
 }  // namespace sunfleck

@@ -12,6 +12,8 @@
 namespace sunfleck {
 namespace {
 
+constexpr std::uint32_t kViewRound = 498;  // of the pilots' numbers: beyond all that they use
+
 std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels) {
     constexpr std::size_t kLeast = 200'000;
     constexpr std::size_t kOfPixel = 2;
@@ -20,10 +22,12 @@ std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels)
     return settings.paths_per_pass.value_or(static_cast<std::uint32_t>(usual));
 }
 
-/// The first epoch is too short for trials to pay.
+/// The first epoch is too short for a balance to pay, and for trials as large as those of others.
 DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual) {
-    if (epoch == 0) return {usual, false, false};
-    return {usual, settings.balance && !settings.paths_per_pass, settings.noisy_pixels};
+    DrawWishes wishes{usual, settings.balance && !settings.paths_per_pass};
+    if (epoch == 0) wishes = {usual, false, 4, 16, 2};
+    if (!settings.noisy_pixels) wishes.views = 0;
+    return wishes;
 }
 
 }  // namespace
@@ -38,14 +42,13 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
         epoch.groups.push_back({scene.light_choice(), {paths, {}}, {}});
         return epoch;
     }
-    const PassId first{settings.seed, first_pass_of(epoch.number)};
-    const PassScene at_wavelengths(scene, first);
-    const EyePass eye{at_wavelengths, settings.transport,
-                      settings.eye,   window,
-                      first,          radius_factor(first.number, settings.alpha)};
+    const std::uint32_t first = first_pass_of(epoch.number);
+    const PassScene at_wavelengths(scene, {settings.seed, first});
+    const PilotName name{settings.seed, epoch.number};
+    const EyePass eye{at_wavelengths, settings.transport,     settings.eye,
+                      window,         name.round(kViewRound), radius_factor(first, settings.alpha)};
     const EyeView seen = view_of(eye);
     const PhotonView view{at_wavelengths, settings.transport, seen.index};
-    const PilotName name{settings.seed, epoch.number};
     LightPlanner planner(view, settings.photon, name);
     epoch.groups = planner.plan(paths);
     const DrawWishes wishes = wishes_of(settings.photon, epoch.number, paths);

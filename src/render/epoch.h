@@ -1,11 +1,14 @@
 // Epochs: runs of passes with one plan of their photon paths.
 //
-// In:  scene, settings, number of the epoch. Out: draws of a pass, photon paths of a draw, groups
-// of lights and their plans, learned by pilots and trials over the view of the epoch's first pass,
-// and by nothing else: so any pass can be rendered anywhere, without those before it. Radii shrink
-// as passes go on, ever more slowly, and so do epochs grow.
+// In:  scene, settings, number of the epoch. Out: draws of a pass, camera paths of a pixel and
+// photon paths of a draw, groups of lights and their plans, learned by pilots and trials over views
+// like that of the epoch's first pass, and by nothing else: so any pass can be rendered anywhere,
+// without those before it. The views are no part of the picture: paths that were shared out by what
+// a pass itself has seen would bias it. Radii shrink as passes go on, ever more slowly, and so do
+// epochs grow.
 #pragma once
 
+#include "eye/eye_pass.h"
 #include "photon/photon_group.h"
 #include "render/settings.h"
 
@@ -27,10 +30,10 @@ constexpr std::uint32_t first_pass_of(std::uint32_t epoch) {
 /// What an epoch's passes share.
 struct Epoch {
     std::uint32_t number = 0;
-    std::uint32_t paths = 0;              // photon paths of a draw
-    std::uint32_t draws = 1;              // of a pass, which is their mean
-    std::vector<std::uint8_t> doublings;  // of a draw's camera paths: EyePass
-    std::vector<PhotonGroup> groups;      // at least one
+    std::uint32_t paths = 0;          // photon paths of a draw
+    std::uint32_t draws = 1;          // of a pass, which is their mean
+    Doublings doublings;              // of a draw's camera paths
+    std::vector<PhotonGroup> groups;  // at least one
     double seconds = 0;
 };
 

@@ -11,7 +11,6 @@ namespace sunfleck {
 namespace {
 
 constexpr std::uint32_t kNoiseRound = 499;  // of the pilots' numbers: beyond all that they use
-constexpr std::uint32_t kTrials = 8;        // views
 constexpr int kEvery = 2;                   // columns and rows that have any
 constexpr double kDarkOfMean = 0.1;         // of the mean brightness: what is darker counts as that
 constexpr std::uint8_t kMostDoublings = 4;
@@ -64,12 +63,9 @@ TrialPixels smoothed(const TrialPixels& pixels, const PixelWindow& window) {
 
 /// What the pixels with trials tell of all: smoothed over those, then each for its kEvery x kEvery.
 TrialPixels told_of_all(const TrialPixels& pixels, const PixelWindow& window) {
-    const auto some = [](int n) { return (n + kEvery - 1) / kEvery; };
     Raster all(window.width(), window.height());
-    Raster few(some(all.width), some(all.height));
-    for (int y = 0; y < few.height; ++y)
-        for (int x = 0; x < few.width; ++x)
-            few.at(x, y) = pixels[all.index(x * kEvery, y * kEvery)];
+    Raster few(one_of(all.width, kEvery), one_of(all.height, kEvery));
+    few.values = thinned(pixels, window, kEvery);
     few = smoothed(few);
     for (int y = 0; y < all.height; ++y)
         for (int x = 0; x < all.width; ++x) all.at(x, y) = few.at(x / kEvery, y / kEvery);
@@ -85,25 +81,31 @@ std::uint8_t doublings_for(double relative) {
     return doublings;
 }
 
-/// @param scale  one over the noise of a pixel with one path.
-CameraShares shares_for(const TrialPixels& noise, const TrialPixels& rays, double scale) {
-    CameraShares shares{{}, 0};
-    shares.doublings.reserve(noise.size());
-    for (std::size_t i = 0; i < noise.size(); ++i) {
-        shares.doublings.push_back(doublings_for(noise[i] * scale));
-        shares.work += rays[i] * (1U << shares.doublings.back());
-    }
-    shares.work /= mean_of(rays) * static_cast<double>(rays.size());
-    return shares;
+/// Standard deviation over the root of the cost, of pixels of brightness 1.
+TrialPixels noise_of(const TrialPixels& variance, const TrialPixels& rays,
+                     const TrialPixels& brightness) {
+    TrialPixels noise(variance.size());
+    for (std::size_t i = 0; i < noise.size(); ++i)
+        noise[i] = std::sqrt(variance[i] / rays[i]) / brightness[i];
+    return noise;
 }
 
-/// Of half of the trials. @param begin  the first. @param pass  counts the rays.
-TrialPixels variance_of(EyePass pass, const PilotName& name, std::uint32_t begin) {
-    constexpr std::uint32_t kViews = kTrials / 2;
+/// @param level  paths of a pixel of mean noise.
+Doublings doublings_of(const TrialPixels& noise, double level) {
+    const double scale = level / mean_of(noise);
+    Doublings doublings;
+    doublings.reserve(noise.size());
+    for (const double n : noise) doublings.push_back(doublings_for(n * scale));
+    return doublings;
+}
+
+/// Of so many trials. @param begin  the first. @param pass  counts the rays.
+TrialPixels variance_of(EyePass pass, const PilotName& name, std::uint32_t begin,
+                        std::uint32_t views) {
     const std::size_t pixels = pass.window.pixels();
     TrialPixels sum(pixels, 0);
     TrialPixels squares(pixels, 0);
-    for (std::uint32_t trial = begin; trial < begin + kViews; ++trial) {
+    for (std::uint32_t trial = begin; trial < begin + views; ++trial) {
         pass.id = name.round(kNoiseRound).draw(trial);
         PassImage image(pixels, {});
         Statistics unused;
@@ -115,57 +117,75 @@ TrialPixels variance_of(EyePass pass, const PilotName& name, std::uint32_t begin
         }
     }
     for (std::size_t i = 0; i < pixels; ++i)
-        squares[i] = std::max(0.0, squares[i] - sum[i] * sum[i] / kViews) / (kViews - 1);
+        squares[i] = std::max(0.0, squares[i] - sum[i] * sum[i] / views) / (views - 1);
     return told_of_all(squares, pass.window);
 }
 
 }  // namespace
 
-bool PixelTrials::have_noise() const {
-    return std::any_of(steady.begin(), steady.end(), [](double v) { return v > 0; });
+double times(const Doublings& doublings, const TrialPixels& pixels) {
+    const double one = std::accumulate(pixels.begin(), pixels.end(), 0.0);
+    double all = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) all += pixels[i] * (1U << doublings[i]);
+    return one > 0 ? all / one : 1;
 }
 
-PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name) {
+bool PixelTrials::have_noise() const {
+    const auto any = [](const TrialPixels& half) {
+        return std::any_of(half.begin(), half.end(), [](double v) { return v > 0; });
+    };
+    return any(variance[0]) && any(variance[1]);
+}
+
+PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name, std::uint32_t views) {
+    if (views == 0) return {};
     std::vector<std::uint64_t> rays(first.window.pixels(), 0);
     EyePass pass = first;
     pass.rays = rays;
     pass.every = kEvery;
-    const TrialPixels one = variance_of(pass, name, 0);
-    const TrialPixels other = variance_of(pass, name, kTrials / 2);
-    PixelTrials trials{TrialPixels(one.size()), TrialPixels(one.size()), TrialPixels(one.size())};
-    for (std::size_t i = 0; i < one.size(); ++i) {
-        trials.variance[i] = (one[i] + other[i]) / 2;
-        trials.steady[i] = std::sqrt(one[i] * other[i]);
-        trials.rays[i] = static_cast<double>(rays[i]) / kTrials;
-    }
+    const std::uint32_t half = views / 2;
+    PixelTrials trials{{variance_of(pass, name, 0, half), variance_of(pass, name, half, half)}, {}};
+    for (const std::uint64_t n : rays) trials.rays.push_back(static_cast<double>(n) / views);
     trials.rays = told_of_all(trials.rays, first.window);
     return trials;
 }
 
 std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTrials& trials,
                                         const TrialPixels& light) {
-    TrialPixels noise = smoothed(light, window);
-    const double dark = kDarkOfMean * mean_of(noise);
-    for (std::size_t i = 0; i < noise.size(); ++i) {
-        const double brightness = std::max(noise[i], dark);
-        noise[i] = brightness > 0 ? std::sqrt(trials.steady[i] / trials.rays[i]) / brightness : 0;
-    }
+    TrialPixels brightness = smoothed(light, window);
+    const double dark = kDarkOfMean * mean_of(brightness);
     std::vector<CameraShares> all;
-    const double mean = mean_of(noise);
-    if (!(mean > 0)) return all;
-    for (const double level : kLevels) all.push_back(shares_for(noise, trials.rays, level / mean));
+    if (!trials.have_noise() || !(dark > 0)) return all;
+    for (double& b : brightness) b = std::max(b, dark);
+    const auto& [one, other] = trials.variance;
+    TrialPixels steady(one.size());  // a flash that one half has seen is no place for more
+    for (std::size_t i = 0; i < one.size(); ++i) steady[i] = std::sqrt(one[i] * other[i]);
+    const auto noise = [&](const TrialPixels& variance) {
+        return noise_of(variance, trials.rays, brightness);
+    };
+    const TrialPixels of_both = noise(steady);
+    if (!(mean_of(of_both) > 0)) return all;
+    const std::array<TrialPixels, 2> of_half = {noise(one), noise(other)};
+    for (const double level : kLevels) {
+        CameraShares shares{doublings_of(of_both, level), 1, {}};
+        shares.work = times(shares.doublings, trials.rays);
+        for (const std::size_t h : {0, 1}) shares.by_half[h] = doublings_of(of_half[h], level);
+        all.push_back(std::move(shares));
+    }
     return all;
 }
 
-double left_of(const CameraShares& shares, const PixelTrials& trials, const BlockGrid& grid,
-               std::size_t block) {
-    double before = 0;
-    double after = 0;
+Foretold foretold(const CameraShares& shares, const PixelTrials& trials, const BlockGrid& grid,
+                  std::size_t block) {
+    Foretold sums;
     grid.for_pixels(block, [&](std::size_t i) {
-        before += trials.variance[i];
-        after += trials.variance[i] / (1U << shares.doublings[i]);
+        for (const std::size_t h : {0, 1}) {
+            sums.even += trials.variance[h][i];
+            sums.left += trials.variance[h][i] / (1U << shares.by_half[1 - h][i]);
+        }
     });
-    return before > 0 ? after / before : 1;
+    const auto terms = static_cast<double>(2 * grid.block(block).pixels());
+    return {sums.even / terms, sums.left / terms};
 }
 
 }  // namespace sunfleck

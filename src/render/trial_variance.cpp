@@ -42,6 +42,14 @@ TrialPixels luminance_of(const PassImage& image) {
     return pixels;
 }
 
+TrialPixels thinned(const TrialPixels& pixels, const PixelWindow& window, int every) {
+    TrialPixels few;
+    for (int y = 0; y < window.height(); y += every)
+        for (int x = 0; x < window.width(); x += every)
+            few.push_back(pixels[static_cast<std::size_t>(y * window.width() + x)]);
+    return few;
+}
+
 std::vector<BlockVariance> block_variances(const BlockGrid& grid, const TrialPair& one,
                                            const TrialPair& other, double paths) {
     std::vector<BlockMeans> blocks;
@@ -56,7 +64,7 @@ std::vector<BlockVariance> block_variances(const BlockGrid& grid, const TrialPai
         const BlockMeans& block = blocks[b];
         if (block.light <= floor) continue;
         const double square = block.light * block.light;
-        variances.push_back({block.eye / square, block.photon / square * paths, b});
+        variances.push_back({block.eye / square, block.photon / square * paths, b, block.light});
     }
     return variances;
 }

@@ -20,6 +20,14 @@ using TrialPixels = std::vector<double>;
 
 TrialPixels luminance_of(const PassImage& image);
 
+/// A picture of so many columns and rows alone, from the first on.
+TrialPixels thinned(const TrialPixels& pixels, const PixelWindow& window, int every);
+
+/// How many of n there are, one of so many, from the first on.
+constexpr int one_of(int n, int every) {
+    return (n + every - 1) / every;
+}
+
 /// One view's trial passes.
 using TrialPair = std::array<TrialPixels, 2>;
 

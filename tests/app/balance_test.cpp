@@ -50,13 +50,13 @@ TEST_F(Balance, films_with_and_without_do_not_mix) {
 }
 
 TEST_F(Balance, noisy_pixels_are_told_in_the_statistics_and_off_where_the_user_says_so) {
-    const auto s = stats("15:18");
-    EXPECT_EQ(s["epochs"][0]["camera_paths_per_pixel"], 1);
-    const auto& later = s["epochs"][1];
-    EXPECT_GT(later["camera_paths_per_pixel"], later["draws_per_pass"]);
+    const auto s = stats("15:16");
+    const auto& epoch = s["epochs"][0];
+    EXPECT_GT(epoch["camera_paths_per_pixel"], epoch["draws_per_pass"]);
     EXPECT_FALSE(s["settings"].contains("noisy_pixels"));
-    const auto off = stats("16:17", {"--noisy-pixels", "off"});
-    EXPECT_EQ(off["epochs"][0]["camera_paths_per_pixel"], off["epochs"][0]["draws_per_pass"]);
+    const auto off = stats("15:18", {"--noisy-pixels", "off"});
+    for (const auto& even : off["epochs"])
+        EXPECT_EQ(even["camera_paths_per_pixel"], even["draws_per_pass"]);
     EXPECT_EQ(off["settings"]["noisy_pixels"], "off");
     expect_refused("--noisy-pixels", {{"--noisy-pixels", "on"},
                                       {"--noisy-pixels", "off", "--photon-sampler", "uniform"},

@@ -53,23 +53,13 @@ TEST(BalanceRule, as_many_draws_as_are_worth_a_usual_one) {
     EXPECT_EQ(all_of(1, 2, kNoPhotons), (Balance{kUsual * 4, 1}));  // never less than one
 }
 
-// What a usual draw is worth may be said apart: its camera paths have twice the variance here.
-TEST(BalanceRule, draws_are_worth_a_usual_one_with_its_own_camera_paths) {
-    const DrawMeasures usual{{{6, 160'000}}, kCost};
-    const Balance balance = balanced({{{3, 160'000}}, {0, 2}}, kUsual, kUsual / 4.0, &usual);
-    EXPECT_EQ(balance, (Balance{kUsual / 4, 1}));  // 7 over 7
-}
-
-// 16 usual passes and 48 of four times as many paths of both kinds: less than half the variance
-// at 3.25 times the work, so what comes of it is worse than usual passes alone.
-TEST(BalanceRule, the_first_passes_stay_in_the_picture) {
-    const DrawMeasures usual{{{1, kUsual}}, kCost};
-    const DrawMeasures more{{{0.25, kUsual}}, {4 * kCost.eye, kCost.photon}};
-    const double work = kCost.eye + kCost.photon * kUsual;
-    EXPECT_NEAR(error_of_render(usual, kUsual, usual, {kUsual, 1}), std::sqrt(8 * 4 * work), 1e-6);
-    EXPECT_NEAR(error_of_render(usual, kUsual, more, {4 * kUsual, 1}),
-                std::sqrt((2 + 1.5) * 13 * work), 1e-6);
-    EXPECT_NEAR(error_of_render(usual, kUsual, usual, {kUsual, 2}), std::sqrt(5 * 7 * work), 1e-6);
+// Of two blocks the roots add up: of 1 + 1 and of 4 + 0.
+TEST(BalanceRule, the_error_of_draws_is_a_mean_of_roots_at_the_same_work) {
+    const DrawMeasures draw{{{1, kUsual}, {4, 0}}, kCost};
+    EXPECT_NEAR(error_of_draws(draw, kUsual),
+                (std::sqrt(2) + 2) * std::sqrt(kCost.eye + kCost.photon * kUsual), 1e-6);
+    EXPECT_NEAR(error_of_draws(draw, 4 * kUsual),
+                (std::sqrt(1.25) + 2) * std::sqrt(kCost.eye + 4 * kCost.photon * kUsual), 1e-6);
 }
 
 // In the mean of squares it would: 50 of camera paths, 25 of the usual photons, best at 0.4 of

@@ -23,10 +23,10 @@ const PixelWindow kWindow{0, 0, kSide, kSide};
 /// Noise in columns 8 to 11 alone, where paths need so many rays.
 PixelTrials stripe(double variance, double rays) {
     const TrialPixels none(kPixels, 0);
-    PixelTrials trials{none, none, TrialPixels(kPixels, 1)};
+    PixelTrials trials{{none, none}, TrialPixels(kPixels, 1)};
     for (std::size_t i = 0; i < kPixels; ++i) {
         if (i % kSide / 4 != 2) continue;
-        trials.variance[i] = trials.steady[i] = variance;
+        trials.variance[0][i] = trials.variance[1][i] = variance;
         trials.rays[i] = rays;
     }
     return trials;
@@ -42,7 +42,7 @@ TEST(NoisyPixels, get_paths_in_proportion_to_their_noise) {
     for (std::size_t level = 0; level < all.size(); ++level) {
         for (std::size_t i = 0; i < kPixels; ++i)
             EXPECT_EQ(1U << all[level].doublings[i],
-                      trials.variance[i] > 0 ? kPaths.at(level) : 1U);
+                      trials.variance[0][i] > 0 ? kPaths.at(level) : 1U);
         EXPECT_NEAR(all[level].work, 1 + (kPaths.at(level) - 1) / 8.0, 1e-12);
     }
 }
@@ -55,9 +55,11 @@ TEST(NoisyPixels, count_by_noise_over_brightness_and_the_root_of_the_rays) {
         return i % kSide >= first && i % kSide < first + 4;
     };
     for (std::size_t i = 0; i < kPixels; ++i) {
-        if (in_column(i, 20)) trials.steady[i] = 4;
+        if (in_column(i, 20)) trials.variance[0][i] = trials.variance[1][i] = 4;
         if (in_column(i, 19) || in_column(i, 21)) light[i] = 2;
-        if (in_column(i, 26)) trials.steady[i] = trials.rays[i] = 16;
+        if (!in_column(i, 26)) continue;
+        trials.rays[i] = trials.variance[0][i] = 16;
+        trials.variance[1][i] = 16;
     }
     const CameraShares shares = camera_shares(kWindow, trials, light).at(3);
     EXPECT_EQ(shares.doublings[9], shares.doublings[22]);
@@ -75,13 +77,29 @@ TEST(NoisyPixels, have_no_shares_where_nothing_is_noisy_or_bright) {
 
 TEST(NoisyPixels, leave_a_share_of_the_variance) {
     const PixelTrials trials = stripe(9, 1);
-    CameraShares shares{std::vector<std::uint8_t>(kPixels, 0), 1};
+    Doublings half(kPixels, 0);
+    for (std::size_t i = 0; i < kPixels; ++i) half[i] = i % kSide < 10 ? 3 : 0;  // of the stripe
+    const CameraShares shares{half, 1, {half, half}};
     const BlockGrid grid(kSide, kSide, 16);
-    EXPECT_EQ(left_of(shares, trials, grid, 0), 1);
+    EXPECT_NEAR(foretold(shares, trials, grid, 0).even, 9 / 4.0, 1e-12);
+    EXPECT_NEAR(foretold(shares, trials, grid, 0).left, 9 / 4.0 * (1 + 0.125) / 2, 1e-12);
+    EXPECT_EQ(foretold(shares, trials, grid, 1).left, 0) << "without noise";
+}
+
+// Noise that each half has seen elsewhere is none that more paths are known to take away.
+TEST(NoisyPixels, are_not_foretold_with_hindsight) {
+    PixelTrials flashes = stripe(9, 1);
     for (std::size_t i = 0; i < kPixels; ++i)
-        shares.doublings[i] = i % kSide < 10 ? 3 : 0;  // half of the stripe
-    EXPECT_NEAR(left_of(shares, trials, grid, 0), (1 + 0.125) / 2, 1e-12);
-    EXPECT_EQ(left_of(shares, trials, grid, 1), 1) << "without noise";
+        flashes.variance[i % 2][i] = i % kSide < 16 ? 1e-6 : 0;
+    const CameraShares shares = camera_shares(kWindow, flashes, TrialPixels(kPixels, 5)).at(5);
+    EXPECT_GT(shares.by_half[0][9], shares.by_half[1][9]);
+    const Foretold light = foretold(shares, flashes, BlockGrid(kSide, kSide, 16), 0);
+    EXPECT_GT(light.left / light.even, 0.9);
+}
+
+TEST(NoisyPixels, weigh_a_sum_by_their_paths) {
+    EXPECT_DOUBLE_EQ(times({0, 1, 4}, {5, 3, 2}), (5 + 2 * 3 + 16 * 2) / 10.0);
+    EXPECT_EQ(times({1, 1}, {0, 0}), 1) << "of nothing";
 }
 
 /// Of a pixel, on average over a part of the picture.
@@ -122,15 +140,23 @@ TEST(NoisyPixels, are_the_same_for_any_number_of_threads_in_all_of_an_epoch) {
     }
 }
 
-TEST(NoisyPixels, are_like_others_in_the_first_epoch_and_where_the_user_says_so) {
+TEST(NoisyPixels, are_looked_for_in_the_first_epoch_too) {
+    const Scene scene = glowing_disc(48);
+    const Doublings first = learn_epoch(scene, {}, 0).doublings;
+    EXPECT_FALSE(first.empty());
+    EXPECT_EQ(learn_epoch(scene, {}, 15).doublings, first);
+}
+
+TEST(NoisyPixels, are_like_others_where_the_user_says_so) {
     const Scene scene = glowing_disc(24);
-    RenderSettings settings;
-    EXPECT_TRUE(learn_epoch(scene, settings, 15).doublings.empty());
-    settings.photon.noisy_pixels = false;
-    EXPECT_TRUE(learn_epoch(scene, settings, 16).doublings.empty());
-    settings.photon.noisy_pixels = true;
-    settings.photon.sampler = PhotonSampler::uniform;
-    EXPECT_TRUE(learn_epoch(scene, settings, 16).doublings.empty());
+    for (const std::uint32_t pass : {0U, 16U}) {
+        RenderSettings settings;
+        settings.photon.noisy_pixels = false;
+        EXPECT_TRUE(learn_epoch(scene, settings, pass).doublings.empty());
+        settings.photon.noisy_pixels = true;
+        settings.photon.sampler = PhotonSampler::uniform;
+        EXPECT_TRUE(learn_epoch(scene, settings, pass).doublings.empty());
+    }
 }
 
 // 256 passes at 16 x 16 pixels: the mean is known to .1%; a variance of 4 paths a pixel that is not

@@ -71,5 +71,22 @@ TEST(TrialVariance, is_relative_and_leaves_dark_blocks_out) {
     EXPECT_TRUE(block_variances(grid, both[0], both[1], 1).empty());
 }
 
+TEST(TrialVariance, says_how_bright_a_block_is) {
+    const BlockGrid grid(kSize, kSize, 16);
+    const auto both = trials(2, 0, 0);
+    for (const BlockVariance& block : block_variances(grid, both[0], both[1], 1))
+        EXPECT_NEAR(block.brightness, 2, 1e-12);
+}
+
+TEST(TrialVariance, is_also_that_of_a_thinned_picture) {
+    const PixelWindow window{3, 5, 8, 8};  // 5 columns, 3 rows
+    TrialPixels pixels(15);
+    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<double>(i);
+    EXPECT_EQ(thinned(pixels, window, 2), (TrialPixels{0, 2, 4, 10, 12, 14}));
+    EXPECT_EQ(thinned(pixels, window, 1), pixels);
+    EXPECT_EQ(one_of(5, 2), 3);
+    EXPECT_EQ(one_of(4, 2), 2);
+}
+
 }  // namespace
 }  // namespace sunfleck
