@@ -13,9 +13,11 @@ namespace {
 constexpr std::uint32_t kNoiseRound = 499;  // of the pilots' numbers: beyond all that they use
 constexpr int kEvery = 2;                   // columns and rows that have any
 constexpr double kDarkOfMean = 0.1;         // of the mean brightness: what is darker counts as that
-constexpr std::uint8_t kMostDoublings = 4;
+constexpr std::uint8_t kMostDoublings = 6;
 /// Paths of a pixel of mean noise, were all numbers allowed.
-constexpr std::array<double, 6> kLevels = {0.125, 0.25, 0.5, 1, 2, 4};
+constexpr std::array<double, 8> kLevels = {0.125, 0.25, 0.5, 1, 2, 4, 8, 16};
+/// Camera paths of a draw, together: their points take a few hundred bytes each.
+constexpr std::size_t kMostPaths = std::size_t{1} << 23U;
 
 double mean_of(const TrialPixels& pixels) {
     return std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
@@ -99,6 +101,12 @@ Doublings doublings_of(const TrialPixels& noise, double level) {
     return doublings;
 }
 
+std::size_t paths_of(const Doublings& doublings) {
+    std::size_t paths = 0;
+    for (const std::uint8_t d : doublings) paths += std::size_t{1} << d;
+    return paths;
+}
+
 /// Of so many trials. @param begin  the first. @param pass  counts the rays.
 TrialPixels variance_of(EyePass pass, const PilotName& name, std::uint32_t begin,
                         std::uint32_t views) {
@@ -168,6 +176,7 @@ std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTr
     const std::array<TrialPixels, 2> of_half = {noise(one), noise(other)};
     for (const double level : kLevels) {
         CameraShares shares{doublings_of(of_both, level), 1, {}};
+        if (paths_of(shares.doublings) > kMostPaths) break;
         shares.work = times(shares.doublings, trials.rays);
         for (const std::size_t h : {0, 1}) shares.by_half[h] = doublings_of(of_half[h], level);
         all.push_back(std::move(shares));

@@ -40,7 +40,8 @@ struct CameraShares {
 /// A sum over pixels, with so many camera paths over that with one each.
 double times(const Doublings& doublings, const TrialPixels& pixels);
 
-/// From few to many more paths than one a pixel, 16 at most. None where there is no noise.
+/// From few to many more paths than one a pixel: 64 at most, and no more than eight million
+/// together, whose points need memory. None where there is no noise.
 /// @param light  of the pixels.
 std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTrials& trials,
                                         const TrialPixels& light);

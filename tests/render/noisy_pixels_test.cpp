@@ -32,12 +32,12 @@ PixelTrials stripe(double variance, double rays) {
     return trials;
 }
 
-// The stripe is an eighth of the pixels, its noise eight times the mean: levels 1/8 to 2 give it 1
-// to 16 paths, and 4 no more.
+// The stripe is an eighth of the pixels, its noise eight times the mean: levels 1/8 to 8 give it 1
+// to 64 paths, and 16 no more.
 TEST(NoisyPixels, get_paths_in_proportion_to_their_noise) {
     const PixelTrials trials = stripe(9, 1);
     const auto all = camera_shares(kWindow, trials, TrialPixels(kPixels, 5));
-    constexpr std::array<std::uint32_t, 6> kPaths = {1, 2, 4, 8, 16, 16};
+    constexpr std::array<std::uint32_t, 8> kPaths = {1, 2, 4, 8, 16, 32, 64, 64};
     ASSERT_EQ(all.size(), kPaths.size());
     for (std::size_t level = 0; level < all.size(); ++level) {
         for (std::size_t i = 0; i < kPixels; ++i)
@@ -45,6 +45,20 @@ TEST(NoisyPixels, get_paths_in_proportion_to_their_noise) {
                       trials.variance[0][i] > 0 ? kPaths.at(level) : 1U);
         EXPECT_NEAR(all[level].work, 1 + (kPaths.at(level) - 1) / 8.0, 1e-12);
     }
+}
+
+// 3000 x 2000 pixels have six million paths with one each.
+TEST(NoisyPixels, have_no_more_paths_than_there_is_memory_for) {
+    const PixelWindow window{0, 0, 3000, 2000};
+    const TrialPixels ones(window.pixels(), 1);
+    PixelTrials trials{{ones, ones}, ones};
+    for (std::size_t i = 0; i < ones.size(); i += 8)
+        trials.variance[0][i] = trials.variance[1][i] = 9;
+    const auto all = camera_shares(window, trials, ones);
+    ASSERT_FALSE(all.empty());
+    EXPECT_LT(all.back().work * static_cast<double>(ones.size()), 0x1p23);
+    EXPECT_GT(all.back().work, 1);
+    EXPECT_LT(all.size(), 8U);
 }
 
 // The noise of both stripes is relative to their brightness: one is twice as bright and as noisy.
