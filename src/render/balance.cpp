@@ -41,8 +41,7 @@ struct Work {
 struct Measured {
     std::vector<BlockVariance> blocks;  // with one camera path a pixel
     Work work;
-    std::uint32_t usual = 0;  // photon paths
-    double fewest = 0;        // that a balance may take
+    double fewest = 0;  // photon paths that a balance may take
 
     DrawMeasures even() const { return {blocks, work.even()}; }
 
@@ -211,7 +210,7 @@ DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
                           one_of(window.height(), wishes.every), kBlock / wishes.every);
     Measured measured{block_variances(tried, thinned(one, window, wishes.every),
                                       thinned(other, window, wishes.every), trials.paths()),
-                      work, usual,
+                      work,
                       std::max(2.0, std::floor(trials.least_share(1.0 / wishes.parts) * usual))};
     for (BlockVariance& block : measured.blocks) block.eye *= kOfRound;
     std::vector<CameraShares> all;
