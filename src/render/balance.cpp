@@ -207,7 +207,8 @@ DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
     const Work work = trials.work(seen);
     const TrialPair other = trials.of(view_of(second));
     const BlockGrid tried(one_of(window.width(), wishes.every),
-                          one_of(window.height(), wishes.every), kBlock / wishes.every);
+                          one_of(window.height(), wishes.every),
+                          kBlock / static_cast<std::size_t>(wishes.every));
     Measured measured{block_variances(tried, thinned(one, window, wishes.every),
                                       thinned(other, window, wishes.every), trials.paths()),
                       work,

@@ -177,7 +177,7 @@ std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTr
         CameraShares shares{doublings_of(of_both, level), 1, {}};
         if (paths_of(shares.doublings) > kMostPaths) break;
         shares.work = times(shares.doublings, trials.rays);
-        for (const std::size_t h : {0, 1}) shares.by_half[h] = doublings_of(of_half[h], level);
+        for (const std::size_t h : {0U, 1U}) shares.by_half[h] = doublings_of(of_half[h], level);
         all.push_back(std::move(shares));
     }
     return all;
@@ -187,7 +187,7 @@ Foretold foretold(const CameraShares& shares, const PixelTrials& trials, const B
                   std::size_t block) {
     Foretold sums;
     grid.for_pixels(block, [&](std::size_t i) {
-        for (const std::size_t h : {0, 1}) {
+        for (const std::size_t h : {0U, 1U}) {
             sums.even += trials.variance[h][i];
             sums.left += trials.variance[h][i] / (1U << shares.by_half[1 - h][i]);
         }

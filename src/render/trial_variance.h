@@ -6,6 +6,7 @@
 // Source: covariance of independent replicates.
 #pragma once
 
+#include "camera/pixel_window.h"
 #include "film/luminance.h"
 #include "measurement/pass_image.h"
 #include "render/balance_rule.h"

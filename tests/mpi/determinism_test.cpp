@@ -74,7 +74,7 @@ TEST_F(JobDeterminism, every_integrator_is_shared) {
 }
 
 TEST_F(JobDeterminism, a_target_error_ends_at_the_same_pass) {
-    const Words words{"--target-error", "3%", "--passes", "5000", "--photons-per-pass", "200"};
+    const Words words{"--target-error", "2%", "--passes", "5000", "--photons-per-pass", "200"};
     ASSERT_EQ(run(Words{"render", "room.pbrt", "--quiet"} + words + outputs("alone")).code, 0);
     const int passes = json("alone.json")["passes"];
     ASSERT_GT(passes, 64);
