@@ -32,7 +32,7 @@ struct DrawPlan {
 struct DrawWishes {
     std::uint32_t usual = 0;  // photon paths of a draw, were nothing measured
     bool balance = true;
-    TrialViews views{};       // that tell where pixels are noisy
+    std::uint32_t views = 8;  // that tell where pixels are noisy: see trials_of_pixels()
     std::uint32_t parts = 4;  // a set of photons is one of so many of the usual paths
     int every = 1;            // the second view has so many columns and rows: 1 or 2
 };

@@ -25,8 +25,8 @@ std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels)
 /// The first epoch is too short for a balance to pay, and for trials as large as those of others.
 DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual) {
     DrawWishes wishes{usual, settings.balance && !settings.paths_per_pass};
-    if (epoch == 0) wishes = {usual, false, {4, 3}, 16, 2};
-    if (!settings.noisy_pixels) wishes.views.count = 0;
+    if (epoch == 0) wishes = {usual, false, 4, 16, 2};
+    if (!settings.noisy_pixels) wishes.views = 0;
     return wishes;
 }
 

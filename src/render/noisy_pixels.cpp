@@ -11,6 +11,7 @@ namespace sunfleck {
 namespace {
 
 constexpr std::uint32_t kNoiseRound = 499;  // of the pilots' numbers: beyond all that they use
+constexpr int kEvery = 2;                   // columns and rows that have any
 constexpr double kDarkOfMean = 0.1;         // of the mean brightness: what is darker counts as that
 constexpr std::uint8_t kMostDoublings = 6;
 /// Paths of a pixel of mean noise, were all numbers allowed.
@@ -62,14 +63,14 @@ TrialPixels smoothed(const TrialPixels& pixels, const PixelWindow& window) {
     return smoothed(raster).values;
 }
 
-/// What the pixels with trials tell of all: smoothed over those, then each for `every` x `every`.
-TrialPixels told_of_all(const TrialPixels& pixels, const PixelWindow& window, int every) {
+/// What the pixels with trials tell of all: smoothed over those, then each for its kEvery x kEvery.
+TrialPixels told_of_all(const TrialPixels& pixels, const PixelWindow& window) {
     Raster all(window.width(), window.height());
-    Raster few(one_of(all.width, every), one_of(all.height, every));
-    few.values = thinned(pixels, window, every);
+    Raster few(one_of(all.width, kEvery), one_of(all.height, kEvery));
+    few.values = thinned(pixels, window, kEvery);
     few = smoothed(few);
     for (int y = 0; y < all.height; ++y)
-        for (int x = 0; x < all.width; ++x) all.at(x, y) = few.at(x / every, y / every);
+        for (int x = 0; x < all.width; ++x) all.at(x, y) = few.at(x / kEvery, y / kEvery);
     return std::move(all.values);
 }
 
@@ -125,7 +126,7 @@ TrialPixels variance_of(EyePass pass, const PilotName& name, std::uint32_t begin
     }
     for (std::size_t i = 0; i < pixels; ++i)
         squares[i] = std::max(0.0, squares[i] - sum[i] * sum[i] / views) / (views - 1);
-    return told_of_all(squares, pass.window, pass.every);
+    return told_of_all(squares, pass.window);
 }
 
 }  // namespace
@@ -144,16 +145,16 @@ bool PixelTrials::have_noise() const {
     return any(variance[0]) && any(variance[1]);
 }
 
-PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name, const TrialViews& views) {
-    if (views.count == 0 || first.window.pixels() >= kMostPaths) return {};
+PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name, std::uint32_t views) {
+    if (views == 0 || first.window.pixels() >= kMostPaths) return {};
     std::vector<std::uint64_t> rays(first.window.pixels(), 0);
     EyePass pass = first;
     pass.rays = rays;
-    pass.every = views.every;
-    const std::uint32_t half = views.count / 2;
+    pass.every = kEvery;
+    const std::uint32_t half = views / 2;
     PixelTrials trials{{variance_of(pass, name, 0, half), variance_of(pass, name, half, half)}, {}};
     for (const std::uint64_t n : rays) trials.rays.push_back(static_cast<double>(n) / (2 * half));
-    trials.rays = told_of_all(trials.rays, first.window, views.every);
+    trials.rays = told_of_all(trials.rays, first.window);
     return trials;
 }
 

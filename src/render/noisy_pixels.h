@@ -26,14 +26,9 @@ struct PixelTrials {
     bool have_noise() const;
 };
 
-/// Trials: how many, and in which pixels.
-struct TrialViews {
-    std::uint32_t count = 8;  // at least four; or 0, for none
-    int every = 2;            // so many columns and rows have any
-};
-
 /// None of pictures that have as many pixels as there may be paths.
-PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name, const TrialViews& views);
+/// @param views  how many trials, in every other column and row: at least four; or 0, for none.
+PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name, std::uint32_t views);
 
 /// A way to share them out.
 struct CameraShares {
