@@ -18,7 +18,7 @@ void add_adaptive_flags(CLI::App& app, AdaptiveTexts& texts) {
         "Sampler adaptive: auto: where few paths are seen, learn from where light must start; "
         "off: chains alone");
     add("--noisy-pixels", texts.noisy_pixels,
-        "Sampler adaptive: auto: from pass 16 on up to 16 camera paths a draw in pixels that are "
+        "Sampler adaptive: auto: up to 64 camera paths a draw in pixels that are measured to be "
         "noisier than others; off: one in each");
     add("--balance", texts.balance,
         "Sampler adaptive: auto: from pass 16 on as many photon paths a pass as pay beside its "

@@ -49,9 +49,8 @@ struct PhotonSettings {
     PhotonSampler sampler = PhotonSampler::adaptive;
     /// Absent: 200,000, or two a pixel if these are more; of `paper` 200,000.
     std::optional<std::uint32_t> paths_per_pass;
-    bool noisy_pixels =
-        true;             // of `adaptive`: from pass 16 on more camera paths where they are noisy
-    bool balance = true;  // of `adaptive`, if absent: from pass 16 on as measured
+    bool noisy_pixels = true;   // of `adaptive`: more camera paths where they are noisy
+    bool balance = true;        // of `adaptive`, if absent: from pass 16 on as measured
     bool light_groups = true;   // of the sampler `adaptive`: may part the lights
     bool emission_maps = true;  // of `adaptive`: may learn where light starts
     PaperSettings paper;

@@ -3,6 +3,7 @@
 
 #include "estimate/photon_counts.h"
 #include "render/photon_stage.h"
+#include "render/trial_rounds.h"
 #include "render/trial_variance.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace sunfleck {
 namespace {
 
 constexpr std::size_t kBlock = 16;     // pixels a side: enough of them to tell a variance
-constexpr std::uint32_t kRound = 500;  // of the pilots' numbers: beyond all that they use
 constexpr std::uint64_t kSeeds = 128;  // of a ladder's one set, or more
 constexpr double kRaysOfPath =
     0.6;  // work beside a camera path's rays: its point's place in the index
@@ -150,10 +150,10 @@ private:
     /// @param eye  light of the view that needs no photon.
     TrialPixels pixels(const VisiblePointIndex& index, const TrialPixels& eye) {
         PassImage image(first_.window.pixels(), {});
-        photons_.add(
-            trace_photons({first_.scene, first_.transport, index}, name_.round(kRound + 1 + sets_),
-                          PhotonSampler::adaptive, groups_, {image, &taken_}),
-            1);
+        photons_.add(trace_photons({first_.scene, first_.transport, index},
+                                   name_.round(kPhotonSetsRound + sets_), PhotonSampler::adaptive,
+                                   groups_, {image, &taken_}),
+                     1);
         ++sets_;
         TrialPixels sum = luminance_of(image);
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += eye[i];
@@ -196,12 +196,11 @@ DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
     const std::uint32_t usual = wishes.usual;
     const PixelWindow& window = first.window;
     const PixelTrials pixels = trials_of_pixels(first, name, wishes.views);
-    const bool shares = pixels.have_noise();
-    if (usual < 2 * wishes.parts || !(shares || wishes.balance)) return {{usual}, {}};
+    if (usual < 2 * wishes.parts || !(pixels.have_noise() || wishes.balance)) return {{usual}, {}};
     const std::vector<PhotonGroup> groups = part_of(plan, wishes.parts);
     Trials trials(first, groups, name);
     EyePass second = first;
-    second.id = name.round(kRound);
+    second.id = name.round(kSecondViewRound);
     second.every = wishes.every;
     const TrialPair one = trials.of(seen);
     const Work work = trials.work(seen);
@@ -214,10 +213,8 @@ DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
                       work,
                       std::max(2.0, std::floor(trials.least_share(1.0 / wishes.parts) * usual))};
     for (BlockVariance& block : measured.blocks) block.eye *= kOfRound;
-    std::vector<CameraShares> all;
-    if (shares) all = camera_shares(window, pixels, mean_of(one));
     const BlockGrid grid(window.width(), window.height(), kBlock);
-    const Ways ways = ways_of(measured, std::move(all), pixels, grid);
+    const Ways ways = ways_of(measured, camera_shares(window, pixels, mean_of(one)), pixels, grid);
     const std::size_t way = best_way(ways, usual);
     if (!wishes.balance) return {{usual}, ways.doublings[way]};
     return {balanced(ways.draws[way], usual, measured.fewest), ways.doublings[way]};

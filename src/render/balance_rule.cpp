@@ -12,25 +12,18 @@ constexpr int kMost = 2;
 constexpr double kGreatest = 0x1p30;
 constexpr double kMostDraws = 16;
 
-double variance_of(const BlockVariance& block, double paths) {
-    return std::max(0.0, block.eye) + std::max(0.0, block.photon) / paths;
-}
-
-double work_of(const DrawCost& cost, double paths) {
-    return cost.eye + cost.photon * paths;
-}
-
 /// Of all blocks, in one draw.
 double error_sum(const DrawMeasures& draw, double paths) {
     double sum = 0;
-    for (const BlockVariance& block : draw.blocks) sum += std::sqrt(variance_of(block, paths));
+    for (const BlockVariance& block : draw.blocks)
+        sum += std::sqrt(std::max(0.0, block.eye) + std::max(0.0, block.photon) / paths);
     return sum;
 }
 
 }  // namespace
 
 double error_of_draws(const DrawMeasures& draw, double paths) {
-    return error_sum(draw, paths) * std::sqrt(work_of(draw.cost, paths));
+    return error_sum(draw, paths) * std::sqrt(draw.cost.eye + draw.cost.photon * paths);
 }
 
 Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest) {

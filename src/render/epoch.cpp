@@ -6,13 +6,12 @@
 #include "photon/light_groups.h"
 #include "render/balance.h"
 #include "render/pass.h"
+#include "render/trial_rounds.h"
 
 #include <utility>
 
 namespace sunfleck {
 namespace {
-
-constexpr std::uint32_t kViewRound = 498;  // of the pilots' numbers: beyond all that they use
 
 std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels) {
     constexpr std::size_t kLeast = 200'000;
@@ -45,8 +44,9 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const std::uint32_t first = first_pass_of(epoch.number);
     const PassScene at_wavelengths(scene, {settings.seed, first});
     const PilotName name{settings.seed, epoch.number};
-    const EyePass eye{at_wavelengths, settings.transport,     settings.eye,
-                      window,         name.round(kViewRound), radius_factor(first, settings.alpha)};
+    const EyePass eye{
+        at_wavelengths, settings.transport,         settings.eye,
+        window,         name.round(kSeenViewRound), radius_factor(first, settings.alpha)};
     const EyeView seen = view_of(eye);
     const PhotonView view{at_wavelengths, settings.transport, seen.index};
     LightPlanner planner(view, settings.photon, name);

@@ -1,6 +1,8 @@
 // Trial views, their spread pixel by pixel, and numbers of paths for it.
 #include "render/noisy_pixels.h"
 
+#include "render/trial_rounds.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,9 +12,8 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::uint32_t kNoiseRound = 499;  // of the pilots' numbers: beyond all that they use
-constexpr int kEvery = 2;                   // columns and rows that have any
-constexpr double kDarkOfMean = 0.1;         // of the mean brightness: what is darker counts as that
+constexpr int kEvery = 2;            // columns and rows that have any
+constexpr double kDarkOfMean = 0.1;  // of the mean brightness: what is darker counts as that
 constexpr std::uint8_t kMostDoublings = 6;
 /// Paths of a pixel of mean noise, were all numbers allowed.
 constexpr std::array<double, 8> kLevels = {0.125, 0.25, 0.5, 1, 2, 4, 8, 16};
@@ -114,7 +115,7 @@ TrialPixels variance_of(EyePass pass, const PilotName& name, std::uint32_t begin
     TrialPixels sum(pixels, 0);
     TrialPixels squares(pixels, 0);
     for (std::uint32_t trial = begin; trial < begin + views; ++trial) {
-        pass.id = name.round(kNoiseRound).draw(trial);
+        pass.id = name.round(kPixelTrialsRound).draw(trial);
         PassImage image(pixels, {});
         Statistics unused;
         trace_eye_paths(pass, image, unused);
@@ -160,10 +161,11 @@ PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name, std::u
 
 std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTrials& trials,
                                         const TrialPixels& light) {
+    std::vector<CameraShares> all;
+    if (!trials.have_noise()) return all;
     TrialPixels brightness = smoothed(light, window);
     const double dark = kDarkOfMean * mean_of(brightness);
-    std::vector<CameraShares> all;
-    if (!trials.have_noise() || !(dark > 0)) return all;
+    if (!(dark > 0)) return all;
     for (double& b : brightness) b = std::max(b, dark);
     const auto& [one, other] = trials.variance;
     TrialPixels steady(one.size());  // a flash that one half has seen is no place for more

@@ -47,7 +47,7 @@ std::set<std::uint32_t> cells_of(const std::vector<std::pair<PassId, PathOfPixel
 }
 
 TEST(RoundPoints, several_paths_of_a_pixel_are_a_net_in_a_pass_and_a_finer_one_in_the_round) {
-    for (std::uint32_t doublings = 1; doublings <= 4; ++doublings) {
+    for (std::uint32_t doublings = 1; doublings <= 6; ++doublings) {
         std::vector<std::pair<PassId, PathOfPixel>> round;
         for (std::uint32_t pass = 32; pass < 48; ++pass) {
             std::vector<std::pair<PassId, PathOfPixel>> here;
