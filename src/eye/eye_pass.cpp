@@ -28,7 +28,7 @@ VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statist
         Statistics& count = counts[block];
         for (std::size_t pixel = begin; pixel < end; ++pixel) {
             if (!has_paths(pass, pixel)) continue;
-            PathOfPixel path{0, pass.doublings.empty() ? 0U : pass.doublings[pixel]};
+            PathOfPixel path{0, pass.doublings.empty() ? 0U : pass.doublings[pixel], pass.draw};
             const std::uint64_t before = count[Count::eye_rays];
             for (; path.number < path.count(); ++path.number)
                 EyePath(pass, filter, image, lists[block], count)

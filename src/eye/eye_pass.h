@@ -11,6 +11,7 @@
 #include "measurement/statistics.h"
 #include "measurement/transport.h"
 #include "measurement/visible_point.h"
+#include "sampler/round_points.h"
 #include "scene/pass_scene.h"
 
 #include <span>
@@ -34,6 +35,7 @@ struct EyePass {
     std::span<const std::uint8_t> doublings = {};  // Doublings
     /// Rays of each pixel's paths are added, unless empty.
     std::span<std::uint64_t> rays = {};
+    DrawOfPass draw = {};
     int every = 1;  // so many columns and rows have paths, from the first on: others have none
 };
 

@@ -22,8 +22,9 @@ PhotonTotals draw_sppm(const RenderSettings& settings, const EyePass& eye,
     result.seconds.eye += watch.lap();
     const VisiblePointIndex index(std::move(points), eye.transport.max_depth);
     result.seconds.index += watch.lap();
-    PhotonTotals photons = trace_photons({eye.scene, settings.transport, index}, eye.id,
-                                         settings.photon.sampler, groups, {result.image, taken});
+    PhotonTotals photons =
+        trace_photons({eye.scene, settings.transport, index}, eye.id.draw(eye.draw.number),
+                      settings.photon.sampler, groups, {result.image, taken});
     result.seconds.photon += watch.lap();
     return photons;
 }
@@ -31,12 +32,11 @@ PhotonTotals draw_sppm(const RenderSettings& settings, const EyePass& eye,
 void render_sppm(const RenderSettings& settings, EyePass eye, const Epoch& epoch,
                  PassResult& result) {
     PhotonTotals photons;
-    const PassId pass = eye.id;
     eye.doublings = epoch.doublings;
     const bool are_counted = result.image.has(Layer::samples);
     PhotonCounts taken(are_counted ? result.image.pixels() : 0);
     for (std::uint32_t draw = 0; draw < epoch.draws; ++draw) {
-        eye.id = pass.draw(draw);
+        eye.draw = {draw, epoch.draws};
         photons.add(draw_sppm(settings, eye, epoch.groups, are_counted ? &taken : nullptr, result),
                     1.0 / epoch.draws);
     }

@@ -1,6 +1,6 @@
 // Numbers for camera paths and direct light: over the 16 passes of a round, each pair of
-// dimensions of a pixel runs through 16 Owen-scrambled Sobol' points, or 16 times as many as the
-// pixel has camera paths a pass, scrambled anew each round and for each draw of the passes.
+// dimensions of a pixel runs through as many Owen-scrambled Sobol' points as the pixel has camera
+// paths in the round, scrambled anew each round.
 //
 // In:  a pass, a pixel; then dimensions in the order of asking. Out: numbers in (0,1).
 // Source: Owen 1995; hashed nested scrambling: Laine and Karras 2011, Burley 2020 (JCGT 9(4));
@@ -10,6 +10,8 @@
 #include "math/vector.h"
 #include "math/wavelengths.h"
 #include "sampler/sobol.h"
+
+#include <bit>
 
 namespace sunfleck {
 
@@ -36,10 +38,17 @@ constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
 
 }  // namespace round_detail
 
-/// One of the camera paths that a pixel has in a pass.
+/// Which of its draws, and how many a pass has; the same number in all passes of a round.
+struct DrawOfPass {
+    std::uint32_t number = 0;
+    std::uint32_t count = 1;
+};
+
+/// One of the camera paths that a pixel has in a draw of a pass.
 struct PathOfPixel {
     std::uint32_t number = 0;
-    std::uint32_t doublings = 0;  // 2^doublings there are, the same in all passes of a round
+    std::uint32_t doublings = 0;  // 2^doublings there are, the same in all draws of a round
+    DrawOfPass draw = {};
 
     std::uint32_t count() const { return 1U << doublings; }
 };
@@ -49,8 +58,10 @@ public:
     /// @param pixel  any index that no other pixel of the pass has.
     RoundPoints(PassId pass, std::uint32_t pixel, const PathOfPixel& path = {})
         : seed_(pass.seed),
-          index_(pass.number % kRoundPasses * path.count() + path.number),
-          unused_(28 - path.doublings),
+          index_((pass.number % kRoundPasses * path.draw.count + path.draw.number) * path.count() +
+                 path.number),
+          unused_(static_cast<std::uint32_t>(
+              std::countl_zero(kRoundPasses * path.draw.count * path.count() - 1))),
           name_{0, pixel, pass.number / kRoundPasses,
                 static_cast<std::uint32_t>(Purpose::eye) | pass.part << 16U} {}
 
