@@ -3,6 +3,7 @@
 
 #include "math/vector.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace sunfleck {
@@ -25,6 +26,29 @@ struct PixelWindow {
         const std::size_t row = pixel / columns;
         return {x0 + static_cast<double>(pixel % columns) + 0.5 + offset.x,
                 y0 + static_cast<double>(row) + 0.5 + offset.y};
+    }
+};
+
+/// Cells of `side` x `side` pixels, those at the right and lower edges cut off, and one pixel of
+/// each: sheared, so that no row and no column of the window goes without.
+struct PixelCells {
+    PixelWindow window;
+    int side = 1;
+
+    int across() const { return (window.width() + side - 1) / side; }
+    int down() const { return (window.height() + side - 1) / side; }
+    /// The one of cell x, y.
+    std::size_t pixel_of(int x, int y) const {
+        const int u = std::min(x * side + y % side, window.width() - 1);
+        const int v = std::min(y * side + x % side, window.height() - 1);
+        return static_cast<std::size_t>(v) * static_cast<std::size_t>(window.width()) +
+               static_cast<std::size_t>(u);
+    }
+    /// Is this pixel the one of its cell?
+    bool has(std::size_t pixel) const {
+        const auto columns = static_cast<std::size_t>(window.width());
+        return pixel_of(static_cast<int>(pixel % columns) / side,
+                        static_cast<int>(pixel / columns) / side) == pixel;
     }
 };
 

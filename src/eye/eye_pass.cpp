@@ -5,20 +5,10 @@
 #include "eye/eye_path.h"
 
 namespace sunfleck {
-namespace {
-
-bool has_paths(const EyePass& pass, std::size_t pixel) {
-    if (pass.every == 1) return true;
-    const auto width = static_cast<std::size_t>(pass.window.width());
-    const auto every = static_cast<std::size_t>(pass.every);
-    return pixel % width % every == 0 && pixel / width % every == 0;
-}
-
-}  // namespace
-
 VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics) {
     constexpr std::size_t kBlock = 256;
     const std::size_t pixels = pass.window.pixels();
+    const PixelCells cells{pass.window, pass.cells};
     const FilterSampler filter(pass.scene.scene.filter());
     VisiblePointLists lists((pixels + kBlock - 1) / kBlock);
     std::vector<Statistics> counts(lists.size());
@@ -27,7 +17,7 @@ VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statist
         lists[block].reserve(end - begin);
         Statistics& count = counts[block];
         for (std::size_t pixel = begin; pixel < end; ++pixel) {
-            if (!has_paths(pass, pixel)) continue;
+            if (!cells.has(pixel)) continue;
             PathOfPixel path{0, pass.doublings.empty() ? 0U : pass.doublings[pixel], pass.draw};
             const std::uint64_t before = count[Count::eye_rays];
             for (; path.number < path.count(); ++path.number)

@@ -36,7 +36,7 @@ struct EyePass {
     /// Rays of each pixel's paths are added, unless empty.
     std::span<std::uint64_t> rays = {};
     DrawOfPass draw = {};
-    int every = 1;  // so many columns and rows have paths, from the first on: others have none
+    int cells = 1;  // one pixel of each PixelCells of that side has paths
 };
 
 /// All camera paths of all pixels. The order of the points, list after list, is that of the pixels.

@@ -5,22 +5,9 @@
 // draws. Source: the rule and its constants are measured ones (docs/decisions.md).
 #pragma once
 
-#include "eye/eye_pass.h"
-#include "photon/photon_group.h"
-#include "render/balance_rule.h"
-#include "render/noisy_pixels.h"
-#include "sampler/set_walk.h"
+#include "render/photon_trials.h"
 
 namespace sunfleck {
-
-/// What the camera paths of a pass brought.
-struct EyeView {
-    PassImage image;  // light that needs no photon
-    Statistics counts;
-    VisiblePointIndex index;
-};
-
-EyeView view_of(const EyePass& pass);
 
 /// How the draws of an epoch share their paths.
 struct DrawPlan {
@@ -32,9 +19,10 @@ struct DrawPlan {
 struct DrawWishes {
     std::uint32_t usual = 0;  // photon paths of a draw, were nothing measured
     bool balance = true;
-    std::uint32_t views = 8;  // that tell where pixels are noisy: see trials_of_pixels()
+    bool shares = true;       // of camera paths
+    TrialViews views;         // that tell where pixels are noisy
     std::uint32_t parts = 4;  // a set of photons is one of so many of the usual paths
-    int every = 1;            // the second view has so many columns and rows: 1 or 2
+    int cells = 1;            // pixels a side, of which one has a path in the second view
 };
 
 /// Of the sampler `adaptive`.
@@ -44,9 +32,5 @@ struct DrawWishes {
 DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
                        const std::vector<PhotonGroup>& plan, const PilotName& name,
                        const DrawWishes& wishes);
-
-/// The same sets and maps, with one of so many parts of the paths and chains: what a trial measures
-/// holds for it, as it would not for a ladder planned anew for few paths.
-std::vector<PhotonGroup> part_of(std::vector<PhotonGroup> groups, std::uint32_t parts);
 
 }  // namespace sunfleck

@@ -12,21 +12,20 @@ constexpr int kMost = 2;
 constexpr double kGreatest = 0x1p30;
 constexpr double kMostDraws = 16;
 
-/// Of all blocks, in one draw.
-double error_sum(const DrawMeasures& draw, double paths) {
+}  // namespace
+
+double error_of_draw(const DrawMeasures& draw, double paths) {
     double sum = 0;
     for (const BlockVariance& block : draw.blocks)
         sum += std::sqrt(std::max(0.0, block.eye) + std::max(0.0, block.photon) / paths);
     return sum;
 }
 
-}  // namespace
-
 double error_of_draws(const DrawMeasures& draw, double paths) {
-    return error_sum(draw, paths) * std::sqrt(draw.cost.eye + draw.cost.photon * paths);
+    return error_of_draw(draw, paths) * std::sqrt(draw.cost.eye + draw.cost.photon * paths);
 }
 
-Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest) {
+Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest, double of_pass) {
     double best = usual;
     double least = error_of_draws(draw, best);
     for (int power = kFewest; power <= kMost; ++power) {
@@ -38,8 +37,7 @@ Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest) {
             best = paths;
         }
     }
-    if (best >= usual) return {static_cast<std::uint32_t>(best), 1};
-    const double worse = error_sum(draw, best) / error_sum(draw, usual);
+    const double worse = of_pass > 0 ? error_of_draw(draw, best) / of_pass : 1;
     return {static_cast<std::uint32_t>(best),
             static_cast<std::uint32_t>(std::clamp(std::round(worse * worse), 1.0, kMostDraws))};
 }

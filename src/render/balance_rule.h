@@ -14,10 +14,8 @@ namespace sunfleck {
 /// Of one block of pixels in one draw, relative to the square of its brightness. An estimate that
 /// is negative counts as none.
 struct BlockVariance {
-    double eye = 0;         // of camera paths: no number of photons takes it away
-    double photon = 0;      // of one photon path: that of n paths is a share 1/n of it
-    std::size_t block = 0;  // of the picture's
-    double brightness = 1;
+    double eye = 0;     // of camera paths: no number of photons takes it away
+    double photon = 0;  // of one photon path: that of n paths is a share 1/n of it
 };
 
 /// Work in rays, about.
@@ -42,12 +40,16 @@ struct DrawMeasures {
 /// The number of paths among usual * {1/16, 1/8, 1/4, 1/2, 1, 2, 4} that makes the relative
 /// standard error of a block least after some work, in the mean over blocks: so that a few blocks
 /// of wild light do not speak for all. A block's error after work w is sqrt((eye + photon / n) (c +
-/// n p) / w). And as many draws, up to 16, as have about the squared error of one with the usual
-/// paths; one, if it has less: many cheap passes would undo what a few good ones before have
-/// brought.
+/// n p) / w). And as many draws, up to 16, as have about the squared error of a pass; one, if it
+/// has less: many cheap passes would undo what a few good ones before have brought.
 /// @param fewest  no number below it is taken, unless it is `usual`; at least 2.
+/// @param of_pass  error_of_draw() of what a pass should be worth.
 /// @return one draw of `usual` paths if there is no block, or no variance at all.
-Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest = 2);
+Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest, double of_pass);
+
+/// The relative standard errors of the blocks, together, in one draw.
+/// @param paths  photon paths.
+double error_of_draw(const DrawMeasures& draw, double paths);
 
 /// What `balanced()` makes least: the relative standard error of a block times the root of the
 /// work, in the sum over blocks.

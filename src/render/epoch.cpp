@@ -22,10 +22,15 @@ std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels)
 }
 
 /// The first epoch is too short for a balance to pay, and for trials as large as those of others.
-DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual) {
-    DrawWishes wishes{usual, settings.balance && !settings.paths_per_pass};
-    if (epoch == 0) wishes = {usual, false, 4, 16, 2};
-    if (!settings.noisy_pixels) wishes.views = 0;
+DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual,
+                     std::size_t pixels) {
+    constexpr std::size_t kLarge = 1'000'000;  // so many know enough by every fourth
+    DrawWishes wishes;
+    wishes.usual = usual;
+    wishes.balance = settings.balance && !settings.paths_per_pass;
+    if (pixels > kLarge) wishes.cells = 2;
+    if (epoch == 0) wishes = {usual, false, true, {1, 3}, 16, 2};
+    wishes.shares = settings.noisy_pixels;
     return wishes;
 }
 
@@ -51,7 +56,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const PhotonView view{at_wavelengths, settings.transport, seen.index};
     LightPlanner planner(view, settings.photon, name);
     epoch.groups = planner.plan(paths);
-    const DrawWishes wishes = wishes_of(settings.photon, epoch.number, paths);
+    const DrawWishes wishes = wishes_of(settings.photon, epoch.number, paths, window.pixels());
     DrawPlan plan = measured_plan(eye, seen, epoch.groups, name, wishes);
     epoch.doublings = std::move(plan.doublings);
     if (wishes.balance) {

@@ -6,65 +6,72 @@ namespace {
 
 constexpr double kDark = 0.01;  // of the picture's brightness
 
-/// Means over the pixels of a block.
+/// Means over the pixels of a block that both views have.
 struct BlockMeans {
-    double light = 0;  // of all four
+    double light = 0;
     double eye = 0;
     double photon = 0;
+    double pixels = 0;
 };
 
-BlockMeans means_of(const BlockGrid& grid, std::size_t block, const TrialPair& one,
-                    const TrialPair& other) {
+/// What of a pixel's variances counts: what its camera paths leave.
+struct Left {
+    double camera = 1;
+    double photon = 1;  // of what the views don't share
+    double unlit = 1;   // taken from the camera paths': pixels' trials know it better
+};
+
+void add_pixel(const TrialPair& pair, std::size_t i, const Left& left, BlockMeans& sums) {
+    const double a = pair.one.lit[0][i];
+    const double b = pair.one.lit[1][i];
+    const double c = pair.other.lit[0][i];
+    const double d = pair.other.lit[1][i];
+    const double unlit = pair.one.eye[i] - pair.other.eye[i];
+    const double shared = (a - b) * (c - d) / 2;
+    const double all = ((a - b) * (a - b) + (c - d) * (c - d)) / 4;
+    sums.light += (a + b + c + d) / 4;
+    sums.eye += ((a - c) * (b - d) - left.unlit * unlit * unlit) / 2 * left.camera;
+    sums.photon += shared + (all - shared) * left.photon;
+    ++sums.pixels;
+}
+
+BlockMeans means_of(const PixelWindow& window, const BlockGrid& grid, std::size_t block,
+                    const TrialPair& pair, const PixelTrials& trials, const CameraShares& shares) {
     BlockMeans sums;
+    const PixelCells cells{window, pair.cells};
     grid.for_pixels(block, [&](std::size_t i) {
-        const double a = one[0][i];
-        const double b = one[1][i];
-        const double c = other[0][i];
-        const double d = other[1][i];
-        sums.light += (a + b + c + d) / 4;
-        sums.eye += (a - c) * (b - d) / 2;
-        sums.photon += ((a - b) * (a - b) + (c - d) * (c - d)) / 4;
+        if (!cells.has(i)) return;
+        const unsigned doublings = shares.doublings_of(i);
+        const Left left{trials.nets[block].left(doublings), 1.0 / (1U << doublings),
+                        trials.are_made() ? 1.0 : 0.0};
+        add_pixel(pair, i, left, sums);
     });
-    const auto pixels = static_cast<double>(grid.block(block).pixels());
-    return {sums.light / pixels, sums.eye / pixels, sums.photon / pixels};
+    if (trials.are_made()) sums.eye += sums.pixels * variance_left(shares, trials, grid, block);
+    return sums;
 }
 
 }  // namespace
 
-TrialPixels luminance_of(const PassImage& image) {
-    TrialPixels pixels;
-    pixels.reserve(image.pixels());
-    for (std::size_t i = 0; i < image.pixels(); ++i) {
-        const RgbSum sum{{image.value(Layer::total, i, 0), image.value(Layer::total, i, 1),
-                          image.value(Layer::total, i, 2)}};
-        pixels.push_back(sum.mean_luminance(1));
-    }
-    return pixels;
-}
-
-TrialPixels thinned(const TrialPixels& pixels, const PixelWindow& window, int every) {
-    TrialPixels few;
-    for (int y = 0; y < window.height(); y += every)
-        for (int x = 0; x < window.width(); x += every)
-            few.push_back(pixels[static_cast<std::size_t>(y * window.width() + x)]);
-    return few;
-}
-
-std::vector<BlockVariance> block_variances(const BlockGrid& grid, const TrialPair& one,
-                                           const TrialPair& other, double paths) {
+std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
+                                           const PixelTrials& trials, const CameraShares& shares) {
+    const BlockGrid grid(window.width(), window.height(), kTrialBlock);
     std::vector<BlockMeans> blocks;
     double light = 0;
+    double pixels = 0;
     for (std::size_t b = 0; b < grid.count(); ++b) {
-        blocks.push_back(means_of(grid, b, one, other));
-        light += blocks.back().light * static_cast<double>(grid.block(b).pixels());
+        blocks.push_back(means_of(window, grid, b, pair, trials, shares));
+        light += blocks.back().light;
+        pixels += blocks.back().pixels;
     }
-    const double floor = kDark * light / static_cast<double>(one[0].size());
+    const double floor = kDark * light / pixels;
     std::vector<BlockVariance> variances;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const BlockMeans& block = blocks[b];
-        if (block.light <= floor) continue;
-        const double square = block.light * block.light;
-        variances.push_back({block.eye / square, block.photon / square * paths, b, block.light});
+        const BlockMeans& sums = blocks[b];
+        const double brightness = sums.light / sums.pixels;
+        if (!(brightness > floor)) continue;
+        const double squares = sums.pixels * brightness * brightness;
+        variances.push_back(
+            {trials.nets[b].of_round() * sums.eye / squares, sums.photon / squares * pair.paths});
     }
     return variances;
 }

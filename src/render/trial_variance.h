@@ -1,41 +1,38 @@
 // Variances of camera paths and of photon paths, from trial passes.
 //
-// In:  two views with other camera paths, each lit by two sets of photons. Out: variances by block.
-// What differs between the two sets of a view is the photons' part; what differs between the views,
-// and alike for both sets, is the camera paths' part.
+// In:  two views with other camera paths, both lit by the same two sets of photons. Out: variances
+// by block. What differs between the views, and alike for both sets, is the camera paths' part.
+// What differs between the sets is the photons': alike in both views it stays, however many camera
+// paths a pixel has; else it is of where their points lie, and several have less of it.
 // Source: covariance of independent replicates.
 #pragma once
 
-#include "camera/pixel_window.h"
 #include "film/luminance.h"
-#include "measurement/pass_image.h"
 #include "render/balance_rule.h"
+#include "render/noisy_pixels.h"
 
 #include <array>
 #include <vector>
 
 namespace sunfleck {
 
-/// Luminance of each pixel.
-using TrialPixels = std::vector<double>;
+/// One view's trial passes, pixel by pixel.
+struct TrialView {
+    PixelValues eye;                 // light that needs no photon
+    std::array<PixelValues, 2> lit;  // all light, with each set of photons
+};
 
-TrialPixels luminance_of(const PassImage& image);
-
-/// A picture of so many columns and rows alone, from the first on.
-TrialPixels thinned(const TrialPixels& pixels, const PixelWindow& window, int every);
-
-/// How many of n there are, one of so many, from the first on.
-constexpr int one_of(int n, int every) {
-    return (n + every - 1) / every;
-}
-
-/// One view's trial passes.
-using TrialPair = std::array<TrialPixels, 2>;
+struct TrialPair {
+    TrialView one;
+    TrialView other;
+    int cells = 1;     // pixels a side, of which one has light in the other view
+    double paths = 1;  // photon paths of a set
+};
 
 /// Of the blocks that are brighter than 1% of the picture: unbiased but for the division by their
 /// measured brightness. All of them in the order of the grid.
-/// @param paths  photon paths of each set.
-std::vector<BlockVariance> block_variances(const BlockGrid& grid, const TrialPair& one,
-                                           const TrialPair& other, double paths);
+/// @param shares  that the draws would have; drawn from `trials`, never from the pair.
+std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
+                                           const PixelTrials& trials, const CameraShares& shares);
 
 }  // namespace sunfleck

@@ -50,6 +50,7 @@ TEST_F(Balance, films_with_and_without_do_not_mix) {
 }
 
 TEST_F(Balance, noisy_pixels_are_told_in_the_statistics_and_off_where_the_user_says_so) {
+    use("diamond", {"--resolution", "24x24"});
     const auto s = stats("15:16");
     const auto& epoch = s["epochs"][0];
     EXPECT_GT(epoch["camera_paths_per_pixel"], epoch["draws_per_pass"]);

@@ -13,6 +13,11 @@ namespace {
 constexpr std::uint32_t kUsual = 160'000;
 constexpr DrawCost kCost{100'000, 2};
 
+/// Where a pass should be worth a draw with the usual paths.
+Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest = 2) {
+    return sunfleck::balanced(draw, usual, fewest, error_of_draw(draw, usual));
+}
+
 std::uint32_t of(std::vector<BlockVariance> blocks, const DrawCost& cost = kCost) {
     return balanced({std::move(blocks), cost}, kUsual).paths;
 }
@@ -51,6 +56,14 @@ TEST(BalanceRule, as_many_draws_as_are_worth_a_usual_one) {
     EXPECT_EQ(all_of(1e-3, 2, kNoCamera), (Balance{kUsual / 16, 16}));
     constexpr DrawCost kNoPhotons{100'000, 0};
     EXPECT_EQ(all_of(1, 2, kNoPhotons), (Balance{kUsual * 4, 1}));  // never less than one
+}
+
+// Camera paths make variances of 4 in place of 1 and there are no photons: four draws.
+TEST(BalanceRule, a_pass_may_be_worth_more_than_any_draw) {
+    const DrawMeasures draw{{{4, 0}}, kCost};
+    EXPECT_EQ(sunfleck::balanced(draw, kUsual, 2, 1).draws, 4U);
+    EXPECT_EQ(sunfleck::balanced(draw, kUsual, kUsual, 0.1), (Balance{kUsual, 16}));
+    EXPECT_EQ(sunfleck::balanced(draw, kUsual, 2, 9).draws, 1U);
 }
 
 // Of two blocks the roots add up: of 1 + 1 and of 4 + 0.

@@ -20,10 +20,21 @@ constexpr int kSide = 32;
 constexpr std::size_t kPixels = std::size_t{kSide} * kSide;
 const PixelWindow kWindow{0, 0, kSide, kSide};
 
+constexpr NetLaw kByChance{0.5};
+
+/// Trials of so much noise in all pixels, and as many rays.
+PixelTrials trials_of(const PixelWindow& window, double variance, double rays,
+                      const NetLaw& law = kByChance) {
+    PixelTrials trials = no_trials(window);
+    trials.nets.assign(trials.nets.size(), law);
+    trials.variance.fill(PixelValues(window.pixels(), variance));
+    trials.rays.assign(window.pixels(), rays);
+    return trials;
+}
+
 /// Noise in columns 8 to 11 alone, where paths need so many rays.
-PixelTrials stripe(double variance, double rays) {
-    const TrialPixels none(kPixels, 0);
-    PixelTrials trials{{none, none}, TrialPixels(kPixels, 1)};
+PixelTrials stripe(double variance, double rays, const NetLaw& law = kByChance) {
+    PixelTrials trials = trials_of(kWindow, 0, 1, law);
     for (std::size_t i = 0; i < kPixels; ++i) {
         if (i % kSide / 4 != 2) continue;
         trials.variance[0][i] = trials.variance[1][i] = variance;
@@ -36,7 +47,7 @@ PixelTrials stripe(double variance, double rays) {
 // to 64 paths, and 16 no more.
 TEST(NoisyPixels, get_paths_in_proportion_to_their_noise) {
     const PixelTrials trials = stripe(9, 1);
-    const auto all = camera_shares(kWindow, trials, TrialPixels(kPixels, 5));
+    const auto all = camera_shares(kWindow, trials, PixelValues(kPixels, 5));
     constexpr std::array<std::uint32_t, 8> kPaths = {1, 2, 4, 8, 16, 32, 64, 64};
     ASSERT_EQ(all.size(), kPaths.size());
     for (std::size_t level = 0; level < all.size(); ++level) {
@@ -50,26 +61,39 @@ TEST(NoisyPixels, get_paths_in_proportion_to_their_noise) {
 // 3000 x 2000 pixels have six million paths with one each.
 TEST(NoisyPixels, have_no_more_paths_than_there_is_memory_for) {
     const PixelWindow window{0, 0, 3000, 2000};
-    const TrialPixels ones(window.pixels(), 1);
-    PixelTrials trials{{ones, ones}, ones};
-    for (std::size_t i = 0; i < ones.size(); i += 8)
+    PixelTrials trials = trials_of(window, 1, 1);
+    for (std::size_t i = 0; i < window.pixels(); i += 8)
         trials.variance[0][i] = trials.variance[1][i] = 9;
-    const auto all = camera_shares(window, trials, ones);
+    const auto all = camera_shares(window, trials, PixelValues(window.pixels(), 1));
     ASSERT_FALSE(all.empty());
-    EXPECT_LT(all.back().work * static_cast<double>(ones.size()), 0x1p23);
+    EXPECT_LT(all.back().work * static_cast<double>(window.pixels()), 0x1p23);
     EXPECT_GT(all.back().work, 1);
     EXPECT_LT(all.size(), 8U);
 }
 
-// The noise of both stripes is relative to their brightness: one is twice as bright and as noisy.
-TEST(NoisyPixels, count_by_noise_over_brightness_and_the_root_of_the_rays) {
+// Four paths of a pixel leave an eighth of its variance, where by chance they would leave a
+// quarter.
+TEST(NoisyPixels, need_fewer_paths_where_nets_serve_them_better) {
+    const NetLaw smooth{0.354};
+    const auto paths = [&](const NetLaw& law, std::size_t level) {
+        const auto all = camera_shares(kWindow, stripe(9, 1, law), PixelValues(kPixels, 5));
+        return 1U << all.at(level).doublings[9];
+    };
+    EXPECT_EQ(paths(smooth, 1), paths(kByChance, 1)) << "the first paths are worth more";
+    EXPECT_EQ(paths(smooth, 5), 16U);
+    EXPECT_EQ(paths(kByChance, 5), 32U);
+}
+
+// A picture of roots is as noisy as variance over brightness: one stripe is twice as bright and has
+// twice the variance.
+TEST(NoisyPixels, count_by_noise_over_the_roots_of_brightness_and_rays) {
     PixelTrials trials = stripe(1, 1);
-    TrialPixels light(kPixels, 1);
+    PixelValues light(kPixels, 1);
     const auto in_column = [](std::size_t i, std::size_t first) {
         return i % kSide >= first && i % kSide < first + 4;
     };
     for (std::size_t i = 0; i < kPixels; ++i) {
-        if (in_column(i, 20)) trials.variance[0][i] = trials.variance[1][i] = 4;
+        if (in_column(i, 20)) trials.variance[0][i] = trials.variance[1][i] = 2;
         if (in_column(i, 19) || in_column(i, 21)) light[i] = 2;
         if (!in_column(i, 26)) continue;
         trials.rays[i] = trials.variance[0][i] = 16;
@@ -83,10 +107,10 @@ TEST(NoisyPixels, count_by_noise_over_brightness_and_the_root_of_the_rays) {
 }
 
 TEST(NoisyPixels, have_no_shares_where_nothing_is_noisy_or_bright) {
-    const TrialPixels light(kPixels, 1);
+    const PixelValues light(kPixels, 1);
     EXPECT_FALSE(stripe(0, 1).have_noise());
     EXPECT_TRUE(camera_shares(kWindow, stripe(0, 1), light).empty());
-    EXPECT_TRUE(camera_shares(kWindow, stripe(1, 1), TrialPixels(kPixels, 0)).empty());
+    EXPECT_TRUE(camera_shares(kWindow, stripe(1, 1), PixelValues(kPixels, 0)).empty());
 }
 
 TEST(NoisyPixels, leave_a_share_of_the_variance) {
@@ -95,9 +119,9 @@ TEST(NoisyPixels, leave_a_share_of_the_variance) {
     for (std::size_t i = 0; i < kPixels; ++i) half[i] = i % kSide < 10 ? 3 : 0;  // of the stripe
     const CameraShares shares{half, 1, {half, half}};
     const BlockGrid grid(kSide, kSide, 16);
-    EXPECT_NEAR(foretold(shares, trials, grid, 0).even, 9 / 4.0, 1e-12);
-    EXPECT_NEAR(foretold(shares, trials, grid, 0).left, 9 / 4.0 * (1 + 0.125) / 2, 1e-12);
-    EXPECT_EQ(foretold(shares, trials, grid, 1).left, 0) << "without noise";
+    EXPECT_NEAR(variance_left({}, trials, grid, 0), 9 / 4.0, 1e-12);
+    EXPECT_NEAR(variance_left(shares, trials, grid, 0), 9 / 4.0 * (1 + 0.125) / 2, 1e-12);
+    EXPECT_EQ(variance_left(shares, trials, grid, 1), 0) << "without noise";
 }
 
 // Noise that each half has seen elsewhere is none that more paths are known to take away.
@@ -105,10 +129,10 @@ TEST(NoisyPixels, are_not_foretold_with_hindsight) {
     PixelTrials flashes = stripe(9, 1);
     for (std::size_t i = 0; i < kPixels; ++i)
         flashes.variance[i % 2][i] = i % kSide < 16 ? 1e-6 : 0;
-    const CameraShares shares = camera_shares(kWindow, flashes, TrialPixels(kPixels, 5)).at(5);
+    const CameraShares shares = camera_shares(kWindow, flashes, PixelValues(kPixels, 5)).at(5);
     EXPECT_GT(shares.by_half[0][9], shares.by_half[1][9]);
-    const Foretold light = foretold(shares, flashes, BlockGrid(kSide, kSide, 16), 0);
-    EXPECT_GT(light.left / light.even, 0.9);
+    const BlockGrid grid(kSide, kSide, 16);
+    EXPECT_GT(variance_left(shares, flashes, grid, 0), 0.9 * variance_left({}, flashes, grid, 0));
 }
 
 TEST(NoisyPixels, weigh_a_sum_by_their_paths) {

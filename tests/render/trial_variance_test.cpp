@@ -5,29 +5,54 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace sunfleck {
 namespace {
 
 constexpr int kSize = 64;
 constexpr std::size_t kPixels = std::size_t{kSize} * kSize;
+const PixelWindow kWindow{0, 0, kSize, kSize};
 
-/// Pairs of trials of brightness `mean`, with uniform noise of the variances given: of the view,
-/// and of each set of photons.
-std::array<TrialPair, 2> trials(double mean, double eye, double photon) {
-    const auto noise = [](RandomStream& random, double variance) {
-        return (2 * random.next() - 1) * std::sqrt(3 * variance);
-    };
-    std::array<TrialPair, 2> both;
-    for (std::size_t view = 0; view < 2; ++view)
-        for (TrialPixels& set : both.at(view)) set.resize(kPixels);
+/// Variances of a pixel, of uniform noise.
+struct Noise {
+    double unlit = 0;   // of camera paths, where light needs no photon
+    double lit = 0;     // of camera paths, in light of photons
+    double shared = 0;  // of a set of photons, the same in both views
+    double own = 0;     // of a set of photons, of each view's own
+};
+
+/// Of light that needs no photon, of brightness 1, and the rest of brightness `mean`.
+TrialPair pair_of(double mean, const Noise& noise) {
+    TrialPair pair;
+    pair.paths = 1000;
     for (std::size_t i = 0; i < kPixels; ++i) {
         RandomStream random(5, Purpose::test, 0, static_cast<std::uint32_t>(i));
-        for (TrialPair& view : both) {
-            const double shared = mean + noise(random, eye);
-            for (TrialPixels& set : view) set[i] = shared + noise(random, photon);
+        const auto of = [&](double variance) {
+            return (2 * random.next() - 1) * std::sqrt(3 * variance);
+        };
+        const std::array<double, 2> shared = {of(noise.shared), of(noise.shared)};
+        for (TrialView* view : {&pair.one, &pair.other}) {
+            view->eye.push_back(1 + of(noise.unlit));
+            const double light = view->eye.back() + mean - 1 + of(noise.lit);
+            for (const std::size_t set : {0U, 1U})
+                view->lit.at(set).push_back(light + shared.at(set) + of(noise.own));
         }
     }
-    return both;
+    return pair;
+}
+
+/// One path each, by chance and with a round's gain left out.
+PixelTrials by_chance() {
+    PixelTrials trials = no_trials(kWindow);
+    trials.nets.assign(trials.nets.size(), {0.5});
+    return trials;
+}
+
+CameraShares four_each() {
+    CameraShares shares{Doublings(kPixels, 2), 4, {}};
+    shares.by_half.fill(shares.doublings);
+    return shares;
 }
 
 BlockVariance mean_of(const std::vector<BlockVariance>& blocks) {
@@ -39,13 +64,17 @@ BlockVariance mean_of(const std::vector<BlockVariance>& blocks) {
     return mean;
 }
 
+BlockVariance measured(const TrialPair& pair, const PixelTrials& trials,
+                       const CameraShares& shares) {
+    return mean_of(block_variances(kWindow, pair, trials, shares));
+}
+
 // 4096 pixels: standard errors of some 2% of either variance.
 TEST(TrialVariance, parts_camera_paths_from_photons) {
-    const BlockGrid grid(kSize, kSize, 16);
     for (const double eye : {0.0, 0.02, 0.2})
         for (const double photon : {0.0, 0.02, 0.2}) {
-            const auto both = trials(2, eye, photon);
-            const auto blocks = block_variances(grid, both[0], both[1], 1000);
+            const TrialPair pair = pair_of(2, {0, eye, 0, photon});
+            const auto blocks = block_variances(kWindow, pair, by_chance(), {});
             ASSERT_EQ(blocks.size(), 16U);
             const BlockVariance mean = mean_of(blocks);
             EXPECT_NEAR(mean.eye, eye / 4, 0.06 * (eye + photon) / 4 + 1e-12);
@@ -53,39 +82,68 @@ TEST(TrialVariance, parts_camera_paths_from_photons) {
         }
 }
 
+// What both views share does not hide what differs between them.
+TEST(TrialVariance, photons_alike_in_both_views_stay_for_any_number_of_camera_paths) {
+    const TrialPair pair = pair_of(2, {0, 0.01, 0.3, 0.1});
+    const BlockVariance one = measured(pair, by_chance(), {});
+    EXPECT_NEAR(one.eye, 0.01 / 4, 1e-3);
+    EXPECT_NEAR(one.photon / 1000, 0.4 / 4, 0.005);
+    const BlockVariance four = measured(pair, by_chance(), four_each());
+    EXPECT_NEAR(four.eye, 0.01 / 16, 1e-3 / 4);
+    EXPECT_NEAR(four.photon / 1000, (0.3 + 0.1 / 4) / 4, 0.005);
+}
+
+// Of light that needs no photon the pixels' trials know more than two views.
+TEST(TrialVariance, takes_unlit_noise_from_the_pixels_trials) {
+    const TrialPair pair = pair_of(2, {0.2, 0.1, 0, 0});
+    PixelTrials trials = by_chance();
+    EXPECT_NEAR(measured(pair, trials, {}).eye, 0.3 / 4, 0.004) << "without trials";
+    trials.rays.assign(kPixels, 1);
+    trials.variance.fill(PixelValues(kPixels, 7));
+    EXPECT_NEAR(measured(pair, trials, {}).eye, 7.1 / 4, 0.02);
+    EXPECT_NEAR(measured(pair, trials, four_each()).eye, 7.1 / 16, 0.005);
+}
+
+TEST(TrialVariance, counts_the_gain_of_a_round) {
+    const TrialPair pair = pair_of(2, {0, 0.2, 0, 0});
+    PixelTrials trials = by_chance();
+    const double chance = measured(pair, trials, {}).eye;
+    trials.nets.assign(trials.nets.size(), {0.4});
+    EXPECT_NEAR(measured(pair, trials, {}).eye / chance, std::pow(0.8, 6), 1e-9);
+    EXPECT_NEAR(measured(pair, trials, four_each()).eye / chance, std::pow(0.8, 6) * 0.16, 1e-9);
+}
+
 TEST(TrialVariance, is_relative_and_leaves_dark_blocks_out) {
-    const BlockGrid grid(kSize, kSize, 16);
-    auto both = trials(2, 0.2, 0.1);
-    const BlockVariance before = mean_of(block_variances(grid, both[0], both[1], 1));
-    for (TrialPair& view : both)
-        for (TrialPixels& set : view)
-            for (double& x : set) x *= 1e-3;
-    const BlockVariance after = mean_of(block_variances(grid, both[0], both[1], 1));
+    TrialPair pair = pair_of(2, {0, 0.2, 0, 0.1});
+    const BlockVariance before = measured(pair, by_chance(), {});
+    const auto dim = [&](const auto& pixels) {
+        for (TrialView* view : {&pair.one, &pair.other})
+            for (PixelValues* values : {&view->eye, &view->lit[0], &view->lit[1]})
+                pixels([&](std::size_t i) { values->at(i) *= 1e-3; });
+    };
+    dim([](const auto& visit) {
+        for (std::size_t i = 0; i < kPixels; ++i) visit(i);
+    });
+    const BlockVariance after = measured(pair, by_chance(), {});
     EXPECT_NEAR(after.eye, before.eye, 1e-9);
-    EXPECT_NEAR(after.photon, before.photon, 1e-9);
-    for (TrialPair& view : both)
-        for (TrialPixels& set : view) grid.for_pixels(3, [&](std::size_t i) { set[i] *= 1e-3; });
-    EXPECT_EQ(block_variances(grid, both[0], both[1], 1).size(), 15U);
-    for (TrialPair& view : both)
-        for (TrialPixels& set : view) set.assign(kPixels, 0);
-    EXPECT_TRUE(block_variances(grid, both[0], both[1], 1).empty());
+    EXPECT_NEAR(after.photon, before.photon, 1e-6);
+    dim([](const auto& visit) { BlockGrid(kSize, kSize, kTrialBlock).for_pixels(3, visit); });
+    EXPECT_EQ(block_variances(kWindow, pair, by_chance(), {}).size(), 15U);
+    pair = pair_of(2, {});
+    for (TrialView* view : {&pair.one, &pair.other}) view->lit.fill(PixelValues(kPixels, 0));
+    EXPECT_TRUE(block_variances(kWindow, pair, by_chance(), {}).empty());
 }
 
-TEST(TrialVariance, says_how_bright_a_block_is) {
-    const BlockGrid grid(kSize, kSize, 16);
-    const auto both = trials(2, 0, 0);
-    for (const BlockVariance& block : block_variances(grid, both[0], both[1], 1))
-        EXPECT_NEAR(block.brightness, 2, 1e-12);
-}
-
-TEST(TrialVariance, is_also_that_of_a_thinned_picture) {
-    const PixelWindow window{3, 5, 8, 8};  // 5 columns, 3 rows
-    TrialPixels pixels(15);
-    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<double>(i);
-    EXPECT_EQ(thinned(pixels, window, 2), (TrialPixels{0, 2, 4, 10, 12, 14}));
-    EXPECT_EQ(thinned(pixels, window, 1), pixels);
-    EXPECT_EQ(one_of(5, 2), 3);
-    EXPECT_EQ(one_of(4, 2), 2);
+TEST(TrialVariance, is_that_of_the_pixels_that_both_views_have) {
+    TrialPair pair = pair_of(2, {0, 0.2, 0, 0.1});
+    const BlockVariance whole = measured(pair, by_chance(), {});
+    pair.cells = 2;
+    const PixelCells cells{kWindow, 2};
+    for (std::size_t i = 0; i < kPixels; ++i)
+        if (!cells.has(i)) pair.other.lit[0][i] = pair.other.lit[1][i] = 0;
+    const BlockVariance part = measured(pair, by_chance(), {});
+    EXPECT_NEAR(part.eye / whole.eye, 1, 0.1);
+    EXPECT_NEAR(part.photon / whole.photon, 1, 0.1);
 }
 
 }  // namespace

@@ -62,8 +62,30 @@ TEST(RoundPoints, several_paths_of_a_pixel_are_a_net_in_a_pass_and_a_finer_one_i
     }
 }
 
+TEST(RoundPoints, draws_of_a_pass_are_a_net_together) {
+    constexpr std::uint32_t kDraws = 4;
+    std::vector<std::pair<PassId, PathOfPixel>> round;
+    for (std::uint32_t pass = 16; pass < 32; ++pass)
+        for (std::uint32_t draw = 0; draw < kDraws; ++draw)
+            for (const std::uint32_t number : {0U, 1U})
+                round.push_back({{5, pass}, {number, 1, {draw, kDraws}}});
+    for (std::uint32_t split = 0; split <= 7; ++split)
+        EXPECT_EQ(cells_of(round, split, 7 - split).size(), round.size());
+}
+
+// Three draws are no power of two: of 64 points 48, no two in one cell.
+TEST(RoundPoints, any_number_of_draws_has_points_of_its_own) {
+    std::vector<std::pair<PassId, PathOfPixel>> round;
+    for (std::uint32_t pass = 0; pass < 16; ++pass)
+        for (std::uint32_t draw = 0; draw < 3; ++draw)
+            round.push_back({{5, pass}, {0, 0, {draw, 3}}});
+    EXPECT_EQ(cells_of(round, 3, 3).size(), round.size());
+}
+
 TEST(RoundPoints, rounds_pixels_and_draws_differ) {
     EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints(PassId{5, 0}.draw(1), 1).next());
+    EXPECT_NE(RoundPoints({5, 0}, 1, {0, 0, {0, 2}}).next(),
+              RoundPoints({5, 0}, 1, {0, 0, {1, 2}}).next());
     EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({5, 16}, 1).next());
     EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({5, 0}, 2).next());
     EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({6, 0}, 1).next());
