@@ -63,7 +63,7 @@ double least_share(const std::vector<PhotonGroup>& groups, const PhotonTotals& t
 
 /// What is foretold is not what comes to pass: twice the work must be worth 4% of the error.
 double doubt(double work) {
-    return std::sqrt(std::sqrt(std::sqrt(work)));
+    return std::sqrt(std::sqrt(std::sqrt(std::sqrt(work))));
 }
 
 /// The way of least error, each with its photon paths; the first, if that is hardly worse.

@@ -8,6 +8,7 @@
 #include "render/pass.h"
 #include "render/trial_rounds.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sunfleck {
@@ -21,7 +22,8 @@ std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels)
     return settings.paths_per_pass.value_or(static_cast<std::uint32_t>(usual));
 }
 
-/// The first epoch is too short for a balance to pay, and for trials as large as those of others.
+/// The first epoch is too short for a balance to pay, and for trials as large as those of others;
+/// long ones can pay for more.
 DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual,
                      std::size_t pixels) {
     constexpr std::size_t kLarge = 1'000'000;  // so many know enough by every fourth
@@ -30,6 +32,7 @@ DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch, std::u
     wishes.balance = settings.balance && !settings.paths_per_pass;
     if (pixels > kLarge) wishes.cells = 2;
     if (epoch == 0) wishes = {usual, false, true, {1, 3}, 16, 2};
+    wishes.views.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
     wishes.shares = settings.noisy_pixels;
     return wishes;
 }

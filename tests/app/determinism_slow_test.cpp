@@ -52,6 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
     Of, TwoEpochs,
     ::testing::Values(
         Learned{"balance", "cornell", {}, 15, {14, 17, 18}},
+        Learned{"noisy_pixels", "iced-tea", {}, 15, {14, 17, 18}},
         Learned{"light_groups", "useless-light", {"--photons-per-pass", "3000"}, 7, {4, 17, 18}},
         Learned{"light_layers",
                 "useless-light",
