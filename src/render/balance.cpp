@@ -105,6 +105,7 @@ DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
     std::vector<CameraShares> shares = camera_shares(window, pixels, photons.pair.one.lit[0]);
     shares.insert(shares.begin(), CameraShares{});  // one path each
     std::vector<DrawMeasures> draws;
+    draws.reserve(shares.size());
     for (const CameraShares& way : shares)
         draws.push_back(
             {block_variances(window, photons.pair, pixels, way), work.with(way, photons.taken)});
@@ -114,6 +115,7 @@ DrawPlan measured_plan(const EyePass& first, const EyeView& seen,
     // Passes of the first epoch are of that kind.
     const double of_pass = error_of_draw(draws[at_usual], wishes.usual);
     std::vector<Balance> balances;
+    balances.reserve(draws.size());
     for (const DrawMeasures& draw : draws)
         balances.push_back(balanced(draw, wishes.usual, fewest, of_pass));
     const std::size_t best = best_of(draws, balances);

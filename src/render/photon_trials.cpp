@@ -75,7 +75,7 @@ PhotonTrials photon_trials(const EyePass& second, const EyeView& seen,
     }
     const auto middle = taken.begin() + static_cast<std::ptrdiff_t>(pixels);
     trials.taken.assign(taken.begin(), middle);
-    const double all = static_cast<double>(trials.totals.statistics[Count::deposits]);
+    const auto all = static_cast<double>(trials.totals.statistics[Count::deposits]);
     const double here = std::accumulate(taken.begin(), middle, 0.0);
     const double there = std::accumulate(middle, taken.end(), 0.0);
     if (here > 0) trials.deposits = all * here / (here + there);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kNet = 4;  // views of a net
 
-/// Sums over nets.
+/// Means over nets.
 struct Spread {
     std::array<PixelValues, 2> within;  // by half: variance about the mean of a net's paths
     PixelValues between;                // variance of a net's mean
@@ -22,8 +22,8 @@ struct Spread {
         : within{PixelValues(pixels, 0), PixelValues(pixels, 0)}, between(pixels, 0) {}
 };
 
-/// Adds a net's spread. @param pass  counts the rays. @return its mean.
-PixelValues add_net(EyePass pass, PixelValues& within) {
+/// Adds a net's spread, with that share. @param pass  counts the rays. @return its mean.
+PixelValues add_net(EyePass pass, double share, PixelValues& within) {
     const std::size_t pixels = within.size();
     PixelValues sum(pixels, 0);
     PixelValues squares(pixels, 0);
@@ -39,7 +39,7 @@ PixelValues add_net(EyePass pass, PixelValues& within) {
         }
     }
     for (std::size_t i = 0; i < pixels; ++i) {
-        within[i] += std::max(0.0, squares[i] - sum[i] * sum[i] / kNet) / (kNet - 1);
+        within[i] += share * std::max(0.0, squares[i] - sum[i] * sum[i] / kNet) / (kNet - 1);
         sum[i] /= kNet;
     }
     return sum;
@@ -49,13 +49,14 @@ PixelValues add_net(EyePass pass, PixelValues& within) {
 Spread spread_of(EyePass pass, const PilotName& name, std::uint32_t pairs) {
     Spread spread(pass.window.pixels());
     const PassId round = name.round(kPixelTrialsRound);
+    const double share = 1.0 / pairs;
     for (std::uint32_t pair = 0; pair < pairs; ++pair) {
         pass.id = round.draw(2 * pair);
-        const PixelValues one = add_net(pass, spread.within[0]);
+        const PixelValues one = add_net(pass, share, spread.within[0]);
         pass.id = round.draw(2 * pair + 1);
-        const PixelValues other = add_net(pass, spread.within[1]);
+        const PixelValues other = add_net(pass, share, spread.within[1]);
         for (std::size_t i = 0; i < one.size(); ++i)
-            spread.between[i] += (one[i] - other[i]) * (one[i] - other[i]) / 2;
+            spread.between[i] += share * (one[i] - other[i]) * (one[i] - other[i]) / 2;
     }
     return spread;
 }

@@ -35,10 +35,10 @@ void add_pixel(const TrialPair& pair, std::size_t i, const Left& left, BlockMean
     ++sums.pixels;
 }
 
-BlockMeans means_of(const PixelWindow& window, const BlockGrid& grid, std::size_t block,
-                    const TrialPair& pair, const PixelTrials& trials, const CameraShares& shares) {
+BlockMeans means_of(const PixelCells& cells, std::size_t block, const TrialPair& pair,
+                    const PixelTrials& trials, const CameraShares& shares) {
     BlockMeans sums;
-    const PixelCells cells{window, pair.cells};
+    const BlockGrid grid(cells.window.width(), cells.window.height(), kTrialBlock);
     grid.for_pixels(block, [&](std::size_t i) {
         if (!cells.has(i)) return;
         const unsigned doublings = shares.doublings_of(i);
@@ -59,7 +59,7 @@ std::vector<BlockVariance> block_variances(const PixelWindow& window, const Tria
     double light = 0;
     double pixels = 0;
     for (std::size_t b = 0; b < grid.count(); ++b) {
-        blocks.push_back(means_of(window, grid, b, pair, trials, shares));
+        blocks.push_back(means_of({window, pair.cells}, b, pair, trials, shares));
         light += blocks.back().light;
         pixels += blocks.back().pixels;
     }
