@@ -46,6 +46,7 @@ struct PixelCells {
     }
     /// Is this pixel the one of its cell?
     bool has(std::size_t pixel) const {
+        if (side == 1) return true;
         const auto columns = static_cast<std::size_t>(window.width());
         return pixel_of(static_cast<int>(pixel % columns) / side,
                         static_cast<int>(pixel / columns) / side) == pixel;

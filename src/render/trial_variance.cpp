@@ -6,8 +6,8 @@ namespace {
 
 constexpr double kDark = 0.01;  // of the picture's brightness
 
-/// Means over the pixels of a block that both views have.
-struct BlockMeans {
+/// Sums over the pixels of a block that both views have.
+struct BlockSums {
     double light = 0;
     double eye = 0;
     double photon = 0;
@@ -21,7 +21,7 @@ struct Left {
     double unlit = 1;   // taken from the camera paths': pixels' trials know it better
 };
 
-void add_pixel(const TrialPair& pair, std::size_t i, const Left& left, BlockMeans& sums) {
+void add_pixel(const TrialPair& pair, std::size_t i, const Left& left, BlockSums& sums) {
     const double a = pair.one.lit[0][i];
     const double b = pair.one.lit[1][i];
     const double c = pair.other.lit[0][i];
@@ -35,9 +35,9 @@ void add_pixel(const TrialPair& pair, std::size_t i, const Left& left, BlockMean
     ++sums.pixels;
 }
 
-BlockMeans means_of(const PixelCells& cells, std::size_t block, const TrialPair& pair,
-                    const PixelTrials& trials, const CameraShares& shares) {
-    BlockMeans sums;
+BlockSums sums_of(const PixelCells& cells, std::size_t block, const TrialPair& pair,
+                  const PixelTrials& trials, const CameraShares& shares) {
+    BlockSums sums;
     const BlockGrid grid(cells.window.width(), cells.window.height(), kTrialBlock);
     grid.for_pixels(block, [&](std::size_t i) {
         if (!cells.has(i)) return;
@@ -55,18 +55,18 @@ BlockMeans means_of(const PixelCells& cells, std::size_t block, const TrialPair&
 std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
                                            const PixelTrials& trials, const CameraShares& shares) {
     const BlockGrid grid(window.width(), window.height(), kTrialBlock);
-    std::vector<BlockMeans> blocks;
+    std::vector<BlockSums> blocks;
     double light = 0;
     double pixels = 0;
     for (std::size_t b = 0; b < grid.count(); ++b) {
-        blocks.push_back(means_of({window, pair.cells}, b, pair, trials, shares));
+        blocks.push_back(sums_of({window, pair.cells}, b, pair, trials, shares));
         light += blocks.back().light;
         pixels += blocks.back().pixels;
     }
     const double floor = kDark * light / pixels;
     std::vector<BlockVariance> variances;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const BlockMeans& sums = blocks[b];
+        const BlockSums& sums = blocks[b];
         const double brightness = sums.light / sums.pixels;
         if (!(brightness > floor)) continue;
         const double squares = sums.pixels * brightness * brightness;

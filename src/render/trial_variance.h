@@ -31,7 +31,7 @@ struct TrialPair {
 
 /// Of the blocks that are brighter than 1% of the picture: unbiased but for the division by their
 /// measured brightness. All of them in the order of the grid.
-/// @param shares  that the draws would have; drawn from `trials`, never from the pair.
+/// @param shares  that the draws would have; where noise is `trials` told them, never the pair.
 std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
                                            const PixelTrials& trials, const CameraShares& shares);
 
