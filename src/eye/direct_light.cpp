@@ -1,17 +1,10 @@
-// Next-event estimation and bsdf sampling of emitters.
+// Emitters that are met, and bsdf samples that meet them.
 #include "eye/direct_light.h"
+
+#include "eye/light_sample.h"
 
 namespace sunfleck {
 namespace {
-
-/// Density with which light samples take a direction, for the weights: infinite lights lie upon
-/// each other, and a bsdf sample finds them all at once, so they count together.
-float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen& light,
-              const DirectSample& drawn) {
-    if (is_infinite(pass.scene.lights()[light.index]))
-        return emitter_beyond(pass, from, drawn.direction).pdf;
-    return *drawn.pdf * static_cast<float>(light.probability);
-}
 
 void note(LightParts* parts, std::size_t light, const Spectrum& radiance) {
     if (parts != nullptr && !radiance.is_zero())
@@ -19,32 +12,6 @@ void note(LightParts* parts, std::size_t light, const Spectrum& radiance) {
 }
 
 }  // namespace
-
-Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,
-                       Statistics& statistics, LightParts* parts) {
-    const Scene& scene = pass.scene;
-    const auto choice = scene.light_tree().choose(receiver_at(scene, vertex), u.choice);
-    if (!choice) return Spectrum(0);
-    const auto light = sample_direct(scene.lights()[choice->index], vertex.hit.position,
-                                     Vec2(u.place), scene.sphere());
-    if (!light) return Spectrum(0);
-    const Vec3 w_to = vertex.frame.to_local(light->direction);
-    const Spectrum f = eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance);
-    if (f.is_zero()) return f;
-    ++statistics[Count::eye_rays];
-    const MediumNumber medium = scene.medium_beyond(vertex.hit, light->direction, vertex.medium);
-    const Spectrum seen = pass.seen_from(vertex.hit, light->direction, light->distance, medium);
-    if (seen.is_zero()) return seen;
-    const auto probability = static_cast<float>(choice->probability);
-    float weight = light->factor * std::abs(w_to.z) / probability;
-    if (light->pdf)
-        weight *= mis_weight(density(pass, vertex.hit.position, *choice, *light),
-                             pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance));
-    const Spectrum found =
-        f * seen * pass.tinted(pass.emission[choice->index], light->tint) * weight;
-    note(parts, choice->index, found);
-    return found;
-}
 
 Receiver receiver_at(const Scene& scene, const EyeVertex& vertex) {
     if (!scene.light_tree().is_grown() || gathers(vertex.bsdf, 1, -1))
@@ -86,10 +53,12 @@ Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, cons
     const Receiver from = receiver_at(scene, vertex);
     Spectrum sum;
     Spectrum weight = drawn.weight;
+    const float density_over_lights =
+        drawn.pdf.value_or(1) / static_cast<float>(light_candidates(vertex.bsdf));
     std::size_t added = parts != nullptr ? parts->size() : 0;
     const auto add = [&](const EmitterMet& met) {
         if (met.radiance.is_zero()) return;
-        const float mis = mis_weight(drawn.pdf.value_or(1), met.pdf);
+        const float mis = mis_weight(density_over_lights, met.pdf);
         sum += weight * met.radiance * mis;
         if (parts == nullptr) return;
         for (; added < parts->size(); ++added) (*parts)[added].radiance *= weight * mis;

@@ -1,5 +1,6 @@
-// Light that comes straight from an emitter to a vertex of a camera path: next-event estimation
-// and bsdf sampling, joined by multiple importance sampling.
+// Light that comes straight from an emitter to a vertex of a camera path: what emitters send along
+// a ray, and bsdf sampling, joined with light samples (light_sample.h) by multiple importance
+// sampling.
 //
 // Source: Veach 1997, chapter 9 (power heuristic, exponent 2).
 #pragma once
@@ -24,7 +25,7 @@ struct EyeVertex {
 /// Radiance that an emitter sends along a ray, and how else it could have been found.
 struct EmitterMet {
     Spectrum radiance;
-    float pdf = 0;  // per steradian, of sample_lights() at the ray's origin, choice included
+    float pdf = 0;  // per steradian, of a light candidate at the ray's origin, choice included
 };
 
 /// What one light has to do with a result of the functions below. Where a list of these is given,
@@ -34,16 +35,6 @@ struct LightPart {
     Spectrum radiance;
 };
 using LightParts = std::vector<LightPart>;
-
-/// Numbers in [0,1) of one light sample.
-struct LightNumbers {
-    double choice = 0;
-    Vec2d place;
-};
-
-/// One light sample: f * |cos| * radiance * weight / pdf, unoccluded.
-Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,
-                       Statistics& statistics, LightParts* parts = nullptr);
 
 /// Where light is wanted: what cannot come through the surface is not chosen from the tree.
 Receiver receiver_at(const Scene& scene, const EyeVertex& vertex);
@@ -58,7 +49,7 @@ EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& d
                           LightParts* parts = nullptr);
 
 /// Light found by following one bsdf sample from a vertex to the first thing it meets: weighted
-/// for MIS, the sample's weight included.
+/// for MIS with the light candidates, the sample's weight included.
 Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
                             Statistics& statistics, LightParts* parts = nullptr);
 

@@ -1,6 +1,8 @@
 // Follows one camera path; who brings which light is decided here (docs/method.md, owners).
 #include "eye/eye_path.h"
 
+#include "eye/light_sample.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -182,9 +184,9 @@ void EyePath::add_light(const Spectrum& radiance, float weight, Layer owner) {
 /// @param follow  trace a bsdf sample for the other half of MIS (a path that goes on needs none).
 void EyePath::add_direct_light(const EyeVertex& vertex, RoundPoints& numbers, bool follow) {
     const PassScene& pass = pass_.scene;
-    const double u_choice = numbers.next();
-    Spectrum light =
-        sample_lights(pass, vertex, {u_choice, numbers.next_2d()}, statistics_, wanted_parts());
+    const Vec2d choices = numbers.next_2d();
+    Spectrum light = sample_lights(pass, vertex, {choices.x, numbers.next_2d(), choices.y},
+                                   statistics_, wanted_parts());
     if (follow && pass.scene.has_lights_to_meet()) {
         const Vec2d u = numbers.next_2d();
         const BsdfDraw draw{
@@ -231,7 +233,7 @@ bool EyePath::take(const EyeVertex& vertex, const BsdfDraw& draw, float share, d
     ++bounces_;
     if (drawn->pdf) {
         emitters_ = Emitters::weighted;
-        bsdf_pdf_ = *drawn->pdf;
+        bsdf_pdf_ = *drawn->pdf / static_cast<float>(light_candidates(vertex.bsdf));
         glossy_ = receiver_at(pass_.scene.scene, vertex);
         ++rough_;
     } else if (emitters_ == Emitters::weighted) {

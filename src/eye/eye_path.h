@@ -81,7 +81,7 @@ private:
     float share_ = 1;            // of the light: of the branches taken where the path parted
     std::uint16_t bounces_ = 0;
     Emitters emitters_ = Emitters::all;
-    float bsdf_pdf_ = 0;     // of the last glossy sample
+    float bsdf_pdf_ = 0;     // of the last glossy sample, over the light candidates there
     Receiver glossy_;        // its vertex
     std::size_t rough_ = 0;  // glossy vertices so far
     LightParts parts_;       // of light that is about to be added

@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(All, LightLayersOf,
 std::vector<double> luminances(const Scene& scene, const RenderSettings& settings,
                                std::optional<std::size_t> layer) {
     constexpr std::uint32_t kPieces = 16;
-    constexpr std::uint32_t kPasses = 36;
+    constexpr std::uint32_t kPasses = 48;
     std::vector<double> values;
     for (std::uint32_t piece = 0; piece < kPieces; ++piece) {
         double sum = 0;

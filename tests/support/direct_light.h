@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/random.h"
-#include "eye/direct_light.h"
+#include "eye/light_sample.h"
 
 #include <array>
 #include <cmath>
@@ -66,8 +66,8 @@ public:
     const PassScene& pass() const { return pass_; }
     const EyeVertex& vertex() const { return vertex_; }
 
-    Spectrum by_light(double u_choice, const Vec2d& u, Statistics& statistics) const {
-        return sample_lights(pass_, vertex_, {u_choice, u}, statistics);
+    Spectrum by_light(const LightNumbers& u, Statistics& statistics) const {
+        return sample_lights(pass_, vertex_, u, statistics);
     }
     Spectrum by_bsdf(const Vec3& u, Statistics& statistics) const {
         const auto drawn = sample(vertex_.bsdf, vertex_.w_from, {u, Transport::radiance, {}});
@@ -107,8 +107,9 @@ inline Interval reflected(const LitPoint& point) {
             for (int x = 0; x < kSide; ++x) {
                 choice += 0.6180339887498949;
                 choice -= std::floor(choice);
-                mean +=
-                    static_cast<double>(point.by_light(choice, cell(x, y, random), statistics)[0]);
+                const Vec2d place = cell(x, y, random);
+                mean += static_cast<double>(
+                    point.by_light({choice, place, random.next()}, statistics)[0]);
                 const Vec2d u = cell(x, y, random);
                 mean += static_cast<double>(
                     point.by_bsdf({static_cast<float>(random.next()), static_cast<float>(u.x),

@@ -1,0 +1,140 @@
+// Light samples and their candidates.
+#include "eye/light_sample.h"
+
+#include "support/direct_light_cases.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+/// What a candidate's weight was, and what a bsdf sample into the same direction would weigh.
+void expect_weights_sum_to_one(const LitPoint& point, const LightNumbers& u, unsigned number) {
+    const PassScene& pass = point.pass();
+    const EyeVertex& vertex = point.vertex();
+    const LightCandidate candidate = light_candidate(pass, vertex, u, number);
+    if (candidate.arriving.is_zero()) return;
+    const Receiver from = receiver_at(pass.scene, vertex);
+    const Ray ray = ray_from(vertex.hit, candidate.direction);
+    const auto hit = pass.scene.geometry().intersect(ray);
+    const EmitterMet met = hit ? emitter_at(pass, *hit, &from, candidate.direction)
+                               : emitter_beyond(pass, vertex.hit.position, candidate.direction);
+    if (met.radiance.is_zero() || (hit && pass.scene.light_of(*hit) != candidate.light)) return;
+    const auto density =
+        static_cast<float>(pass.scene.light_tree().probability(from, candidate.light)) *
+        (hit ? 1 : 1 / (4 * kPi));
+    const Vec3 w_to = vertex.frame.to_local(candidate.direction);
+    const Spectrum f = eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance);
+    const float of_all =
+        static_cast<float>(light_candidates(vertex.bsdf)) * (hit ? met.pdf : density);
+    const float light_weight = candidate.arriving[0] * of_all /
+                               (f[0] * std::abs(w_to.z) * pass.emission[candidate.light][0]);
+    Statistics statistics;
+    const BsdfSample drawn{Spectrum(1), w_to,
+                           pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance)};
+    const float bsdf_weight =
+        follow_bsdf_sample(pass, vertex, drawn, statistics)[0] / met.radiance[0];
+    EXPECT_NEAR(light_weight + bsdf_weight, 1, 2e-4) << light_weight << ' ' << bsdf_weight;
+    EXPECT_GT(light_weight, 0);
+    EXPECT_LT(light_weight, 1);
+}
+
+TEST(LightSample, weights_of_light_and_bsdf_samples_sum_to_one) {
+    Matrix place;
+    place.translate(Vec3d(-1, 2, 2));
+    for (const std::uint32_t material : {0U, 1U}) {
+        SceneDescription scene = floor_of(material);
+        scene.shapes.push_back(lamp(quad(kCeiling), 2));
+        scene.shapes.push_back(lamp({{Sphere{0.5, -0.5, 0.5}, place, false}, 0, {}, {}}, 5));
+        place.translate(Vec3d(3, 0, 0));
+        scene.shapes.push_back(lamp({{Disk{0, 0.7}, place, true}, 0, {}, {}}, 3, true));
+        for (const float radiance : {0.1F, 0.3F})
+            scene.lights.emplace_back(InfiniteLight{SpectralCurve::constant(radiance)});
+        const LitPoint point(std::move(scene));
+        RandomStream random(3, Purpose::test, 0, material);
+        for (int i = 0; i < 200; ++i) {
+            const LightNumbers u{random.next(), {random.next(), random.next()}, 0};
+            const unsigned candidates = light_candidates(point.vertex().bsdf);
+            for (unsigned number = 0; number < candidates; ++number)
+                expect_weights_sum_to_one(point, u, number);
+            if (HasFailure()) return;
+        }
+    }
+}
+
+/// Two lamps and half a plate before the larger: the mean over all picks is the sum of what is seen
+/// of the candidates, and each pick is one ray.
+TEST(LightSample, a_sample_has_one_ray_and_the_light_of_all_candidates) {
+    for (const std::uint32_t material : {0U, 1U}) {
+        SceneDescription scene = floor_of(material);
+        scene.shapes.push_back(lamp(quad(kCeiling), 2));
+        scene.shapes.push_back(lamp(quad({{{2, -1, 1}, {2, 1, 1}, {2, 1, 2}, {2, -1, 2}}}), 1));
+        scene.shapes.push_back(
+            quad({{{.3F, -9, 1.5F}, {1, -9, 1.5F}, {1, 9, 1.5F}, {.3F, 9, 1.5F}}}));
+        const LitPoint point(std::move(scene));
+        RandomStream random(4, Purpose::test, 0, material);
+        int hidden = 0;
+        for (int i = 0; i < 50; ++i) {
+            LightNumbers u{random.next(), {random.next(), random.next()}, 0};
+            double seen = 0;
+            for (unsigned n = 0; n < light_candidates(point.vertex().bsdf); ++n) {
+                const LightCandidate light = light_candidate(point.pass(), point.vertex(), u, n);
+                const Spectrum left =
+                    point.pass().seen_from(point.vertex().hit, light.direction, light.distance, 0);
+                seen += static_cast<double>((light.arriving * left)[0]);
+                hidden += !light.arriving.is_zero() && left.is_zero() ? 1 : 0;
+            }
+            constexpr int kPicks = 2000;
+            double mean = 0;
+            Statistics statistics;
+            for (int pick = 0; pick < kPicks; ++pick) {
+                u.pick = (pick + 0.5) / kPicks;
+                mean += static_cast<double>(point.by_light(u, statistics)[0]) / kPicks;
+            }
+            EXPECT_NEAR(mean, seen, 0.01 * std::max(seen, 0.01)) << material << ' ' << i;
+            if (seen > 0) {
+                EXPECT_EQ(statistics[Count::eye_rays], kPicks + 0U);
+            }
+        }
+        EXPECT_GT(hidden, 20);
+    }
+}
+
+/// All candidates together are a net over choice and place: their sum has less noise than if each
+/// were by itself, whose variance is that of one times their number.
+TEST(LightSample, candidates_fill_the_lights_evenly) {
+    for (const std::uint32_t material : {0U, 1U}) {
+        SceneDescription scene = floor_of(material);
+        scene.lights = {InfiniteLight{SpectralCurve::constant(1)}};
+        const LitPoint point(std::move(scene));
+        const unsigned count = light_candidates(point.vertex().bsdf);
+        RandomStream random(6, Purpose::test, 0, material);
+        constexpr int kSamples = 20'000;
+        std::array<double, 2> sums{};  // of one candidate, of all
+        std::array<double, 2> squares{};
+        for (int i = 0; i < kSamples; ++i) {
+            const LightNumbers u{random.next(), {random.next(), random.next()}, 0};
+            std::array<double, 2> light{};
+            for (unsigned n = 0; n < count; ++n)
+                light[1] += static_cast<double>(
+                    light_candidate(point.pass(), point.vertex(), u, n).arriving[0]);
+            light[0] = static_cast<double>(
+                light_candidate(point.pass(), point.vertex(), u, i % count).arriving[0]);
+            for (const std::size_t k : {0U, 1U}) {
+                sums.at(k) += light.at(k) / kSamples;
+                squares.at(k) += light.at(k) * light.at(k) / kSamples;
+            }
+        }
+        EXPECT_NEAR(sums[0] * count / sums[1], 1, 0.05);
+        const double one = squares[0] - sums[0] * sums[0];
+        EXPECT_LT(squares[1] - sums[1] * sums[1], 0.5 * count * one) << material;
+    }
+}
+
+}  // namespace
+}  // namespace sunfleck
