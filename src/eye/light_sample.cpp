@@ -3,8 +3,8 @@
 
 #include "sampler/sobol.h"
 
-#include <array>
 #include <bit>
+#include <span>
 
 namespace sunfleck {
 namespace {
@@ -20,74 +20,84 @@ float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen
 
 /// As many cells as candidates on either side of the unit square, and in each the same numbers:
 /// a candidate has the sample's in another cell. Together they fill the square as a net does.
-Vec2d place_of(const Vec2d& u, unsigned number, unsigned candidates) {
-    const unsigned unused = 32 - static_cast<unsigned>(std::countr_zero(candidates));
+Vec2d place_of(const Vec2d& u, std::size_t number, std::size_t candidates) {
+    const int unused = 32 - std::countr_zero(candidates);
     const auto moved = [&](double x, std::size_t dimension) {
-        const double at = x * candidates;
+        const double at = x * static_cast<double>(candidates);
         const auto cell = static_cast<std::uint32_t>(at);
-        const std::uint32_t other = cell ^ sobol(number, dimension) >> unused;
-        return (other + (at - cell)) / candidates;
+        const std::uint32_t other =
+            cell ^ sobol(static_cast<std::uint32_t>(number), dimension) >> unused;
+        return (other + (at - cell)) / static_cast<double>(candidates);
     };
     return {moved(u.x, 0), moved(u.y, 1)};
 }
 
-}  // namespace
-
-unsigned light_candidates(const Bsdf& bsdf) {
-    return scattering(bsdf) == Scattering::diffuse ? 2 : kMostCandidates;
-}
-
-LightCandidate light_candidate(const PassScene& pass, const EyeVertex& vertex,
-                               const LightNumbers& u, unsigned number) {
-    const Scene& scene = pass.scene;
-    const unsigned candidates = light_candidates(vertex.bsdf);
-    const auto choice =
-        scene.light_tree().choose(receiver_at(scene, vertex), (number + u.choice) / candidates);
-    if (!choice) return {};
-    const auto light = sample_direct(scene.lights()[choice->index], vertex.hit.position,
-                                     Vec2(place_of(u.place, number, candidates)), scene.sphere());
+/// @param many  candidates.
+LightCandidate candidate(const PassScene& pass, const EyeVertex& vertex,
+                         const LightChoice::Chosen& choice, const Vec2d& place, float many) {
+    const auto light = sample_direct(pass.scene.lights()[choice.index], vertex.hit.position,
+                                     Vec2(place), pass.scene.sphere());
     if (!light) return {};
     const Vec3 w_to = vertex.frame.to_local(light->direction);
     const Spectrum f = eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance);
     if (f.is_zero()) return {};
-    const auto many = static_cast<float>(candidates);
     float weight =
-        light->factor * std::abs(w_to.z) / (many * static_cast<float>(choice->probability));
+        light->factor * std::abs(w_to.z) / (many * static_cast<float>(choice.probability));
     if (light->pdf)
-        weight *= mis_weight(many * density(pass, vertex.hit.position, *choice, *light),
+        weight *= mis_weight(many * density(pass, vertex.hit.position, choice, *light),
                              pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance));
-    return {choice->index, light->direction, light->distance,
-            f * pass.tinted(pass.emission[choice->index], light->tint) * weight};
+    return {choice.index, light->direction, light->distance,
+            f * pass.tinted(pass.emission[choice.index], light->tint) * weight};
+}
+
+}  // namespace
+
+std::size_t light_candidates(const Bsdf& bsdf) {
+    return scattering(bsdf) == Scattering::diffuse ? 2 : 8;
+}
+
+LightCandidates candidates_at(const PassScene& pass, const EyeVertex& vertex,
+                              const LightNumbers& u) {
+    LightCandidates candidates;
+    const std::size_t count = light_candidates(vertex.bsdf);
+    const auto many = static_cast<double>(count);
+    std::array<double, candidates.size()> numbers{};
+    for (std::size_t i = 0; i < count; ++i)
+        numbers.at(i) = (static_cast<double>(i) + u.choice) / many;
+    std::array<std::optional<LightChoice::Chosen>, candidates.size()> chosen;
+    pass.scene.light_tree().choose_each(receiver_at(pass.scene, vertex),
+                                        std::span(numbers).first(count),
+                                        std::span(chosen).first(count));
+    for (std::size_t i = 0; i < count; ++i)
+        if (chosen.at(i))
+            candidates.at(i) = candidate(pass, vertex, *chosen.at(i), place_of(u.place, i, count),
+                                         static_cast<float>(many));
+    return candidates;
 }
 
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,
                        Statistics& statistics, LightParts* parts) {
-    std::array<LightCandidate, kMostCandidates> candidates;
-    std::array<float, kMostCandidates> worth{};
+    const LightCandidates candidates = candidates_at(pass, vertex, u);
     float all = 0;
-    const unsigned count = light_candidates(vertex.bsdf);
-    for (unsigned number = 0; number < count; ++number) {
-        candidates.at(number) = light_candidate(pass, vertex, u, number);
-        worth.at(number) = candidates.at(number).arriving.sum();
-        all += worth.at(number);
-    }
-    if (!(all > 0)) return Spectrum(0);
+    for (const LightCandidate& light : candidates) all += light.arriving.sum();
+    if (!(all > 0)) return Spectrum(all);  // nothing, or no number, which pictures count
     // In their order, so that neighbouring numbers pick alike.
-    unsigned picked = kMostCandidates;
+    const LightCandidate* picked = nullptr;
     double left = u.pick * static_cast<double>(all);
-    for (unsigned number = 0; number < count && left >= 0; ++number) {
-        if (!(worth.at(number) > 0)) continue;
-        picked = number;
-        left -= static_cast<double>(worth.at(number));
+    for (const LightCandidate& light : candidates) {
+        const float worth = light.arriving.sum();
+        if (!(worth > 0)) continue;
+        picked = &light;
+        left -= static_cast<double>(worth);
+        if (left < 0) break;
     }
-    const LightCandidate& light = candidates.at(picked);
     ++statistics[Count::eye_rays];
     const MediumNumber medium =
-        pass.scene.medium_beyond(vertex.hit, light.direction, vertex.medium);
-    const Spectrum found = light.arriving * (all / worth.at(picked)) *
-                           pass.seen_from(vertex.hit, light.direction, light.distance, medium);
+        pass.scene.medium_beyond(vertex.hit, picked->direction, vertex.medium);
+    const Spectrum found = picked->arriving * (all / picked->arriving.sum()) *
+                           pass.seen_from(vertex.hit, picked->direction, picked->distance, medium);
     if (parts != nullptr && !found.is_zero())
-        parts->push_back({static_cast<std::uint32_t>(light.light), found});
+        parts->push_back({static_cast<std::uint32_t>(picked->light), found});
     return found;
 }
 

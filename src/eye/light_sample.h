@@ -7,6 +7,8 @@
 
 #include "eye/direct_light.h"
 
+#include <array>
+
 namespace sunfleck {
 
 /// Numbers in [0,1) of one light sample.
@@ -16,24 +18,25 @@ struct LightNumbers {
     double pick = 0;    // of the candidate
 };
 
-/// Candidates of a light sample, a power of two, at most kMostCandidates: many where the lobe is
-/// narrow, which few places of the lights fill; of a wide one fewer, for among many what is bright
-/// and hidden is picked where something dim is seen.
-unsigned light_candidates(const Bsdf& bsdf);
-inline constexpr unsigned kMostCandidates = 8;
-
 /// A place of a light.
 struct LightCandidate {
     std::size_t light = 0;
     Vec3 direction{0};  // unit, to the light
     float distance = 0;
-    /// Were nothing in the way: f * |cos| * radiance * weight / density of all candidates.
+    /// Were nothing in the way: f * |cos| * radiance * weight / density of all candidates. None
+    /// where the light cannot be seen from here.
     Spectrum arriving;
 };
 
-/// @param number  of light_candidates(). @return what no light comes from has nothing arriving.
-LightCandidate light_candidate(const PassScene& pass, const EyeVertex& vertex,
-                               const LightNumbers& u, unsigned number);
+/// How many a light sample has: a power of two. Many where the lobe is narrow, which few places of
+/// the lights fill; of a wide one fewer, for among many what is bright and hidden is picked where
+/// something dim is seen.
+std::size_t light_candidates(const Bsdf& bsdf);
+
+/// As many as there are at the most; those beyond light_candidates() have nothing arriving.
+using LightCandidates = std::array<LightCandidate, 8>;
+LightCandidates candidates_at(const PassScene& pass, const EyeVertex& vertex,
+                              const LightNumbers& u);
 
 /// One light sample, from a candidate that is picked: what comes from there over the probability.
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,

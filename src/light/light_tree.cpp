@@ -88,6 +88,13 @@ std::size_t split(Items items, std::uint32_t depth) {
     return half;
 }
 
+/// How many of ascending numbers are below a share.
+std::size_t below(std::span<const double> u, double share) {
+    std::size_t count = 0;
+    while (count < u.size() && u[count] < share) ++count;
+    return count;
+}
+
 }  // namespace
 
 LightTree::LightTree(const std::vector<Light>& lights, const std::vector<double>& weights)
@@ -144,31 +151,42 @@ std::optional<double> LightTree::left_share(std::uint32_t node, const Receiver& 
 }
 
 std::optional<LightChoice::Chosen> LightTree::choose(const Receiver& at, double u) const {
-    if (u < weight_share_) {
-        if (by_weight_.empty()) return {};
-        LightChoice::Chosen chosen = by_weight_.choose(u / weight_share_);
-        chosen.probability *= weight_share_;
-        return chosen;
+    std::optional<LightChoice::Chosen> chosen;
+    choose_each(at, {&u, 1}, {&chosen, 1});
+    return chosen;
+}
+
+void LightTree::choose_each(const Receiver& at, std::span<double> u,
+                            std::span<std::optional<LightChoice::Chosen>> chosen) const {
+    const std::size_t by_weight = below(u, weight_share_);
+    for (std::size_t i = 0; i < by_weight && !by_weight_.empty(); ++i) {
+        chosen[i] = by_weight_.choose(u[i] / weight_share_);
+        chosen[i]->probability *= weight_share_;
     }
-    if (nodes_.empty()) return {};
-    u = (u - weight_share_) / (1 - weight_share_);
-    double probability = 1 - weight_share_;
-    std::uint32_t node = 0;
-    while (nodes_[node].right != 0) {
+    if (nodes_.empty()) return;
+    const std::span<double> rest = u.subspan(by_weight);
+    for (double& v : rest) v = (v - weight_share_) / (1 - weight_share_);
+    walk_down(0, 1 - weight_share_, at, rest, chosen.subspan(by_weight));
+}
+
+void LightTree::walk_down(std::uint32_t node, double probability, const Receiver& at,
+                          std::span<double> u,
+                          std::span<std::optional<LightChoice::Chosen>> chosen) const {
+    while (!u.empty() && nodes_[node].right != 0) {
         const auto share = left_share(node, at);
-        if (!share) return {};
-        if (u < *share) {
-            u /= *share;
-            probability *= *share;
-            ++node;
-        } else {
-            u = (u - *share) / (1 - *share);
-            probability *= 1 - *share;
-            node = nodes_[node].right;
-        }
+        if (!share) return;
+        const std::size_t left = below(u, *share);
+        for (double& v : u.first(left)) v /= *share;
+        for (double& v : u.subspan(left)) v = (v - *share) / (1 - *share);
+        const double of_right = probability * (1 - *share);
+        if (left > 0 && left < u.size())
+            walk_down(nodes_[node].right, of_right, at, u.subspan(left), chosen.subspan(left));
+        probability = left > 0 ? probability * *share : of_right;
+        node = left > 0 ? node + 1 : nodes_[node].right;
+        if (left > 0) u = u.first(left);
     }
-    if (!(probability > 0)) return {};
-    return LightChoice::Chosen{nodes_[node].light, probability};
+    if (!(probability > 0)) return;
+    for (std::size_t i = 0; i < u.size(); ++i) chosen[i] = {nodes_[node].light, probability};
 }
 
 double LightTree::probability(const Receiver& at, std::size_t index) const {

@@ -27,6 +27,11 @@ public:
     bool is_grown() const { return !nodes_.empty(); }
     /// Nothing where no light can come from any that is chosen. @param u  in (0,1).
     std::optional<LightChoice::Chosen> choose(const Receiver& at, double u) const;
+    /// As many as there are numbers, as choose() gives each; what their ways down have in common is
+    /// looked at once.
+    /// @param u  ascending, in (0,1); is changed. @param chosen  as many, without a value.
+    void choose_each(const Receiver& at, std::span<double> u,
+                     std::span<std::optional<LightChoice::Chosen>> chosen) const;
     /// With which choose() gives `index`, for u uniform in (0,1).
     double probability(const Receiver& at, std::size_t index) const;
 
@@ -47,6 +52,9 @@ private:
     };
 
     void build(std::span<Item> items, Way way);
+    /// From a node down. @param probability  of coming there.
+    void walk_down(std::uint32_t node, double probability, const Receiver& at, std::span<double> u,
+                   std::span<std::optional<LightChoice::Chosen>> chosen) const;
     /// The probability of going left, or none where nothing comes from either side.
     std::optional<double> left_share(std::uint32_t node, const Receiver& at) const;
 

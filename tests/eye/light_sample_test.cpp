@@ -14,10 +14,9 @@ namespace {
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
 /// What a candidate's weight was, and what a bsdf sample into the same direction would weigh.
-void expect_weights_sum_to_one(const LitPoint& point, const LightNumbers& u, unsigned number) {
+void expect_weights_sum_to_one(const LitPoint& point, const LightCandidate& candidate) {
     const PassScene& pass = point.pass();
     const EyeVertex& vertex = point.vertex();
-    const LightCandidate candidate = light_candidate(pass, vertex, u, number);
     if (candidate.arriving.is_zero()) return;
     const Receiver from = receiver_at(pass.scene, vertex);
     const Ray ray = ray_from(vertex.hit, candidate.direction);
@@ -59,9 +58,8 @@ TEST(LightSample, weights_of_light_and_bsdf_samples_sum_to_one) {
         RandomStream random(3, Purpose::test, 0, material);
         for (int i = 0; i < 200; ++i) {
             const LightNumbers u{random.next(), {random.next(), random.next()}, 0};
-            const unsigned candidates = light_candidates(point.vertex().bsdf);
-            for (unsigned number = 0; number < candidates; ++number)
-                expect_weights_sum_to_one(point, u, number);
+            for (const LightCandidate& light : candidates_at(point.pass(), point.vertex(), u))
+                expect_weights_sum_to_one(point, light);
             if (HasFailure()) return;
         }
     }
@@ -82,8 +80,7 @@ TEST(LightSample, a_sample_has_one_ray_and_the_light_of_all_candidates) {
         for (int i = 0; i < 50; ++i) {
             LightNumbers u{random.next(), {random.next(), random.next()}, 0};
             double seen = 0;
-            for (unsigned n = 0; n < light_candidates(point.vertex().bsdf); ++n) {
-                const LightCandidate light = light_candidate(point.pass(), point.vertex(), u, n);
+            for (const LightCandidate& light : candidates_at(point.pass(), point.vertex(), u)) {
                 const Spectrum left =
                     point.pass().seen_from(point.vertex().hit, light.direction, light.distance, 0);
                 seen += static_cast<double>((light.arriving * left)[0]);
@@ -112,27 +109,27 @@ TEST(LightSample, candidates_fill_the_lights_evenly) {
         SceneDescription scene = floor_of(material);
         scene.lights = {InfiniteLight{SpectralCurve::constant(1)}};
         const LitPoint point(std::move(scene));
-        const unsigned count = light_candidates(point.vertex().bsdf);
+        const std::size_t count = light_candidates(point.vertex().bsdf);
         RandomStream random(6, Purpose::test, 0, material);
-        constexpr int kSamples = 20'000;
+        const auto many = static_cast<double>(count);
+        constexpr std::size_t kSamples = 20'000;
         std::array<double, 2> sums{};  // of one candidate, of all
         std::array<double, 2> squares{};
-        for (int i = 0; i < kSamples; ++i) {
+        for (std::size_t i = 0; i < kSamples; ++i) {
             const LightNumbers u{random.next(), {random.next(), random.next()}, 0};
             std::array<double, 2> light{};
-            for (unsigned n = 0; n < count; ++n)
-                light[1] += static_cast<double>(
-                    light_candidate(point.pass(), point.vertex(), u, n).arriving[0]);
-            light[0] = static_cast<double>(
-                light_candidate(point.pass(), point.vertex(), u, i % count).arriving[0]);
+            const LightCandidates candidates = candidates_at(point.pass(), point.vertex(), u);
+            for (const LightCandidate& candidate : candidates)
+                light[1] += static_cast<double>(candidate.arriving[0]);
+            light[0] = static_cast<double>(candidates.at(i % count).arriving[0]);
             for (const std::size_t k : {0U, 1U}) {
                 sums.at(k) += light.at(k) / kSamples;
                 squares.at(k) += light.at(k) * light.at(k) / kSamples;
             }
         }
-        EXPECT_NEAR(sums[0] * count / sums[1], 1, 0.05);
+        EXPECT_NEAR(sums[0] * many / sums[1], 1, 0.05);
         const double one = squares[0] - sums[0] * sums[0];
-        EXPECT_LT(squares[1] - sums[1] * sums[1], 0.5 * count * one) << material;
+        EXPECT_LT(squares[1] - sums[1] * sums[1], 0.5 * many * one) << material;
     }
 }
 

@@ -8,6 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 namespace sunfleck {
 namespace {
 
@@ -51,6 +55,35 @@ Receiver random_receiver(RandomStream& random, int i) {
     at.position = {20 * random.next_float(), 20 * random.next_float(), 5 * random.next_float()};
     if (i % 2 == 0) at.normal = Vec3(uniform_sphere({random.next(), random.next()}));
     return at;
+}
+
+TEST(LightTree, choices_together_are_those_of_each_alone) {
+    for (const int count : {0, 3, 300}) {
+        const std::vector<Light> lights = many_lights(count);
+        const LightTree tree(lights, weights_of(lights));
+        RandomStream random(8, Purpose::test, 0, static_cast<std::uint32_t>(count));
+        int some = 0;
+        for (int i = 0; i < 500; ++i) {
+            const Receiver at = random_receiver(random, i);
+            std::vector<double> numbers(static_cast<std::size_t>(i % 9));
+            for (double& u : numbers) u = random.next();
+            std::sort(numbers.begin(), numbers.end());
+            std::vector<double> changed = numbers;
+            std::vector<std::optional<LightChoice::Chosen>> chosen(numbers.size());
+            tree.choose_each(at, changed, chosen);
+            for (std::size_t k = 0; k < numbers.size(); ++k) {
+                const auto alone = tree.choose(at, numbers[k]);
+                ASSERT_EQ(chosen[k].has_value(), alone.has_value()) << i << ' ' << k;
+                if (!alone) continue;
+                ++some;
+                EXPECT_EQ(chosen[k]->index, alone->index);
+                EXPECT_EQ(chosen[k]->probability, alone->probability);
+                const double probability = tree.probability(at, alone->index);
+                EXPECT_NEAR(alone->probability, probability, 1e-12 * probability);
+            }
+        }
+        EXPECT_GT(some, 1000);
+    }
 }
 
 TEST(LightTree, probabilities_sum_to_one_and_are_those_of_choose) {
