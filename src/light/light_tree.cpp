@@ -7,7 +7,8 @@
 namespace sunfleck {
 namespace {
 
-/// So many lights that are somewhere (two square lamps) are chosen by weight.
+/// So many lights that are somewhere (two square lamps) are chosen by weight, where far lights do
+/// not leave them too little.
 constexpr std::size_t kFew = 4;
 constexpr int kBuckets = 12;
 /// Larger sets are halved along their longest side: there the measure tells little.
@@ -111,15 +112,17 @@ LightTree::LightTree(const std::vector<Light>& lights, const std::vector<double>
             far[i] = weights[i];
         }
     }
-    if (items.size() <= kFew) {
+    by_weight_ = LightChoice(far);
+    const double share = by_weight_.total() / (by_weight_.total() + near);
+    const bool is_fair =
+        items.empty() || by_weight_.empty() || (share >= kLeastShare && share <= 1 - kLeastShare);
+    if (items.size() <= kFew && is_fair) {
         by_weight_ = LightChoice(weights);
         weight_share_ = 1;
         return;
     }
-    by_weight_ = LightChoice(far);
     nodes_.reserve(2 * items.size());
     build(items, {0, 0});
-    const double share = by_weight_.total() / (by_weight_.total() + near);
     if (!by_weight_.empty()) weight_share_ = std::clamp(share, kLeastShare, 1 - kLeastShare);
 }
 

@@ -4,7 +4,8 @@
 // for a light that was met. A binary tree over the lights that are somewhere: at each node a branch
 // by the importance of both clusters. Lights that are infinitely far away are chosen among by
 // weight, all together with a fixed share. Where few lights are somewhere, all are chosen by
-// weight: looking at them would cost more than it gains. One number u serves all. Source: Conty
+// weight, for looking at them would cost more than it gains; but a lamp beside a sun that outshines
+// it is not left out: the sun may not come in. One number u serves all. Source: Conty
 // Estevez and Kulla (light_bounds.h); Pharr, Jakob and Humphreys, Physically Based Rendering (4th
 // edition), section 12.6.3, for the walk back down to a given light.
 #pragma once

@@ -57,6 +57,32 @@ Receiver random_receiver(RandomStream& random, int i) {
     return at;
 }
 
+/// A lamp of two triangles and a sun of a thousand times their weight, or of a thousandth.
+TEST(LightTree, a_lamp_keeps_its_share_beside_the_sun_and_the_sun_beside_lamps) {
+    const Vec3d corner(-1, -1, 2);
+    const EmittingTriangle half{corner, Vec3d(0, 2, 0), Vec3d(2, 0, 0), {0, 0, -1}};
+    const EmittingTriangle other{
+        -corner + Vec3d(0, 0, 4), Vec3d(0, -2, 0), Vec3d(-2, 0, 0), {0, 0, -1}};
+    const SpectralCurve one = SpectralCurve::constant(1);
+    const std::vector<Light> lights = {DistantLight{one, {0, 0, -1}}, AreaLight{one, half, false},
+                                       AreaLight{one, other, false}};
+    const Receiver below{Vec3(0), Vec3(0, 0, 1)};
+    for (const double sun : {1000.0, 1.0, 1e-3}) {
+        const LightTree tree(lights, {sun, 0.5, 0.5});
+        const double lamp = tree.probability(below, 1) + tree.probability(below, 2);
+        EXPECT_NEAR(tree.probability(below, 0) + lamp, 1, 1e-12);
+        EXPECT_NEAR(lamp, std::clamp(1 / (1 + sun), 0.25, 0.75), 1e-12) << sun;
+        EXPECT_EQ(tree.is_grown(), sun != 1);
+    }
+}
+
+TEST(LightTree, nothing_that_shines_is_nothing_to_choose) {
+    for (const std::vector<double>& weights : {std::vector<double>{}, std::vector<double>{0, 0}}) {
+        const std::vector<Light> lights(weights.size(), PointLight{{}, Vec3d(0)});
+        EXPECT_FALSE(LightTree(lights, weights).choose({Vec3(0), Vec3(0)}, 0.5));
+    }
+}
+
 TEST(LightTree, choices_together_are_those_of_each_alone) {
     for (const int count : {0, 3, 300}) {
         const std::vector<Light> lights = many_lights(count);
