@@ -4,14 +4,10 @@
 #include "eye/light_sample.h"
 
 namespace sunfleck {
-namespace {
-
 void note(LightParts* parts, std::size_t light, const Spectrum& radiance) {
     if (parts != nullptr && !radiance.is_zero())
         parts->push_back({static_cast<std::uint32_t>(light), radiance});
 }
-
-}  // namespace
 
 Receiver receiver_at(const Scene& scene, const EyeVertex& vertex) {
     if (!scene.light_tree().is_grown() || gathers(vertex.bsdf, 1, -1))

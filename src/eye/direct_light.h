@@ -36,6 +36,9 @@ struct LightPart {
 };
 using LightParts = std::vector<LightPart>;
 
+/// Appends a part, where anybody asks and there is any light.
+void note(LightParts* parts, std::size_t light, const Spectrum& radiance);
+
 /// Where light is wanted: what cannot come through the surface is not chosen from the tree.
 Receiver receiver_at(const Scene& scene, const EyeVertex& vertex);
 

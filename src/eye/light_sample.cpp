@@ -96,8 +96,7 @@ Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const Lig
         pass.scene.medium_beyond(vertex.hit, picked->direction, vertex.medium);
     const Spectrum found = picked->arriving * (all / picked->arriving.sum()) *
                            pass.seen_from(vertex.hit, picked->direction, picked->distance, medium);
-    if (parts != nullptr && !found.is_zero())
-        parts->push_back({static_cast<std::uint32_t>(picked->light), found});
+    note(parts, picked->light, found);
     return found;
 }
 

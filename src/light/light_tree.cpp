@@ -175,21 +175,20 @@ void LightTree::choose_each(const Receiver& at, std::span<double> u,
 void LightTree::walk_down(std::uint32_t node, double probability, const Receiver& at,
                           std::span<double> u,
                           std::span<std::optional<LightChoice::Chosen>> chosen) const {
-    while (!u.empty() && nodes_[node].right != 0) {
-        const auto share = left_share(node, at);
-        if (!share) return;
-        const std::size_t left = below(u, *share);
-        for (double& v : u.first(left)) v /= *share;
-        for (double& v : u.subspan(left)) v = (v - *share) / (1 - *share);
-        const double of_right = probability * (1 - *share);
-        if (left > 0 && left < u.size())
-            walk_down(nodes_[node].right, of_right, at, u.subspan(left), chosen.subspan(left));
-        probability = left > 0 ? probability * *share : of_right;
-        node = left > 0 ? node + 1 : nodes_[node].right;
-        if (left > 0) u = u.first(left);
+    if (u.empty()) return;
+    if (nodes_[node].right == 0) {
+        if (!(probability > 0)) return;
+        for (auto& one : chosen) one = {nodes_[node].light, probability};
+        return;
     }
-    if (!(probability > 0)) return;
-    for (std::size_t i = 0; i < u.size(); ++i) chosen[i] = {nodes_[node].light, probability};
+    const auto share = left_share(node, at);
+    if (!share) return;
+    const std::size_t left = below(u, *share);
+    for (double& v : u.first(left)) v /= *share;
+    for (double& v : u.subspan(left)) v = (v - *share) / (1 - *share);
+    walk_down(node + 1, probability * *share, at, u.first(left), chosen.first(left));
+    walk_down(nodes_[node].right, probability * (1 - *share), at, u.subspan(left),
+              chosen.subspan(left));
 }
 
 double LightTree::probability(const Receiver& at, std::size_t index) const {
