@@ -50,6 +50,57 @@ LightCandidate candidate(const PassScene& pass, const EyeVertex& vertex,
             f * pass.tinted(pass.emission[choice.index], light->tint) * weight};
 }
 
+/// The rays to candidates of a vertex.
+class ShadowRays {
+public:
+    ShadowRays(const PassScene& pass, const EyeVertex& vertex, Statistics& statistics,
+               LightParts* parts)
+        : pass_(pass), vertex_(vertex), statistics_(statistics), parts_(parts) {}
+
+    /// What is seen of a candidate.
+    /// @param by  one over the probability with which it is asked for.
+    Spectrum seen(const LightCandidate& light, float by) {
+        ++statistics_[Count::eye_rays];
+        const MediumNumber medium =
+            pass_.scene.medium_beyond(vertex_.hit, light.direction, vertex_.medium);
+        const Spectrum found =
+            light.arriving * by *
+            pass_.seen_from(vertex_.hit, light.direction, light.distance, medium);
+        note(parts_, light.light, found);
+        return found;
+    }
+
+private:
+    const PassScene& pass_;
+    const EyeVertex& vertex_;
+    Statistics& statistics_;
+    LightParts* parts_;
+};
+
+Spectrum seen_of_each(const LightCandidates& candidates, ShadowRays rays) {
+    Spectrum found;
+    for (const LightCandidate& light : candidates)
+        if (!light.arriving.is_zero()) found += rays.seen(light, 1);
+    return found;
+}
+
+/// @param u  in [0,1): which is picked, in their order, so that neighbouring numbers pick alike.
+Spectrum seen_of_one(const LightCandidates& candidates, double u, ShadowRays rays) {
+    float all = 0;
+    for (const LightCandidate& light : candidates) all += light.arriving.sum();
+    if (!(all > 0)) return Spectrum(all);  // nothing, or no number, which pictures count
+    const LightCandidate* picked = nullptr;
+    double left = u * static_cast<double>(all);
+    for (const LightCandidate& light : candidates) {
+        const float worth = light.arriving.sum();
+        if (!(worth > 0)) continue;
+        picked = &light;
+        left -= static_cast<double>(worth);
+        if (left < 0) break;
+    }
+    return rays.seen(*picked, all / picked->arriving.sum());
+}
+
 }  // namespace
 
 std::size_t light_candidates(const Bsdf& bsdf) {
@@ -78,26 +129,9 @@ LightCandidates candidates_at(const PassScene& pass, const EyeVertex& vertex,
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,
                        Statistics& statistics, LightParts* parts) {
     const LightCandidates candidates = candidates_at(pass, vertex, u);
-    float all = 0;
-    for (const LightCandidate& light : candidates) all += light.arriving.sum();
-    if (!(all > 0)) return Spectrum(all);  // nothing, or no number, which pictures count
-    // In their order, so that neighbouring numbers pick alike.
-    const LightCandidate* picked = nullptr;
-    double left = u.pick * static_cast<double>(all);
-    for (const LightCandidate& light : candidates) {
-        const float worth = light.arriving.sum();
-        if (!(worth > 0)) continue;
-        picked = &light;
-        left -= static_cast<double>(worth);
-        if (left < 0) break;
-    }
-    ++statistics[Count::eye_rays];
-    const MediumNumber medium =
-        pass.scene.medium_beyond(vertex.hit, picked->direction, vertex.medium);
-    const Spectrum found = picked->arriving * (all / picked->arriving.sum()) *
-                           pass.seen_from(vertex.hit, picked->direction, picked->distance, medium);
-    note(parts, picked->light, found);
-    return found;
+    const ShadowRays rays(pass, vertex, statistics, parts);
+    return scattering(vertex.bsdf) == Scattering::diffuse ? seen_of_each(candidates, rays)
+                                                          : seen_of_one(candidates, u.pick, rays);
 }
 
 }  // namespace sunfleck

@@ -1,7 +1,10 @@
-// Next-event estimation: one light sample from a vertex of a camera path.
+// Next-event estimation: light samples from a vertex of a camera path.
 //
-// It is one of several candidates, picked by what each would bring were nothing in the way: so the
-// product of bsdf and light is sampled, whatever light and wherever on it, for the price of a ray.
+// At a glossy surface one of several candidates, picked by what each would bring were nothing in
+// the way: so the product of bsdf and light is sampled, whatever light and wherever on it, for the
+// price of a ray. At a diffuse one each of two has its ray: of a pick it is not the lobe that makes
+// the noise but what is in the way, most where something bright and hidden lies beside something
+// dim and seen.
 // Source: Talbot, Cline and Egbert, Importance resampling for global illumination (EGSR 2005).
 #pragma once
 
@@ -11,11 +14,11 @@
 
 namespace sunfleck {
 
-/// Numbers in [0,1) of one light sample.
+/// Numbers in [0,1) of a vertex's light samples.
 struct LightNumbers {
     double choice = 0;  // of the lights
     Vec2d place;        // on them
-    double pick = 0;    // of the candidate
+    double pick = 0;    // of the candidate, where one is picked
 };
 
 /// A place of a light.
@@ -28,9 +31,8 @@ struct LightCandidate {
     Spectrum arriving;
 };
 
-/// How many a light sample has: a power of two. Many where the lobe is narrow, which few places of
-/// the lights fill; of a wide one fewer, for among many what is bright and hidden is picked where
-/// something dim is seen.
+/// How many there are: a power of two. Many where the lobe is narrow, which few places of the
+/// lights fill.
 std::size_t light_candidates(const Bsdf& bsdf);
 
 /// As many as there are at the most; those beyond light_candidates() have nothing arriving.
@@ -38,7 +40,7 @@ using LightCandidates = std::array<LightCandidate, 8>;
 LightCandidates candidates_at(const PassScene& pass, const EyeVertex& vertex,
                               const LightNumbers& u);
 
-/// One light sample, from a candidate that is picked: what comes from there over the probability.
+/// What is seen of all candidates, or of the one that is picked over its probability.
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,
                        Statistics& statistics, LightParts* parts = nullptr);
 
