@@ -106,6 +106,7 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     std::optional<RenderResult> render_result;
     result.seconds = time_of([&] { render_result.emplace(render(job, {})); }).cpu;
     const Film& film = render_result->film;
+    const double weight = film.weight();
     const auto passes = static_cast<double>(film.pass_count());
     const FixedPoints& sums = film.sums().layers[0];
     const std::vector<double>& region = settings.region;
@@ -114,7 +115,7 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
         for (long x = at(region[0]); x < at(region[1]); ++x) {
             const auto i = static_cast<std::size_t>(3 * (y * settings.resolution + x));
             result.luminance.push_back(
-                RgbSum{{sums[i], sums[i + 1], sums[i + 2]}}.mean_luminance(passes));
+                RgbSum{{sums[i], sums[i + 1], sums[i + 2]}}.mean_luminance(weight));
         }
     result.visible_fraction = film.statistic("visible_fraction") / passes;
     result.starved = film.statistic("starved_passes");

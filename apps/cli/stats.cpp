@@ -80,6 +80,7 @@ Json epochs_json(const Film& film) {
             {{"epoch", number},
              {"passes", static_cast<std::uint64_t>(passes)},
              {"draws_per_pass", film.statistic(name + "draws") / passes},
+             {"weight", film.statistic(name + "weight") / passes},
              {"camera_paths_per_pixel", film.statistic(name + "camera_paths") / passes / pixels},
              {"photons_per_pass", film.statistic(name + "paths") / passes}});
     }

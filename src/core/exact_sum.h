@@ -33,6 +33,14 @@ struct FixedPoint {
         return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(high) + carry), ~low + 1};
     }
 
+    /// This n times; wraps around as sums do. @param n  below 2^31.
+    FixedPoint times(std::uint32_t n) const {
+        const std::uint64_t lower = (low & 0xFFFF'FFFFU) * n;
+        const std::uint64_t upper = (low >> 32U) * n + (lower >> 32U);
+        return {static_cast<std::int64_t>(static_cast<std::uint64_t>(high) * n + (upper >> 32U)),
+                upper << 32U | (lower & 0xFFFF'FFFFU)};
+    }
+
     /// The multiple of the unit nearest to x on the side of zero. @param x  |x| <= kLargestTerm.
     static FixedPoint from_double(double x) {
         const double size = std::abs(x);

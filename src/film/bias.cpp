@@ -22,18 +22,18 @@ struct RoundMeans {
 /// The line through complete rounds.
 struct Line {
     double slope = 0;
-    double variance = 0;  // of a round around it
+    double variance = 0;  // around it, of a round that counts once
 };
 
-/// Variance of a round, from the sum of squares around the mean and the slope. Two numbers have
-/// been fitted.
+/// Variance of a round that counts once, from the sum of squares around the mean and the slope. Two
+/// numbers have been fitted.
 double residual_variance(double squares, double slope, const DiscAreas& areas) {
     return std::max(0.0, squares - slope * slope * areas.squares) / (areas.rounds - 2);
 }
 
 Line line_through(const RoundMeans& y, const DiscAreas& areas) {
-    const double slope = (y.mean_by_area - areas.mean * y.mean) * areas.rounds / areas.squares;
-    const double squares = (y.mean_square - y.mean * y.mean) * areas.rounds;
+    const double slope = (y.mean_by_area - areas.mean * y.mean) * areas.weight / areas.squares;
+    const double squares = (y.mean_square - y.mean * y.mean) * areas.weight;
     return {slope, residual_variance(squares, slope, areas)};
 }
 
@@ -45,7 +45,7 @@ Bias bias_of(const RoundMeans& y, const DiscAreas& areas) {
 /// Of each block, over its pixels: means over complete rounds. Squares are left out.
 std::vector<RoundMeans> block_sums(const Film& film, const BlockGrid& grid) {
     const FilmSums& sums = film.sums();
-    const auto rounds = static_cast<double>(film.rounds());
+    const double passes = film.weight_of_rounds() * kRoundPasses;
     std::vector<std::pair<double, const FixedPoints*>> open;  // area, sums
     for (const auto& [number, round] : sums.open_rounds)
         open.emplace_back(round_area(number, film.key().alpha), &round.photon_blocks);
@@ -63,8 +63,8 @@ std::vector<RoundMeans> block_sums(const Film& film, const BlockGrid& grid) {
             light -= part;
             of_open += area * part.mean_luminance(1);
         }
-        result[b].mean = light.mean_luminance(rounds * kRoundPasses);
-        result[b].mean_by_area = (by_area.mean_luminance(1) - of_open) / (rounds * kRoundPasses);
+        result[b].mean = light.mean_luminance(passes);
+        result[b].mean_by_area = (by_area.mean_luminance(1) - of_open) / passes;
     });
     return result;
 }
@@ -81,20 +81,21 @@ void for_blocks(const Film& film, const Visit& visit) {
     const BlockGrid grid(film.key(), kErrorBlock);
     const std::vector<RoundMeans> sums = block_sums(film, grid);
     const FixedPoints& squares = film.sums().photons.block_squares;
-    const auto rounds = static_cast<double>(film.rounds());
+    const double weight = film.weight_of_rounds();
     for (std::size_t b = 0; b < grid.count(); ++b)
-        visit(b, means(sums[b], grid.block(b).pixels(), squares[b].to_double() / rounds));
+        visit(b, means(sums[b], grid.block(b).pixels(), squares[b].to_double() / weight));
 }
 
 /// Variance of a mean less its bias: the mean's and the slope's have nothing in common.
-/// @param round  variance of the luminance of a round. @param photons  of that by photons.
+/// @param round  variance of the luminance of a round that counts once. @param photons  of that by
+/// photons.
 double extrapolated_error(double round, double photons, const DiscAreas& areas) {
-    return std::sqrt(round / areas.rounds + photons * areas.bias_variance());
+    return std::sqrt(round / areas.weight + photons * areas.bias_variance());
 }
 
 /// Sum of a quantity's squares around its mean.
 double squares_around_mean(const MeanError& error, const DiscAreas& areas) {
-    return error.standard_error * error.standard_error * areas.rounds * (areas.rounds - 1);
+    return error.standard_error * error.standard_error * areas.weight * (areas.rounds - 1);
 }
 
 }  // namespace
@@ -130,7 +131,7 @@ std::optional<Bias> image_bias(const Film& film) {
         total.mean += block.mean;
         total.mean_by_area += block.mean_by_area;
     }
-    const double square = film.sums().photons.image_square.to_double() / areas->rounds;
+    const double square = film.sums().photons.image_square.to_double() / areas->weight;
     return bias_of(means(total, film.key().pixels(), square), *areas);
 }
 

@@ -4,8 +4,9 @@
 // errors, of the bias and of the mean without it. Means are over all passes; those of blocks and of
 // the picture, and all errors, come from complete rounds. Of first order: light is taken to be
 // linear in the disc's area. Ordinary least squares (docs/method.md): unbiased whatever the rounds'
-// variances are; the errors take them to be equal. That they are for blocks and the picture. In a
-// pixel early rounds have less noise than late ones, and its errors come out too large by some 15%.
+// variances are; the errors take them to be equal, or as one over how often a round counts. That
+// they are for blocks and the picture. In a pixel early rounds have less noise than late ones, and
+// its errors come out too large by some 15%.
 #pragma once
 
 #include "film/disc_areas.h"

@@ -2,7 +2,8 @@
 // is regressed on.
 //
 // To first order the mean of that light, y = a + c s, is linear in the area s (docs/method.md):
-// c s is the bias, a the light without it. In a round s is the mean over its passes.
+// c s is the bias, a the light without it. In a round s is the mean over its passes. Passes and
+// rounds count as often as they do in the film, in all sums and means.
 #pragma once
 
 #include "film/film.h"
@@ -20,6 +21,7 @@ inline constexpr double kLargestLever = 10;
 
 struct DiscAreas {
     double rounds = 0;          // complete ones
+    double weight = 0;          // how often they count together
     double mean = 0;            // over complete rounds
     double squares = 0;         // of complete rounds: sum of (s - mean)^2
     double mean_of_passes = 0;  // over all passes: with the slope, the bias of the picture
@@ -29,7 +31,7 @@ struct DiscAreas {
     double share = 0;
     double divisor = 0;
 
-    /// Variance of the bias over that of one round.
+    /// Variance of the bias over that of a round that counts once.
     double bias_variance() const { return mean_of_passes * mean_of_passes / squares; }
 };
 

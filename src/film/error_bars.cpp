@@ -18,9 +18,20 @@ RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
     return rgb;
 }
 
-MeanError mean_error(double mean, const FixedPoint& squares, double rounds) {
-    const double variance = squares.to_double() / rounds - mean * mean;
-    return {mean, std::sqrt(std::max(0.0, variance) / (rounds - 1))};
+/// Complete rounds: their number, and how often they count.
+struct Rounds {
+    explicit Rounds(const Film& film)
+        : count(static_cast<double>(film.rounds())), weight(film.weight_of_rounds()) {}
+
+    double passes() const { return weight * kRoundPasses; }
+
+    double count;
+    double weight;
+};
+
+MeanError mean_error(double mean, const FixedPoint& squares, const Rounds& rounds) {
+    const double variance = squares.to_double() / rounds.weight - mean * mean;
+    return {mean, std::sqrt(std::max(0.0, variance) / (rounds.count - 1))};
 }
 
 /// Luminance of each block, summed over its pixels, for `passes` passes.
@@ -42,20 +53,19 @@ double total(const std::vector<double>& terms) {
 }
 
 std::vector<double> complete_block_sums(const Film& film) {
-    const auto passes = static_cast<double>(film.rounds() * kRoundPasses);
-    return block_sums(BlockGrid(film.key(), kErrorBlock), passes,
+    return block_sums(BlockGrid(film.key(), kErrorBlock), Rounds(film).passes(),
                       [&](std::size_t pixel) { return complete_sum(film.sums(), pixel); });
 }
 
 }  // namespace
 
 std::vector<MeanError> pixel_errors(const Film& film) {
-    const auto rounds = static_cast<double>(film.rounds());
-    if (rounds < 2) return {};
+    const Rounds rounds(film);
+    if (rounds.count < 2) return {};
     std::vector<MeanError> errors(film.key().pixels());
     parallel_blocks(errors.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const double mean = complete_sum(film.sums(), i).mean_luminance(rounds * kRoundPasses);
+            const double mean = complete_sum(film.sums(), i).mean_luminance(rounds.passes());
             errors[i] = mean_error(mean, film.sums().pixel_squares[i], rounds);
         }
     });
@@ -63,8 +73,8 @@ std::vector<MeanError> pixel_errors(const Film& film) {
 }
 
 std::vector<MeanError> block_errors(const Film& film) {
-    const auto rounds = static_cast<double>(film.rounds());
-    if (rounds < 2) return {};
+    const Rounds rounds(film);
+    if (rounds.count < 2) return {};
     const BlockGrid grid(film.key(), kErrorBlock);
     const std::vector<double> sums = complete_block_sums(film);
     std::vector<MeanError> errors(grid.count());
@@ -76,18 +86,18 @@ std::vector<MeanError> block_errors(const Film& film) {
 }
 
 std::optional<MeanError> image_error(const Film& film) {
-    const auto rounds = static_cast<double>(film.rounds());
-    if (rounds < 2) return {};
+    const Rounds rounds(film);
+    if (rounds.count < 2) return {};
     const double mean = total(complete_block_sums(film)) / static_cast<double>(film.key().pixels());
     return mean_error(mean, film.sums().image_square, rounds);
 }
 
 double image_mean(const Film& film) {
-    const auto passes = static_cast<double>(film.pass_count());
-    if (passes == 0) return 0;
+    if (film.pass_count() == 0) return 0;
     const BlockGrid grid(film.key(), kErrorBlock);
-    const std::vector<double> sums = block_sums(
-        grid, passes, [&](std::size_t pixel) { return rgb_of(film.sums().layers[0], pixel); });
+    const std::vector<double> sums = block_sums(grid, film.weight(), [&](std::size_t pixel) {
+        return rgb_of(film.sums().layers[0], pixel);
+    });
     return total(sums) / static_cast<double>(film.key().pixels());
 }
 

@@ -2,7 +2,10 @@
 //
 // A quantity y (luminance of a pixel, a block, the picture) has the mean m and the sum of squares
 // q over n rounds; the mean's standard error is sqrt((q/n - m^2) / (n - 1)). It holds also when
-// rounds differ in variance, as they do while radii shrink. Precision: of y about 2^-26 relative
+// rounds differ in variance, as they do while radii shrink. Where some count more than once, q/n is
+// over how often all count; then it holds if a round's variance is as one over how often it counts.
+// Where camera paths make all noise, and the first of n rounds counts once and the others four
+// times, it is 15% too small for n = 3, and 4% for n = 8. Precision: of y about 2^-26 relative
 // and 2^-32 absolute (the squares' unit is 2^-64).
 #pragma once
 

@@ -68,6 +68,24 @@ std::uint64_t Film::rounds() const {
     return key().sequential ? 0 : complete_rounds(sums_.passes);
 }
 
+double Film::weight() const {
+    std::uint64_t weight = pass_count();
+    for (const auto& [times, passes] : sums_.heavy) weight += (times - 1) * passes.count();
+    return static_cast<double>(weight);
+}
+
+double Film::weight_of_rounds() const {
+    std::uint64_t weight = rounds();
+    for (const auto& [times, passes] : sums_.heavy) weight += (times - 1) * complete_rounds(passes);
+    return static_cast<double>(weight);
+}
+
+std::uint32_t Film::weight_of_round(std::uint64_t round) const {
+    for (const auto& [times, passes] : sums_.heavy)
+        if (passes.count_in(round_range(round)) > 0) return times;
+    return 1;
+}
+
 void Film::count(std::string_view name, std::uint64_t events) {
     if (events == 0) return;
     sums_.statistics[std::string(name)] += FixedPoint{static_cast<std::int64_t>(events), 0};
@@ -83,25 +101,26 @@ double Film::statistic(std::string_view name) const {
     return found == sums_.statistics.end() ? 0 : found->second.to_double();
 }
 
-void Film::add_pass(std::uint32_t number, const PassImage& image) {
+void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t weight) {
     const PassRange range{number, std::uint64_t{number} + 1};
     if (sums_.passes.count_in(range) != 0)
         throw Error({"pass " + std::to_string(number)}, "the film holds it already",
                     "add each pass once");
     check_image(sums_.key, number, image);
     for (std::size_t i = 0; i < kLayerCount; ++i)
-        if (key().has(i)) add_layer(sums_.layers.at(i), image, kLayers.at(i));
+        if (key().has(i)) add_layer(sums_.layers.at(i), image, kLayers.at(i), weight);
     for (std::size_t i = 0; i < sums_.light_layers.size(); ++i)
-        add_light_layer(sums_.light_layers[i], image, i);
+        add_light_layer(sums_.light_layers[i], image, i, weight);
     count("dropped_nonfinite", image.dropped());
     count("saturated", image.saturated());
     sums_.passes.insert(range);
+    if (weight > 1) sums_.heavy[weight].insert(range);
     if (key().sequential) return;
     OpenRound& round = open_round(number / kRoundPasses);
-    add_layer(round.rgb, image, kLayers[0]);
+    add_layer(round.rgb, image, kLayers[0], weight);
     if (key().has_discs()) {
         const double area = round_area(number / kRoundPasses, key().alpha);
-        count("saturated", add_photons(sums_, image, area, round));
+        count("saturated", add_photons(sums_, image, {area, weight}, round));
     }
     close_rounds();
 }
@@ -115,7 +134,9 @@ OpenRound& Film::open_round(std::uint64_t number) {
 void Film::close_rounds() {
     for (auto round = sums_.open_rounds.begin(); round != sums_.open_rounds.end();) {
         const bool complete = sums_.passes.count_in(round_range(round->first)) == kRoundPasses;
-        if (complete) count("saturated_squares", add_squares(sums_, round->second));
+        if (complete)
+            count("saturated_squares",
+                  add_squares(sums_, round->second, weight_of_round(round->first)));
         round = complete ? sums_.open_rounds.erase(round) : std::next(round);
     }
 }
@@ -146,6 +167,8 @@ void Film::merge(const Film& other, const std::string& other_name) {
     }
     for (const auto& [name, value] : from.statistics) sums_.statistics[name] += value;
     for (const PassRange& range : from.passes.ranges()) sums_.passes.insert(range);
+    for (const auto& [weight, passes] : from.heavy)
+        for (const PassRange& range : passes.ranges()) sums_.heavy[weight].insert(range);
     close_rounds();
 }
 

@@ -2,7 +2,8 @@
 //
 // In:  PassImages, in any order, each once. Out: sums that depend on the set of passes alone.
 // Unit 2^-64; range of a pixel's sum [-2^63, 2^63): a PassImage's terms are at most 2^47 each
-// (core/exact_sum.h), so 2^16 passes fit even if a term that large hits one pixel in every pass.
+// (core/exact_sum.h), so 2^16 passes fit even if a term that large hits one pixel in every pass;
+// fewer, if they count more than once.
 //
 // Rounds of kRoundPasses passes are the independent samples of error bars. When a round is
 // complete its mean luminance y is computed from its exact sums, of each pixel, each block and the
@@ -32,9 +33,10 @@ public:
     explicit Film(FilmSums sums) : sums_(std::move(sums)) {}
 
     /// Adds one pass, and its dropped and saturated counts to the statistics.
+    /// @param weight  how often it counts: 1 to kMostWeight, the same for all passes of a round.
     /// @throws Error if the film holds it already, its size or layers are other than the key's, or
     ///         it does not hold photons apart and the key has discs.
-    void add_pass(std::uint32_t number, const PassImage& image);
+    void add_pass(std::uint32_t number, const PassImage& image, std::uint32_t weight = 1);
 
     /// Adds to the statistic of that name. Zero makes no entry.
     void count(std::string_view name, std::uint64_t events);
@@ -54,8 +56,13 @@ public:
     FilmSums sums() && { return std::move(sums_); }
     const PassSet& passes() const { return sums_.passes; }
     std::uint64_t pass_count() const { return sums_.passes.count(); }
+    /// How often all passes count together: sums over passes have so many terms.
+    double weight() const;
     /// Complete rounds; none of a sequential film.
     std::uint64_t rounds() const;
+    /// How often these count together, each as its passes.
+    double weight_of_rounds() const;
+    std::uint32_t weight_of_round(std::uint64_t round) const;
 
 private:
     OpenRound& open_round(std::uint64_t number);

@@ -3,6 +3,7 @@
 // Layout, in 64-bit little-endian words: magic, version, width, height, layers (bit i: row i of
 // kLayers; bit 63: sequential), alpha (the bits of a double; zero: no discs), seed, scene hash,
 // settings; count of layers of lights, and each name; count of pass ranges, and each begin and end;
+// count of weights above one, and each, with its passes in the same way;
 // count of statistics, and each name, high and low word; the sums (high, low) of each layer, of
 // each layer of lights, pixel squares, block squares, the picture's square; with discs, of what
 // photons have brought: RGB sums, those by area, block squares, the picture's square; for each open

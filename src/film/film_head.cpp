@@ -11,7 +11,7 @@ namespace sunfleck {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x0A'6D'6C'69'66'6E'75'73;  // "sunfilm\n"
-constexpr std::uint64_t kVersion = 3;
+constexpr std::uint64_t kVersion = 4;
 constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
@@ -58,6 +58,23 @@ PassSet read_passes(WordReader& in) {
     return passes;
 }
 
+/// @param passes  all there are.
+std::map<std::uint32_t, PassSet> read_heavy(WordReader& in, const PassSet& passes) {
+    std::map<std::uint32_t, PassSet> heavy;
+    PassSet known;
+    for (std::uint64_t left = in.word_up_to(kMostWeight - 1); left > 0; --left) {
+        const auto weight = static_cast<std::uint32_t>(in.word_up_to(kMostWeight));
+        if (weight <= (heavy.empty() ? 1 : heavy.rbegin()->first)) in.damaged();
+        PassSet& of_weight = heavy[weight] = read_passes(in);
+        if (of_weight.count() == 0) in.damaged();
+        for (const PassRange& range : of_weight.ranges()) {
+            if (passes.count_in(range) != range.size() || known.count_in(range) != 0) in.damaged();
+            known.insert(range);
+        }
+    }
+    return heavy;
+}
+
 FilmStatistics read_statistics(WordReader& in) {
     FilmStatistics statistics;
     const std::uint64_t count = in.word_up_to(in.left() / 3);
@@ -67,6 +84,14 @@ FilmStatistics read_statistics(WordReader& in) {
         statistics.emplace(std::move(name), in.sum());
     }
     return statistics;
+}
+
+void put_passes(WordList& out, const PassSet& passes) {
+    out.put(passes.ranges().size());
+    for (const PassRange& range : passes.ranges()) {
+        out.put(range.begin);
+        out.put(range.end);
+    }
 }
 
 }  // namespace
@@ -84,10 +109,11 @@ std::vector<std::uint64_t> head_words(const FilmSums& sums) {
     out.put(sums.key.settings);
     out.put(sums.key.light_layers.size());
     for (const std::string& name : sums.key.light_layers) out.put(name);
-    out.put(sums.passes.ranges().size());
-    for (const PassRange& range : sums.passes.ranges()) {
-        out.put(range.begin);
-        out.put(range.end);
+    put_passes(out, sums.passes);
+    out.put(sums.heavy.size());
+    for (const auto& [weight, passes] : sums.heavy) {
+        out.put(weight);
+        put_passes(out, passes);
     }
     out.put(sums.statistics.size());
     for (const auto& [name, value] : sums.statistics) {
@@ -101,6 +127,7 @@ FilmHead take_head(WordReader& in) {
     FilmHead head;
     head.key = read_key(in);
     head.passes = read_passes(in);
+    head.heavy = read_heavy(in, head.passes);
     head.statistics = read_statistics(in);
     return head;
 }
@@ -114,6 +141,7 @@ FilmSums empty_sums(FilmHead head) {
     const std::vector<std::uint64_t> open = open_rounds(head);
     FilmSums sums = empty_sums(std::move(head.key));
     sums.passes = std::move(head.passes);
+    sums.heavy = std::move(head.heavy);
     sums.statistics = std::move(head.statistics);
     for (const std::uint64_t number : open) sums.open_rounds[number] = empty_round(sums.key);
     return sums;

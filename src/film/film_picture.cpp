@@ -58,7 +58,7 @@ void add_error(Picture& picture, const Film& film, const FilmPictureOptions& opt
 
 Picture film_picture(const Film& film, FilmPictureOptions options) {
     Picture picture{film.key().width, film.key().height, {}, {}};
-    const double share = film.pass_count() == 0 ? 0 : 1 / static_cast<double>(film.pass_count());
+    const double share = film.pass_count() == 0 ? 0 : 1 / film.weight();
     for (std::size_t i = 0; i < kLayerCount; ++i) {
         const LayerRow& row = kLayers.at(i);
         if (film.key().has(i))

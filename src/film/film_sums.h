@@ -4,6 +4,9 @@
 // once as it is, once times its round's area (measurement/radius.h). From both bias.h has how the
 // light depends on the area of the discs. The second needs no sums of open rounds: the factor is
 // that of the round, complete or not.
+//
+// A pass that counts w times, as all of its round do, is in the sums with w times its light, and
+// its round with w times its square.
 #pragma once
 
 #include "film/film_key.h"
@@ -44,10 +47,14 @@ struct OpenRound {
     friend bool operator==(const OpenRound&, const OpenRound&) = default;
 };
 
+/// How often a pass may count (render/balance_rule.h).
+inline constexpr std::uint32_t kMostWeight = 4;
+
 /// One set of passes has one value of this, however it was put together.
 struct FilmSums {
     FilmKey key;
     PassSet passes;
+    std::map<std::uint32_t, PassSet> heavy;  // those that count more than once, by how often
     FilmStatistics statistics;
     std::array<FixedPoints, kLayerCount> layers;  // pixel after pixel, channel after channel
     std::vector<FixedPoints> light_layers;        // the same, RGB

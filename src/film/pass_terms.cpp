@@ -27,21 +27,22 @@ private:
 };
 
 /// Adds the squares of a quantity's mean luminance in each block of a complete round.
-/// @param block_sum  of a block, over its pixels. @return the square of the picture's mean.
-template <class BlockSum>
-FixedPoint add_block_squares(const BlockGrid& grid, const BlockSum& block_sum, Terms& term,
+/// @param block_sum  of a block, over its pixels. @param square  term of a luminance.
+/// @return that of the picture's mean.
+template <class BlockSum, class Square>
+FixedPoint add_block_squares(const BlockGrid& grid, const BlockSum& block_sum, const Square& square,
                              FixedPoints& squares) {
     double total = 0;
     std::size_t pixels = 0;
     for (std::size_t b = 0; b < grid.count(); ++b) {
         const double sum = block_sum(b);
         const double mean = sum / static_cast<double>(grid.block(b).pixels());
-        squares[b] += term(mean * mean);
+        squares[b] += square(mean);
         total += sum;
         pixels += grid.block(b).pixels();
     }
     const double mean = total / static_cast<double>(pixels);
-    return term(mean * mean);
+    return square(mean);
 }
 
 }  // namespace
@@ -52,35 +53,40 @@ void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms) {
     });
 }
 
-void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row) {
+void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row,
+               std::uint32_t weight) {
     const std::size_t channels = row.channels.size();
     parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            sums[i] += image.value(row.layer, i / channels, i % channels);
+            sums[i] += image.value(row.layer, i / channels, i % channels).times(weight);
     });
 }
 
-void add_light_layer(FixedPoints& sums, const PassImage& image, std::size_t light_layer) {
+void add_light_layer(FixedPoints& sums, const PassImage& image, std::size_t light_layer,
+                     std::uint32_t weight) {
     parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            sums[i] += image.light_value(light_layer, i / 3, i % 3);
+            sums[i] += image.light_value(light_layer, i / 3, i % 3).times(weight);
     });
 }
 
-std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenRound& round) {
+std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const RoundTerms& terms,
+                          OpenRound& round) {
     const BlockGrid grid(sums.key, kErrorBlock);
     Terms term;
     const auto add_pixel = [&](std::size_t pixel, const RgbSum& light) {
         for (std::size_t c = 0; c < 3; ++c) {
             sums.photons.rgb[3 * pixel + c] += light.channel[c];
-            sums.photons.rgb_by_area[3 * pixel + c] += term(light.channel[c].to_double() * area);
+            sums.photons.rgb_by_area[3 * pixel + c] +=
+                term(light.channel[c].to_double() * terms.area);
         }
     };
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum block;
         grid.for_pixels(b, [&](std::size_t pixel) {
-            const RgbSum light{{image.by_photons(pixel, 0), image.by_photons(pixel, 1),
-                                image.by_photons(pixel, 2)}};
+            const RgbSum light{{image.by_photons(pixel, 0).times(terms.weight),
+                                image.by_photons(pixel, 1).times(terms.weight),
+                                image.by_photons(pixel, 2).times(terms.weight)}};
             add_pixel(pixel, light);
             block += light;
         });
@@ -89,27 +95,27 @@ std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, O
     return term.cut();
 }
 
-std::uint64_t add_squares(FilmSums& sums, const OpenRound& round) {
+std::uint64_t add_squares(FilmSums& sums, const OpenRound& round, std::uint32_t weight) {
     const BlockGrid grid(sums.key, kErrorBlock);
     std::vector<double> luminance(grid.count());  // over the block's pixels
+    const double passes = kRoundPasses * static_cast<double>(weight);
     Terms term;
+    const auto square = [&](double y) { return term(weight * y * y); };
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum block;
         grid.for_pixels(b, [&](std::size_t pixel) {
             const RgbSum rgb = rgb_of(round.rgb, pixel);
-            const double y = rgb.mean_luminance(kRoundPasses);
-            sums.pixel_squares[pixel] += term(y * y);
+            sums.pixel_squares[pixel] += square(rgb.mean_luminance(passes));
             block += rgb;
         });
-        luminance[b] = block.mean_luminance(kRoundPasses);
+        luminance[b] = block.mean_luminance(passes);
     });
     sums.image_square += add_block_squares(
-        grid, [&](std::size_t b) { return luminance[b]; }, term, sums.block_squares);
+        grid, [&](std::size_t b) { return luminance[b]; }, square, sums.block_squares);
     if (!sums.key.has_discs()) return term.cut();
     sums.photons.image_square += add_block_squares(
-        grid,
-        [&](std::size_t b) { return rgb_of(round.photon_blocks, b).mean_luminance(kRoundPasses); },
-        term, sums.photons.block_squares);
+        grid, [&](std::size_t b) { return rgb_of(round.photon_blocks, b).mean_luminance(passes); },
+        square, sums.photons.block_squares);
     return term.cut();
 }
 

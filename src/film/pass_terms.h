@@ -11,19 +11,28 @@ namespace sunfleck {
 /// Adds each term to its sum.
 void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms);
 
-/// Adds a layer of a pass, pixel after pixel, channel after channel.
-void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row);
+/// Adds a layer of a pass, pixel after pixel, channel after channel, `weight` times.
+void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row,
+               std::uint32_t weight);
 
-/// Adds a layer of lights of a pass, pixel after pixel, RGB.
-void add_light_layer(FixedPoints& sums, const PassImage& image, std::size_t light_layer);
+/// Adds a layer of lights of a pass, pixel after pixel, RGB, `weight` times.
+void add_light_layer(FixedPoints& sums, const PassImage& image, std::size_t light_layer,
+                     std::uint32_t weight);
+
+/// What all passes of a round have in common.
+struct RoundTerms {
+    double area = 0;           // of discs
+    std::uint32_t weight = 1;  // how often they count
+};
 
 /// Adds what photons have brought in one pass of a round. The image holds it apart.
-/// @param area  the round's. @return terms beyond kLargestTerm, which were cut there.
-std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenRound& round);
+/// @return terms beyond kLargestTerm, which were cut there.
+std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const RoundTerms& terms,
+                          OpenRound& round);
 
 /// Adds the squares of a round's luminance: of pixels, blocks and the picture. The round is
-/// complete.
+/// complete. @param weight  its.
 /// @return terms beyond kLargestTerm, which were cut there.
-std::uint64_t add_squares(FilmSums& sums, const OpenRound& round);
+std::uint64_t add_squares(FilmSums& sums, const OpenRound& round, std::uint32_t weight);
 
 }  // namespace sunfleck

@@ -1,6 +1,8 @@
 // The least of a few sums of roots, and what a draw is worth.
 #include "render/balance_rule.h"
 
+#include "film/film_sums.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,9 +39,13 @@ Balance balanced(const DrawMeasures& draw, std::uint32_t usual, double fewest, d
             best = paths;
         }
     }
-    const double worse = of_pass > 0 ? error_of_draw(draw, best) / of_pass : 1;
-    return {static_cast<std::uint32_t>(best),
-            static_cast<std::uint32_t>(std::clamp(std::round(worse * worse), 1.0, kMostDraws))};
+    const double root = of_pass > 0 ? error_of_draw(draw, best) / of_pass : 1;
+    const double worse = root > 0 ? root * root : 1;
+    const auto whole = [](double x, double most) {
+        return static_cast<std::uint32_t>(std::clamp(std::round(x), 1.0, most));
+    };
+    return {static_cast<std::uint32_t>(best), whole(worse, kMostDraws),
+            whole(1 / worse, kMostWeight)};
 }
 
 }  // namespace sunfleck

@@ -1,9 +1,11 @@
 // Camera paths against photon paths: the rule, without the measuring.
 //
 // In:  what variance each of them leaves in the blocks of a picture, and what each costs. Out: the
-// photon paths of a draw, and the draws of a pass. The camera paths of a draw are given, so the
-// first number is the balance; the second makes passes worth the same, for in the picture each
-// counts the same.
+// photon paths of a draw, the draws of a pass, and how often passes count. The camera paths of a
+// draw are given, so the first number is the balance. The others are for a picture whose first
+// passes had the usual paths: worse ones are drawn together until they are worth as much, and
+// better ones count for as many as they are worth, as in a mean of least variance. Both are known
+// before the passes are made, and not from them: so the mean has no bias.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +27,9 @@ struct DrawCost {
 };
 
 struct Balance {
-    std::uint32_t paths = 0;  // photon paths of a draw
-    std::uint32_t draws = 1;  // of a pass
+    std::uint32_t paths = 0;   // photon paths of a draw
+    std::uint32_t draws = 1;   // of a pass
+    std::uint32_t weight = 1;  // how often a pass counts
 
     friend bool operator==(const Balance&, const Balance&) = default;
 };
@@ -40,8 +43,8 @@ struct DrawMeasures {
 /// The number of paths among usual * {1/16, 1/8, 1/4, 1/2, 1, 2, 4} that makes the relative
 /// standard error of a block least after some work, in the mean over blocks: so that a few blocks
 /// of wild light do not speak for all. A block's error after work w is sqrt((eye + photon / n) (c +
-/// n p) / w). And as many draws, up to 16, as have about the squared error of a pass; one, if it
-/// has less: many cheap passes would undo what a few good ones before have brought.
+/// n p) / w). And as many draws, up to 16, as have about the squared error of a pass; or, if one
+/// has less, how many passes, up to kMostWeight, have about its squared error.
 /// @param fewest  no number below it is taken, unless it is `usual`; at least 2.
 /// @param of_pass  error_of_draw() of what a pass should be worth.
 /// @return one draw of `usual` paths if there is no block, or no variance at all.

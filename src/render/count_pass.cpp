@@ -41,6 +41,7 @@ void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     const std::string name = "epoch." + std::to_string(epoch_of(number)) + ".";
     film.count(name + "passes", 1);
     film.count(name + "draws", pass.draws);
+    film.count(name + "weight", pass.weight);
     film.count(name + "camera_paths", pass.statistics[Count::camera_paths]);
     film.count(name + "paths", paths);
 }
@@ -52,7 +53,7 @@ bool is_starved(const PassResult& pass) {
 }  // namespace
 
 void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
-    film.add_pass(number, pass.image);
+    film.add_pass(number, pass.image, pass.weight);
     for (const CountRow& row : kCountRows)
         if (row.count != Count::dropped_nonfinite && row.count != Count::saturated)
             film.count(row.name, pass.statistics[row.count]);

@@ -43,7 +43,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const Stopwatch watch;
     const PixelWindow window = window_of(scene.film());
     const std::uint32_t paths = paths_per_pass(settings.photon, window.pixels());
-    Epoch epoch{epoch_of(pass), paths, 1, {}, {}, 0};
+    Epoch epoch{epoch_of(pass), paths, 1, 1, {}, {}, 0};
     if (settings.integrator != Integrator::sppm ||
         settings.photon.sampler != PhotonSampler::adaptive || paths < 2) {
         epoch.groups.push_back({scene.light_choice(), {paths, {}}, {}});
@@ -69,6 +69,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
             epoch.groups = part_of(std::move(epoch.groups), paths / balance.paths);
         epoch.paths = static_cast<std::uint32_t>(paths_of(epoch.groups));
         epoch.draws = balance.draws;
+        epoch.weight = balance.weight;
     }
     epoch.seconds = watch.seconds();
     return epoch;

@@ -32,6 +32,7 @@ struct Epoch {
     std::uint32_t number = 0;
     std::uint32_t paths = 0;          // photon paths of a draw
     std::uint32_t draws = 1;          // of a pass, which is their mean
+    std::uint32_t weight = 1;         // of a pass: how often it counts in the picture
     Doublings doublings;              // of a draw's camera paths
     std::vector<PhotonGroup> groups;  // at least one
     double seconds = 0;

@@ -66,7 +66,8 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
                       radius_factor(number, settings.alpha),
                       0,
                       {},
-                      epoch.draws};
+                      epoch.draws,
+                      epoch.weight};
     Stopwatch watch;
     const PassScene at_wavelengths(scene, id);
     result.seconds.build = watch.lap();

@@ -36,6 +36,7 @@ struct PassResult {
     double visible_fraction = 0;      // this pass's estimate, of uniform paths from all lights
     std::vector<GroupCounts> groups;  // as the epoch's
     std::uint32_t draws = 1;
+    std::uint32_t weight = 1;  // how often it counts in the picture
 };
 
 /// The pixels that the scene's film renders.

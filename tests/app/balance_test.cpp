@@ -24,6 +24,8 @@ TEST_F(Balance, is_told_in_the_statistics) {
     EXPECT_LT(s["epochs"][1]["photons_per_pass"], 200'000);  // 144 pixels need fewer
     EXPECT_EQ(s["epochs"][0]["draws_per_pass"], 1);
     EXPECT_GE(s["epochs"][1]["draws_per_pass"], 1);
+    EXPECT_EQ(s["epochs"][0]["weight"], 1);
+    EXPECT_EQ(s["epochs"][1]["weight"], 1);
     EXPECT_EQ(s["epochs"][1]["passes"], 2);
     double paths = 0;
     for (const auto& epoch : s["epochs"])

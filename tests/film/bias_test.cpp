@@ -17,23 +17,33 @@ using testing_support::Line;
 using testing_support::line_film;
 using testing_support::line_key;
 using testing_support::numbers;
+using testing_support::weight_of_round;
 
-/// Mean of the discs' areas over passes [0, end).
-double mean_area(std::uint32_t end) {
+/// Mean of the discs' areas over passes [0, end), each as often as it counts.
+double mean_area(std::uint32_t end, std::uint32_t (*weight)(std::uint64_t round)) {
     double sum = 0;
-    for (std::uint32_t p = 0; p < end; ++p) sum += std::pow(radius_factor(p, 2.0 / 3), 2);
-    return sum / end;
+    double count = 0;
+    for (std::uint32_t p = 0; p < end; ++p) {
+        sum += weight(p / kRoundPasses) * std::pow(radius_factor(p, 2.0 / 3), 2);
+        count += weight(p / kRoundPasses);
+    }
+    return sum / count;
 }
 
 /// Pixel i has slope i / 10, whatever rounds are complete: from all passes, to the last digits.
 TEST(Bias, of_a_line_without_noise_is_found) {
     std::vector<std::uint32_t> passes = numbers(0, 73);
     for (const std::uint32_t pass : numbers(90, 141)) passes.push_back(pass);
-    const auto line = [](std::size_t i) { return Line{1, static_cast<double>(i) / 10}; };
+    const auto line = [](std::size_t i) {
+        Line of_pixel{1, static_cast<double>(i) / 10};
+        of_pixel.weight = weight_of_round;
+        return of_pixel;
+    };
     const Film film = line_film(line_key(9, 9, 1), passes, line);
     double area = 0;
     for (const std::uint32_t pass : passes)
-        area += std::pow(radius_factor(pass, 2.0 / 3), 2) / static_cast<double>(passes.size());
+        area += weight_of_round(pass / kRoundPasses) * std::pow(radius_factor(pass, 2.0 / 3), 2) /
+                film.weight();
     const auto pixels = pixel_biases(film);
     ASSERT_EQ(pixels.size(), 81U);
     for (std::size_t i = 0; i < pixels.size(); ++i)
@@ -81,15 +91,14 @@ constexpr double kQuantile = 2.447;     // of t with six degrees of freedom
 /// The picture's luminance less its bias.
 double extrapolated(const Film& film, std::size_t pixel) {
     const double sum = film.sums().layers[0][3 * pixel].to_double();
-    return sum / static_cast<double>(film.pass_count()) - pixel_biases(film)[pixel][0];
+    return sum / film.weight() - pixel_biases(film)[pixel][0];
 }
 
 class NoisyLines : public testing::Test {
 protected:
     /// Films of 12 x 8 pixels: blocks of 64 and of 32.
-    explicit NoisyLines(double eye_noise) {
-        const Line line{1, 0.8, 0.5, 0.3, 0.05, eye_noise};
-        const double truth = line.c * mean_area(kPasses);
+    explicit NoisyLines(const Line& line) {
+        const double truth = line.c * mean_area(kPasses, line.weight);
         for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
             const Film film = line_film(line_key(12, 8, seed), numbers(0, kPasses),
                                         [&](std::size_t) { return line; });
@@ -118,6 +127,21 @@ protected:
         return std::sqrt(claimed / truth);
     }
 
+    void expect_all_is_true() const {
+        EXPECT_NEAR(block_.values.mean(), truth_, 4 * block_.values.standard_error());
+        EXPECT_NEAR(image_.values.mean(), truth_, 4 * image_.values.standard_error());
+        EXPECT_LT(block_.values.standard_error(), 0.02 * truth_) << "or nothing would be seen";
+        EXPECT_NEAR(block_.ratio(), 1, 0.15);
+        EXPECT_NEAR(image_.ratio(), 1, 0.15);
+        // 95% of 400 is 380; 4 standard errors are 17.
+        EXPECT_NEAR(block_.covered, 380, 17);
+        EXPECT_NEAR(image_.covered, 380, 17);
+        EXPECT_NEAR(block_without_.ratio(), 1, 0.15);
+        EXPECT_NEAR(pixel_ratio(), 1, 0.15);
+        for (const Estimates& pixel : pixels_)
+            EXPECT_NEAR(pixel.values.mean(), 1.5, 4 * pixel.values.standard_error());
+    }
+
     double truth_ = 0;
     Estimates block_;
     Estimates image_;
@@ -127,27 +151,25 @@ protected:
 
 class NoisyPhotons : public NoisyLines {
 protected:
-    NoisyPhotons() : NoisyLines(0) {}
+    NoisyPhotons() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 0}) {}
+};
+
+class NoisyPhotonsOfWeight : public NoisyLines {
+protected:
+    NoisyPhotonsOfWeight() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 0, weight_of_round}) {}
 };
 
 class NoisyEyePaths : public NoisyLines {
 protected:
-    NoisyEyePaths() : NoisyLines(1) {}
+    NoisyEyePaths() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 1, weight_of_round}) {}
 };
 
 TEST_F(NoisyPhotons, bias_is_unbiased_and_its_error_is_true) {
-    EXPECT_NEAR(block_.values.mean(), truth_, 4 * block_.values.standard_error());
-    EXPECT_NEAR(image_.values.mean(), truth_, 4 * image_.values.standard_error());
-    EXPECT_LT(block_.values.standard_error(), 0.02 * truth_) << "or nothing would be seen";
-    EXPECT_NEAR(block_.ratio(), 1, 0.15);
-    EXPECT_NEAR(image_.ratio(), 1, 0.15);
-    // 95% of 400 is 380; 4 standard errors are 17.
-    EXPECT_NEAR(block_.covered, 380, 17);
-    EXPECT_NEAR(image_.covered, 380, 17);
-    EXPECT_NEAR(block_without_.ratio(), 1, 0.15);
-    EXPECT_NEAR(pixel_ratio(), 1, 0.15);
-    for (const Estimates& pixel : pixels_)
-        EXPECT_NEAR(pixel.values.mean(), 1.5, 4 * pixel.values.standard_error());
+    expect_all_is_true();
+}
+
+TEST_F(NoisyPhotonsOfWeight, bias_is_unbiased_and_its_error_is_true) {
+    expect_all_is_true();
 }
 
 /// Noise of eye paths, three times that of photons, is in the picture's error and in no slope.

@@ -107,6 +107,44 @@ TEST(ErrorBars, two_rounds_by_hand) {
     EXPECT_NEAR(image_mean(film), (16 * 1 + 16 * 3 + 5 * 100) / 37.0, 1e-12);
 }
 
+TEST(ErrorBars, a_round_that_counts_three_times_by_hand) {
+    // 1 once and 3 three times: mean 2.5, squares 7; an open one of 100, whose passes count twice.
+    const Film film = film_by_round(
+        3, 2, 37,
+        [](std::uint32_t round, std::size_t) {
+            return round == 0 ? 1.0F : round == 1 ? 3.0F : 100.0F;
+        },
+        [](std::uint64_t round) { return round == 0   ? 1U
+                                         : round == 1 ? 3U
+                                                      : 2U; });
+    EXPECT_EQ(film.weight(), 16 + 16 * 3 + 5 * 2);
+    EXPECT_EQ(film.weight_of_rounds(), 4);
+    const double error = std::sqrt(7 - 2.5 * 2.5);
+    for (const MeanError& seen :
+         {pixel_errors(film)[4], block_errors(film)[0], *image_error(film)}) {
+        EXPECT_NEAR(seen.mean, 2.5, 1e-12);
+        EXPECT_NEAR(seen.standard_error, error, 1e-12);
+    }
+    EXPECT_NEAR(image_mean(film), (16 * 1 + 48 * 3 + 10 * 100) / 74.0, 1e-12);
+}
+
+/// Noise whose variance is as one over how often a round counts; and that is the same in all.
+TEST(ErrorBars, of_rounds_that_count_unlike) {
+    for (const bool is_as_foretold : {true, false}) {
+        Spread pixels;
+        for (std::uint32_t seed = 0; seed < kSeeds; ++seed)
+            pixels.add(pixel_errors(film_by_round(
+                8, 8, 8 * kRoundPasses,
+                [&](std::uint32_t round, std::size_t i) {
+                    RandomStream random(seed, Purpose::test, round, static_cast<std::uint32_t>(i));
+                    const float noise = random.next_float() - 0.5F;
+                    return 1 + (is_as_foretold && round > 0 ? noise / 2 : noise);
+                },
+                [](std::uint64_t round) { return round > 0 ? 4U : 1U; })));
+        EXPECT_NEAR(pixels.ratio(), is_as_foretold ? 1 : 0.96, 0.02);
+    }
+}
+
 TEST(ErrorBars, equal_rounds_have_no_error) {
     const Film film = film_by_round(3, 2, 64, [](std::uint32_t, std::size_t) { return 0.1F; });
     EXPECT_LT(pixel_errors(film)[0].standard_error, 1e-8);

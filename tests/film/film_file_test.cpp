@@ -83,25 +83,41 @@ std::string with_word(std::string bytes, std::size_t place, std::uint64_t word) 
 }
 
 TEST_F(FilmFile, a_sequence_of_radii_that_cannot_be_is_refused) {
-    constexpr std::size_t kLayersWord = 4;
-    constexpr std::size_t kAlphaWord = 5;
+    constexpr std::size_t kLayersPlace = 4;
+    constexpr std::size_t kAlphaPlace = 5;
     FilmKey key = small_key(3, 2);
     const auto fault_with = [&](double alpha) {
         const std::string bytes = bytes_of(film_of(key, numbers(0, 16)));
-        return fault_of(with_word(bytes, kAlphaWord, std::bit_cast<std::uint64_t>(alpha)));
+        return fault_of(with_word(bytes, kAlphaPlace, std::bit_cast<std::uint64_t>(alpha)));
     };
     EXPECT_EQ(fault_with(0.5), "");
     for (const double alpha : {0.0, -0.5, 1.0, 1e9, std::nan("")})
         EXPECT_NE(fault_with(alpha), "") << alpha;
     const std::string bytes = bytes_of(film_of(key, numbers(0, 16)));
     std::uint64_t held = 0;
-    std::memcpy(&held, bytes.data() + 8 * kLayersWord, 8);
-    EXPECT_EQ(fault_of(with_word(bytes, kLayersWord, held)), "");
+    std::memcpy(&held, bytes.data() + 8 * kLayersPlace, 8);
+    EXPECT_EQ(fault_of(with_word(bytes, kLayersPlace, held)), "");
     const std::uint64_t sequential = std::uint64_t{1} << 63U;
-    EXPECT_NE(fault_of(with_word(bytes, kLayersWord, held | sequential)), "");
+    EXPECT_NE(fault_of(with_word(bytes, kLayersPlace, held | sequential)), "");
     key.alpha = 0;
     EXPECT_EQ(fault_with(0.0), "");
     EXPECT_NE(fault_with(-0.0), "");  // one film has one file
+}
+
+TEST_F(FilmFile, weights_that_cannot_be_are_refused) {
+    const Film film = film_of(small_key(3, 2), numbers(0, 40));  // rounds of 1, 4 and 3
+    const auto fault_with = [&](std::uint32_t weight, const std::vector<PassRange>& ranges) {
+        FilmSums sums = film.sums();
+        PassSet& passes = sums.heavy[weight];
+        for (const PassRange& range : ranges) passes.insert(range);
+        return fault_of(bytes_of(Film(std::move(sums))));
+    };
+    EXPECT_EQ(fault_with(2, {{0, 8}}), "");
+    EXPECT_NE(fault_with(1, {{0, 8}}), "");
+    EXPECT_NE(fault_with(kMostWeight + 1, {{0, 8}}), "");
+    EXPECT_NE(fault_with(2, {}), "");
+    EXPECT_NE(fault_with(2, {{8, 17}}), "");  // 16 counts four times
+    EXPECT_NE(fault_with(3, {{40, 41}}), "");
 }
 
 TEST_F(FilmFile, merged_parts_have_the_bytes_of_one_run) {
@@ -171,7 +187,7 @@ TEST_F(FilmFile, errors_are_one_clear_line) {
     bytes[8] = 9;
     EXPECT_EQ(fault_of(bytes), std::string("fault.film") +
                                    ": is a film file of version 9; use the program that wrote "
-                                   "it; this one reads version 3");
+                                   "it; this one reads version 4");
     EXPECT_THROW(read_film(path("none.film")), Error);
 }
 

@@ -20,6 +20,8 @@ struct Line {
     double photon_noise = 0;  // standard deviation, of a pixel in a pass
     double shared_noise = 0;  // of all pixels together, by photons
     double eye_noise = 0;
+    /// How often a round's passes count; the variance of their noise is as one over that.
+    std::uint32_t (*weight)(std::uint64_t round) = [](std::uint64_t) { return 1U; };
 };
 
 inline FilmKey line_key(int width, int height, std::uint64_t seed, double alpha = 2.0 / 3) {
@@ -39,17 +41,19 @@ Film line_film(const FilmKey& key, const std::vector<std::uint32_t>& passes, con
         };
         RandomStream shared(key.seed, Purpose::test, pass, 0xFFFFFF);
         const double of_all = noise(shared);
+        const std::uint32_t weight = line(0).weight(pass / kRoundPasses);
+        const double less = 1 / std::sqrt(static_cast<double>(weight));
         PassImage image(key.pixels(), key.layers, true);
         for (std::size_t i = 0; i < key.pixels(); ++i) {
             RandomStream own(key.seed, Purpose::test, pass, static_cast<std::uint32_t>(i));
             const Line l = line(i);
             const double photons =
-                l.a + l.c * area + l.photon_noise * noise(own) + l.shared_noise * of_all;
-            const double eye = l.eye + l.eye_noise * noise(own);
+                l.a + l.c * area + less * (l.photon_noise * noise(own) + l.shared_noise * of_all);
+            const double eye = l.eye + less * l.eye_noise * noise(own);
             image.add_light(i, Vec3(static_cast<float>(photons)), Layer::indirect);
             image.add_eye_light(i, Vec3(static_cast<float>(eye)), Layer::direct);
         }
-        film.add_pass(pass, image);
+        film.add_pass(pass, image, weight);
     }
     return film;
 }

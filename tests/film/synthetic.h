@@ -38,10 +38,15 @@ inline PassImage noise_pass(const FilmKey& key, std::uint32_t number) {
     return image;
 }
 
+/// How often the passes of a round count: 1, 4, 3, 2, 1, 4 ... times.
+inline std::uint32_t weight_of_round(std::uint64_t round) {
+    return 1 + 3 * static_cast<std::uint32_t>(round) % 4;
+}
+
 inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes) {
     Film film(key);
     for (const std::uint32_t pass : passes) {
-        film.add_pass(pass, noise_pass(key, pass));
+        film.add_pass(pass, noise_pass(key, pass), weight_of_round(pass / kRoundPasses));
         film.count("rays", 100 + pass);
         film.sum("visible_fraction", 0.1 / (pass + 1));
     }
@@ -49,15 +54,18 @@ inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes
 }
 
 /// A film whose pass values are given by value(round, pixel), grey.
+/// @param weight  of a round's passes.
 template <class Value>
-Film film_by_round(int width, int height, std::uint32_t passes, const Value& value) {
+Film film_by_round(
+    int width, int height, std::uint32_t passes, const Value& value,
+    std::uint32_t (*weight)(std::uint64_t round) = [](std::uint64_t) { return 1U; }) {
     const FilmKey key{width, height, {}, 1, 0, ""};
     Film film(key);
     for (std::uint32_t pass = 0; pass < passes; ++pass) {
         PassImage image(key.pixels(), key.layers);
         for (std::size_t i = 0; i < key.pixels(); ++i)
             image.add_light(i, Vec3(value(pass / kRoundPasses, i)), Layer::direct);
-        film.add_pass(pass, image);
+        film.add_pass(pass, image, weight(pass / kRoundPasses));
     }
     return film;
 }

@@ -1,6 +1,8 @@
 // Camera paths against photon paths: the rule, by hand.
 #include "render/balance_rule.h"
 
+#include "film/film_sums.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,7 +57,23 @@ TEST(BalanceRule, as_many_draws_as_are_worth_a_usual_one) {
     EXPECT_EQ(all_of(30, kUsual / 4.0, kNoCamera), (Balance{kUsual / 4, 1}));   // 34 over 31
     EXPECT_EQ(all_of(1e-3, 2, kNoCamera), (Balance{kUsual / 16, 16}));
     constexpr DrawCost kNoPhotons{100'000, 0};
-    EXPECT_EQ(all_of(1, 2, kNoPhotons), (Balance{kUsual * 4, 1}));  // never less than one
+    EXPECT_EQ(all_of(1, 2, kNoPhotons).draws, 1U);  // never less than one
+}
+
+// With n = 4 u a draw has a variance of E + P / 4 u in place of E + P / u.
+TEST(BalanceRule, better_passes_count_for_as_many_as_they_are_worth) {
+    const auto weight = [](double eye, double photon) {
+        const Balance seen = balanced({{{eye, photon * kUsual}}, {100'000, 0}}, kUsual);
+        EXPECT_EQ(seen.paths, 4 * kUsual);
+        EXPECT_EQ(seen.draws, 1U);
+        return seen.weight;
+    };
+    EXPECT_EQ(weight(0, 1), 4U);
+    EXPECT_EQ(weight(0.2, 1), 3U);  // 1.2 over .45
+    EXPECT_EQ(weight(1, 1), 2U);    // 2 over 1.25
+    EXPECT_EQ(weight(4, 1), 1U);    // 5 over 4.25
+    const DrawMeasures draw{{{1, 0}}, kCost};
+    EXPECT_EQ(sunfleck::balanced(draw, kUsual, 2, 100).weight, kMostWeight);
 }
 
 // Camera paths make variances of 4 in place of 1 and there are no photons: four draws.
