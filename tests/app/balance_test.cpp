@@ -34,6 +34,14 @@ TEST_F(Balance, is_told_in_the_statistics) {
     EXPECT_FALSE(s["settings"].contains("balance"));
 }
 
+TEST_F(Balance, passes_of_more_photons_count_more_than_once) {
+    use("keyhole-4", {"--resolution", "48x48"});
+    const auto s = stats("15:17");
+    EXPECT_EQ(s["epochs"][0]["weight"], 1);
+    EXPECT_EQ(s["epochs"][1]["photons_per_pass"], 400'000);
+    EXPECT_EQ(s["epochs"][1]["weight"], 2);
+}
+
 TEST_F(Balance, is_off_where_the_user_says_so) {
     const auto s = stats("16:17", {"--balance", "off"});
     EXPECT_EQ(s["epochs"][0]["photons_per_pass"], 200'000);

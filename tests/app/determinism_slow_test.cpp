@@ -30,6 +30,7 @@ struct Learned {
     testing_support::Words words;
     int cut;
     std::vector<int> stops;
+    const char* resolution = "12x12";
 };
 
 /// Of a test's name.
@@ -42,7 +43,7 @@ class TwoEpochs : public testing_support::DeterminismTest,
 
 TEST_P(TwoEpochs, have_the_same_bytes_for_any_threads_and_cuts) {
     const Learned& learned = GetParam();
-    use(learned.scene, testing_support::Words{"--resolution", "12x12"} + learned.words);
+    use(learned.scene, testing_support::Words{"--resolution", learned.resolution} + learned.words);
     expect_same_bytes(18, learned.cut, learned.stops);
     part("other", "1:19", 1);
     EXPECT_FALSE(bytes("other") == bytes("whole"));
@@ -52,6 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
     Of, TwoEpochs,
     ::testing::Values(
         Learned{"balance", "cornell", {}, 15, {14, 17, 18}},
+        Learned{"passes_that_count_twice", "keyhole-4", {}, 15, {14, 17, 18}, "48x48"},
         Learned{"noisy_pixels", "iced-tea", {}, 15, {14, 17, 18}},
         Learned{"light_groups", "useless-light", {"--photons-per-pass", "3000"}, 7, {4, 17, 18}},
         Learned{"light_layers",

@@ -3,6 +3,7 @@
 // 64 renders of 8 rounds each of cognac-2 and cognac-5, few paths a pass so that a ladder of some
 // sets is at work. The ratio of both standard errors, pooled over 16 blocks that share their
 // brightness's error: its own standard error is between 2 and 9%; within 15%.
+#include "render/count_pass.h"
 #include "support/procedural.h"
 #include "support/renders.h"
 #include "support/spread.h"
@@ -33,7 +34,7 @@ TEST_P(ErrorBars, of_blocks_are_their_true_spread) {
         std::optional<Epoch> epoch;
         for (std::uint32_t p = 0; p < kRounds * kRoundPasses; ++p) {
             if (!epoch || epoch->number != epoch_of(p)) epoch = learn_epoch(scene, settings, p);
-            film.add_pass(p, render_pass(scene, settings, p, *epoch).image);
+            add_pass(film, p, render_pass(scene, settings, p, *epoch));
         }
         const std::vector<MeanError> errors = block_errors(film);
         blocks.resize(errors.size());

@@ -1,4 +1,5 @@
 // Standard errors, as films report them, against the true spread of many independent renders.
+#include "render/count_pass.h"
 #include "support/renders.h"
 #include "support/spread.h"
 
@@ -35,7 +36,7 @@ TEST(ErrorBars, reported_errors_are_the_true_spread) {
         settings.seed = static_cast<std::uint64_t>(seed);
         Film film(key);
         for (std::uint32_t p = 0; p < kRounds * kRoundPasses; ++p)
-            film.add_pass(p, render_pass(scene, settings, p).image);
+            add_pass(film, p, render_pass(scene, settings, p));
         image.add(*image_error(film));
         const auto errors = pixel_errors(film);
         for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i].add(errors[i]);
