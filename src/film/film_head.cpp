@@ -59,8 +59,8 @@ PassSet read_passes(WordReader& in) {
 }
 
 /// @param passes  all there are.
-std::map<std::uint32_t, PassSet> read_heavy(WordReader& in, const PassSet& passes) {
-    std::map<std::uint32_t, PassSet> heavy;
+HeavyPasses read_heavy(WordReader& in, const PassSet& passes) {
+    HeavyPasses heavy;
     PassSet known;
     for (std::uint64_t left = in.word_up_to(kMostWeight - 1); left > 0; --left) {
         const auto weight = static_cast<std::uint32_t>(in.word_up_to(kMostWeight));

@@ -12,7 +12,7 @@ namespace sunfleck {
 struct FilmHead {
     FilmKey key;
     PassSet passes;
-    std::map<std::uint32_t, PassSet> heavy;  // as in FilmSums
+    HeavyPasses heavy;
     FilmStatistics statistics;
 };
 

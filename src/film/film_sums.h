@@ -50,11 +50,14 @@ struct OpenRound {
 /// How often a pass may count (render/balance_rule.h).
 inline constexpr std::uint32_t kMostWeight = 4;
 
+/// Passes that count more than once, by how often.
+using HeavyPasses = std::map<std::uint32_t, PassSet>;
+
 /// One set of passes has one value of this, however it was put together.
 struct FilmSums {
     FilmKey key;
     PassSet passes;
-    std::map<std::uint32_t, PassSet> heavy;  // those that count more than once, by how often
+    HeavyPasses heavy;
     FilmStatistics statistics;
     std::array<FixedPoints, kLayerCount> layers;  // pixel after pixel, channel after channel
     std::vector<FixedPoints> light_layers;        // the same, RGB

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace sunfleck {
 namespace {
 
@@ -114,9 +116,9 @@ TEST(ErrorBars, a_round_that_counts_three_times_by_hand) {
         [](std::uint32_t round, std::size_t) {
             return round == 0 ? 1.0F : round == 1 ? 3.0F : 100.0F;
         },
-        [](std::uint64_t round) { return round == 0   ? 1U
-                                         : round == 1 ? 3U
-                                                      : 2U; });
+        [](std::uint64_t round) {
+            return std::array{1U, 3U, 2U}.at(round);
+        });
     EXPECT_EQ(film.weight(), 16 + 16 * 3 + 5 * 2);
     EXPECT_EQ(film.weight_of_rounds(), 4);
     const double error = std::sqrt(7 - 2.5 * 2.5);

@@ -14,7 +14,7 @@ class SamplerLawsInFull : public testing::TestWithParam<SamplerExample> {};
 
 TEST_P(SamplerLawsInFull, estimates_are_unbiased) {
     const SamplerExample& example = GetParam();
-    expect_unbiased(example, 7, 3 * example.passes.slow, 0.99, example.slow_band);
+    expect_unbiased(example, 7, example.passes.slow, 0.99, example.slow_band);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SamplerLawsInFull, testing::ValuesIn(sampler_examples()),

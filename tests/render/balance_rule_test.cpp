@@ -57,7 +57,7 @@ TEST(BalanceRule, as_many_draws_as_are_worth_a_usual_one) {
     EXPECT_EQ(all_of(30, kUsual / 4.0, kNoCamera), (Balance{kUsual / 4, 1}));   // 34 over 31
     EXPECT_EQ(all_of(1e-3, 2, kNoCamera), (Balance{kUsual / 16, 16}));
     constexpr DrawCost kNoPhotons{100'000, 0};
-    EXPECT_EQ(all_of(1, 2, kNoPhotons).draws, 1U);  // never less than one
+    EXPECT_EQ(all_of(1, 2, kNoPhotons), (Balance{kUsual * 4, 1, 2}));  // never less than one draw
 }
 
 // With n = 4 u a draw has a variance of E + P / 4 u in place of E + P / u.
