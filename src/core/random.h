@@ -48,7 +48,8 @@ enum class Purpose : std::uint32_t {
     metropolis_bootstrap,
     metropolis_step,
     metropolis_choice,
-    view_walk
+    view_walk,
+    edge_search
 };
 
 /// A 64-bit fraction of one turn as a double of the open interval (0,1): an odd multiple of 2^-53.

@@ -1,6 +1,7 @@
 // Pilots: a short one a light, then a ladder's a group.
 #include "photon/light_groups.h"
 
+#include "photon/edge_search.h"
 #include "photon/group_rules.h"
 #include "photon/photon_space.h"
 #include "photon/view_walks.h"
@@ -69,6 +70,9 @@ public:
         return {true,
                 [this, &ground](PassId pass, const PathRange& walks) {
                     return walk_from_view(view_, ground.lights, pass, walks);
+                },
+                [this, &ground](PassId pass, const PathRange& tries) {
+                    return emission_past_edges(view_, ground.lights, pass, tries);
                 },
                 [this](PassId pass) { return flux_seen(view_, pass); }};
     }

@@ -3,22 +3,21 @@
 
 #include "core/parallel.h"
 #include "math/warp.h"
+#include "photon/light_hints.h"
 #include "photon/turn.h"
-
-#include <algorithm>
 
 namespace sunfleck {
 namespace {
 
 constexpr int kMostBounces = 16;
-constexpr int kMostPanes = 32;  // surfaces passed on the way to a light
+constexpr int kMostPanes = 32;  // surfaces passed at once
 constexpr std::uint8_t kAllKinds = 0xFF;
 
 class ViewWalk {
 public:
     ViewWalk(const PhotonView& view, const LightChoice& lights, RandomStream stream,
              WalkedEmission& found)
-        : scene_(view.scene), lights_(lights), stream_(stream), found_(found) {}
+        : scene_(view.scene), hints_(view.scene, lights), stream_(stream), found_(found) {}
 
     void start(const Disc& disc) {
         Vec3 normal = disc.normal;
@@ -30,30 +29,14 @@ public:
     }
 
 private:
-    /// What of a light's sample arrives where the walk stands.
-    struct LightSample {
-        std::size_t light;
-        double probability;
-        DirectSample direct;
-    };
-
-    std::optional<LightSample> sample_light(const Vec3& at) {
-        const auto choice = lights_.choose(stream_.next());
-        const Vec2 u(stream_.next_float(), stream_.next_float());
-        const auto direct =
-            sample_direct(scene_.scene.lights()[choice.index], at, u, scene_.scene.sphere());
-        if (!direct) return {};
-        return LightSample{choice.index, choice.probability, *direct};
-    }
-
     /// At the walk's first point, which may leave direct light to the eye paths.
     void look_for_light(const Vec3& at, const Disc& disc, const Vec3& normal) {
-        const auto sample = sample_light(at);
+        const auto sample = hints_.sample(at, stream_);
         if (!sample) return;
         const float cosine = normal.dot(sample->direct.direction);
         if (!(cosine > 0)) return;
         const double weight = weight_of(*sample, Spectrum(cosine / kPi));
-        const int panes = panes_to({at, sample->direct.direction}, sample->direct.distance);
+        const int panes = hints_.panes_to({at, sample->direct.direction}, sample->direct.distance);
         const PhotonKind kind = kind_after_smooth(panes);
         if (panes < 0 || !disc.takes_kind(kind)) return;
         add(*sample, at, weight);
@@ -72,7 +55,7 @@ private:
             const Frame frame(hit->shading_normal, hit->tangent);
             const Vec3 w_from = frame.to_local(-ray.direction);
             if (scattering(bsdf) != Scattering::specular) {
-                const auto sample = sample_light(hit->position);
+                const auto sample = hints_.sample(hit->position, stream_);
                 if (sample) add_if_lit(*hit, frame, bsdf, w_from, *sample);
             }
             const auto drawn = sample(bsdf, w_from, draw());
@@ -92,44 +75,18 @@ private:
     }
 
     void add_if_lit(const Hit& hit, const Frame& frame, const Bsdf& bsdf, const Vec3& w_from,
-                    const LightSample& sample) {
+                    const LightAtPoint& sample) {
         const Vec3 w_to = frame.to_local(sample.direct.direction);
         const Spectrum f = eval(bsdf, w_from, w_to, Transport::radiance);
         if (f.is_zero()) return;
         const double weight = weight_of(sample, f * std::abs(w_to.z));
         const Ray ray = ray_from(hit, sample.direct.direction);
-        if (panes_to(ray, sample.direct.distance) < 0) return;
+        if (hints_.panes_to(ray, sample.direct.distance) < 0) return;
         add(sample, hit.position, weight);
     }
 
-    /// Surfaces that light passes along the ray, bent as it may be. @return -1: it is stopped.
-    int panes_to(Ray ray, float distance) const {
-        float left = distance * (1 - 1e-4F);
-        for (int panes = 0; panes < kMostPanes; ++panes) {
-            ray.length = left;
-            auto hit = scene_.scene.geometry().intersect(ray);
-            if (!hit) return panes;
-            if (!scene_.scene.passes_straight(*hit) && !is_clear(*hit, ray.direction)) return -1;
-            left -= hit->distance;
-            if (!(left > 0)) return panes + 1;
-            ray = ray_from(*hit, ray.direction);
-        }
-        return -1;
-    }
-
-    /// Does a smooth surface let light through?
-    bool is_clear(Hit& hit, const Vec3& direction) const {
-        std::optional<Bsdf> room;
-        const Bsdf& bsdf = scene_.bsdf_at(hit, room);
-        if (scattering(bsdf) != Scattering::specular) return false;
-        const Vec3 w_from = Frame(hit.shading_normal, hit.tangent).to_local(-direction);
-        constexpr float kLast = 1 - 0x1p-20F;  // of the lobes: transmission
-        const auto through = sample(bsdf, w_from, {{kLast, 0.5F, 0.5F}, Transport::radiance, {}});
-        return through && through->w_to.z * w_from.z < 0;
-    }
-
     /// What a sample brings if nothing is in the way.
-    double weight_of(const LightSample& sample, const Spectrum& scattered) {
+    double weight_of(const LightAtPoint& sample, const Spectrum& scattered) {
         const Spectrum flux = throughput_ * scattered * scene_.emission[sample.light];
         const double weight = static_cast<double>(flux.sum()) *
                               static_cast<double>(sample.direct.factor) / sample.probability;
@@ -137,25 +94,13 @@ private:
         return weight;
     }
 
-    /// The emission that would take the walk's way.
-    void add(const LightSample& sample, const Vec3& at, double weight) {
-        const Light& light = scene_.scene.lights()[sample.light];
-        const DirectSample& direct = sample.direct;
-        const Vec3d to_light(direct.direction);
-        Vec3d origin(at);
-        if (!comes_from_afar(light)) origin += to_light * static_cast<double>(direct.distance);
-        const EmissionSlots u =
-            emission_slots(light, {origin, direct.normal, -to_light}, scene_.scene.sphere());
-        EmissionPoint point;
-        std::copy(u.begin(), u.end(), point.begin());
-        point[slot(EmissionSlot::light)] = lights_.number(sample.light, stream_.next());
-        const auto is_number = [](double x) { return x > 0 && x < 1; };
-        if (weight > 0 && std::all_of(point.begin(), point.end(), is_number))
-            found_.hints.push_back({point, weight});
+    void add(const LightAtPoint& sample, const Vec3& at, double weight) {
+        if (const auto hint = hints_.hint(sample, at, weight, stream_))
+            found_.hints.push_back(*hint);
     }
 
     const PassScene& scene_;
-    const LightChoice& lights_;
+    LightHints hints_;
     RandomStream stream_;
     WalkedEmission& found_;
     Spectrum throughput_{1};

@@ -1,4 +1,5 @@
-// The scenes keyhole-4, -6, -8 and keyhole-lamp: light through one small hole, far from the view.
+// The scenes keyhole-4, -6, -8, -9 and keyhole-lamp: light through one small hole, far from the
+// view.
 //
 // A closed black box holds nothing but a pane of milk glass and, 80 cm below it, a diffuse floor,
 // of which the camera sees 41 x 41 cm and nothing else. Light comes in through a square hole in the
@@ -33,13 +34,14 @@ struct Keyhole {
 };
 
 /// Fractions of uniform photon paths that can be seen, for discs of no
-/// width: 9.9e-5, 1.0e-6, 1.0e-8 and 1.0e-6. The sun grows as the hole shrinks: the four pictures
-/// are equally bright within 3%.
-inline constexpr std::array<Keyhole, 4> kKeyholes = {{
+/// width: 9.9e-5, 1.0e-6, 1.0e-8, 1.0e-9 and 1.0e-6. The sun grows as the hole shrinks: the five
+/// pictures are equally bright within 3%.
+inline constexpr std::array<Keyhole, 5> kKeyholes = {{
     {"keyhole-4", "sun through a hole far from the view; 1e-4 of its photon paths are seen", 0.25,
      KeyholeLight::sun, 160},
     {"keyhole-6", "the same, the hole 2.5 cm wide: 1e-6", 0.025, KeyholeLight::sun, 16'000},
     {"keyhole-8", "the same, the hole 2.5 mm wide: 1e-8", 0.0025, KeyholeLight::sun, 1'600'000},
+    {"keyhole-9", "the same, the hole .8 mm wide: 1e-9", 0.00079057, KeyholeLight::sun, 16'000'000},
     {"keyhole-lamp", "a lamp above the hole of keyhole-6 in place of the sun: 1e-6", 0.025,
      KeyholeLight::lamp, 15'680'000},
 }};

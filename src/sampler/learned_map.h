@@ -26,20 +26,24 @@ struct LearnedMap {
     double visible_share = 0;  // of paths through it
 };
 
+/// How hints are asked for visible paths.
+struct HintTries {
+    std::size_t most = 2048;  // hints, evenly spread over all
+    int tries = 256;          // of one
+};
+
 /// Visible paths whose emission is as hinted and whose other numbers are drawn: at most one a hint.
 template <PathSpace Space>
 Population visible_from(const Space& space, const std::vector<WeightedEmission>& hints, PassId pass,
-                        typename Space::Tally& tally) {
-    constexpr std::size_t kMostHints = 2048;
-    constexpr int kTries = 256;
-    const std::size_t count = std::min(kMostHints, hints.size());
+                        typename Space::Tally& tally, const HintTries& effort = {}) {
+    const std::size_t count = std::min(effort.most, hints.size());
     std::vector<std::vector<Seed>> found(count);
     std::vector<typename Space::Tally> tallies(count);
     parallel_for(count, [&](std::size_t i) {
         const EmissionPoint& hint = hints[i * hints.size() / count].point;
         RandomStream stream = pass.stream(Purpose::chain, i);
         typename Space::Path path;
-        for (int k = 0; k < kTries && found[i].empty(); ++k) {
+        for (int k = 0; k < effort.tries && found[i].empty(); ++k) {
             StoredSample sample;
             for (std::uint32_t s = 0; s < kMappedSlots; ++s) sample.set(s, to_fraction(hint.at(s)));
             space.trace(RepeatingReader(sample, stream), path, tallies[i]);

@@ -1,4 +1,5 @@
-// Where a pilot may look for emission that climbing does not find: walks from the other end.
+// Where a pilot may look for emission that climbing does not find: walks from the other end, and
+// gaps between surfaces.
 #pragma once
 
 #include "core/random.h"
@@ -24,6 +25,9 @@ struct MapSource {
 
     bool is_on = true;  // off: no maps at all
     Walks walks = {};   // none: climbing alone
+    /// Emission that passes close to an edge, wherever it goes, by the numbers of tries.
+    using Edges = std::function<std::vector<WeightedEmission>(PassId, PathRange)>;
+    Edges edges = {};
     /// Flux that a walk finds of all lights together, about: the picture's brightness.
     std::function<double(PassId)> seen = {};
 };

@@ -88,6 +88,10 @@ private:
     static constexpr std::uint32_t kWalks = 100'000;  // at once
     static constexpr std::uint32_t kFewWalks = 500'000;
     static constexpr std::uint32_t kMostWalks = 8'000'000;
+    // Points by edges: few where no walk's light would be seen as a whole, but may be as a spot.
+    static constexpr std::size_t kManyTries = 200'000;
+    static constexpr std::size_t kSomeTries = 20'000;
+    static constexpr int kTriesPastEdges = 2;
     static constexpr std::size_t kFewHints = 8;
     static constexpr std::size_t kManyHints = 2048;
     static constexpr double kNegligible = 0.01;  // of all that is seen: not worth looking for
@@ -121,28 +125,44 @@ private:
                 {emission_of(seed.sample), weight * seed.total() / population.weight()});
     }
 
-    std::vector<WeightedEmission> look_for_hints(PassId pass) {
+    /// @param seen  flux that walks find of all lights.
+    /// @return whether more walks may find what matters: no, once enough hints are there, or if the
+    ///         light that no walk has reached yet would not be seen.
+    bool walk_for_hints(PassId pass, const PathRange& walks, std::size_t enough, double seen,
+                        WalkedEmission& found) const {
         constexpr double kEventsMissed = 3;  // at most, with 95% confidence, where none was seen
-        const double seen = maps_.seen ? maps_.seen(walk_.next_round()) : 0;
-        const std::uint32_t most = has_climbed_ ? kFewWalks : kMostWalks;
-        std::vector<WeightedEmission> hints;
-        double possible = 0;
-        for (std::uint32_t i = 0; i < most; i += kWalks) {
-            if (hints.size() >= (i < kFewWalks ? kManyHints : kFewHints)) break;
-            const double walks = i;
-            if (i > 0 && possible / walks * kEventsMissed / walks < kNegligible * seen) break;
-            const WalkedEmission found = maps_.walks(pass, {i, i + kWalks});
-            hints.insert(hints.end(), found.hints.begin(), found.hints.end());
-            possible += found.possible;
+        for (std::size_t i = walks.begin; i < walks.end; i += kWalks) {
+            if (found.hints.size() >= enough) return false;
+            const auto so_far = static_cast<double>(i);
+            if (i > 0 && found.possible / so_far * kEventsMissed / so_far < kNegligible * seen)
+                return false;
+            const WalkedEmission more = maps_.walks(pass, {i, i + kWalks});
+            found.hints.insert(found.hints.end(), more.hints.begin(), more.hints.end());
+            found.possible += more.possible;
         }
-        return hints;
+        return true;
+    }
+
+    /// Visible paths of light that passes close to edges. @param tries  points by edges.
+    Population visible_past_edges(std::size_t tries) {
+        const std::vector<WeightedEmission> past = maps_.edges(walk_.next_round(), {0, tries});
+        const HintTries all{past.size(), kTriesPastEdges};
+        return visible_from(space_, past, walk_.next_round(), tally_, all);
     }
 
     /// @return whether any hint leads to a visible path.
     bool start_from_hints() {
         const PassId pass = walk_.next_round();
-        const std::vector<WeightedEmission> hints = look_for_hints(pass);
-        Population population = visible_from(space_, hints, walk_.next_round(), tally_);
+        const double seen = maps_.seen ? maps_.seen(walk_.next_round()) : 0;
+        WalkedEmission found;
+        Population population;
+        const bool matters = walk_for_hints(pass, {0, kFewWalks}, kManyHints, seen, found);
+        if (found.hints.size() < kFewHints) {
+            if (maps_.edges) population = visible_past_edges(matters ? kManyTries : kSomeTries);
+            if (matters && !has_climbed_ && population.units() < kFewHints)
+                walk_for_hints(pass, {kFewWalks, kMostWalks}, kFewHints, seen, found);
+        }
+        population.add(visible_from(space_, found.hints, walk_.next_round(), tally_));
         if (population.units() == 0) return false;
         add_starts(population, kStartingRounds);
         if (has_climbed_) add_starts(visible_, 1);

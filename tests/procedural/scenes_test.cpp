@@ -126,7 +126,7 @@ TEST_P(EveryScene, has_the_bytes_that_pictures_were_made_of) {
         {"magnifier", 0x535e3596581fdd39},     {"useful-light", 0x6ae7e5ba14fc0e10},
         {"useless-light", 0x58b61d01cf208ab2}, {"keyhole-4", 0xcf1d1a5deef40a3b},
         {"keyhole-6", 0xf541a393bdb7b3},       {"keyhole-8", 0xe8c8a9dfa36378bf},
-        {"keyhole-lamp", 0xbaa7065c08d77d55},
+        {"keyhole-9", 0x90f334e92184c31d},     {"keyhole-lamp", 0xbaa7065c08d77d55},
     };
     EXPECT_EQ(known.at(GetParam().name), fingerprint(files_))
         << "0x" << std::hex << fingerprint(files_);
@@ -141,7 +141,8 @@ TEST_P(EveryScene, has_the_number_of_triangles_it_promises) {
         {"box", 3466},           {"watch", 153274},        {"room", 159714},
         {"statue-far", 378638},  {"statue-near", 378638},  {"magnifier", 72348},
         {"useful-light", 64824}, {"useless-light", 64824}, {"keyhole-4", 20},
-        {"keyhole-6", 20},       {"keyhole-8", 20},        {"keyhole-lamp", 22},
+        {"keyhole-6", 20},       {"keyhole-8", 20},        {"keyhole-9", 20},
+        {"keyhole-lamp", 22},
     };
     const bool is_cognac = GetParam().name.starts_with("cognac");
     EXPECT_EQ(triangles, is_cognac ? 16456 : promised.at(GetParam().name));
@@ -172,7 +173,7 @@ TEST_P(SolidScene, has_no_two_level_faces_in_one_place) {
 INSTANTIATE_TEST_SUITE_P(all, SolidScene,
                          testing::Values("cornell-door", "two-windows", "box", "watch", "room",
                                          "statue-far", "magnifier", "useless-light", "keyhole-8",
-                                         "keyhole-lamp"),
+                                         "keyhole-9", "keyhole-lamp"),
                          [](const auto& info) {
                              std::string name = info.param;
                              std::replace(name.begin(), name.end(), '-', '_');
@@ -186,7 +187,7 @@ TEST(Scenes, are_these) {
               "cornell cognac-0 cognac-1 cognac-2 cognac-3 cognac-4 cognac-5 cognac-6 "
               "window-room diamond iced-tea cornell-door two-windows box watch room statue-far "
               "statue-near magnifier useful-light useless-light keyhole-4 keyhole-6 keyhole-8 "
-              "keyhole-lamp ");
+              "keyhole-9 keyhole-lamp ");
 }
 
 // So all can be written to one folder: none changes another that was written before.

@@ -207,9 +207,39 @@ TEST(Pilot, looks_for_hints_while_they_may_matter) {
                                     walked = walks.end;
                                     return WalkedEmission{{}, double(walks.end - walks.begin)};
                                 },
+                                {},
                                 [&](PassId) { return matters ? 1e-6 : 1e-3; }};
         Pilot<Hidden, EmissionPoints>(space, {1, 0}, blocked).run(kPaths);
         EXPECT_EQ(walked, matters ? 8'000'000U : 400'000U);
+    }
+}
+
+// Walks find nothing; one point in a hundred by an edge is on an island. Then there are no walks
+// but the first ones, and where light would be seen in spots alone a tenth of the points.
+TEST(Pilot, starts_from_points_by_edges_where_walks_find_nothing) {
+    const Hidden space = hidden();
+    for (const bool matters : {true, false}) {
+        std::size_t walked = 0;
+        std::size_t tried = 0;
+        const MapSource by_edges{true,
+                                 [&](PassId, const PathRange& walks) {
+                                     walked = walks.end;
+                                     return WalkedEmission{{}, double(walks.end - walks.begin)};
+                                 },
+                                 [&](PassId pass, const PathRange& tries) {
+                                     tried = tries.end;
+                                     std::vector<WeightedEmission> all =
+                                         hints_of_hidden(pass, {0, tries.end * 20}).hints;
+                                     all.resize(tries.end, {{0.1, 0.5, 0.5, 0.5, 0.5}, 1});
+                                     return all;
+                                 },
+                                 [&](PassId) { return matters ? 1e-6 : 1e-3; }};
+        const PilotResult found =
+            Pilot<Hidden, EmissionPoints>(space, {1, 0}, by_edges).run(kPaths);
+        EXPECT_EQ(walked, matters ? 500'000U : 400'000U);
+        EXPECT_EQ(tried, matters ? 200'000U : 20'000U);
+        EXPECT_NEAR(found.tail[kVisible] / space.visible_fraction(), 1, 0.1);
+        EXPECT_GT(found.mapped.paths, kPaths / 2);
     }
 }
 

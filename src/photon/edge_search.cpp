@@ -1,0 +1,142 @@
+// Points by edges, a light sample at each.
+#include "photon/edge_search.h"
+
+#include "core/parallel.h"
+#include "geometry/affine.h"
+#include "math/warp.h"
+#include "photon/light_hints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+struct Edge {
+    Vec3d from;
+    Vec3d to;
+};
+
+/// Triangles or patches of one shape, where they stand.
+struct EdgedShape {
+    const Shape* shape;
+    Affine to_world;
+    std::size_t end;  // of its triangles or patches, counted over all shapes up to it
+};
+
+/// How many corners each part of the shape has, and how many parts; none of shapes without edges.
+struct Parts {
+    std::size_t corners = 0;
+    std::size_t count = 0;
+};
+
+Parts parts_of(const Shape& shape) {
+    if (const auto* mesh = std::get_if<TriangleMesh>(&shape)) return {3, mesh->triangles.size()};
+    if (const auto* mesh = std::get_if<BilinearMesh>(&shape)) return {4, mesh->patches.size()};
+    return {};
+}
+
+class Edges {
+public:
+    explicit Edges(const GeometryInput& input) {
+        for (const std::uint32_t s : input.in_world) add(input.shapes[s], Affine());
+        for (const PlacedInstance& instance : input.instances)
+            for (const std::uint32_t s : instance.shapes)
+                add(input.shapes[s], Affine(instance.to_world));
+    }
+
+    bool empty() const { return shapes_.empty(); }
+
+    /// Half of the edges are of any triangle alike, half of any shape: a door among statues is one
+    /// shape of a few triangles. @param which, part, side  in (0,1).
+    Edge choose(double which, double part, double side) const {
+        const bool by_part = which < 0.5;
+        const double at = by_part ? 2 * which : 2 * which - 1;
+        const auto total = static_cast<double>(shapes_.back().end);
+        const auto shape =
+            by_part ? shape_of(static_cast<std::size_t>(at * total))
+                    : shapes_.begin() +
+                          static_cast<std::ptrdiff_t>(at * static_cast<double>(shapes_.size()));
+        const Parts parts = parts_of(*shape->shape);
+        return edge(*shape, static_cast<std::size_t>(part * static_cast<double>(parts.count)),
+                    static_cast<std::size_t>(side * static_cast<double>(parts.corners)));
+    }
+
+private:
+    using Shapes = std::vector<EdgedShape>;
+
+    void add(const PlacedShape& placed, const Affine& outer) {
+        const Parts parts = parts_of(placed.shape);
+        if (parts.count == 0) return;
+        const Affine inner(placed.to_world);
+        Affine map;
+        map.x = outer.vector(inner.x);
+        map.y = outer.vector(inner.y);
+        map.z = outer.vector(inner.z);
+        map.origin = outer.point(inner.origin);
+        const std::size_t before = shapes_.empty() ? 0 : shapes_.back().end;
+        shapes_.push_back({&placed.shape, map, before + parts.count});
+    }
+
+    Shapes::const_iterator shape_of(std::size_t part) const {
+        return std::upper_bound(shapes_.begin(), shapes_.end() - 1, part,
+                                [](std::size_t i, const EdgedShape& s) { return i < s.end; });
+    }
+
+    static Edge edge(const EdgedShape& of, std::size_t part, std::size_t side) {
+        const auto place = [&](const std::vector<Vec3>& positions, std::uint32_t corner) {
+            return of.to_world.point(Vec3d(positions.at(corner)));
+        };
+        if (const auto* mesh = std::get_if<TriangleMesh>(of.shape)) {
+            const auto& corners = mesh->triangles[part];
+            return {place(mesh->positions, corners.at(side)),
+                    place(mesh->positions, corners.at((side + 1) % 3))};
+        }
+        constexpr std::array<std::size_t, 4> kAround = {0, 1, 3, 2};  // of a patch's corners
+        const auto& mesh = std::get<BilinearMesh>(*of.shape);
+        const auto& corners = mesh.patches[part];
+        return {place(mesh.positions, corners.at(kAround.at(side))),
+                place(mesh.positions, corners.at(kAround.at((side + 1) % 4)))};
+    }
+
+    Shapes shapes_;
+};
+
+/// A point by the edge, as near as 2^-16 of its length and as far as that, each octave alike.
+Vec3 point_by(const Edge& edge, RandomStream& stream) {
+    constexpr double kOctaves = 16;
+    const Vec3d way = edge.to - edge.from;
+    const Vec3d on = edge.from + way * stream.next();
+    const double distance = way.length() * std::exp2(static_cast<float>(-kOctaves * stream.next()));
+    const double first = stream.next();
+    return Vec3(on + uniform_sphere({first, stream.next()}) * distance);
+}
+
+}  // namespace
+
+std::vector<WeightedEmission> emission_past_edges(const PhotonView& view, const LightChoice& lights,
+                                                  PassId pass, const PathRange& tries) {
+    constexpr std::size_t kBlock = 1024;
+    const Edges edges(view.scene.scene.geometry().input());
+    if (edges.empty()) return {};
+    const LightHints hints(view.scene, lights);
+    std::vector<std::vector<WeightedEmission>> blocks((tries.size() + kBlock - 1) / kBlock);
+    parallel_blocks(tries.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            RandomStream stream = pass.stream(Purpose::edge_search, tries.begin + i);
+            const double which = stream.next();
+            const double part = stream.next();
+            const Vec3 at = point_by(edges.choose(which, part, stream.next()), stream);
+            const auto light = hints.sample(at, stream);
+            if (!light) continue;
+            if (hints.panes_to({at, light->direct.direction}, light->direct.distance) < 0) continue;
+            if (const auto hint = hints.hint(*light, at, 1, stream))
+                blocks[begin / kBlock].push_back(*hint);
+        }
+    });
+    std::vector<WeightedEmission> all;
+    for (const auto& block : blocks) all.insert(all.end(), block.begin(), block.end());
+    return all;
+}
+
+}  // namespace sunfleck
