@@ -1,5 +1,7 @@
-// One render, one hash: by 1, 2 and 3 ranks of 1 and 2 threads, whole and resumed.
+// One render, one hash: by 1, 2 and 3 ranks of 1, 2 and 8 threads, whole, resumed and merged.
 #include "mpi/job.h"
+
+#include <array>
 
 namespace sunfleck {
 namespace {
@@ -49,7 +51,7 @@ TEST_F(JobDeterminism, ranks_threads_and_resumes_give_one_hash) {
     const Words layers{"--layers", "caustic,depth"};
     render_alone(layers + Words{"--passes", "37"});
     for (const int ranks : {1, 2, 3})
-        for (const char* threads : {"1", "2"})
+        for (const char* threads : {"1", "2", "8"})
             expect_alike_whole_and_resumed(
                 ranks, small(layers + Words{"--nthreads", threads}) + outputs("job"));
 }
@@ -62,6 +64,58 @@ TEST_F(JobDeterminism, parts_of_a_job_merge) {
     ASSERT_EQ(run_job(2, second).code, 0);
     ASSERT_EQ(run({"merge", "second.film", "first.film", "-o", "sum.film"}).code, 0);
     EXPECT_TRUE(same("alone.film", "sum.film"));
+}
+
+/// Without a number of photon paths: from pass 16 on they are measured, and passes count as often
+/// as they are worth.
+class WeightedJob : public JobTest {
+protected:
+    static constexpr const char* kEnd = "20";  // of the passes
+
+    void SetUp() override {
+        JobTest::SetUp();
+        ASSERT_EQ(run({"scene", "keyhole-4", "-o", "."}).code, 0);
+    }
+
+    static Words words(const Words& more) {
+        return Words{"render", "keyhole-4.pbrt", "--quiet", "--resolution", "48x48"} + more;
+    }
+
+    void expect_made(const Ran& ran, const std::string& film, const std::string& what) const {
+        ASSERT_EQ(ran.code, 0) << what << ran.err;
+        EXPECT_TRUE(same("alone.film", film)) << what;
+    }
+
+    /// Whole, resumed from pass 8, and merged from two parts, both with passes that count twice.
+    /// @param threads  three numbers, taken in turn.
+    void expect_alike(int ranks, const std::array<const char*, 3>& threads) const {
+        const std::string by = std::to_string(ranks) + " ranks, ";
+        const auto job = [&](std::size_t turn, const Words& more) {
+            return run_job(ranks, words({"--nthreads", threads.at(turn)}) + more);
+        };
+        expect_made(job(0, {"--passes", kEnd, "-o", "job.film"}), "job.film", by + "whole");
+        const Words keep{"--passes", "8", "--checkpoint", "job.ckpt", "-o", "x.film"};
+        ASSERT_EQ(job(1, keep).code, 0);
+        const Words on{"--passes", kEnd, "--resume", "job.ckpt", "-o", "resumed.film"};
+        expect_made(job(2, on), "resumed.film", by + "resumed");
+        std::filesystem::remove(path("job.ckpt"));
+        ASSERT_EQ(job(0, {"--pass-range", "0:18", "-o", "first.film"}).code, 0);
+        ASSERT_EQ(job(1, {"--pass-range", std::string("18:") + kEnd, "-o", "second.film"}).code, 0);
+        expect_made(run({"merge", "second.film", "first.film", "-o", "sum.film"}), "sum.film",
+                    by + "merged");
+    }
+};
+
+TEST_F(WeightedJob, ranks_threads_resumes_and_parts_give_one_hash) {
+    const Words alone{"--passes", kEnd, "--stats", "alone.json", "-o", "alone.film"};
+    ASSERT_EQ(run(words(alone)).code, 0);
+    const auto epochs = json("alone.json")["epochs"];
+    ASSERT_EQ(epochs.size(), 2U);
+    ASSERT_GT(epochs[1]["weight"], 1);
+    ASSERT_GT(epochs[1]["photons_per_pass"], epochs[0]["photons_per_pass"]);
+    expect_alike(1, {"8", "1", "2"});
+    expect_alike(2, {"2", "8", "1"});
+    expect_alike(3, {"1", "2", "8"});
 }
 
 TEST_F(JobDeterminism, every_integrator_is_shared) {
