@@ -50,8 +50,9 @@ std::vector<Entry> entries() {
     for (const CognacView& view : kCognacViews)
         all.push_back({{std::string(view.name), std::string(view.what)}, cognac});
     const std::vector<Entry> others = {
-        {{"window-room", "the sun through one pane into a closed room"},
-         nameless<window_room_scene>},
+        {{"window-room", "the sun through one pane into a closed room"}, window_room_scene},
+        {{"window-room-lamp", "the same, and a lamp of 1/500 of the sun's power in it"},
+         window_room_scene},
         {{"diamond", "a brilliant in the sun, and the colours that it throws"},
          nameless<diamond_scene>},
         {{"iced-tea", "a tumbler of tea with ice under a clear sky"}, nameless<iced_tea_scene>},

@@ -1,6 +1,9 @@
-// The room: walls with one hole, a pane in it, furniture of boxes, the ground outside, the sun.
+// The room: walls with one hole, a pane in it, furniture of boxes, the ground outside, the sun; and
+// in one of both scenes a lamp.
 
 #include "procedural/window_room.h"
+
+#include "procedural/scene_folder.h"
 
 #include <string_view>
 
@@ -8,13 +11,13 @@ namespace sunfleck {
 namespace {
 
 constexpr std::string_view kHead =
-    R"(# Sunfleck, scene window-room: the sun falls through one pane into a closed room.
-# Made by "sunfleck scene window-room". Dedicated to the public domain (CC0 1.0).
+    R"(# Sunfleck, scene @NAME@: the sun falls through one pane into a closed room@LAMP@.
+# Made by "sunfleck scene @NAME@". Dedicated to the public domain (CC0 1.0).
 # Unit: metres; z is up; the first line makes the picture right-handed.
 Scale -1 1 1
 LookAt -1.95 -1.6 1.65  0.35 0.75 0.85  0 0 1
 Camera "perspective" "float fov" 64
-Film "rgb" "string filename" "window-room.exr"
+Film "rgb" "string filename" "@NAME@.exr"
     "integer xresolution" 256 "integer yresolution" 256
 PixelFilter "box"
 Sampler "halton" "integer pixelsamples" 256
@@ -33,6 +36,15 @@ MakeNamedMaterial "wood" "string type" "diffuse" "rgb reflectance" [ 0.45 0.28 0
 MakeNamedMaterial "cloth" "string type" "diffuse" "rgb reflectance" [ 0.2 0.3 0.5 ]
 MakeNamedMaterial "paper" "string type" "diffuse" "rgb reflectance" [ 0.65 0.25 0.2 ]
 MakeNamedMaterial "pane" "string type" "dielectric" "float eta" 1.5
+)";
+
+constexpr std::string_view kLamp = R"(
+# The lamp: a small ball below the ceiling, of 1/500 of the sun's power.
+AttributeBegin
+AreaLightSource "diffuse" "rgb L" [ 1 1 1 ] "float scale" 1500
+Translate 0 0 2.2
+Shape "sphere" "float radius" 0.05
+AttributeEnd
 )";
 
 using Corner = std::array<float, 3>;
@@ -80,7 +92,8 @@ constexpr float kHalfGround = 10;
 
 template <std::size_t N>
 std::string boxes_text(std::string_view material, const std::array<Box, N>& boxes) {
-    std::string text = "\nNamedMaterial \"" + std::string(material) + "\"\n";
+    std::string text = "\nNamedMaterial \"";
+    text.append(material).append("\"\n");
     for (const Box& box : boxes) text += shape_text(box_mesh(box.low, box.high));
     return text;
 }
@@ -129,8 +142,10 @@ Mesh window_pane() {
                     {kHole.high[0] + kEmbedded, 2.103F, kHole.high[2] + kEmbedded});
 }
 
-std::vector<SceneFile> window_room_scene() {
-    std::string text(kHead);
+std::vector<SceneFile> window_room_scene(const ProceduralScene& scene) {
+    const bool has_lamp = scene.name == "window-room-lamp";
+    std::string text = replaced(std::string(kHead), "@NAME@", scene.name);
+    text = replaced(text, "@LAMP@", has_lamp ? " with a lamp" : "");
     text +=
         "\n# Outside.\nNamedMaterial \"ground\"\n" + shape_text(square_mesh(kHalfGround, -0.1F));
     text += "\n# Walls, floor and ceiling, 20 cm thick, with a hole.\nNamedMaterial \"plaster\"\n" +
@@ -141,7 +156,8 @@ std::vector<SceneFile> window_room_scene() {
     text += boxes_text("wood", kWood);
     text += boxes_text("cloth", kCloth);
     text += boxes_text("paper", kPaper);
-    return {{"window-room.pbrt", text}};
+    if (has_lamp) text += kLamp;
+    return {{scene.name + ".pbrt", text}};
 }
 
 }  // namespace sunfleck

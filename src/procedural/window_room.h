@@ -1,4 +1,5 @@
-// The scene window-room: a closed room that the sun enters through one small pane of glass.
+// The scenes window-room and window-room-lamp: a closed room that the sun enters through one small
+// pane of glass, without a lamp in it and with one.
 #pragma once
 
 #include "procedural/mesh.h"
@@ -8,8 +9,8 @@
 
 namespace sunfleck {
 
-/// One file. Metres, z up.
-std::vector<SceneFile> window_room_scene();
+/// One file. Metres, z up. @param scene  one of both.
+std::vector<SceneFile> window_room_scene(const ProceduralScene& scene);
 
 /// The walls: a closed surface (2 shells and the window's reveal), normals out of the masonry.
 Mesh room_walls();

@@ -110,12 +110,12 @@ inline Mesh text_mesh(const std::vector<std::string>& words, std::size_t shape) 
     return mesh;
 }
 
-/// All shapes of a scene in the order of its file.
+/// All meshes of a scene in the order of its file. (Its spheres are no meshes.)
 inline std::vector<Mesh> scene_meshes(const std::vector<SceneFile>& files) {
     const std::vector<std::string> words = pbrt_words(files.at(0).bytes);
     std::vector<Mesh> meshes;
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-        if (words[i] != "Shape") continue;
+        if (words[i] != "Shape" || words[i + 1] == "\"sphere") continue;
         if (words[i + 1] == "\"trianglemesh") {
             meshes.push_back(text_mesh(words, i));
             continue;

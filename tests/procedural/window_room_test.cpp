@@ -1,13 +1,16 @@
-// The room: walls closed but for the window, and the window closed by the pane.
+// The room: walls closed but for the window, and the window closed by the pane. With a lamp it is
+// the same room.
 
 #include "procedural/window_room.h"
 
 #include "core/random.h"
 #include "mesh_checks.h"
+#include "scene_reading.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sunfleck {
 namespace {
@@ -44,6 +47,30 @@ TEST(WindowRoom, light_enters_only_through_the_pane) {
         ASSERT_EQ(all_hits(pane, from, to - from).size(), 2);
     }
     EXPECT_GT(outward, 2000);
+}
+
+std::string text_of(const std::string& scene) {
+    return make_scene(scene).at(0).bytes;
+}
+
+TEST(WindowRoom, the_lamp_is_all_that_is_added) {
+    const auto world = [](const std::string& text) { return text.substr(text.find("WorldBegin")); };
+    const std::string with = world(text_of("window-room-lamp"));
+    EXPECT_EQ(with.substr(0, with.find("\n# The lamp")), world(text_of("window-room")));
+}
+
+/// The sun's photons start on a disc that covers all there is: the ground, and the house on it.
+TEST(WindowRoom, the_lamp_has_one_five_hundredth_of_the_suns_power) {
+    const std::vector<std::string> words = pbrt_words(text_of("window-room-lamp"));
+    const auto after = [&](const char* statement, const char* parameter) {
+        const auto at = std::find(words.begin(), words.end(), statement);
+        return std::stod(*(std::find(at, words.end(), parameter) + 1));
+    };
+    const double pi = std::acos(-1.0);
+    const double radius = after("AttributeBegin", "\"float radius");
+    const double lamp = pi * after("AreaLightSource", "\"float scale") * 4 * pi * radius * radius;
+    const double sun = after("LightSource", "\"float scale") * pi * (2 * 10 * 10 + 1.55 * 1.55);
+    EXPECT_NEAR(sun / lamp, 500, 25);
 }
 
 }  // namespace
