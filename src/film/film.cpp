@@ -32,6 +32,37 @@ void check_image(const FilmKey& key, std::uint32_t number, const PassImage& imag
                     "add it to a film without discs");
 }
 
+std::string text_of(const PassRange& range) {
+    return std::to_string(range.begin) + ":" + std::to_string(range.end);
+}
+
+/// Are these of one render, and is no pass in both?
+void check_parts(const FilmSums& sums, const FilmSums& other, const std::string& other_name) {
+    if (const auto differs = difference(sums.key, other.key)) {
+        const std::string values =
+            differs->here.empty() ? "" : ": " + differs->here + " and " + differs->there;
+        throw Error({other_name}, "is of another render: " + differs->what + " differs" + values,
+                    "merge parts of one render alone");
+    }
+    if (sums.key.sequential)
+        throw Error({other_name}, "its passes build on one another and are no parts of a render",
+                    "render with another --photon-sampler to merge");
+    for (const PassRange& range : other.passes.ranges())
+        if (sums.passes.count_in(range) != 0)
+            throw Error({other_name},
+                        "passes " + text_of(range) + " are in another part, too, some or all",
+                        "give each part passes of its own with --pass-range");
+}
+
+/// Has a part of the passes all that there are of a round?
+bool has_all_of_round(const PassSet& part, std::uint64_t round, const PassSet& passes) {
+    return part.count_in(round_range(round)) == passes.count_in(round_range(round));
+}
+
+void insert_all(const PassSet& from, PassSet& to) {
+    for (const PassRange& range : from.ranges()) to.insert(range);
+}
+
 }  // namespace
 
 PassRange round_range(std::uint64_t round) {
@@ -60,6 +91,17 @@ std::vector<std::uint64_t> open_rounds(const PassSet& passes) {
         add((range.end - 1) / kRoundPasses);
     }
     return open;
+}
+
+std::optional<std::uint64_t> uneven_round(const PassSet& passes, const HeavyPasses& heavy) {
+    for (const auto& [times, of_weight] : heavy)
+        for (const PassRange& range : of_weight.ranges()) {
+            const std::uint64_t first = range.begin / kRoundPasses;
+            const std::uint64_t last = (range.end - 1) / kRoundPasses;
+            if (!has_all_of_round(of_weight, first, passes)) return first;
+            if (!has_all_of_round(of_weight, last, passes)) return last;  // whole rounds between
+        }
+    return {};
 }
 
 Film::Film(FilmKey key) : sums_(empty_sums(std::move(key))) {}
@@ -106,6 +148,13 @@ void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t 
     if (sums_.passes.count_in(range) != 0)
         throw Error({"pass " + std::to_string(number)}, "the film holds it already",
                     "add each pass once");
+    const std::uint64_t round_number = number / kRoundPasses;
+    if (sums_.passes.count_in(round_range(round_number)) != 0 &&
+        weight != weight_of_round(round_number))
+        throw Error({"pass " + std::to_string(number)},
+                    "counts " + std::to_string(weight) + " times, others of its round " +
+                        std::to_string(weight_of_round(round_number)),
+                    "let all passes of a round count alike");
     check_image(sums_.key, number, image);
     for (std::size_t i = 0; i < kLayerCount; ++i)
         if (key().has(i)) add_layer(sums_.layers.at(i), image, kLayers.at(i), weight);
@@ -116,10 +165,10 @@ void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t 
     sums_.passes.insert(range);
     if (weight > 1) sums_.heavy[weight].insert(range);
     if (key().sequential) return;
-    OpenRound& round = open_round(number / kRoundPasses);
+    OpenRound& round = open_round(round_number);
     add_layer(round.rgb, image, kLayers[0], weight);
     if (key().has_discs()) {
-        const double area = round_area(number / kRoundPasses, key().alpha);
+        const double area = round_area(round_number, key().alpha);
         count("saturated", add_photons(sums_, image, {area, weight}, round));
     }
     close_rounds();
@@ -143,21 +192,16 @@ void Film::close_rounds() {
 
 void Film::merge(const Film& other, const std::string& other_name) {
     const FilmSums& from = other.sums_;
-    if (const auto differs = difference(sums_.key, from.key)) {
-        const std::string values =
-            differs->here.empty() ? "" : ": " + differs->here + " and " + differs->there;
-        throw Error({other_name}, "is of another render: " + differs->what + " differs" + values,
-                    "merge parts of one render alone");
-    }
-    if (key().sequential)
-        throw Error({other_name}, "its passes build on one another and are no parts of a render",
-                    "render with another --photon-sampler to merge");
-    for (const PassRange& range : from.passes.ranges())
-        if (sums_.passes.count_in(range) != 0)
-            throw Error({other_name},
-                        "passes " + std::to_string(range.begin) + ":" + std::to_string(range.end) +
-                            " are in another part, too, some or all",
-                        "give each part passes of its own with --pass-range");
+    check_parts(sums_, from, other_name);
+    PassSet passes = sums_.passes;
+    insert_all(from.passes, passes);
+    HeavyPasses heavy = sums_.heavy;
+    for (const auto& [weight, of_weight] : from.heavy) insert_all(of_weight, heavy[weight]);
+    if (const auto round = uneven_round(passes, heavy))
+        throw Error({other_name},
+                    "passes of " + text_of(round_range(*round)) +
+                        " count more often in one part than in another",
+                    "render all parts with one version of the program");
     const auto sums = total_arrays(sums_);
     const auto terms = total_arrays(from);
     for (std::size_t i = 0; i < sums.size(); ++i) add_all(sums[i], terms[i]);
@@ -166,9 +210,8 @@ void Film::merge(const Film& other, const std::string& other_name) {
         for (std::size_t i = 0; i < round.size(); ++i) add_all(round[i], arrays(other_round)[i]);
     }
     for (const auto& [name, value] : from.statistics) sums_.statistics[name] += value;
-    for (const PassRange& range : from.passes.ranges()) sums_.passes.insert(range);
-    for (const auto& [weight, passes] : from.heavy)
-        for (const PassRange& range : passes.ranges()) sums_.heavy[weight].insert(range);
+    sums_.passes = std::move(passes);
+    sums_.heavy = std::move(heavy);
     close_rounds();
 }
 

@@ -18,6 +18,7 @@
 #include "film/film_sums.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,8 +35,9 @@ public:
 
     /// Adds one pass, and its dropped and saturated counts to the statistics.
     /// @param weight  how often it counts: 1 to kMostWeight, the same for all passes of a round.
-    /// @throws Error if the film holds it already, its size or layers are other than the key's, or
-    ///         it does not hold photons apart and the key has discs.
+    /// @throws Error, and changes nothing, if the film holds it already, or other passes of its
+    ///         round that count unlike, its size or layers are other than the key's, or it does not
+    ///         hold photons apart and the key has discs.
     void add_pass(std::uint32_t number, const PassImage& image, std::uint32_t weight = 1);
 
     /// Adds to the statistic of that name. Zero makes no entry.
@@ -47,8 +49,8 @@ public:
 
     /// Adds another film of the same render. The result does not depend on the order of merging.
     /// @param other_name  where it came from, for the Error.
-    /// @throws Error, and changes nothing, if the keys differ, both hold one pass, or passes are
-    ///         sequential.
+    /// @throws Error, and changes nothing, if the keys differ, both hold one pass, passes of a
+    ///         round would count unlike, or passes are sequential.
     void merge(const Film& other, const std::string& other_name);
 
     const FilmKey& key() const { return sums_.key; }
@@ -81,6 +83,9 @@ PassRange round_range(std::uint64_t round);
 
 /// Complete rounds in a set of passes.
 std::uint64_t complete_rounds(const PassSet& passes);
+
+/// A round whose passes do not all count alike, if there is one. @param heavy  of the passes.
+std::optional<std::uint64_t> uneven_round(const PassSet& passes, const HeavyPasses& heavy);
 
 /// Rounds of which a set holds some passes and not all, ascending.
 std::vector<std::uint64_t> open_rounds(const PassSet& passes);

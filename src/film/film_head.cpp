@@ -58,7 +58,7 @@ PassSet read_passes(WordReader& in) {
     return passes;
 }
 
-/// @param passes  all there are.
+/// @param passes  all there are: those of a round count alike.
 HeavyPasses read_heavy(WordReader& in, const PassSet& passes) {
     HeavyPasses heavy;
     PassSet known;
@@ -72,6 +72,7 @@ HeavyPasses read_heavy(WordReader& in, const PassSet& passes) {
             known.insert(range);
         }
     }
+    if (uneven_round(passes, heavy)) in.damaged();
     return heavy;
 }
 

@@ -112,12 +112,14 @@ TEST_F(FilmFile, weights_that_cannot_be_are_refused) {
         for (const PassRange& range : ranges) passes.insert(range);
         return fault_of(bytes_of(Film(std::move(sums))));
     };
-    EXPECT_EQ(fault_with(2, {{0, 8}}), "");
-    EXPECT_NE(fault_with(1, {{0, 8}}), "");
-    EXPECT_NE(fault_with(kMostWeight + 1, {{0, 8}}), "");
+    EXPECT_EQ(fault_with(2, {{0, 16}}), "");
+    EXPECT_NE(fault_with(1, {{0, 16}}), "");
+    EXPECT_NE(fault_with(kMostWeight + 1, {{0, 16}}), "");
     EXPECT_NE(fault_with(2, {}), "");
-    EXPECT_NE(fault_with(2, {{8, 17}}), "");  // 16 counts four times
+    EXPECT_NE(fault_with(2, {{0, 32}}), "");  // from 16 on they count four times
     EXPECT_NE(fault_with(3, {{40, 41}}), "");
+    for (const PassRange& part : {PassRange{0, 8}, {8, 16}, {3, 4}})
+        EXPECT_NE(fault_with(2, {part}), "") << "others of the round count once";
 }
 
 TEST_F(FilmFile, merged_parts_have_the_bytes_of_one_run) {
