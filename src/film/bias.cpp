@@ -3,7 +3,6 @@
 
 #include "core/parallel.h"
 #include "film/luminance.h"
-#include "math/wavelengths.h"
 #include "measurement/radius.h"
 
 #include <algorithm>
@@ -45,7 +44,7 @@ Bias bias_of(const RoundMeans& y, const DiscAreas& areas) {
 /// Of each block, over its pixels: means over complete rounds. Squares are left out.
 std::vector<RoundMeans> block_sums(const Film& film, const BlockGrid& grid) {
     const FilmSums& sums = film.sums();
-    const double passes = film.weight_of_rounds() * kRoundPasses;
+    const double passes = film.complete_weight();
     std::vector<std::pair<double, const FixedPoints*>> open;  // area, sums
     for (const auto& [number, round] : sums.open_rounds)
         open.emplace_back(round_area(number, film.key().alpha), &round.photon_blocks);

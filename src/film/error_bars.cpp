@@ -3,7 +3,6 @@
 
 #include "core/parallel.h"
 #include "film/luminance.h"
-#include "math/wavelengths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +21,6 @@ RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
 struct Rounds {
     explicit Rounds(const Film& film)
         : count(static_cast<double>(film.rounds())), weight(film.weight_of_rounds()) {}
-
-    double passes() const { return weight * kRoundPasses; }
 
     double count;
     double weight;
@@ -53,7 +50,7 @@ double total(const std::vector<double>& terms) {
 }
 
 std::vector<double> complete_block_sums(const Film& film) {
-    return block_sums(BlockGrid(film.key(), kErrorBlock), Rounds(film).passes(),
+    return block_sums(BlockGrid(film.key(), kErrorBlock), film.complete_weight(),
                       [&](std::size_t pixel) { return complete_sum(film.sums(), pixel); });
 }
 
@@ -62,10 +59,11 @@ std::vector<double> complete_block_sums(const Film& film) {
 std::vector<MeanError> pixel_errors(const Film& film) {
     const Rounds rounds(film);
     if (rounds.count < 2) return {};
+    const double passes = film.complete_weight();
     std::vector<MeanError> errors(film.key().pixels());
     parallel_blocks(errors.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const double mean = complete_sum(film.sums(), i).mean_luminance(rounds.passes());
+            const double mean = complete_sum(film.sums(), i).mean_luminance(passes);
             errors[i] = mean_error(mean, film.sums().pixel_squares[i], rounds);
         }
     });

@@ -122,6 +122,10 @@ double Film::weight_of_rounds() const {
     return static_cast<double>(weight);
 }
 
+double Film::complete_weight() const {
+    return weight_of_rounds() * kRoundPasses;
+}
+
 std::uint32_t Film::weight_of_round(std::uint64_t round) const {
     for (const auto& [times, passes] : sums_.heavy)
         if (passes.count_in(round_range(round)) > 0) return times;

@@ -64,6 +64,8 @@ public:
     std::uint64_t rounds() const;
     /// How often these count together, each as its passes.
     double weight_of_rounds() const;
+    /// How often the passes of complete rounds count together.
+    double complete_weight() const;
     std::uint32_t weight_of_round(std::uint64_t round) const;
 
 private:

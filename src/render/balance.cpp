@@ -25,7 +25,7 @@ struct Work {
     double deposits = 0;  // of a photon path, with one camera path a pixel
 
     DrawCost with(const CameraShares& shares, const PixelValues& taken) const {
-        const double more = shares.doublings.empty() ? 0 : times(shares.doublings, taken) - 1;
+        const double more = shares.doublings.empty() ? 0 : mean_paths(shares.doublings, taken) - 1;
         return {eye * shares.work, photon + deposits * (1 + kMoreDeposits * more)};
     }
 };

@@ -59,11 +59,11 @@ std::size_t paths_of(const Doublings& doublings) {
 
 }  // namespace
 
-double times(const Doublings& doublings, const PixelValues& pixels) {
-    const double one = std::accumulate(pixels.begin(), pixels.end(), 0.0);
-    double all = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) all += pixels[i] * (1U << doublings[i]);
-    return one > 0 ? all / one : 1;
+double mean_paths(const Doublings& doublings, const PixelValues& weights) {
+    const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
+    double paths = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) paths += weights[i] * (1U << doublings[i]);
+    return weight > 0 ? paths / weight : 1;
 }
 
 bool may_be_shared(const PixelWindow& window) {
@@ -91,7 +91,7 @@ std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTr
     for (const double level : kLevels) {
         CameraShares shares{doublings_of(of_both, trials, grid, level), 1, {}};
         if (paths_of(shares.doublings) > kMostPaths) break;
-        shares.work = times(shares.doublings, trials.rays);
+        shares.work = mean_paths(shares.doublings, trials.rays);
         for (const std::size_t h : {0U, 1U})
             shares.by_half[h] = doublings_of(of_half[h], trials, grid, level);
         all.push_back(std::move(shares));

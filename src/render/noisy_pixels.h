@@ -25,8 +25,8 @@ struct CameraShares {
     }
 };
 
-/// A sum over pixels, with so many camera paths over that with one each.
-double times(const Doublings& doublings, const PixelValues& pixels);
+/// The mean number of camera paths of a pixel, pixels weighed so; one if all weights are zero.
+double mean_paths(const Doublings& doublings, const PixelValues& weights);
 
 /// Are there pixels enough for shares, and not so many that there is no memory for more paths?
 bool may_be_shared(const PixelWindow& window);

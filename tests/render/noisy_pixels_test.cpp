@@ -135,9 +135,9 @@ TEST(NoisyPixels, are_not_foretold_with_hindsight) {
     EXPECT_GT(variance_left(shares, flashes, grid, 0), 0.9 * variance_left({}, flashes, grid, 0));
 }
 
-TEST(NoisyPixels, weigh_a_sum_by_their_paths) {
-    EXPECT_DOUBLE_EQ(times({0, 1, 4}, {5, 3, 2}), (5 + 2 * 3 + 16 * 2) / 10.0);
-    EXPECT_EQ(times({1, 1}, {0, 0}), 1) << "of nothing";
+TEST(NoisyPixels, have_a_mean_number_of_paths) {
+    EXPECT_DOUBLE_EQ(mean_paths({0, 1, 4}, {5, 3, 2}), (5 + 2 * 3 + 16 * 2) / 10.0);
+    EXPECT_EQ(mean_paths({1, 1}, {0, 0}), 1) << "of nothing";
 }
 
 /// Of a pixel, on average over a part of the picture.
