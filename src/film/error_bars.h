@@ -35,7 +35,8 @@ std::vector<MeanError> block_errors(const Film& film);
 /// with fewer than two complete rounds.
 std::optional<MeanError> image_error(const Film& film);
 
-/// Mean luminance over all passes, complete round or not; zero without passes.
+/// Mean luminance over all passes, each as often as it counts, complete round or not; zero without
+/// passes.
 double image_mean(const Film& film);
 
 /// Is there light, but too little for standard errors to be known?

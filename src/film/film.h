@@ -7,10 +7,10 @@
 //
 // Rounds of kRoundPasses passes are the independent samples of error bars. When a round is
 // complete its mean luminance y is computed from its exact sums, of each pixel, each block and the
-// whole picture, and y^2 is added to the sums of squares: floored to 2^-64, at most 2^47 (beyond:
-// cut and counted). Until then the round's own RGB sums are kept beside the totals. The same is
-// done for the luminance that photons have brought, of blocks and the picture, where there are
-// discs.
+// whole picture, and w y^2 is added to the sums of squares, w being how often its passes count:
+// floored to 2^-64, at most 2^47 (beyond: cut and counted). Until then the round's own RGB sums are
+// kept beside the totals. The same is done for the luminance that photons have brought, of blocks
+// and the picture, where there are discs.
 //
 // Passes that build on those before are no samples: a sequential film (film_key.h) has no rounds.
 #pragma once

@@ -41,7 +41,8 @@ inline constexpr std::array<LayerRow, kLayerCount> kLayers = {{
     {Layer::normal, "normal", "XYZ", "shading normal of the first surface, world frame"},
     {Layer::depth, "depth", "Z", "distance to the first surface along the ray; 0 for none"},
     {Layer::samples, "samples", "N",
-     "photons gathered, a pass; a state of the paper's chain as often as it stood"},
+     "photons gathered, a pass, each pass as often as it counts; a state of the paper's chain as "
+     "often as it stood"},
 }};
 
 /// Can a layer of some lights be called so? A letter, then letters, digits, _ and -.

@@ -1,7 +1,7 @@
 // Learning which lights are sampled together, and how.
 //
-// In:  what is seen in an epoch's first pass. Out: groups of lights with their plans. Pilots are
-// never part of a picture (sampler/pilot.h).
+// In:  a view like that of an epoch's first pass. Out: groups of lights with their plans. Pilots
+// are never part of a picture (sampler/pilot.h).
 #pragma once
 
 #include "photon/photon_group.h"

@@ -1,4 +1,4 @@
-// A pilot over the visible points of the epoch's first pass.
+// A pilot and trials over views like that of the epoch's first pass.
 #include "render/epoch.h"
 
 #include "core/stopwatch.h"
