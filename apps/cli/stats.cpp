@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace sunfleck {
 namespace {
@@ -18,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 struct Fraction {
     double value = 0;
-    double error = 0;  // standard, from the spread of passes
+    double error = 0;  // standard, from the spread of passes, each counted once
 };
 
 Fraction visible_fraction(const Film& film) {
@@ -121,14 +123,16 @@ Json settings_json(const FilmKey& key) {
     return json;
 }
 
-}  // namespace
+std::uint64_t count(const Film& film, const char* name) {
+    return static_cast<std::uint64_t>(film.statistic(name));
+}
 
-std::string stats_json(const Film& film, const RunFacts& facts) {
-    const auto count = [&](const char* name) {
-        return static_cast<std::uint64_t>(film.statistic(name));
-    };
-    const Fraction fraction = visible_fraction(film);
-    Json json;
+void add_counts(const Film& film, std::initializer_list<const char*> names, Json& json) {
+    for (const char* name : names) json[name] = count(film, name);
+}
+
+/// What was rendered.
+void add_render(const Film& film, const RunFacts& facts, Json& json) {
     json["version"] = SUNFLECK_VERSION;
     json["scene"] = facts.scene;
     json["command"] = facts.command;
@@ -142,44 +146,66 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
     for (const PassRange& range : film.passes().ranges())
         json["pass_ranges"].push_back({range.begin, range.end});
     json["rounds"] = film.rounds();
-    // Deposits are made while tracing: "estimate" is part of "photon".
-    json["seconds"] = {{"load", facts.load_seconds},
-                       {"build", facts.seconds.build},
-                       {"eye", facts.seconds.eye},
-                       {"index", facts.seconds.index},
-                       {"photon", facts.seconds.photon},
-                       {"learn", facts.seconds.learn},
-                       {"estimate", 0.0},
-                       {"total", facts.total_seconds}};
-    json["cpu_seconds"] = facts.cpu_seconds;
-    json["rays"] = {{"eye", count("eye_rays")}, {"photon", count("photon_rays")}};
-    json["visible_points"] = count("visible_points");
-    json["photon_paths"] = {{"uniform", count("uniform_paths")},
-                            {"uniform_visible", count("uniform_visible")},
-                            {"mapped", count("mapped_paths")},
-                            {"mapped_visible", count("mapped_visible")},
-                            {"mutated", count("mutated_paths")},
-                            {"accepted", count("accepted_paths")},
-                            {"distinct_visible", count("distinct_visible")},
-                            {"deposited", count("visible_states")}};
+}
+
+/// Deposits are made while tracing: "estimate" is part of "photon".
+Json seconds_json(const RunFacts& facts) {
+    return {{"load", facts.load_seconds},
+            {"build", facts.seconds.build},
+            {"eye", facts.seconds.eye},
+            {"index", facts.seconds.index},
+            {"photon", facts.seconds.photon},
+            {"learn", facts.seconds.learn},
+            {"estimate", 0.0},
+            {"total", facts.total_seconds}};
+}
+
+Json photon_paths_json(const Film& film) {
+    return {{"uniform", count(film, "uniform_paths")},
+            {"uniform_visible", count(film, "uniform_visible")},
+            {"mapped", count(film, "mapped_paths")},
+            {"mapped_visible", count(film, "mapped_visible")},
+            {"mutated", count(film, "mutated_paths")},
+            {"accepted", count(film, "accepted_paths")},
+            {"distinct_visible", count(film, "distinct_visible")},
+            {"deposited", count(film, "visible_states")}};
+}
+
+/// How photon paths were chosen, and what came of it.
+void add_sampling(const Film& film, Json& json) {
+    json["photon_paths"] = photon_paths_json(film);
     json["epochs"] = epochs_json(film);
     json["ladder"] = ladder_json(film);
     json["light_groups"] = groups_json(film);
     json["visible_photon_ratio"] = visible_ratio(film, "distinct_visible");
     json["visible_photon_ratio_with_repeats"] = visible_ratio(film, "visible_states");
     json["mutation_size"] = mutation_size(film);
-    json["theta_floor_held"] = count("theta_floor_held");
+    add_counts(film, {"theta_floor_held"}, json);
     json["acceptance"] = acceptance(film);
-    json["photons_stored"] = count("photons_stored");
-    json["deposits"] = count("deposits");
-    json["starved_passes"] = count("starved_passes");
+    add_counts(film, {"photons_stored", "deposits", "starved_passes"}, json);
+    const Fraction fraction = visible_fraction(film);
     json["visible_fraction"] = {{"value", fraction.value}, {"std_error", fraction.error}};
+}
+
+/// Luminance beyond which squares are cut, of the heaviest rounds.
+double largest_luminance(const Film& film) {
+    const HeavyPasses& heavy = film.sums().heavy;
+    return std::sqrt(kLargestTerm / (heavy.empty() ? 1 : heavy.rbegin()->first));
+}
+
+}  // namespace
+
+std::string stats_json(const Film& film, const RunFacts& facts) {
+    Json json;
+    add_render(film, facts, json);
+    json["seconds"] = seconds_json(facts);
+    json["cpu_seconds"] = facts.cpu_seconds;
+    json["rays"] = {{"eye", count(film, "eye_rays")}, {"photon", count(film, "photon_rays")}};
+    add_counts(film, {"visible_points"}, json);
+    add_sampling(film, json);
     json["radius_factor"] = facts.radius_factor;
-    json["dropped_nonfinite"] = count("dropped_nonfinite");
-    json["saturated"] = count("saturated");
-    json["saturated_squares"] = count("saturated_squares");
-    json["escaped"] = count("escaped");
-    json["too_long"] = count("too_long");
+    add_counts(film, {"dropped_nonfinite", "saturated", "saturated_squares", "escaped", "too_long"},
+               json);
     json["image"] = image_json(film, facts.error_terms);
     json["warnings"] = facts.warnings;
     return json.dump(2) + "\n";
@@ -197,10 +223,10 @@ std::vector<std::string> reliability_warnings(const Film& film) {
     const Fraction visible = visible_fraction(film);
     if (visible.error > 0.1 * visible.value)
         lines.push_back(fmt::format(
-            "the light brought by photons is uncertain by {:.0f}% as a "
-            "whole: the visible fraction of photon paths is {:.2g} +- "
-            "{:.2g} after {} passes",
-            100 * visible.error / visible.value, visible.value, visible.error, film.pass_count()));
+            "the visible fraction of photon paths is known to {:.0f}% only, from the spread "
+            "between {} passes: {:.2g} +- {:.2g}; the light brought by photons may be as "
+            "uncertain as a whole",
+            100 * visible.error / visible.value, film.pass_count(), visible.value, visible.error));
     const auto error = image_error(film);
     if (error && error->mean > 0 && error->standard_error > 0.05 * error->mean)
         lines.push_back(fmt::format("the brightness of the whole picture is uncertain by {:.0f}%",
@@ -225,7 +251,7 @@ std::vector<std::string> reliability_warnings(const Film& film) {
         lines.push_back(
             fmt::format("error bars are too small where the picture is brighter than "
                         "{:.1g}, in {:.0f} cases",
-                        std::sqrt(kLargestTerm), squares));
+                        largest_luminance(film), squares));
     return lines;
 }
 
