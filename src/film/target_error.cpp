@@ -2,6 +2,7 @@
 #include "film/target_error.h"
 
 #include "film/bias.h"
+#include "math/wavelengths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,12 @@ double times_passes_to(const TargetError& error, double target, double alpha) {
         (then.value() > target ? low : high) = middle;
     }
     return high;
+}
+
+double passes_left(const Film& film, const TargetError& error, double target, double alpha) {
+    const std::uint64_t latest = film.passes().ranges().back().end - 1;
+    const double weight = film.weight_of_round(latest / kRoundPasses);
+    return (times_passes_to(error, target, alpha) - 1) * film.weight() / weight;
 }
 
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {

@@ -26,10 +26,14 @@ struct TargetError {
     double value() const { return std::sqrt(noise * noise + bias * bias); }
 };
 
-/// How many times as many passes as there are bring the error down to the target: its noise falls
-/// with their root, its bias with the area of the discs, as passes^(alpha - 1); 1 if it is there.
+/// How many times the weight of the passes that there are brings the error down to the target: its
+/// noise falls with their root, its bias with the area of the discs, as passes^(alpha - 1); 1 if it
+/// is there.
 /// @param target  positive. @param alpha  of the radii, in (0, 1).
 double times_passes_to(const TargetError& error, double target, double alpha);
+
+/// The same in passes to come, which count as often as the latest. @param film  has passes.
+double passes_left(const Film& film, const TargetError& error, double target, double alpha);
 
 /// Bright blocks are those above 1% of the mean luminance. Nothing with fewer than kTargetRounds
 /// complete rounds, or in a picture that is black or too dim for error bars.

@@ -20,7 +20,7 @@ double paths_of(const Film& film, Integrator integrator) {
            film.statistic("mutated_paths");
 }
 
-std::optional<double> seconds_left(const Progress& p, const RenderJob& job) {
+std::optional<double> seconds_left(const Progress& p, const RenderJob& job, const Film& film) {
     const StopSettings& stop = job.stop;
     std::optional<double> left;
     const auto at_most = [&](double seconds) {
@@ -30,7 +30,7 @@ std::optional<double> seconds_left(const Progress& p, const RenderJob& job) {
     if (stop.seconds) at_most(*stop.seconds - p.seconds);
     if (stop.cpu_seconds) at_most(p.seconds * (*stop.cpu_seconds / p.cpu_seconds - 1));
     if (p.error && p.target)
-        at_most(p.seconds * (times_passes_to(*p.error, *p.target, job.settings.alpha) - 1));
+        at_most(p.seconds / p.passes * passes_left(film, *p.error, *p.target, job.settings.alpha));
     return left;
 }
 
@@ -153,7 +153,7 @@ void Overseer::follow() {
     progress_.visible_fraction = film.statistic("visible_fraction") / progress_.passes;
     progress_.starved = static_cast<std::uint32_t>(film.statistic("starved_passes"));
     progress_.paths_per_second = paths_of(film, job_.settings.integrator) / progress_.seconds;
-    progress_.seconds_left = seconds_left(progress_, job_);
+    progress_.seconds_left = seconds_left(progress_, job_, film);
 }
 
 }  // namespace sunfleck

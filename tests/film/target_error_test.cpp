@@ -104,5 +104,24 @@ TEST(TargetError, says_how_many_passes_are_left) {
     EXPECT_NEAR(std::hypot(0.06, 0.04) / std::sqrt(both), 0.02, 1e-6);
 }
 
+/// After a round that counts once and three that count four times half the error takes three times
+/// the weight of 16 + 48 * 4, in passes that count four times.
+TEST(TargetError, says_how_many_passes_are_left_that_count_as_the_latest) {
+    const auto value = [](std::uint32_t, std::size_t) { return 1.0F; };
+    const Film film =
+        film_by_round(1, 1, 64, value, [](std::uint64_t round) { return round > 0 ? 4U : 1U; });
+    EXPECT_NEAR(passes_left(film, {0.04, 0}, 0.02, 0.5), 3 * (16 + 48 * 4) / 4, 1e-4);
+    EXPECT_NEAR(passes_left(film_by_round(1, 1, 64, value), {0.04, 0}, 0.02, 0.5), 3 * 64, 1e-4);
+    EXPECT_NEAR(passes_left(film, {0.01, 0}, 0.02, 0.5), 0, 1e-4);
+}
+
+/// Or a render would end before the light is in any round.
+TEST(TargetError, is_not_known_where_complete_rounds_are_black) {
+    const Film film = film_by_round(
+        8, 8, 70, [](std::uint32_t round, std::size_t) { return round < 4 ? 0.0F : 1.0F; });
+    EXPECT_EQ(film.rounds(), kTargetRounds);
+    EXPECT_FALSE(target_error(film, {}).has_value());
+}
+
 }  // namespace
 }  // namespace sunfleck
