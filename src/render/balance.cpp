@@ -10,7 +10,7 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::uint64_t kSeeds = 128;  // of a ladder's one set, or more
+constexpr double kSeeds = 128;  // of a ladder's one set in a draw, or more
 constexpr double kRaysOfPath =
     0.6;  // work beside a camera path's rays: its point's place in the index
 constexpr double kRaysOfDeposit = 0.6;  // work
@@ -34,17 +34,23 @@ Work work_of(const EyeView& view, const PhotonTrials& trials) {
     const auto count = [](const Statistics& counts, Count which) {
         return static_cast<double>(counts[which]);
     };
-    const double paths = 2 * trials.pair.paths;
+    const double paths = kPhotonSets * trials.pair.paths;
     return {
         count(view.counts, Count::eye_rays) + kRaysOfPath * count(view.counts, Count::camera_paths),
         count(trials.totals.statistics, Count::photon_rays) / paths,
         kRaysOfDeposit * trials.deposits / paths};
 }
 
+/// The share of the usual paths that leaves kSeeds.
+/// @param found  seeds in all sets of photons. @param tried  the share that one of these has.
+double share_of_seeds(std::uint64_t found, double tried) {
+    return kSeeds * kPhotonSets * tried / static_cast<double>(found);
+}
+
 /// The share of the usual paths below which nothing is known of what paths are worth: that of the
 /// trials, or less where a ladder has one set and seeds enough. All, where a ladder has found
 /// nothing.
-/// @param tried  the trials' share.
+/// @param totals  of all sets of photons. @param tried  the share that one of them has.
 double least_share(const std::vector<PhotonGroup>& groups, const PhotonTotals& totals,
                    double tried) {
     double share = 0;
@@ -55,7 +61,7 @@ double least_share(const std::vector<PhotonGroup>& groups, const PhotonTotals& t
         if (!(ladder.visible_fraction > 0)) return 1;
         const bool is_simple = group.plan.levels.size() == 1 && group.mapped.paths == 0;
         const double for_seeds =
-            is_simple ? kSeeds / static_cast<double>(ladder.survivors.front()) : tried;
+            is_simple ? share_of_seeds(ladder.survivors.front(), tried) : tried;
         share = std::max(share, std::min(for_seeds, tried));
     }
     return share;

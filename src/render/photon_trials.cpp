@@ -65,12 +65,12 @@ PhotonTrials photon_trials(const EyePass& second, const EyeView& seen,
     trials.pair.cells = second.cells;
     trials.pair.paths = static_cast<double>(paths_of(groups));
     PhotonCounts taken(2 * pixels);
-    for (const std::uint32_t set : {0U, 1U}) {
+    for (std::uint32_t set = 0; set < kPhotonSets; ++set) {
         PassImage image(2 * pixels, {});
         trials.totals.add(trace_photons({second.scene, second.transport, index},
                                         name.round(kPhotonSetsRound + set), PhotonSampler::adaptive,
                                         groups, {image, &taken}),
-                          0.5);
+                          1.0 / kPhotonSets);
         add_light(image, set, trials.pair);
     }
     const auto middle = taken.begin() + static_cast<std::ptrdiff_t>(pixels);

@@ -12,14 +12,17 @@
 #include "render/noisy_pixels.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace sunfleck {
 
+inline constexpr std::uint32_t kPhotonSets = 2;  // that light both views
+
 /// One view's trial passes, pixel by pixel.
 struct TrialView {
-    PixelValues eye;                 // light that needs no photon
-    std::array<PixelValues, 2> lit;  // all light, with each set of photons
+    PixelValues eye;                           // light that needs no photon
+    std::array<PixelValues, kPhotonSets> lit;  // all light, with each set of photons
 };
 
 struct TrialPair {

@@ -53,6 +53,13 @@ TEST(Balance, spares_photons_of_chains_that_bring_less_than_camera_paths) {
     EXPECT_EQ(epoch.paths, kUsual / 4);
 }
 
+// A ladder of one set with some 1150 seeds: an eighth of the paths leaves it 140, a sixteenth 70.
+TEST(Balance, spares_photons_of_one_set_while_it_keeps_its_seeds) {
+    const Epoch epoch = learned(procedural("cognac-0", 48), {});
+    EXPECT_EQ(epoch.groups.front().plan.levels.size(), 1U);
+    EXPECT_EQ(epoch.paths, kUsual / 8);
+}
+
 TEST(Balance, takes_a_part_of_all_that_a_plan_has) {
     PhotonGroup group{};
     group.plan = {1000, {{3, 400, 40, {}}, {kVisible, 800, 2, {}}}};
