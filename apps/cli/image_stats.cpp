@@ -6,20 +6,33 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace sunfleck {
+namespace {
+
+/// Nothing where it is zero and the picture is not black, which says nothing.
+std::optional<MeanError> known_error(const Film& film) {
+    const auto error = image_error(film);
+    if (!error || is_too_dim(film)) return {};
+    if (error->standard_error == 0 && error->mean != 0) return {};
+    return error;
+}
+
+}  // namespace
 
 nlohmann::ordered_json image_json(const Film& film, ErrorTerms terms) {
     nlohmann::ordered_json json;
     json["mean"] = image_mean(film);
-    if (const auto error = image_error(film)) {
+    if (const auto error = known_error(film)) {
         json["mean_std_error"] = error->standard_error;
         if (error->mean > 0) json["relative_std_error"] = error->standard_error / error->mean;
     }
     if (const auto bias = image_bias(film)) {
         json["bias"] = bias->value;
         json["bias_std_error"] = bias->standard_error;
+        if (const auto relative = relative_bias(film)) json["relative_bias"] = *relative;
     }
-    if (const auto bias = relative_bias(film)) json["relative_bias"] = *bias;
     if (const auto error = target_error(film, terms)) {
         json["noise"] = error->noise;
         json["target_error"] = error->value();

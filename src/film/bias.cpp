@@ -130,6 +130,7 @@ std::optional<Bias> image_bias(const Film& film) {
         total.mean += block.mean;
         total.mean_by_area += block.mean_by_area;
     }
+    if (total.mean == 0 && is_lit(film.sums().layers[0])) return {};
     const double square = film.sums().photons.image_square.to_double() / areas->weight;
     return bias_of(means(total, film.key().pixels(), square), *areas);
 }

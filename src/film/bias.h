@@ -31,7 +31,8 @@ struct Bias {
 /// nothing.
 std::vector<Bias> block_biases(const Film& film);
 
-/// Of the luminance of the whole picture.
+/// Of the luminance of the whole picture. Nothing where disc_areas() has nothing, or where photons
+/// have brought no light in complete rounds, and the picture is not black.
 std::optional<Bias> image_bias(const Film& film);
 
 /// Standard errors of the luminance of each pixel, bias subtracted; not less than they are where

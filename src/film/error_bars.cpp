@@ -56,6 +56,11 @@ std::vector<double> complete_block_sums(const Film& film) {
 
 }  // namespace
 
+bool is_lit(const FixedPoints& sums) {
+    return std::any_of(sums.begin(), sums.end(),
+                       [](FixedPoint sum) { return sum != FixedPoint{}; });
+}
+
 std::vector<MeanError> pixel_errors(const Film& film) {
     const Rounds rounds(film);
     if (rounds.count < 2) return {};
@@ -87,6 +92,7 @@ std::optional<MeanError> image_error(const Film& film) {
     const Rounds rounds(film);
     if (rounds.count < 2) return {};
     const double mean = total(complete_block_sums(film)) / static_cast<double>(film.key().pixels());
+    if (mean == 0 && is_lit(film.sums().layers[0])) return {};
     return mean_error(mean, film.sums().image_square, rounds);
 }
 

@@ -19,6 +19,9 @@ namespace sunfleck {
 /// Of pictures that are darker the squares say nothing.
 inline constexpr double kDimmestMean = 0x1p-18;
 
+/// Is any of them other than zero?
+bool is_lit(const FixedPoints& sums);
+
 struct MeanError {
     double mean = 0;            // over complete rounds
     double standard_error = 0;  // of that mean
@@ -32,7 +35,7 @@ std::vector<MeanError> pixel_errors(const Film& film);
 std::vector<MeanError> block_errors(const Film& film);
 
 /// Luminance of the whole picture: the error that all pixels share is in this one, too. Nothing
-/// with fewer than two complete rounds.
+/// with fewer than two complete rounds, or where these are black and the picture is not.
 std::optional<MeanError> image_error(const Film& film);
 
 /// Mean luminance over all passes, each as often as it counts, complete round or not; zero without

@@ -36,7 +36,7 @@ double times_passes_to(const TargetError& error, double target, double alpha);
 double passes_left(const Film& film, const TargetError& error, double target, double alpha);
 
 /// Bright blocks are those above 1% of the mean luminance. Nothing with fewer than kTargetRounds
-/// complete rounds, or in a picture that is black or too dim for error bars.
+/// complete rounds, or where these are black or the picture is too dim for error bars.
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms);
 
 /// Bias of bright blocks over their luminance: the root of the mean square, its noise subtracted;

@@ -94,6 +94,32 @@ TEST_F(Stats, starved_passes_are_counted_and_warned_of) {
     EXPECT_NE(s["warnings"].dump().find("no photon reached"), std::string::npos);
 }
 
+/// A small part of a wall, and one photon a pass, which meets it in one of thirty: of some seed two
+/// rounds are black and the passes after them are not. An error of zero would say that the picture
+/// is known.
+TEST_F(Stats, error_of_light_in_an_open_round_alone_is_absent) {
+    write_text(path("room.pbrt"),
+               "LookAt 0 0 4  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 20\n"
+               "Film \"rgb\" \"integer xresolution\" 4 \"integer yresolution\" 4\nWorldBegin\n"
+               "LightSource \"point\" \"point3 from\" [0 0 2]\n"
+               "Shape \"disk\" \"float radius\" 9\n");
+    const auto image = [&](int seed, const char* passes) -> nlohmann::json {
+        return stats({"--passes", passes, "--seed", std::to_string(seed), "--direct", "photons",
+                      "--photons-per-pass", "1"})["image"];
+    };
+    for (int seed = 0; seed < 60; ++seed) {
+        const auto dark = image(seed, "32");
+        if (dark["mean"] != 0) continue;
+        EXPECT_EQ(dark["mean_std_error"], 0) << "black";
+        const auto lit = image(seed, "47");
+        if (lit["mean"] == 0) continue;
+        EXPECT_FALSE(lit.contains("mean_std_error"));
+        EXPECT_FALSE(lit.contains("relative_std_error"));
+        return;
+    }
+    FAIL() << "no such seed";
+}
+
 /// Times and the command aside, the numbers of two runs are the same.
 TEST_F(Stats, are_reproducible) {
     auto once = stats({"--passes", "17", "--nthreads", "1"});

@@ -4,6 +4,7 @@
 // factor of 1.15 is seen, and a mean wrong by a fifth of its spread.
 #include "film/bias.h"
 
+#include "film/target_error.h"
 #include "lines.h"
 #include "math/statistics.h"
 #include "synthetic.h"
@@ -66,6 +67,21 @@ TEST(Bias, is_not_known_from_too_few_rounds) {
     EXPECT_FALSE(image_bias(film));
     EXPECT_TRUE(extrapolated_pixel_errors(film).empty());
     EXPECT_TRUE(extrapolated_block_errors(film).empty());
+}
+
+TEST(Bias, is_not_known_where_photons_have_lit_an_open_round_alone) {
+    FilmKey key{3, 2, {}, 1, 0, ""};
+    key.alpha = 0.5;
+    for (const bool is_lit : {false, true}) {
+        Film film(key);
+        for (const std::uint32_t pass : numbers(0, 70)) {
+            PassImage image(6, {}, true);
+            if (is_lit && pass > 64) image.add_light(0, Vec3(1), Layer::caustic);
+            film.add_pass(pass, image);
+        }
+        EXPECT_EQ(image_bias(film).has_value(), !is_lit) << "black: no bias";
+        EXPECT_FALSE(target_error(film, {}).has_value());
+    }
 }
 
 /// Estimates of one number over seeds.

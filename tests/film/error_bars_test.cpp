@@ -147,6 +147,16 @@ TEST(ErrorBars, of_rounds_that_count_unlike) {
     }
 }
 
+/// An error of zero would say that the light is known.
+TEST(ErrorBars, of_light_in_an_open_round_alone_are_not_known) {
+    for (const std::uint32_t lit : {2U, 9U}) {
+        const Film film = film_by_round(
+            3, 2, 37, [&](std::uint32_t round, std::size_t) { return round < lit ? 0.0F : 1.0F; });
+        EXPECT_EQ(image_error(film).has_value(), lit == 9) << "but that of a black picture is";
+        EXPECT_NEAR(image_mean(film), lit == 9 ? 0 : 5 / 37.0, 1e-12);
+    }
+}
+
 TEST(ErrorBars, equal_rounds_have_no_error) {
     const Film film = film_by_round(3, 2, 64, [](std::uint32_t, std::size_t) { return 0.1F; });
     EXPECT_LT(pixel_errors(film)[0].standard_error, 1e-8);
