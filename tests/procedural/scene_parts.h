@@ -25,7 +25,8 @@ inline std::vector<Part> parts_of(const std::string& scene) {
     std::string material;
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         if (words[i] == "NamedMaterial") material = words[i + 1].substr(1);
-        if (words[i] == "Shape" && words[i + 1] != "\"sphere") parts.push_back({material, meshes.at(parts.size())});
+        if (words[i] == "Shape" && words[i + 1] != "\"sphere")
+            parts.push_back({material, meshes.at(parts.size())});
     }
     return parts;
 }
