@@ -3,9 +3,8 @@
 // 64 renders of 8 rounds each of cognac-2 and cognac-5, few paths a pass so that a ladder of some
 // sets is at work. The ratio of both standard errors, pooled over 16 blocks that share their
 // brightness's error: its own standard error is between 2 and 9%; within 15%.
-#include "render/count_pass.h"
+#include "support/films.h"
 #include "support/procedural.h"
-#include "support/renders.h"
 #include "support/spread.h"
 
 #include <gtest/gtest.h>
@@ -24,19 +23,11 @@ TEST_P(ErrorBars, of_blocks_are_their_true_spread) {
     const Scene scene = procedural(GetParam(), kSize);
     RenderSettings settings;
     settings.photon.paths_per_pass = 20'000;
-    FilmKey key;
-    key.width = kSize;
-    key.height = kSize;
     std::vector<Spread> blocks;
     for (int seed = 0; seed < kSeeds; ++seed) {
         settings.seed = static_cast<std::uint64_t>(seed);
-        Film film(key);
-        std::optional<Epoch> epoch;
-        for (std::uint32_t p = 0; p < kRounds * kRoundPasses; ++p) {
-            if (!epoch || epoch->number != epoch_of(p)) epoch = learn_epoch(scene, settings, p);
-            add_pass(film, p, render_pass(scene, settings, p, *epoch));
-        }
-        const std::vector<MeanError> errors = block_errors(film);
+        const std::vector<MeanError> errors =
+            block_errors(film_of_rounds(scene, settings, kRounds));
         blocks.resize(errors.size());
         for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].add(errors[i]);
     }

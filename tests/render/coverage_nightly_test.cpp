@@ -1,0 +1,109 @@
+// How often the 95% intervals of blocks hold what they should: 92 to 98%. Blocks of 8 x 8 pixels,
+// 32 rounds of the default sampler, the mean and Student's t (31 degrees of freedom) times its
+// standard error, as the film reports it; against the expectation at the same radii, for the bias
+// of discs is no part of error bars.
+//
+// The expectation is taken to be the mean over all renders of a case. Each render has its share in
+// that mean, and the mean its own error: with S renders of one variance the distance between both
+// is smaller than that to the expectation, by the root of 1 - 1/S, and is enlarged by as much.
+//
+// Blocks of a picture share much of their error. So what is counted is known as well as the shares
+// of single renders say: to one standard error of 1.2% or less, with which a true 95% lies in the
+// band with more than 98% certainty, and a true 89% out of it with as much. Seeds are fixed.
+#include "film/error_bars.h"
+#include "support/films.h"
+#include "support/procedural.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+struct Case {
+    std::string name;
+    std::string scene;
+    std::uint32_t paths;  // a pass
+    int renders;
+    EpochWeights weights;
+};
+
+/// Of a test's name.
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+    return out << c.name;
+}
+
+class Coverage : public testing::TestWithParam<Case> {
+protected:
+    static constexpr std::uint32_t kRounds = 32;
+    static constexpr double kQuantile = 2.0395;  // Student's t, 97.5%, 31 degrees of freedom
+    static constexpr int kSize = 32;
+
+    using Blocks = std::vector<MeanError>;
+
+    /// Blocks by render.
+    static std::vector<Blocks> renders() {
+        const Scene scene = procedural(GetParam().scene, kSize);
+        RenderSettings settings;
+        settings.photon.paths_per_pass = GetParam().paths;
+        std::vector<Blocks> all;
+        for (int seed = 0; seed < GetParam().renders; ++seed) {
+            settings.seed = static_cast<std::uint64_t>(seed);
+            all.push_back(
+                block_errors(film_of_rounds(scene, settings, kRounds, GetParam().weights)));
+        }
+        return all;
+    }
+
+    /// Shares of intervals, with the spread between renders.
+    struct Shares {
+        Estimate hold;
+        Estimate below;  // the whole interval is below the expectation
+    };
+
+    static Shares shares_of(const std::vector<Blocks>& all) {
+        const auto renders = static_cast<double>(all.size());
+        const auto count = static_cast<double>(all[0].size());
+        Blocks means(all[0].size());
+        for (const Blocks& blocks : all)
+            for (std::size_t b = 0; b < blocks.size(); ++b)
+                means[b].mean += blocks[b].mean / renders;
+        const double widened = std::sqrt(renders / (renders - 1));
+        std::vector<double> hold;
+        std::vector<double> below;
+        for (const Blocks& blocks : all) {
+            hold.push_back(0);
+            below.push_back(0);
+            for (std::size_t b = 0; b < blocks.size(); ++b) {
+                const double distance = (blocks[b].mean - means[b].mean) * widened;
+                const double reach = kQuantile * blocks[b].standard_error;
+                if (std::abs(distance) <= reach) hold.back() += 1 / count;
+                if (distance < -reach) below.back() += 1 / count;
+            }
+        }
+        return {Estimate::of(hold), Estimate::of(below)};
+    }
+};
+
+TEST_P(Coverage, of_blocks_is_that_of_their_intervals) {
+    const Shares shares = shares_of(renders());
+    const auto text = [](const Estimate& share) {
+        return std::to_string(share.mean) + " +- " + std::to_string(share.error);
+    };
+    RecordProperty("hold", text(shares.hold));
+    RecordProperty("below", text(shares.below));
+    EXPECT_LT(shares.hold.error, 0.012);
+    EXPECT_GT(shares.hold.mean, 0.92) << text(shares.hold) << "; below: " << text(shares.below);
+    EXPECT_LT(shares.hold.mean, 0.98) << text(shares.hold);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Coverage,
+                         testing::Values(Case{"cornell", "cornell", 1000, 64, {1, 1, 1}},
+                                         Case{"cognac_2", "cognac-2", 2000, 64, {1, 1, 1}},
+                                         Case{"cognac_5", "cognac-5", 2000, 80, {1, 1, 1}},
+                                         Case{"weighted", "keyhole-4", 1000, 100, {1, 2, 4}}),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace sunfleck
