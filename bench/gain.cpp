@@ -5,13 +5,13 @@
 //                   [--over SCENE] [--region X0,X1,Y0,Y1] [--reference-radius SHARE]
 //                   [--indirect-radius FACTOR]
 // A number is `adaptive` with so many photon paths a pass; "together" is it without light groups,
-// "unmapped" without emission maps, "unbalanced" without balance, "bare" without all three,
-// "gathered" with all light by photons, that from lamps to glossy surfaces, too. --over compares
-// the last sampler with itself in another scene. Renders of the samplers are interleaved, seed by
-// seed; the last sampler, with other seeds, is the reference, of the same passes and so of the same
-// radii: what is compared is noise alone (that of `paper`, whose radii differ, around its own
-// mean). --reference-radius .25 gives the reference discs of a quarter of the radius: then bias
-// counts, for all. Errors are corrected for the reference's own.
+// "unmapped" without emission maps, "unbalanced" without balance, "even" with as many camera paths
+// in each pixel, "bare" without all four, "gathered" with all light by photons, that from lamps to
+// glossy surfaces, too. --over compares the last sampler with itself in another scene. Renders of
+// the samplers are interleaved, seed by seed; the last sampler, with other seeds, is the reference,
+// of the same passes and so of the same radii: what is compared is noise alone (that of `paper`,
+// whose radii differ, around its own mean). --reference-radius .25 gives the reference discs of a
+// quarter of the radius: then bias counts, for all. Errors are corrected for the reference's own.
 #include "core/parallel.h"
 #include "film/film.h"
 #include "film/luminance.h"
@@ -45,7 +45,8 @@ constexpr std::array<Variant, 6> kVariants = {{
     {"unbalanced", [](RenderSettings& s) { s.photon.balance = false; }},
     {"bare",
      [](RenderSettings& s) {
-         s.photon.emission_maps = s.photon.light_groups = s.photon.balance = false;
+         s.photon.emission_maps = s.photon.light_groups = false;
+         s.photon.balance = s.photon.noisy_pixels = false;
      }},
     {"gathered", [](RenderSettings& s) { s.transport.direct = DirectLight::photons; }},
 }};
@@ -240,7 +241,7 @@ int main(int count, char** words) {
         return known ? std::string() : "there is no sampler or integrator " + name;
     };
     app.add_option("--samplers", settings.samplers,
-                   "Or integrators, a number, or unmapped, together, unbalanced, bare, "
+                   "Or integrators, a number, or unmapped, together, unbalanced, even, bare, "
                    "gathered (default random,adaptive)")
         ->delimiter(',')
         ->check(is_sampler);

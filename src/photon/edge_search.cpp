@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sunfleck {
 namespace {
@@ -85,7 +86,9 @@ private:
 
     static Edge edge(const EdgedShape& of, std::size_t part, std::size_t side) {
         const auto place = [&](const std::vector<Vec3>& positions, std::uint32_t corner) {
-            return of.to_world.point(Vec3d(positions.at(corner)));
+            constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+            if (corner >= positions.size()) return Vec3d(kNowhere);
+            return of.to_world.point(Vec3d(positions[corner]));
         };
         if (const auto* mesh = std::get_if<TriangleMesh>(of.shape)) {
             const auto& corners = mesh->triangles[part];
@@ -102,7 +105,7 @@ private:
     Shapes shapes_;
 };
 
-/// A point by the edge, as near as 2^-16 of its length and as far as that, each octave alike.
+/// A point by the edge: from 2^-16 of its length away to all of it, each octave alike.
 Vec3 point_by(const Edge& edge, RandomStream& stream) {
     constexpr double kOctaves = 16;
     const Vec3d way = edge.to - edge.from;
@@ -127,6 +130,7 @@ std::vector<WeightedEmission> emission_past_edges(const PhotonView& view, const 
             const double which = stream.next();
             const double part = stream.next();
             const Vec3 at = point_by(edges.choose(which, part, stream.next()), stream);
+            if (!std::isfinite(at.x + at.y + at.z)) continue;
             const auto light = hints.sample(at, stream);
             if (!light) continue;
             if (hints.panes_to({at, light->direct.direction}, light->direct.distance) < 0) continue;

@@ -129,5 +129,13 @@ TEST(EdgeSearch, finds_nothing_where_there_are_no_edges) {
     EXPECT_EQ(found_in(scene_below_the_sun({described(Sphere{1})})).all, 0U);
 }
 
+// Such triangles cannot be hit (geometry/geometry.h).
+TEST(EdgeSearch, leaves_out_triangles_with_corners_that_are_not_there) {
+    TriangleMesh mesh;
+    mesh.positions = frame_corners();
+    mesh.triangles = {{0, 1, 99}, {97, 98, 99}, {0, 1, 2}};
+    EXPECT_GT(found_in(scene_below_the_sun({described(mesh)})).all, 1'000U);
+}
+
 }  // namespace
 }  // namespace sunfleck
