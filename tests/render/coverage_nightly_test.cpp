@@ -100,7 +100,7 @@ TEST_P(Coverage, of_blocks_is_that_of_their_intervals) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Coverage,
                          testing::Values(Case{"cornell", "cornell", 1000, 64, {1, 1, 1}},
-                                         Case{"cognac_2", "cognac-2", 20'000, 48, {1, 1, 1}},
+                                         Case{"cognac_2", "cognac-2", 20'000, 72, {1, 1, 1}},
                                          Case{"weighted", "keyhole-4", 1000, 100, {1, 2, 4}}),
                          [](const auto& info) { return info.param.name; });
 
