@@ -40,10 +40,9 @@ Parts parts_of(const Shape& shape) {
 class Edges {
 public:
     explicit Edges(const GeometryInput& input) {
-        for (const std::uint32_t s : input.in_world) add(input.shapes[s], Affine());
+        for (const std::uint32_t s : input.in_world) add(input.shapes[s], {});
         for (const PlacedInstance& instance : input.instances)
-            for (const std::uint32_t s : instance.shapes)
-                add(input.shapes[s], Affine(instance.to_world));
+            for (const std::uint32_t s : instance.shapes) add(input.shapes[s], instance.to_world);
     }
 
     bool empty() const { return shapes_.empty(); }
@@ -66,17 +65,11 @@ public:
 private:
     using Shapes = std::vector<EdgedShape>;
 
-    void add(const PlacedShape& placed, const Affine& outer) {
+    void add(const PlacedShape& placed, const Matrix& outer) {
         const Parts parts = parts_of(placed.shape);
         if (parts.count == 0) return;
-        const Affine inner(placed.to_world);
-        Affine map;
-        map.x = outer.vector(inner.x);
-        map.y = outer.vector(inner.y);
-        map.z = outer.vector(inner.z);
-        map.origin = outer.point(inner.origin);
         const std::size_t before = shapes_.empty() ? 0 : shapes_.back().end;
-        shapes_.push_back({&placed.shape, map, before + parts.count});
+        shapes_.push_back({&placed.shape, Affine(placed.to_world * outer), before + parts.count});
     }
 
     Shapes::const_iterator shape_of(std::size_t part) const {

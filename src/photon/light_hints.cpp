@@ -4,11 +4,6 @@
 #include <algorithm>
 
 namespace sunfleck {
-namespace {
-
-constexpr int kMostPanes = 32;  // surfaces passed on the way to a light
-
-}  // namespace
 
 std::optional<LightAtPoint> LightHints::sample(const Vec3& at, RandomStream& stream) const {
     const auto choice = lights_.choose(stream.next());

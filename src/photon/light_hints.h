@@ -14,6 +14,8 @@
 
 namespace sunfleck {
 
+inline constexpr int kMostPanes = 32;  // surfaces passed on one way
+
 /// What of a light's sample would arrive at a point, were nothing in the way.
 struct LightAtPoint {
     std::size_t light;

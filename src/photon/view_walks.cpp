@@ -10,7 +10,6 @@ namespace sunfleck {
 namespace {
 
 constexpr int kMostBounces = 16;
-constexpr int kMostPanes = 32;  // surfaces passed at once
 constexpr std::uint8_t kAllKinds = 0xFF;
 
 class ViewWalk {
