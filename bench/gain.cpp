@@ -4,14 +4,14 @@
 // usage: bench_gain SCENE [--samplers random,adaptive] [--passes N] [--seeds N] [--references N]
 //                   [--over SCENE] [--region X0,X1,Y0,Y1] [--reference-radius SHARE]
 //                   [--indirect-radius FACTOR]
-// A number is `adaptive` with so many photon paths a pass; "together" is it without light groups,
-// "unmapped" without emission maps, "unbalanced" without balance, "even" with as many camera paths
-// in each pixel, "bare" without all four, "gathered" with all light by photons, that from lamps to
-// glossy surfaces, too. --over compares the last sampler with itself in another scene. Renders of
-// the samplers are interleaved, seed by seed; the last sampler, with other seeds, is the reference,
-// of the same passes and so of the same radii: what is compared is noise alone (that of `paper`,
-// whose radii differ, around its own mean). --reference-radius .25 gives the reference discs of a
-// quarter of the radius: then bias counts, for all. Errors are corrected for the reference's own.
+// A number is `adaptive` with so many photon paths a pass; it is without a part by the name of
+// that (without-light-groups, without-balance ...: photon/settings.h), "bare" without all of them,
+// "gathered" with all light by photons, that from lamps to glossy surfaces, too. --over compares
+// the last sampler with itself in another scene. Renders of the samplers are interleaved, seed by
+// seed; the last sampler, with other seeds, is the reference, of the same passes and so of the same
+// radii: what is compared is noise alone (that of `paper`, whose radii differ, around its own
+// mean). --reference-radius .25 gives the reference discs of a quarter of the radius: then bias
+// counts, for all. Errors are corrected for the reference's own.
 #include "core/parallel.h"
 #include "film/film.h"
 #include "film/luminance.h"
@@ -32,29 +32,21 @@
 namespace sunfleck::bench {
 namespace {
 
-/// The sampler `adaptive` with parts of it switched off, or all light by photons.
-struct Variant {
-    std::string_view name;
-    void (*apply)(RenderSettings&);
-};
-
-constexpr std::array<Variant, 6> kVariants = {{
-    {"unmapped", [](RenderSettings& s) { s.photon.emission_maps = false; }},
-    {"together", [](RenderSettings& s) { s.photon.light_groups = false; }},
-    {"even", [](RenderSettings& s) { s.photon.noisy_pixels = false; }},
-    {"unbalanced", [](RenderSettings& s) { s.photon.balance = false; }},
-    {"bare",
-     [](RenderSettings& s) {
-         s.photon.emission_maps = s.photon.light_groups = false;
-         s.photon.balance = s.photon.noisy_pixels = false;
-     }},
-    {"gathered", [](RenderSettings& s) { s.transport.direct = DirectLight::photons; }},
-}};
-
-const Variant* variant_named(const std::string& name) {
-    for (const Variant& variant : kVariants)
-        if (variant.name == name) return &variant;
-    return nullptr;
+/// The sampler `adaptive` without a part, or all of them, or with all light by photons.
+/// @return whether there is a variant of that name.
+bool apply_variant(std::string_view name, RenderSettings& settings) {
+    constexpr std::string_view kWithout = "without-";
+    bool known = name == "bare" || name == "gathered";
+    if (name == "gathered") settings.transport.direct = DirectLight::photons;
+    const auto is_off = [&](std::string_view part) {
+        const bool named = name.starts_with(kWithout) && name.substr(kWithout.size()) == part;
+        known = known || named;
+        return named || name == "bare";
+    };
+    if (is_off("light-candidates")) settings.eye.light_candidates = false;
+    for (const AdaptivePart& part : kAdaptiveParts)
+        if (is_off(part.name)) settings.photon.*part.is_on = false;
+    return known;
 }
 
 /// The sampler `adaptive` with so many photon paths a pass.
@@ -94,11 +86,9 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
     if (const auto integrator = integrator_named(sampler))
         job.settings.integrator = *integrator;
-    else if (const Variant* const variant = variant_named(sampler))
-        variant->apply(job.settings);
     else if (is_number(sampler))
         job.settings.photon.paths_per_pass = static_cast<std::uint32_t>(std::stoul(sampler));
-    else
+    else if (!apply_variant(sampler, job.settings))
         job.settings.photon.sampler = sampler_named(sampler).value();
     if (sampler == "paper") use_paper_mode(job.settings);
     if (settings.photons_only) job.settings.transport.direct = DirectLight::photons;
@@ -235,14 +225,15 @@ int main(int count, char** words) {
     CLI::App app("Error times processor time of photon samplers, over that of the last one");
     app.add_option("SCENE", settings.scene, "Scene file")->required();
     const auto is_sampler = [](const std::string& name) {
+        sunfleck::RenderSettings unused;
         const bool known = sunfleck::sampler_named(name) || sunfleck::integrator_named(name) ||
-                           sunfleck::bench::variant_named(name) != nullptr ||
+                           sunfleck::bench::apply_variant(name, unused) ||
                            sunfleck::bench::is_number(name);
         return known ? std::string() : "there is no sampler or integrator " + name;
     };
     app.add_option("--samplers", settings.samplers,
-                   "Or integrators, a number, or unmapped, together, unbalanced, even, bare, "
-                   "gathered (default random,adaptive)")
+                   "Or integrators, a number, without-PART, bare, gathered (default "
+                   "random,adaptive)")
         ->delimiter(',')
         ->check(is_sampler);
     app.add_option("--over", settings.other_scene, "Compare the last sampler with it there");

@@ -3,19 +3,19 @@
 
 #include "apps/cli/options.h"
 
+#include <array>
+
 namespace CLI {
 class App;
 }
 
 namespace sunfleck {
 
-/// auto or off.
-struct AdaptiveTexts {
-    std::string light_groups = "auto";
-    std::string emission_maps = "auto";
-    std::string noisy_pixels = "auto";
-    std::string balance = "auto";
-};
+/// auto or off, by part; empty: not given.
+using AdaptiveTexts = std::array<std::string, kAdaptiveParts.size()>;
+
+/// --ladder, --emission-maps ...
+std::string flag_of(const AdaptivePart& part);
 
 void add_adaptive_flags(CLI::App& app, AdaptiveTexts& texts);
 

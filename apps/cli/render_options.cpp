@@ -28,15 +28,17 @@ void add_choice(CLI::App& app, const char* flag, std::string& text, const Rows& 
 /// What the reference integrators have no use for is refused rather than passed over.
 void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     if (t.integrator == "sppm") return;
-    for (const char* flag :
-         {"--photon-sampler", "--light-groups", "--emission-maps", "--noisy-pixels", "--balance",
-          "--mode", "--replica-exchange", "--mutation-size", "--target-acceptance", "--direct",
-          "--photons-per-pass", "--radius", "--radius-pixels", "--alpha", "--layers",
-          "--light-layer"}) {
-        const bool counts_paths = std::string_view(flag) == "--photons-per-pass";
-        if (given.count(flag) == 0 || (counts_paths && t.integrator == "light")) continue;
+    const auto refuse = [&](const std::string& flag) {
+        const bool counts_paths = flag == "--photons-per-pass";
+        if (given.count(flag) == 0 || (counts_paths && t.integrator == "light")) return;
         throw Error({flag}, "has no meaning with --integrator " + t.integrator, "leave it out");
-    }
+    };
+    for (const char* flag :
+         {"--photon-sampler", "--mode", "--replica-exchange", "--mutation-size",
+          "--target-acceptance", "--direct", "--light-candidates", "--photons-per-pass", "--radius",
+          "--radius-pixels", "--alpha", "--layers", "--light-layer"})
+        refuse(flag);
+    for (const AdaptivePart& part : kAdaptiveParts) refuse(flag_of(part));
 }
 
 /// Layers that no output can hold are refused: they would be lost.
@@ -57,6 +59,9 @@ void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--direct", t.direct,
                    "Who brings direct light: sampled, or photons (default sampled; paper photons)")
         ->check(CLI::IsMember({"sampled", "photons"}));
+    app.add_option("--light-candidates", t.light_candidates,
+                   "Direct light of a vertex: auto: of several light samples; off: of one")
+        ->check(CLI::IsMember({"auto", "off"}));
     app.add_option(
            "--energy-compensation", t.energy_compensation,
            "on: rough metals and glass give back what is lost between their facets (default off)")
@@ -154,6 +159,7 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
     o.settings.photon.sampler = *sampler_named(t.sampler);    // one of those names: checked
     o.settings.transport.direct =
         t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
+    o.settings.eye.light_candidates = t.light_candidates != "off";
     o.settings.energy_compensation = t.energy_compensation == "on";
     if (!t.seed.empty()) o.settings.seed = read_seed(t.seed, "--seed");
     if (t.quiet || t.log_level == "quiet") o.log = LogLevel::quiet;
@@ -181,6 +187,10 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
     }
     finish_paper(given, t.paper, o);
     finish_adaptive(given, t.adaptive, o.settings.photon);
+    if (given.count("--light-candidates") > 0 &&
+        o.settings.transport.direct == DirectLight::photons)
+        throw Error({"--light-candidates"}, "photons bring direct light: none is sampled",
+                    "leave it out");
     o.light_layers = read_light_layers(t.light_layers, o.settings.photon.sampler);
     finish_error(given, t.error, o);
     check_layers_fit(given, o);

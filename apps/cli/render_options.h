@@ -32,6 +32,7 @@ struct RenderTexts {
     PaperTexts paper;
     ErrorTexts error;
     std::string direct = "sampled";
+    std::string light_candidates = "auto";
     std::string energy_compensation = "off";
     std::string integrator = "sppm";
     std::string seed;

@@ -50,7 +50,7 @@ Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, cons
     Spectrum sum;
     Spectrum weight = drawn.weight;
     const float density_over_lights =
-        drawn.pdf.value_or(1) / static_cast<float>(light_candidates(vertex.bsdf));
+        drawn.pdf.value_or(1) / static_cast<float>(light_candidates(vertex));
     std::size_t added = parts != nullptr ? parts->size() : 0;
     const auto add = [&](const EmitterMet& met) {
         if (met.radiance.is_zero()) return;

@@ -16,10 +16,11 @@ namespace sunfleck {
 /// A vertex of a camera path where a rough surface scatters.
 struct EyeVertex {
     Hit hit;
-    Frame frame;              // shading
-    Vec3 w_from;              // local, unit
-    const Bsdf& bsdf;         // one lane only where the path has dispersed
-    MediumNumber medium = 0;  // from which the path came
+    Frame frame;                   // shading
+    Vec3 w_from;                   // local, unit
+    const Bsdf& bsdf;              // one lane only where the path has dispersed
+    MediumNumber medium = 0;       // from which the path came
+    bool light_candidates = true;  // EyeSettings
 };
 
 /// Radiance that an emitter sends along a ray, and how else it could have been found.

@@ -97,14 +97,15 @@ bool EyePath::meet(Hit& hit, RoundPoints& numbers) {
         if (lanes_.single) narrowed = for_lane(at_surface, lanes_.chosen);
     }
     const Frame frame(hit.shading_normal, hit.tangent);
-    const EyeVertex vertex{hit, frame, frame.to_local(-direction_),
-                           narrowed ? *narrowed : at_surface, medium_};
+    const bool several = pass_.settings.light_candidates;
+    const Bsdf& bsdf = narrowed ? *narrowed : at_surface;
+    const EyeVertex vertex{hit, frame, frame.to_local(-direction_), bsdf, medium_, several};
     if (bounces_ >= transport.max_depth) return false;
     if (const auto* coated = std::get_if<CoatedDiffuse>(&at_surface)) {
         const Bsdf base = coated->base();
         const Bsdf top = coated->top();
-        meet_base({hit, frame, vertex.w_from, base, medium_}, numbers);
-        return go_on({hit, frame, vertex.w_from, top, medium_}, numbers);
+        meet_base({hit, frame, vertex.w_from, base, medium_, several}, numbers);
+        return go_on({hit, frame, vertex.w_from, top, medium_, several}, numbers);
     }
     if (kind == Scattering::diffuse) {
         meet_base(vertex, numbers);
@@ -233,7 +234,7 @@ bool EyePath::take(const EyeVertex& vertex, const BsdfDraw& draw, float share, d
     ++bounces_;
     if (drawn->pdf) {
         emitters_ = Emitters::weighted;
-        bsdf_pdf_ = *drawn->pdf / static_cast<float>(light_candidates(vertex.bsdf));
+        bsdf_pdf_ = *drawn->pdf / static_cast<float>(light_candidates(vertex));
         glossy_ = receiver_at(pass_.scene.scene, vertex);
         ++rough_;
     } else if (emitters_ == Emitters::weighted) {

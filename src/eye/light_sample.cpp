@@ -26,7 +26,9 @@ Vec2d place_of(const Vec2d& u, std::size_t number, std::size_t candidates) {
         const double at = x * static_cast<double>(candidates);
         const auto cell = static_cast<std::uint32_t>(at);
         const std::uint32_t other =
-            cell ^ sobol(static_cast<std::uint32_t>(number), dimension) >> unused;
+            cell ^
+            static_cast<std::uint32_t>(
+                std::uint64_t{sobol(static_cast<std::uint32_t>(number), dimension)} >> unused);
         return (other + (at - cell)) / static_cast<double>(candidates);
     };
     return {moved(u.x, 0), moved(u.y, 1)};
@@ -103,14 +105,15 @@ Spectrum seen_of_one(const LightCandidates& candidates, double u, ShadowRays ray
 
 }  // namespace
 
-std::size_t light_candidates(const Bsdf& bsdf) {
-    return scattering(bsdf) == Scattering::diffuse ? 2 : 8;
+std::size_t light_candidates(const EyeVertex& vertex) {
+    if (!vertex.light_candidates) return 1;
+    return scattering(vertex.bsdf) == Scattering::diffuse ? 2 : 8;
 }
 
 LightCandidates candidates_at(const PassScene& pass, const EyeVertex& vertex,
                               const LightNumbers& u) {
     LightCandidates candidates;
-    const std::size_t count = light_candidates(vertex.bsdf);
+    const std::size_t count = light_candidates(vertex);
     const auto many = static_cast<double>(count);
     std::array<double, candidates.size()> numbers{};
     for (std::size_t i = 0; i < count; ++i)

@@ -32,8 +32,8 @@ struct LightCandidate {
 };
 
 /// How many there are: a power of two. Many where the lobe is narrow, which few places of the
-/// lights fill.
-std::size_t light_candidates(const Bsdf& bsdf);
+/// lights fill. One where the user wants no more.
+std::size_t light_candidates(const EyeVertex& vertex);
 
 /// As many as there are at the most; those beyond light_candidates() have nothing arriving.
 using LightCandidates = std::array<LightCandidate, 8>;

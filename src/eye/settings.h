@@ -14,6 +14,7 @@ struct EyeSettings {
     std::optional<double> radius;  // instead: first radius in scene units
     std::optional<double> indirect_radius{};  // of discs for indirect photons, over that for
                                               // others; 1 or more; see indirect_reach()
+    bool light_candidates = true;  // light samples of a vertex are several, or picked from several
 };
 
 /// Of discs for indirect photons, over the radius for others. Unless the user says, 2 in a picture

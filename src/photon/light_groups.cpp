@@ -63,9 +63,12 @@ public:
     const ViewOctree& octree() const { return octree_; }
     const LightChoice& weights() const { return view_.scene.scene.light_choice(); }
 
+    Sets sets() const { return settings_.ladder ? Sets::as_needed : Sets::one; }
+
     /// @param ground  must outlive what is returned.
     MapSource maps(const Ground& ground) const {
-        if (!settings_.emission_maps || view_.index.points().empty() || ground.lights.empty())
+        if (!settings_.emission_maps || !settings_.light_search || view_.index.points().empty() ||
+            ground.lights.empty())
             return {settings_.emission_maps};
         return {true,
                 [this, &ground](PassId pass, const PathRange& walks) {
@@ -125,7 +128,8 @@ public:
             grounds_.push_back(
                 std::make_unique<Ground>(lighting.view(), lighting.octree(), std::move(lights)));
             const Ground& ground = *grounds_.back();
-            pilots_.emplace_back(ground.space, lighting.name(), lighting.maps(ground));
+            pilots_.emplace_back(ground.space, lighting.name(), lighting.maps(ground),
+                                 lighting.sets());
             const HeightTail& tail = pilots_.back().explore();
             fluxes_.push_back({ground.lights.total(), tail[kVisible], is_rare(tail)});
         }

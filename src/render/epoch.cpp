@@ -69,7 +69,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
             epoch.groups = part_of(std::move(epoch.groups), paths / balance.paths);
         epoch.paths = static_cast<std::uint32_t>(paths_of(epoch.groups));
         epoch.draws = balance.draws;
-        epoch.weight = balance.weight;
+        epoch.weight = settings.photon.pass_weights ? balance.weight : 1;
     }
     epoch.seconds = watch.seconds();
     return epoch;

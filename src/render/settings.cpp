@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace sunfleck {
 
 void use_paper_mode(RenderSettings& settings) {
@@ -24,10 +26,13 @@ std::string RenderSettings::text() const {
         optional_number(photon.paths_per_pass), eye.radius_pixels, optional_number(eye.radius),
         optional_number(eye.indirect_radius), alpha);
     if (energy_compensation) text += "energy_compensation=on\n";
-    if (!photon.light_groups) text += "light_groups=off\n";
-    if (!photon.emission_maps) text += "emission_maps=off\n";
-    if (!photon.noisy_pixels) text += "noisy_pixels=off\n";
-    if (!photon.balance) text += "balance=off\n";
+    if (!eye.light_candidates) text += "light_candidates=off\n";
+    for (const AdaptivePart& part : kAdaptiveParts) {
+        if (photon.*part.is_on) continue;
+        std::string name(part.name);
+        std::replace(name.begin(), name.end(), '-', '_');
+        text += name + "=off\n";
+    }
     if (!transport.light_layers.names.empty())
         text += fmt::format("light_layers={}\n", transport.light_layers.text);
     if (photon.sampler != PhotonSampler::paper) return text;

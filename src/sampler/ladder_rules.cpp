@@ -113,7 +113,7 @@ bool has_seeds_for_one_set(const HeightTail& tail, std::uint32_t uniform) {
 }
 
 /// @param last_share  of the paths, states of the last set.
-LadderPlan planned(const HeightTail& tail, std::uint32_t paths, double last_share) {
+LadderPlan planned(const HeightTail& tail, std::uint32_t paths, double last_share, Sets sets) {
     if (!is_rare(tail)) return {paths, {}};
     const double visible = tail[kVisible];
     const auto last = std::max(1U, static_cast<std::uint32_t>(last_share * paths));
@@ -123,8 +123,9 @@ LadderPlan planned(const HeightTail& tail, std::uint32_t paths, double last_shar
         return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
     }
 
-    std::vector<int> heights =
-        visible > 0 ? even_heights(tail, sets_for(visible)) : reached_heights(tail);
+    std::vector<int> heights;
+    if (sets == Sets::as_needed)
+        heights = visible > 0 ? even_heights(tail, sets_for(visible)) : reached_heights(tail);
     heights.resize(std::min<std::size_t>(heights.size(), paths - last - 1));  // tiny budgets
     const auto shares = static_cast<std::uint32_t>(heights.size() + 1);
     const std::uint32_t share = (paths - last) / shares;
@@ -145,18 +146,18 @@ bool needs_several_sets(const HeightTail& tail, std::uint32_t paths) {
     return is_rare(tail) && !has_seeds_for_one_set(tail, paths - paths / 2);
 }
 
-SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths) {
+SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths, Sets sets) {
     tail[kVisible] = map.covering == Covering::all_known ? 0 : tail[kVisible] * map.rest;
     const Division& d = division(map, tail[kVisible]);
     SharedPlan plan;
     plan.mapped = {map.map, std::min(static_cast<std::uint32_t>(d.mapped * paths), paths - 2),
                    d.detour ? importance_of(*d.detour, map.rest) : 1, d.own};
-    plan.ladder = planned(tail, paths - plan.mapped.paths, d.last);
+    plan.ladder = planned(tail, paths - plan.mapped.paths, d.last, sets);
     return plan;
 }
 
-LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths) {
-    return planned(tail, paths, kLastShare);
+LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths, Sets sets) {
+    return planned(tail, paths, kLastShare, sets);
 }
 
 int next_height(const HeightCounts& heights, int from) {

@@ -13,6 +13,9 @@ using HeightTail = std::array<double, kHeights>;
 /// Are visible paths so rare that a ladder pays: less than one in 20?
 bool is_rare(const HeightTail& tail);
 
+/// How many sets a ladder may have.
+enum class Sets { as_needed, one };
+
 /// The plan of a pass, its scales left as they start.
 /// - Where they are not rare: uniform paths alone.
 /// - Else half of the paths are states of the last set. If the other half, uniform, would find 64
@@ -21,8 +24,9 @@ bool is_rare(const HeightTail& tail);
 ///   heights are those whose tail is nearest to even steps.
 /// - No visible path found: a set at each height that was reached by a fifth or less of the paths
 ///   of the set before.
-/// @param paths  of a pass, all levels together; at least 2.
-LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths);
+/// @param paths  of a pass, all levels together; at least 2. @param sets  one: where there would be
+/// several, only the last, whose chains start at what visible paths there are.
+LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths, Sets sets = Sets::as_needed);
 
 /// Would the ladder's uniform paths find too few visible ones for one set?
 bool needs_several_sets(const HeightTail& tail, std::uint32_t paths);
@@ -40,7 +44,8 @@ struct SharedPlan {
 /// A map of places that no ladder reaches gets most of the paths.
 /// @param tail  of all paths. @param map  of which the rest is less than one. @param paths  at
 /// least 2.
-SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths);
+SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths,
+                       Sets sets = Sets::as_needed);
 
 /// The height that exploration climbs to next: the greatest with at least 2% of the states; if no
 /// height above the set's has so many, the lowest above it that has any; kHeights if none has.

@@ -27,8 +27,9 @@ struct PilotResult {
 template <PathSpace Space, class Points>
 class Pilot {
 public:
-    Pilot(const Space& space, const PilotName& name, MapSource maps = {})
-        : space_(space), maps_(std::move(maps)), walk_(space, name) {}
+    Pilot(const Space& space, const PilotName& name, MapSource maps = {},
+          Sets sets = Sets::as_needed)
+        : space_(space), maps_(std::move(maps)), sets_(sets), walk_(space, name) {}
 
     /// Climbs from uniform paths to visible ones, set by set, or starts from hints where that leads
     /// nowhere, or was luck: the first thing to ask of a pilot.
@@ -52,11 +53,11 @@ public:
         result_.mapped = {};
         result_.last = {};
         if (wants_map && map_ && map_->rest < kMostRest) {
-            SharedPlan shared = shared_plan(tail, *map_, paths);
+            SharedPlan shared = shared_plan(tail, *map_, paths, sets_);
             result_.plan = std::move(shared.ladder);
             result_.mapped = std::move(shared.mapped);
         } else {
-            result_.plan = ladder_plan(tail, paths);
+            result_.plan = ladder_plan(tail, paths, sets_);
         }
         std::vector<LevelPlan>& levels = result_.plan.levels;
         const bool has_one_set = levels.size() == 1 && result_.mapped.paths == 0 && has_climbed_;
@@ -229,6 +230,7 @@ private:
 
     const Space& space_;
     MapSource maps_;
+    Sets sets_;
     typename Space::Tally tally_;
     Walk walk_;
     LevelCounts counts_;  // of the last round

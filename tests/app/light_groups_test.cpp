@@ -58,18 +58,5 @@ TEST_F(LightGroups, are_on_unless_they_are_switched_off) {
     EXPECT_EQ(read_text(path("x.exr")), one);
 }
 
-TEST_F(LightGroups, films_with_and_without_do_not_mix) {
-    expect_films_apart("--light-groups", "light_groups");
-}
-
-TEST_F(LightGroups, have_a_meaning_with_the_sampler_adaptive_alone) {
-    expect_refused("--light-groups", {{"--light-groups", "on"},
-                                      {"--light-groups"},
-                                      {"--light-groups", "auto", "--photon-sampler", "uniform"},
-                                      {"--light-groups", "off", "--photon-sampler", "random"},
-                                      {"--light-groups", "off", "--mode", "paper"},
-                                      {"--light-groups", "off", "--integrator", "path"}});
-}
-
 }  // namespace
 }  // namespace sunfleck

@@ -29,8 +29,7 @@ void expect_weights_sum_to_one(const LitPoint& point, const LightCandidate& cand
         (hit ? 1 : 1 / (4 * kPi));
     const Vec3 w_to = vertex.frame.to_local(candidate.direction);
     const Spectrum f = eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance);
-    const float of_all =
-        static_cast<float>(light_candidates(vertex.bsdf)) * (hit ? met.pdf : density);
+    const float of_all = static_cast<float>(light_candidates(vertex)) * (hit ? met.pdf : density);
     const float light_weight = candidate.arriving[0] * of_all /
                                (f[0] * std::abs(w_to.z) * pass.emission[candidate.light][0]);
     Statistics statistics;
@@ -54,9 +53,10 @@ TEST(LightSample, weights_of_light_and_bsdf_samples_sum_to_one) {
         scene.shapes.push_back(lamp({{Disk{0, 0.7}, place, true}, 0, {}, {}}, 3, true));
         for (const float radiance : {0.1F, 0.3F})
             scene.lights.emplace_back(InfiniteLight{SpectralCurve::constant(radiance)});
-        const LitPoint point(std::move(scene));
+        LitPoint point(std::move(scene));
         RandomStream random(3, Purpose::test, 0, material);
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < 300; ++i) {
+            if (i == 200) point.leave_candidates_out();
             const LightNumbers u{random.next(), {random.next(), random.next()}, 0};
             for (const LightCandidate& light : candidates_at(point.pass(), point.vertex(), u))
                 expect_weights_sum_to_one(point, light);
@@ -103,6 +103,20 @@ TEST(LightSample, a_sample_has_the_light_of_all_candidates) {
     }
 }
 
+TEST(LightSample, one_candidate_brings_the_light_of_all) {
+    for (const std::uint32_t material : {0U, 1U}) {
+        SceneDescription scene = floor_of(material);
+        scene.shapes.push_back(lamp(quad(kCeiling), 2));
+        LitPoint point(std::move(scene));
+        const Interval several = reflected(point);
+        point.leave_candidates_out();
+        EXPECT_EQ(light_candidates(point.vertex()), 1U);
+        const Interval one = reflected(point);
+        EXPECT_NEAR(one.mean, several.mean, 0.004 * several.mean);
+        EXPECT_LT(one.half + several.half, 0.003 * several.mean);
+    }
+}
+
 /// All candidates together are a net over choice and place: their sum has less noise than if each
 /// were by itself, whose variance is that of one times their number.
 TEST(LightSample, candidates_fill_the_lights_evenly) {
@@ -110,7 +124,7 @@ TEST(LightSample, candidates_fill_the_lights_evenly) {
         SceneDescription scene = floor_of(material);
         scene.lights = {InfiniteLight{SpectralCurve::constant(1)}};
         const LitPoint point(std::move(scene));
-        const std::size_t count = light_candidates(point.vertex().bsdf);
+        const std::size_t count = light_candidates(point.vertex());
         RandomStream random(6, Purpose::test, 0, material);
         const auto many = static_cast<double>(count);
         constexpr std::size_t kSamples = 20'000;

@@ -80,6 +80,17 @@ TEST(LadderRules, sets_are_as_many_as_steps_of_a_twentieth) {
     }
 }
 
+TEST(LadderRules, one_set_where_no_ladder_is_wanted) {
+    for (const double visible : {0.7, 0.04, 1e-3, 1e-6, 0.0}) {
+        HeightTail tail = even_tail(std::max(visible, 1e-6));
+        tail[kVisible] = visible;
+        const LadderPlan plan = ladder_plan(tail, kPaths, Sets::one);
+        expect_sound(plan, kPaths);
+        EXPECT_EQ(plan.levels.size(), visible < 0.05 ? 1U : 0U) << visible;
+        EXPECT_EQ(plan.levels.empty() ? 0 : plan.levels[0].states, visible < 0.05 ? kPaths / 2 : 0);
+    }
+}
+
 TEST(LadderRules, half_to_the_last_set_and_the_rest_in_equal_shares) {
     const LadderPlan plan = ladder_plan(even_tail(1e-6), kPaths);
     EXPECT_EQ(plan.levels.back().states, kPaths / 2);
@@ -141,13 +152,16 @@ TEST(LadderRules, paths_through_a_map_bring_what_it_covers) {
     EXPECT_EQ(few_sets.mapped.paths, kPaths * 35 / 100);
     EXPECT_EQ(few_sets.ladder.levels.size(), 4U);
     EXPECT_NEAR(few_sets.ladder.levels.back().states, 0.4 * 0.65 * kPaths, 1);
-    const SharedPlan plan =
-        shared_plan(even_tail(1e-5), learned(Covering::often_visible, 0.7, 0.02), kPaths);
+    const LearnedMap good = learned(Covering::often_visible, 0.7, 0.02);
+    const SharedPlan plan = shared_plan(even_tail(1e-5), good, kPaths);
     EXPECT_EQ(plan.mapped.paths, kPaths * 3 / 10);
     EXPECT_EQ(plan.mapped.own_share, 1);
     EXPECT_NEAR(plan.mapped.importance * 0.98 / 0.02, 1 / 9.0, 1e-9);
     expect_sound(plan.ladder, kPaths * 7 / 10);
     EXPECT_EQ(plan.ladder.levels.size(), ladder_plan(even_tail(2e-7), kPaths).levels.size());
+    const SharedPlan one = shared_plan(even_tail(1e-5), good, kPaths, Sets::one);
+    EXPECT_EQ(one.ladder.levels.size(), 1U);
+    EXPECT_EQ(one.mapped.paths, plan.mapped.paths);
     EXPECT_NEAR(plan.ladder.levels.back().states, 0.3 * 0.7 * kPaths, 1);
     const MappedPlan alone =
         shared_plan(tail_from(15, {0.1}), learned(Covering::all_known, 0.02, 0.01), kPaths).mapped;

@@ -66,6 +66,9 @@ public:
     const PassScene& pass() const { return pass_; }
     const EyeVertex& vertex() const { return vertex_; }
 
+    /// As EyeSettings has it.
+    void leave_candidates_out() { vertex_.light_candidates = false; }
+
     Spectrum by_light(const LightNumbers& u, Statistics& statistics) const {
         return sample_lights(pass_, vertex_, u, statistics);
     }

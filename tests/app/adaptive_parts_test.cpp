@@ -1,0 +1,76 @@
+// The parts of the sampler `adaptive` as a user meets them: each is switched off by a flag, told in
+// the statistics, and refused where it says nothing.
+#include "app/determinism_support.h"
+#include "photon/settings.h"
+
+namespace sunfleck {
+namespace {
+
+using testing_support::DeterminismTest;
+
+class AdaptiveParts : public DeterminismTest {
+protected:
+    void SetUp() override {
+        DeterminismTest::SetUp();
+        use("cornell", {"--resolution", "8x8", "--photons-per-pass", "500"});
+    }
+};
+
+TEST_F(AdaptiveParts, are_off_where_the_user_says_so) {
+    for (const AdaptivePart& part : kAdaptiveParts) {
+        const std::string flag = "--" + std::string(part.name);
+        std::string setting(part.name);
+        std::replace(setting.begin(), setting.end(), '-', '_');
+        const bool needs_balance =
+            part.is_on == &PhotonSettings::balance || part.is_on == &PhotonSettings::pass_weights;
+        if (needs_balance) use("cornell", {"--resolution", "8x8"});
+        EXPECT_FALSE(stats("0:1")["settings"].contains(setting)) << flag;
+        EXPECT_EQ(stats("0:1", {flag, "off"})["settings"][setting], "off");
+        expect_films_apart(flag, setting);
+        expect_refused(flag, {{flag, "on"},
+                              {flag, "off", "--photon-sampler", "uniform"},
+                              {flag, "off", "--mode", "paper"},
+                              {flag, "auto", "--integrator", "path"}});
+        if (needs_balance) expect_refused(flag, {{flag, "auto", "--photons-per-pass", "777"}});
+    }
+}
+
+TEST_F(AdaptiveParts, one_set_in_place_of_a_ladder) {
+    use("cognac-4",
+        {"--resolution", "16x16", "--photons-per-pass", "20000", "--emission-maps", "off"});
+    EXPECT_GE(stats("0:1")["ladder"]["levels"], 3);
+    EXPECT_EQ(stats("0:1", {"--ladder", "off"})["ladder"]["levels"], 1);
+}
+
+TEST_F(AdaptiveParts, light_that_only_a_search_from_the_view_finds) {
+    use("keyhole-8", {"--resolution", "8x8", "--photons-per-pass", "2000"});
+    EXPECT_GT(stats("0:1")["photon_paths"]["mapped_visible"], 0);
+    const auto off = stats("0:1", {"--light-search", "off"});
+    EXPECT_EQ(off["photon_paths"]["mapped"], 0);
+    EXPECT_EQ(off["photon_paths"]["deposited"], 0);
+}
+
+TEST_F(AdaptiveParts, all_passes_count_once) {
+    use("keyhole-4", {"--resolution", "48x48", "--pass-weights", "off"});
+    const auto s = stats("16:17");
+    EXPECT_EQ(s["epochs"][0]["photons_per_pass"], 400'000);
+    EXPECT_EQ(s["epochs"][0]["weight"], 1);
+}
+
+TEST_F(AdaptiveParts, light_candidates_are_one_for_any_sampler) {
+    for (const char* sampler : {"adaptive", "uniform"}) {
+        const auto several = stats("0:1", {"--photon-sampler", sampler});
+        const auto one = stats("0:1", {"--photon-sampler", sampler, "--light-candidates", "off"});
+        EXPECT_FALSE(several["settings"].contains("light_candidates"));
+        EXPECT_EQ(one["settings"]["light_candidates"], "off");
+        EXPECT_LT(one["rays"]["eye"], several["rays"]["eye"]);
+    }
+    expect_films_apart("--light-candidates", "light_candidates");
+    expect_refused("--light-candidates", {{"--light-candidates", "on"},
+                                          {"--light-candidates", "off", "--direct", "photons"},
+                                          {"--light-candidates", "off", "--mode", "paper"},
+                                          {"--light-candidates", "off", "--integrator", "path"}});
+}
+
+}  // namespace
+}  // namespace sunfleck
