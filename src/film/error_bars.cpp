@@ -70,6 +70,10 @@ std::vector<MeanError> pixel_errors(const Film& film) {
         for (std::size_t i = begin; i < end; ++i) {
             const double mean = complete_sum(film.sums(), i).mean_luminance(passes);
             errors[i] = mean_error(mean, film.sums().pixel_squares[i], rounds);
+            // All light of one round of n has the standard error of its mean, whatever n is.
+            if (mean == 0 && errors[i].standard_error == 0)
+                errors[i].standard_error =
+                    std::abs(rgb_of(film.sums().layers[0], i).mean_luminance(film.weight()));
         }
     });
     return errors;

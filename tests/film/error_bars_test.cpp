@@ -109,6 +109,20 @@ TEST(ErrorBars, two_rounds_by_hand) {
     EXPECT_NEAR(image_mean(film), (16 * 1 + 16 * 3 + 5 * 100) / 37.0, 1e-12);
 }
 
+TEST(ErrorBars, of_a_pixel_that_only_an_open_round_has_lit_is_its_light) {
+    const Film film = film_by_round(3, 2, 37, [](std::uint32_t round, std::size_t pixel) {
+        return round == 2 && pixel == 4 ? 100.0F : 0.0F;
+    });
+    EXPECT_EQ(pixel_errors(film)[4].mean, 0);
+    EXPECT_NEAR(pixel_errors(film)[4].standard_error, 5 * 100 / 37.0, 1e-9);
+    EXPECT_EQ(pixel_errors(film)[3].standard_error, 0);
+    // As of a complete round among black ones.
+    const Film complete = film_by_round(3, 2, 48, [](std::uint32_t round, std::size_t pixel) {
+        return round == 2 && pixel == 4 ? 100.0F : 0.0F;
+    });
+    EXPECT_NEAR(pixel_errors(complete)[4].standard_error, 16 * 100 / 48.0, 1e-9);
+}
+
 TEST(ErrorBars, a_round_that_counts_three_times_by_hand) {
     // 1 once and 3 three times: mean 2.5, squares 7; an open one of 100, whose passes count twice.
     const Film film = film_by_round(
