@@ -80,8 +80,12 @@ struct Rendered {
 Rendered rendered(const Scene& scene, const Settings& settings, const std::string& sampler,
                   std::uint64_t seed, double radius = 1) {
     RenderJob job{scene, {}, {}, 0};
-    job.settings.eye.radius_pixels *= radius;
-    job.settings.eye.indirect_radius = settings.indirect_radius;
+    const Vec2i resolution = scene.film().resolution;
+    if (radius != 1) {
+        job.settings.eye.radius_pixels = first_radius({}, resolution) * radius;
+        job.settings.eye.indirect_radius = indirect_reach({}, resolution);
+    }
+    if (settings.indirect_radius) job.settings.eye.indirect_radius = settings.indirect_radius;
     job.settings.seed = seed;
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
     if (const auto integrator = integrator_named(sampler))

@@ -32,7 +32,7 @@ Method sampler_method(const std::string& name) {
     if (name == "paper") return paper_method("paper", {});
     return {name,
             {"--photon-sampler", name, "--direct", "photons", "--alpha", "0.7",
-             "--photons-per-pass", "200000", "--indirect-radius", "1"}};
+             "--photons-per-pass", "200000", "--radius-pixels", "2", "--indirect-radius", "1"}};
 }
 
 std::vector<Method> sampler_methods() {

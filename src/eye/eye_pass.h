@@ -29,7 +29,10 @@ struct EyePass {
     PixelWindow window;
     PassId id;
     double radius_factor = 1;  // r_p / r_0
-    /// Of discs for indirect photons, over their radius.
+    /// Of discs for other photons, in pixels.
+    float first_radius =
+        static_cast<float>(sunfleck::first_radius(settings, scene.scene.film().resolution));
+    /// Of discs for indirect photons, over that.
     float indirect_reach =
         static_cast<float>(sunfleck::indirect_reach(settings, scene.scene.film().resolution));
     std::span<const std::uint8_t> doublings = {};  // Doublings

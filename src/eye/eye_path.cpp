@@ -271,7 +271,7 @@ float EyePath::radius_at(const Hit& hit) const {
     // A footprint that swings from pass to pass would give 1 / (pi r^2) a heavy tail.
     const float width =
         std::clamp(footprint_, 0.25F * first_footprint_, 4 * first_footprint_) + spread_;
-    return std::max(floor, static_cast<float>(settings.radius_pixels) * width * factor);
+    return std::max(floor, pass_.first_radius * width * factor);
 }
 
 /// Of the first surface; of a coated one what lies below the coat.

@@ -12,6 +12,7 @@ void use_paper_mode(RenderSettings& settings) {
     settings.transport.direct = DirectLight::photons;
     settings.alpha = 0.7;
     settings.eye.indirect_radius = 1;
+    if (!settings.eye.radius_pixels) settings.eye.radius_pixels = 2;
 }
 
 std::string RenderSettings::text() const {
@@ -23,8 +24,8 @@ std::string RenderSettings::text() const {
         "radius_pixels={}\nradius={}\nindirect_radius={}\nalpha={}\n",
         name_of(integrator), name_of(photon.sampler),
         transport.direct == DirectLight::sampled ? "sampled" : "photons", transport.max_depth,
-        optional_number(photon.paths_per_pass), eye.radius_pixels, optional_number(eye.radius),
-        optional_number(eye.indirect_radius), alpha);
+        optional_number(photon.paths_per_pass), optional_number(eye.radius_pixels),
+        optional_number(eye.radius), optional_number(eye.indirect_radius), alpha);
     if (energy_compensation) text += "energy_compensation=on\n";
     if (!eye.light_candidates) text += "light_candidates=off\n";
     for (const AdaptivePart& part : kAdaptiveParts) {

@@ -60,7 +60,7 @@ struct RenderSettings {
 };
 
 /// What belongs to the sampler `paper`: all light by photons, alpha 0.7, one radius for all kinds
-/// of photons (paper, section 7).
+/// of photons (paper, section 7), of two pixels unless the user has set it.
 void use_paper_mode(RenderSettings& settings);
 
 /// When a render ends: whichever comes first. Passes are always finished.

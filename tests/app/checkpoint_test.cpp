@@ -66,7 +66,7 @@ TEST_F(Resume, another_setting_is_refused_by_name) {
         {{"--integrator", "path"}, {"integrator=sppm", "integrator=path"}},
         {{"--max-depth", "3"}, {"max_depth=10", "max_depth=3"}},
         {{"--alpha", "0.5"}, {"alpha=0.66", "alpha=0.5"}},
-        {{"--radius-pixels", "4"}, {"radius_pixels=2", "radius_pixels=4"}},
+        {{"--radius-pixels", "4"}, {"radius_pixels=default", "radius_pixels=4"}},
         {{"--radius", "0.5"}, {"radius=default", "radius=0.5"}},
         {{"--indirect-radius", "2"}, {"indirect_radius=default", "indirect_radius=2"}},
         {{"--energy-compensation", "on"}, {"energy_compensation=on"}},

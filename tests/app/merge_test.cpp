@@ -67,7 +67,7 @@ TEST_F(Merge, other_renders) {
         {{"--integrator", "path"}, {"integrator", "sppm", "path"}},
         {{"--max-depth", "3"}, {"max_depth", "10", "3"}},
         {{"--alpha", "0.5"}, {"alpha", "0.5"}},
-        {{"--radius-pixels", "4"}, {"radius_pixels", "2", "4"}},
+        {{"--radius-pixels", "4"}, {"radius_pixels", "default", "4"}},
         {{"--radius", "0.5"}, {"radius", "0.5"}},
         {{"--resolution", "8x8"}, {"resolution", "16x12", "8x8"}},
         {{"--crop", "0,4,0,4"}, {"resolution", "16x12", "4x4"}},

@@ -93,8 +93,8 @@ TEST(EyePath, first_radius) {
                 .points[kPixels * kPixels / 2 + kPixels / 2]
                 .disc.radius);
     };
-    EXPECT_NEAR(radius(1, {}), 2 * pixel, 0.02 * pixel);
-    EXPECT_NEAR(radius(0.5, {}), pixel, 0.01 * pixel);
+    EXPECT_NEAR(radius(1, {}), pixel, 0.01 * pixel);
+    EXPECT_NEAR(radius(0.5, {}), pixel / 2, 0.005 * pixel);
     EXPECT_NEAR(radius(1, {6, {}}), 6 * pixel, 0.06 * pixel);
     EXPECT_NEAR(radius(0.5, {2, 0.25}), 0.125, 1e-6);
 }
@@ -174,7 +174,7 @@ TEST(EyePath, discs_seen_in_a_glossy_lobe_are_a_hundredth_of_it_wider) {
             if (p.disc.position.z == 0) continue;
             ++beyond;
             const double ways = static_cast<double>(p.disc.position.z) / -p.w_from.z;
-            const double added = p.disc.radius / 2 - kPixel * (4 + ways);
+            const double added = p.disc.radius - kPixel * (4 + ways);
             EXPECT_GT(added / ways, alpha > 0 ? 0.0006 : -0.0013);
             EXPECT_LT(added / ways, alpha > 0 ? 0.0102 : 0.0004);
         }

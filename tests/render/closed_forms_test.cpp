@@ -15,6 +15,7 @@ RenderSettings settings_for(DirectLight direct) {
     settings.transport.direct = direct;
     settings.photon.sampler = PhotonSampler::uniform;  // stratified
     settings.photon.paths_per_pass = 50'000;
+    settings.eye.radius_pixels = 2;
     settings.seed = 11;
     return settings;
 }
