@@ -4,8 +4,8 @@
 // usage: bench_gain SCENE [--samplers random,adaptive] [--passes N] [--seeds N] [--references N]
 //                   [--over SCENE] [--region X0,X1,Y0,Y1] [--reference-radius SHARE]
 //                   [--indirect-radius FACTOR]
-// A number is `adaptive` with so many photon paths a pass; it is without a part by the name of
-// that (without-light-groups, without-balance ...: photon/settings.h), "bare" without all of them,
+// A number is `adaptive` with so many photon paths a pass; without-PART is it without that part (a
+// name of kAdaptiveParts in photon/settings.h, or light-candidates), "bare" without all of them,
 // "gathered" with all light by photons, that from lamps to glossy surfaces, too. --over compares
 // the last sampler with itself in another scene. Renders of the samplers are interleaved, seed by
 // seed; the last sampler, with other seeds, is the reference, of the same passes and so of the same
@@ -24,9 +24,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace sunfleck::bench {
@@ -80,12 +80,6 @@ struct Rendered {
 Rendered rendered(const Scene& scene, const Settings& settings, const std::string& sampler,
                   std::uint64_t seed, double radius = 1) {
     RenderJob job{scene, {}, {}, 0};
-    const Vec2i resolution = scene.film().resolution;
-    if (radius != 1) {
-        job.settings.eye.radius_pixels = first_radius({}, resolution) * radius;
-        job.settings.eye.indirect_radius = indirect_reach({}, resolution);
-    }
-    if (settings.indirect_radius) job.settings.eye.indirect_radius = settings.indirect_radius;
     job.settings.seed = seed;
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
     if (const auto integrator = integrator_named(sampler))
@@ -95,6 +89,13 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     else if (!apply_variant(sampler, job.settings))
         job.settings.photon.sampler = sampler_named(sampler).value();
     if (sampler == "paper") use_paper_mode(job.settings);
+    EyeSettings& eye = job.settings.eye;
+    if (settings.indirect_radius) eye.indirect_radius = settings.indirect_radius;
+    if (radius != 1) {
+        const Vec2i resolution = scene.film().resolution;
+        eye.indirect_radius = indirect_reach(eye, resolution);
+        eye.radius_pixels = first_radius(eye, resolution) * radius;
+    }
     if (settings.photons_only) job.settings.transport.direct = DirectLight::photons;
     job.stop.end_pass = settings.passes;
     Rendered result;
@@ -188,7 +189,7 @@ private:
         double square = 0;
         for (const double b : brightness) square += (b - mean) * (b - mean);
         fmt::print(
-            "{:<9} brightness {:.5g} +- {:.2g}  spread {:.2f}%  relMSE {:.4g}  MSE {:.4g}  "
+            "{:<24} brightness {:.5g} +- {:.2g}  spread {:.2f}%  relMSE {:.4g}  MSE {:.4g}  "
             "{:.2f} s  visible {:.3g}  starved {}\n",
             sampler, mean, std::sqrt(square / settings_.seeds / (settings_.seeds - 1)),
             100 * std::sqrt(square / (settings_.seeds - 1)) / mean, error.relative, error.plain,

@@ -27,6 +27,11 @@ void finish_adaptive(const CLI::App& given, const AdaptiveTexts& texts, PhotonSe
                         "leave it out");
         photon.*part.is_on = texts.at(i) != "off";
     }
+    if (given.count("--light-search") > 0 && !photon.emission_maps)
+        throw Error({"--light-search"}, "is a part of emission maps, which are off",
+                    "leave it out");
+    if (given.count("--pass-weights") > 0 && !photon.balance)
+        throw Error({"--pass-weights"}, "is a part of balance, which is off", "leave it out");
     for (const char* flag : {"--balance", "--pass-weights"})
         if (given.count(flag) > 0 && given.count("--photons-per-pass") > 0)
             throw Error({flag}, "given together with --photons-per-pass, which is a number",

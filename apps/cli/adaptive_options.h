@@ -20,7 +20,8 @@ std::string flag_of(const AdaptivePart& part);
 void add_adaptive_flags(CLI::App& app, AdaptiveTexts& texts);
 
 /// After the sampler is known.
-/// @throws Error for a flag with another sampler, or for a balance of paths whose number is given.
+/// @throws Error for a flag with another sampler, for a part of what is off, or for a balance of
+///         paths whose number is given.
 void finish_adaptive(const CLI::App& given, const AdaptiveTexts& texts, PhotonSettings& photon);
 
 }  // namespace sunfleck

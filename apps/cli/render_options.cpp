@@ -82,6 +82,7 @@ void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--indirect-radius", o.settings.eye.indirect_radius,
                    "Radius for photons that a rough surface has scattered, over that for others "
                    "(default 2 to 3.1, more in pictures of more than 512 pixels a side; "
+                   "less where a radius is given; "
                    "paper 1)")
         ->check(between(1, 100));
     app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3; paper .7)")

@@ -63,7 +63,7 @@ Cell reference_cell(const std::string& scene, const RunSettings& settings) {
             name == "path" ? integrator_method(name) : Method{name, {"--photon-sampler", name}};
     }
     method.name = "reference-" + (method.flags.empty() ? "adaptive" : method.flags.back());
-    if (method.name != "reference-path")  // as little bias as samplers under test have
+    if (method.name != "reference-path")  // no more bias than samplers under test
         method.flags.insert(method.flags.end(), {"--indirect-radius", "1"});
     return {scene, method, 1000, settings.reference_budget};
 }

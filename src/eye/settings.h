@@ -18,11 +18,13 @@ struct EyeSettings {
     bool light_candidates = true;  // light samples of a vertex are several, or picked from several
 };
 
-/// The 5/8th power of a picture's side (the root of its number of pixels), over that of `of`. Small
-/// pictures have little noise to lose by blurring, for their pixels get more photons each; what
-/// blurs an edge of light in a large one is fewer of the scene's lengths (docs/decisions.md).
-inline double size_power(const Vec2i& resolution, double of) {
-    const double side = std::sqrt(double(resolution.x) * resolution.y) / of;
+/// The 5/8th power of a picture's side (the root of its number of pixels), over that of another.
+/// Pixels of small pictures get more photons each and have little noise to lose by blurring; in
+/// large ones a pixel is a shorter length of the scene, so that more of them blur no more
+/// (docs/decisions.md).
+/// @param other  side, pixels.
+inline double size_power(const Vec2i& resolution, double other) {
+    const double side = std::sqrt(double(resolution.x) * resolution.y) / other;
     return std::sqrt(side) * std::sqrt(std::sqrt(std::sqrt(side)));  // exact roots
 }
 

@@ -36,7 +36,8 @@ std::vector<Bias> block_biases(const Film& film);
 std::optional<Bias> image_bias(const Film& film);
 
 /// Standard errors of the luminance of each pixel, bias subtracted; not less than they are where
-/// sampled direct light is noisy. Empty where disc_areas() has nothing.
+/// sampled direct light is noisy, nor where only an open round has lit a pixel. Empty where
+/// disc_areas() has nothing.
 std::vector<double> extrapolated_pixel_errors(const Film& film);
 
 /// The same for blocks, without that reserve.

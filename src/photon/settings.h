@@ -1,9 +1,11 @@
 // What a user may choose about photon paths.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace sunfleck {
@@ -66,6 +68,13 @@ struct AdaptivePart {
     std::string_view name;  // as the user writes it
     std::string_view what;
 };
+
+/// As statistics and films have it: its name with '_' for '-'.
+inline std::string setting_of(const AdaptivePart& part) {
+    std::string setting(part.name);
+    std::replace(setting.begin(), setting.end(), '-', '_');
+    return setting;
+}
 
 inline constexpr std::array<AdaptivePart, 7> kAdaptiveParts = {{
     {&PhotonSettings::ladder, "ladder",

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace sunfleck {
 
 void use_paper_mode(RenderSettings& settings) {
@@ -28,12 +26,8 @@ std::string RenderSettings::text() const {
         optional_number(eye.radius), optional_number(eye.indirect_radius), alpha);
     if (energy_compensation) text += "energy_compensation=on\n";
     if (!eye.light_candidates) text += "light_candidates=off\n";
-    for (const AdaptivePart& part : kAdaptiveParts) {
-        if (photon.*part.is_on) continue;
-        std::string name(part.name);
-        std::replace(name.begin(), name.end(), '-', '_');
-        text += name + "=off\n";
-    }
+    for (const AdaptivePart& part : kAdaptiveParts)
+        if (!(photon.*part.is_on)) text += setting_of(part) + "=off\n";
     if (!transport.light_layers.names.empty())
         text += fmt::format("light_layers={}\n", transport.light_layers.text);
     if (photon.sampler != PhotonSampler::paper) return text;

@@ -19,8 +19,7 @@ protected:
 TEST_F(AdaptiveParts, are_off_where_the_user_says_so) {
     for (const AdaptivePart& part : kAdaptiveParts) {
         const std::string flag = "--" + std::string(part.name);
-        std::string setting(part.name);
-        std::replace(setting.begin(), setting.end(), '-', '_');
+        const std::string setting = setting_of(part);
         const bool needs_balance =
             part.is_on == &PhotonSettings::balance || part.is_on == &PhotonSettings::pass_weights;
         if (needs_balance) use("cornell", {"--resolution", "8x8"});
@@ -28,11 +27,18 @@ TEST_F(AdaptiveParts, are_off_where_the_user_says_so) {
         EXPECT_EQ(stats("0:1", {flag, "off"})["settings"][setting], "off");
         expect_films_apart(flag, setting);
         expect_refused(flag, {{flag, "on"},
+                              {flag},
+                              {flag, "off", "--photon-sampler", "random"},
                               {flag, "off", "--photon-sampler", "uniform"},
                               {flag, "off", "--mode", "paper"},
                               {flag, "auto", "--integrator", "path"}});
         if (needs_balance) expect_refused(flag, {{flag, "auto", "--photons-per-pass", "777"}});
     }
+}
+
+TEST_F(AdaptiveParts, of_what_is_off_are_refused) {
+    expect_refused("--light-search", {{"--light-search", "off", "--emission-maps", "off"}});
+    expect_refused("--pass-weights", {{"--pass-weights", "off", "--balance", "off"}});
 }
 
 TEST_F(AdaptiveParts, one_set_in_place_of_a_ladder) {

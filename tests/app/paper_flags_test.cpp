@@ -27,6 +27,8 @@ TEST_F(PaperFlags, sampler_and_mode_are_one) {
     EXPECT_EQ(s["settings"]["photon_sampler"], "paper");
     EXPECT_EQ(s["settings"]["direct"], "photons");
     EXPECT_EQ(s["settings"]["alpha"], "0.7");
+    EXPECT_EQ(s["settings"]["radius_pixels"], "2");
+    EXPECT_EQ(s["settings"]["indirect_radius"], "1");
     EXPECT_EQ(s["settings"]["replica_exchange"], "on");
     EXPECT_EQ(s["settings"]["mutation_size"], "adaptive");
     EXPECT_EQ(s["settings"]["target_acceptance"], "0.234");
@@ -64,6 +66,7 @@ TEST_F(PaperFlags, change_the_picture_and_are_recorded) {
         {{"--mutation-size", "0.25"}, "mutation_size", "0.25"},
         {{"--target-acceptance", "0.9"}, "target_acceptance", "0.9"},
         {{"--alpha", "0.5"}, "alpha", "0.5"},
+        {{"--radius-pixels", "5"}, "radius_pixels", "5"},
     };
     for (const Row& row : rows) {
         const auto s = rendered(base + row.words);

@@ -84,7 +84,8 @@ TEST(EyePath, a_diffuse_surface_ends_every_path) {
         EXPECT_EQ(p.disc.kinds, 15);
 }
 
-/// Two pixel footprints: the pixel's width on the floor; and the schedule's factor, and fixed.
+/// A pixel footprint, the pixel's width on the floor, for the picture is small; and the schedule's
+/// factor, and fixed.
 TEST(EyePath, first_radius) {
     const double pixel = 2 * 4 * std::tan(10 * kPiDouble / 180) / kPixels;
     const auto radius = [&](double factor, const EyeSettings& settings) {
@@ -97,6 +98,21 @@ TEST(EyePath, first_radius) {
     EXPECT_NEAR(radius(0.5, {}), pixel / 2, 0.005 * pixel);
     EXPECT_NEAR(radius(1, {6, {}}), 6 * pixel, 0.06 * pixel);
     EXPECT_NEAR(radius(0.5, {2, 0.25}), 0.125, 1e-6);
+}
+
+/// Of a crop, too, it is that of the whole picture.
+TEST(EyePath, first_radius_goes_by_the_size_of_the_film) {
+    SceneDescription scene = seen_from_above({square(0, 0)});
+    const auto first = [&] {
+        const Scene whole(scene);
+        const PassId id{2, 0};
+        const PassScene pass(whole, id);
+        const EyeSettings settings;
+        return EyePass{pass, kSampled, settings, {3, 3, 5, 5}, id}.first_radius;
+    };
+    EXPECT_EQ(first(), 1);
+    scene.film.resolution = Vec2i(512, 512);
+    EXPECT_EQ(first(), 2);
 }
 
 /// Of thin glass that is met head-on, by far; index 1.5: what both faces throw back together.

@@ -173,7 +173,7 @@ struct ErrorRatio {
     }
 };
 
-/// Noise of independent photons, radii of two pixels (the default) and of four. Over 24 seeds and
+/// Noise of independent photons, radii of two pixels and of four. Over 24 seeds and
 /// 16 blocks a ratio is known to 4%.
 TEST(Bias, has_the_errors_that_are_claimed) {
     const Scene scene = scene_of(floor_text(

@@ -118,8 +118,8 @@ void read_integrator(const Statement& integrator, Reading& reading) {
     }
     if (const Parameter* radius = integrator.find("radius"))
         reading.warn(radius->where,
-                     "\"radius\" of Integrator is ignored: the first radius is two "
-                     "pixels, or what --radius says");
+                     "\"radius\" of Integrator is ignored: the first radius is one or two "
+                     "pixels, by the picture's size, or what --radius says");
     if (const Parameter* paths = integrator.find("photonsperiteration"))
         reading.warn(paths->where,
                      "\"photonsperiteration\" is ignored: photon paths a pass are "
