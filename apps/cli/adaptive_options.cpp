@@ -22,9 +22,9 @@ void add_adaptive_flags(CLI::App& app, AdaptiveTexts& texts) {
 void finish_adaptive(const CLI::App& given, const AdaptiveTexts& texts, PhotonSettings& photon) {
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const AdaptivePart& part = kAdaptiveParts.at(i);
-        if (given.count(flag_of(part)) > 0 && photon.sampler != PhotonSampler::adaptive)
-            throw Error({flag_of(part)}, "has a meaning with the sampler adaptive alone",
-                        "leave it out");
+        const std::string flag = flag_of(part);
+        if (given.count(flag) > 0 && photon.sampler != PhotonSampler::adaptive)
+            throw Error({flag}, "has a meaning with the sampler adaptive alone", "leave it out");
         photon.*part.is_on = texts.at(i) != "off";
     }
     if (given.count("--light-search") > 0 && !photon.emission_maps)

@@ -72,9 +72,8 @@ void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
         ->check(whole(1, 1 << 30));
     CLI::Option* const in_pixels =
         app.add_option("--radius-pixels", o.settings.eye.radius_pixels,
-                       "First radius in pixel footprints (default 2, less "
-                       "in pictures of fewer than 512 pixels a side; "
-                       "paper 2)")
+                       "First radius in pixel footprints (default 2, less in pictures of fewer "
+                       "than 512 pixels a side; paper 2)")
             ->check(between(1e-3, 1e3));
     app.add_option("--radius", o.settings.eye.radius, "First radius in scene units instead")
         ->check(between(1e-30, 1e30))
@@ -82,8 +81,7 @@ void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--indirect-radius", o.settings.eye.indirect_radius,
                    "Radius for photons that a rough surface has scattered, over that for others "
                    "(default 2 to 3.1, more in pictures of more than 512 pixels a side; "
-                   "less where a radius is given; "
-                   "paper 1)")
+                   "less where a radius is given; paper 1)")
         ->check(between(1, 100));
     app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3; paper .7)")
         ->check(between(1e-6, 1 - 1e-6));
