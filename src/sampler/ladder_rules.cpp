@@ -142,10 +142,6 @@ bool is_rare(const HeightTail& tail) {
     return tail[kVisible] < kUniformOnly;
 }
 
-bool needs_several_sets(const HeightTail& tail, std::uint32_t paths) {
-    return is_rare(tail) && !has_seeds_for_one_set(tail, paths - paths / 2);
-}
-
 SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths, Sets sets) {
     tail[kVisible] = map.covering == Covering::all_known ? 0 : tail[kVisible] * map.rest;
     const Division& d = division(map, tail[kVisible]);

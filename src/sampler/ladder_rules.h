@@ -28,9 +28,6 @@ enum class Sets { as_needed, one };
 /// several, only the last, whose chains start at what visible paths there are.
 LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths, Sets sets = Sets::as_needed);
 
-/// Would the ladder's uniform paths find too few visible ones for one set?
-bool needs_several_sets(const HeightTail& tail, std::uint32_t paths);
-
 /// Paths through a map, and a ladder beside them.
 struct SharedPlan {
     LadderPlan ladder;

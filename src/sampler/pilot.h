@@ -48,7 +48,7 @@ public:
     /// What was found, and the plan for passes of that many paths. May be asked again for others.
     PilotResult plan(std::uint32_t paths) {
         const HeightTail& tail = result_.tail;
-        const bool wants_map = !has_climbed_ || needs_several_sets(tail, paths);
+        const bool wants_map = !has_climbed_ || is_rare(tail);
         if (maps_.is_on && has_climbed_ && wants_map && !map_) learn_map(Covering::often_visible);
         result_.mapped = {};
         result_.last = {};
