@@ -25,11 +25,8 @@ struct Division {
     std::optional<double> detour;
 };
 // Paths through the map bring the light from there. What it leaves out is little, but rare: the
-// uniform paths and the first sets must find it, so the last one has fewer states than without,
-// and still fewer where there are many sets.
-constexpr Division kOftenSeen{0.35, 0.4, 1, 0.1};
-constexpr Division kOftenSeenManySets{0.3, 0.3, 1, 0.1};
-constexpr int kManySets = 5;
+// uniform paths and the first sets must find it, so the last one has fewer states than without.
+constexpr Division kOftenSeen{0.35, 0.3, 1, 0.1};
 // No ladder leads to what is visible.
 constexpr Division kAlone{0.75, 0.5, 1, 0.25};
 // Few paths through the map are visible, fewer than are worth as much as states of chains: they
@@ -49,11 +46,9 @@ int sets_for(double visible) {
     return static_cast<int>(std::ceil(log_of(visible) / log_of(kConditionalFraction)));
 }
 
-/// @param visible  fraction that the map leaves out.
-const Division& division(const LearnedMap& map, double visible) {
+const Division& division(const LearnedMap& map) {
     if (map.covering == Covering::all_known) return kAlone;
-    if (map.visible_share < kSeldomSeen) return kForSeeds;
-    return visible > 0 && sets_for(visible) >= kManySets ? kOftenSeenManySets : kOftenSeen;
+    return map.visible_share < kSeldomSeen ? kForSeeds : kOftenSeen;
 }
 
 /// Of what a map covers, so that chains have that share of their states there.
@@ -144,7 +139,7 @@ bool is_rare(const HeightTail& tail) {
 
 SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths, Sets sets) {
     tail[kVisible] = map.covering == Covering::all_known ? 0 : tail[kVisible] * map.rest;
-    const Division& d = division(map, tail[kVisible]);
+    const Division& d = division(map);
     SharedPlan plan;
     plan.mapped = {map.map, std::min(static_cast<std::uint32_t>(d.mapped * paths), paths - 2),
                    d.detour ? importance_of(*d.detour, map.rest) : 1, d.own};
