@@ -48,8 +48,8 @@ double share_of_seeds(std::uint64_t found, double tried) {
 }
 
 /// The share of the usual paths below which nothing is known of what paths are worth: that of the
-/// trials, or less where a ladder has one set and seeds enough. All, where a ladder has found
-/// nothing.
+/// trials, or less where a ladder has one set, seeds enough and no map beside it. All, where a
+/// ladder has found nothing.
 /// @param totals  of all sets of photons. @param tried  the share that one of them has.
 double least_share(const std::vector<PhotonGroup>& groups, const PhotonTotals& totals,
                    double tried) {

@@ -103,17 +103,13 @@ std::vector<int> reached_heights(const HeightTail& tail) {
     return heights;
 }
 
-bool has_seeds_for_one_set(const HeightTail& tail, std::uint32_t uniform) {
-    return tail[kVisible] * uniform >= kSeedsForOneSet;
-}
-
 /// @param last_share  of the paths, states of the last set.
 LadderPlan planned(const HeightTail& tail, std::uint32_t paths, double last_share, Sets sets) {
     if (!is_rare(tail)) return {paths, {}};
     const double visible = tail[kVisible];
     const auto last = std::max(1U, static_cast<std::uint32_t>(last_share * paths));
-    if (has_seeds_for_one_set(tail, paths - last)) {  // hardly a seed is left out
-        const double seeds = visible * (paths - last);
+    const double seeds = visible * (paths - last);
+    if (seeds >= kSeedsForOneSet) {  // hardly a seed is left out
         const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * seeds));
         return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
     }

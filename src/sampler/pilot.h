@@ -48,11 +48,11 @@ public:
     /// What was found, and the plan for passes of that many paths. May be asked again for others.
     PilotResult plan(std::uint32_t paths) {
         const HeightTail& tail = result_.tail;
-        const bool wants_map = !has_climbed_ || is_rare(tail);
-        if (maps_.is_on && has_climbed_ && wants_map && !map_) learn_map(Covering::often_visible);
+        if (maps_.is_on && has_climbed_ && is_rare(tail) && !map_)
+            learn_map(Covering::often_visible);
         result_.mapped = {};
         result_.last = {};
-        if (wants_map && map_ && map_->rest < kMostRest) {
+        if (map_ && map_->rest < kMostRest) {
             SharedPlan shared = shared_plan(tail, *map_, paths, sets_);
             result_.plan = std::move(shared.ladder);
             result_.mapped = std::move(shared.mapped);
