@@ -68,9 +68,10 @@ bench:
 	tools/setup.sh build
 	cmake --preset bench
 	cmake --build build/bench -j $(JOBS)
-	for program in rays scale load photon_maps; do build/bench/bin/bench_$$program; done
+	for program in rays scale load; do build/bench/bin/bench_$$program; done
 	build/bench/bin/sunfleck scene cognac-1 -o out/bench
 	build/bench/bin/bench_gain out/bench/cognac-1.pbrt
+	build/bench/bin/bench_photon_maps out/bench/cognac-1.pbrt -o out/bench
 
 tidy:
 	tools/setup.sh build test nightly

@@ -46,7 +46,7 @@ void check_outputs(const std::vector<std::string>& outputs,
 
 void write_outputs(const std::vector<std::string>& outputs, const Film& film,
                    const OutputOptions& options, LateFault& faults) {
-    const Picture picture = film_picture(film, {1, options.extrapolate});
+    const Picture picture = film_picture(film, {options.extrapolate});
     for (const std::string& path : outputs)
         faults.attempt([&] {
             if (is_film(path))

@@ -36,7 +36,7 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     for (const char* flag :
          {"--photon-sampler", "--mode", "--replica-exchange", "--mutation-size",
           "--target-acceptance", "--direct", "--light-candidates", "--photons-per-pass", "--radius",
-          "--radius-pixels", "--alpha", "--layers", "--light-layer"})
+          "--radius-pixels", "--indirect-radius", "--alpha", "--layers", "--light-layer"})
         refuse(flag);
     for (const AdaptivePart& part : kAdaptiveParts) refuse(flag_of(part));
 }

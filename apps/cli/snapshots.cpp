@@ -30,7 +30,7 @@ void write_snapshot(const std::string& folder, const Film& film, const RunFacts&
     const std::string name = fmt::format("{}/passes-{:06}", folder, film.pass_count());
     const std::string json = stats_json(film, facts);
     write_file(name + ".json", json);
-    write_picture(name + ".exr", film_picture(film, {1, facts.error_terms.extrapolated}));
+    write_picture(name + ".exr", film_picture(film, {facts.error_terms.extrapolated}));
 }
 
 }  // namespace sunfleck

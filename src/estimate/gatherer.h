@@ -182,7 +182,7 @@ private:
         else if (to.shares_pixel)
             shared_.add({rgb, to.pixel, owner_of(to, kind)});
         else
-            all_.image.add_addable(to.pixel, rgb, owner_of(to, kind), true);
+            all_.image.add_alone(to.pixel, rgb, owner_of(to, kind));
     }
 
     /// Where the sum is not a number that can be added: each photon stands or falls by itself.

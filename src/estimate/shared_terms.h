@@ -71,7 +71,7 @@ private:
             if (i + kAhead < order_.size())
                 __builtin_prefetch(image_.place_of(terms_[order_[i + kAhead]].pixel), 1);
             const Term& term = terms_[order_[i]];
-            image_.add_addable(term.pixel, term.rgb, term.owner, true);
+            image_.add_alone(term.pixel, term.rgb, term.owner);
         }
     }
 

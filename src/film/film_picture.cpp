@@ -7,11 +7,6 @@
 namespace sunfleck {
 namespace {
 
-bool is_light(Layer layer) {
-    return layer != Layer::albedo && layer != Layer::normal && layer != Layer::depth &&
-           layer != Layer::samples;
-}
-
 /// @param names  of the channels, a letter each.
 void add_layer(Picture& picture, const FixedPoints& sums, std::string_view layer,
                std::string_view names, double scale) {
@@ -35,7 +30,7 @@ void add_bias(Picture& picture, const Film& film, const FilmPictureOptions& opti
         std::vector<float>& values = picture.add(std::string("bias.") + channels[c]).values;
         std::vector<float>& light = picture.channels[c].values;
         for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] = static_cast<float>(biases[i][c] * options.scale);
+            values[i] = static_cast<float>(biases[i][c]);
             if (options.extrapolate) light[i] -= values[i];
         }
     }
@@ -50,8 +45,7 @@ void add_error(Picture& picture, const Film& film, const FilmPictureOptions& opt
         for (const MeanError& pixel : pixel_errors(film)) errors.push_back(pixel.standard_error);
     if (errors.empty()) return;
     std::vector<float>& values = picture.add("error.Y").values;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = static_cast<float>(errors[i] * options.scale);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(errors[i]);
 }
 
 }  // namespace
@@ -62,12 +56,10 @@ Picture film_picture(const Film& film, FilmPictureOptions options) {
     for (std::size_t i = 0; i < kLayerCount; ++i) {
         const LayerRow& row = kLayers.at(i);
         if (film.key().has(i))
-            add_layer(picture, film.sums().layers.at(i), row.name, row.channels,
-                      is_light(row.layer) ? share * options.scale : share);
+            add_layer(picture, film.sums().layers.at(i), row.name, row.channels, share);
     }
     for (std::size_t i = 0; i < film.key().light_layers.size(); ++i)
-        add_layer(picture, film.sums().light_layers[i], film.key().light_layers[i], "RGB",
-                  share * options.scale);
+        add_layer(picture, film.sums().light_layers[i], film.key().light_layers[i], "RGB", share);
     for (const std::string& name : film.key().light_layers) {
         std::string& names = picture.metadata[kLightLayerNames];
         names += (names.empty() ? "" : " ") + name;

@@ -13,7 +13,6 @@ inline constexpr const char* kExtrapolated = "extrapolated";
 inline constexpr const char* kLightLayerNames = "light_layers";
 
 struct FilmPictureOptions {
-    double scale = 1;          // of all light, its error and bias; features keep theirs
     bool extrapolate = false;  // subtract the bias, where it is known (film/bias.h)
 };
 

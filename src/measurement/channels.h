@@ -8,15 +8,16 @@
 namespace sunfleck {
 
 enum class Layer : std::size_t {
-    total,
-    direct,
-    caustic,
-    indirect,
-    emission,
-    albedo,
-    normal,
-    depth,
-    samples,
+    total,     // all light, radiance
+    direct,    // light that comes straight from an emitter to what is seen
+    caustic,   // light from an emitter by way of smooth glass or metal alone
+    indirect,  // light that has met a rough surface before
+    emission,  // emitters seen by themselves, through glass or in mirrors
+    albedo,    // share of white light reflected by the first surface
+    normal,    // shading normal of the first surface, world frame
+    depth,     // distance to the first surface along the ray; 0 for none
+    samples,   // photons gathered, a pass, each pass as often as it counts; a state of the paper's
+               // chain as often as it stood
     count
 };
 
@@ -24,25 +25,20 @@ struct LayerRow {
     Layer layer;
     std::string_view name;      // as the user writes it and as EXR channels begin
     std::string_view channels;  // one letter each, at most three
-    std::string_view what;
 };
 
 inline constexpr std::size_t kLayerCount = static_cast<std::size_t>(Layer::count);
 
 inline constexpr std::array<LayerRow, kLayerCount> kLayers = {{
-    {Layer::total, "", "RGB", "all light, radiance"},
-    {Layer::direct, "direct", "RGB", "light that comes straight from an emitter to what is seen"},
-    {Layer::caustic, "caustic", "RGB",
-     "light from an emitter by way of smooth glass or metal alone"},
-    {Layer::indirect, "indirect", "RGB", "light that has met a rough surface before"},
-    {Layer::emission, "emission", "RGB",
-     "emitters seen by themselves, through glass or in mirrors"},
-    {Layer::albedo, "albedo", "RGB", "share of white light reflected by the first surface"},
-    {Layer::normal, "normal", "XYZ", "shading normal of the first surface, world frame"},
-    {Layer::depth, "depth", "Z", "distance to the first surface along the ray; 0 for none"},
-    {Layer::samples, "samples", "N",
-     "photons gathered, a pass, each pass as often as it counts; a state of the paper's chain as "
-     "often as it stood"},
+    {Layer::total, "", "RGB"},
+    {Layer::direct, "direct", "RGB"},
+    {Layer::caustic, "caustic", "RGB"},
+    {Layer::indirect, "indirect", "RGB"},
+    {Layer::emission, "emission", "RGB"},
+    {Layer::albedo, "albedo", "RGB"},
+    {Layer::normal, "normal", "XYZ"},
+    {Layer::depth, "depth", "Z"},
+    {Layer::samples, "samples", "N"},
 }};
 
 /// Can a layer of some lights be called so? A letter, then letters, digits, _ and -.

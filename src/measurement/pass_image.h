@@ -68,12 +68,12 @@ public:
             lights_[layer][pixel][c].add(term_of(rgb[static_cast<int>(c)]));
     }
 
-    /// add_light() of what is_addable(), with no other thread at this pixel if `alone`.
-    void add_addable(std::size_t pixel, const Vec3& rgb, Layer owner, bool alone) {
+    /// add_light() of what is_addable(), with no other thread at this pixel.
+    void add_alone(std::size_t pixel, const Vec3& rgb, Layer owner) {
         const std::array<FixedPoint, 3> terms{share_of(rgb.x), share_of(rgb.y), share_of(rgb.z)};
-        add(layers_[0][pixel], terms, alone);
+        add_alone(layers_[0][pixel], terms);
         if (owner != Layer::total && has(owner))
-            add(layers_[static_cast<std::size_t>(owner)][pixel], terms, alone);
+            add_alone(layers_[static_cast<std::size_t>(owner)][pixel], terms);
     }
 
     /// What add_light() will write first: to be called into the cache.
@@ -135,13 +135,8 @@ private:
         return false;
     }
 
-    static void add(Pixel& pixel, const std::array<FixedPoint, 3>& terms, bool alone) {
-        for (unsigned c = 0; c < 3; ++c) {
-            if (alone)
-                pixel[c].add_alone(terms[c]);
-            else
-                pixel[c].add(terms[c]);
-        }
+    static void add_alone(Pixel& pixel, const std::array<FixedPoint, 3>& terms) {
+        for (unsigned c = 0; c < 3; ++c) pixel[c].add_alone(terms[c]);
     }
 
     void add(Pixel& pixel, const Vec3& rgb) {

@@ -9,55 +9,53 @@
 namespace sunfleck {
 
 enum class Count : std::size_t {
-    eye_rays,
-    photon_rays,
-    camera_paths,
-    visible_points,
-    uniform_paths,
-    mapped_paths,
-    uniform_visible,
-    mapped_visible,
-    mutated_paths,
-    accepted_paths,
-    distinct_visible,
-    visible_states,
-    photons_stored,
-    deposits,
-    escaped,
-    too_long,
-    dropped_nonfinite,
-    saturated,
+    eye_rays,           // rays of camera paths and of direct light
+    photon_rays,        // rays of photon paths
+    camera_paths,       // camera paths
+    visible_points,     // visible points
+    uniform_paths,      // photon paths traced from uniform numbers
+    mapped_paths,       // photon paths whose emission went through a map
+    uniform_visible,    // uniform paths with a photon that a visible point takes
+    mapped_visible,     // the same of mapped paths
+    mutated_paths,      // photon paths proposed by mutation
+    accepted_paths,     // of these, accepted
+    distinct_visible,   // different photon paths that brought light
+    visible_states,     // the same, repeats of a chain counted each
+    photons_stored,     // photons that at least one visible point took
+    deposits,           // photons times the visible points that took them
+    escaped,            // photon paths that left the scene
+    too_long,           // photon paths cut at the greatest depth
+    dropped_nonfinite,  // contributions that were not finite
+    saturated,          // contributions cut at the range of the exact sums
     count
 };
 
 struct CountRow {
     Count count;
     std::string_view name;  // in film files and stats.json
-    std::string_view what;
 };
 
 inline constexpr std::size_t kCounts = static_cast<std::size_t>(Count::count);
 
 inline constexpr std::array<CountRow, kCounts> kCountRows = {{
-    {Count::eye_rays, "eye_rays", "rays of camera paths and of direct light"},
-    {Count::photon_rays, "photon_rays", "rays of photon paths"},
-    {Count::camera_paths, "camera_paths", "camera paths that end in visible points"},
-    {Count::visible_points, "visible_points", "visible points"},
-    {Count::uniform_paths, "uniform_paths", "photon paths traced from uniform numbers"},
-    {Count::mapped_paths, "mapped_paths", "photon paths whose emission went through a map"},
-    {Count::uniform_visible, "uniform_visible",
-     "uniform paths deposited at a visible point or more"},
-    {Count::mapped_visible, "mapped_visible", "the same of mapped paths"},
-    {Count::mutated_paths, "mutated_paths", "photon paths proposed by mutation"},
-    {Count::accepted_paths, "accepted_paths", "of these, accepted"},
-    {Count::distinct_visible, "distinct_visible", "different photon paths that brought light"},
-    {Count::visible_states, "visible_states", "the same, repeats of a chain counted each"},
-    {Count::photons_stored, "photons_stored", "photons that at least one visible point took"},
-    {Count::deposits, "deposits", "photons times the visible points that took them"},
-    {Count::escaped, "escaped", "photon paths that left the scene"},
-    {Count::too_long, "too_long", "photon paths cut at the greatest depth"},
-    {Count::dropped_nonfinite, "dropped_nonfinite", "contributions that were not finite"},
-    {Count::saturated, "saturated", "contributions cut at the range of the exact sums"},
+    {Count::eye_rays, "eye_rays"},
+    {Count::photon_rays, "photon_rays"},
+    {Count::camera_paths, "camera_paths"},
+    {Count::visible_points, "visible_points"},
+    {Count::uniform_paths, "uniform_paths"},
+    {Count::mapped_paths, "mapped_paths"},
+    {Count::uniform_visible, "uniform_visible"},
+    {Count::mapped_visible, "mapped_visible"},
+    {Count::mutated_paths, "mutated_paths"},
+    {Count::accepted_paths, "accepted_paths"},
+    {Count::distinct_visible, "distinct_visible"},
+    {Count::visible_states, "visible_states"},
+    {Count::photons_stored, "photons_stored"},
+    {Count::deposits, "deposits"},
+    {Count::escaped, "escaped"},
+    {Count::too_long, "too_long"},
+    {Count::dropped_nonfinite, "dropped_nonfinite"},
+    {Count::saturated, "saturated"},
 }};
 
 struct Statistics {

@@ -43,8 +43,6 @@ public:
         return kDeepest;
     }
 
-    std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
-
 private:
     static constexpr std::uint32_t kEmptyCell = 0;  // the root is nobody's child
     static constexpr std::uint32_t kFullCell = 0xFFFFFFFF;

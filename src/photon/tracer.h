@@ -117,11 +117,12 @@ public:
 private:
     /// The medium takes its share on the way to the hit. @return whether anything is left.
     [[gnu::noinline]] bool fade(const Hit& hit, PhotonState& state) const {
+        const Spectrum left = pass_.left_after(state.medium, hit.distance);
         const float before = state.flux.sum();
-        state.flux *= pass_.left_after(state.medium, hit.distance);
-        const float after = state.flux.sum();
-        if (!(after > 0)) return false;
-        state.throughput *= after / before;
+        state.flux *= left;
+        const float kept = share_kept(before, state.flux, left);
+        if (!(kept > 0)) return false;
+        state.throughput *= kept;
         return true;
     }
 

@@ -99,6 +99,13 @@ Vec3 numbers_for(const Bsdf& bsdf, const Unit& unit) {
 
 }  // namespace turn_detail
 
+/// What a loss leaves of the flux. A light that is dark at the wavelengths of the pass sends paths
+/// as if it were grey: what a pilot learns of them holds for other passes, too.
+/// @param before  sum of the flux. @param after  the flux. @param loss  its factor.
+inline float share_kept(float before, const Spectrum& after, const Spectrum& loss) {
+    return before > 0 ? after.sum() / before : loss.sum() / static_cast<float>(kLanes);
+}
+
 /// One scattering event, but for what wavelengths have to do with it. @tparam Surface  a Bsdf, or
 /// one that it may be.
 template <SlotReader Reader, class Surface>
@@ -111,11 +118,7 @@ template <SlotReader Reader, class Surface>
     const auto left = turn_detail::departure(bsdf, hit, state.direction, draw);
     if (!left) return {};
     const Spectrum flux = state.flux * left->weight;
-    // A light that is dark at the wavelengths of the pass sends paths as if it were grey: what a
-    // pilot learns of them holds for other passes, too.
-    const float before = state.flux.sum();
-    const float kept =
-        before > 0 ? flux.sum() / before : left->weight.sum() / static_cast<float>(kLanes);
+    const float kept = share_kept(state.flux.sum(), flux, left->weight);
     const float throughput = state.throughput * kept;
     const float number = throughput < 1 ? unit(BounceSlot::roulette) : 0;
     return {flux, left->direction, throughput, number, left->is_rough, left->disperses};

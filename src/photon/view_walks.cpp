@@ -86,11 +86,19 @@ private:
 
     /// What a sample brings if nothing is in the way.
     double weight_of(const LightAtPoint& sample, const Spectrum& scattered) {
-        const Spectrum flux = throughput_ * scattered * scene_.emission[sample.light];
+        const Spectrum flux = throughput_ * scattered * emitted_by(sample.light);
         const double weight = static_cast<double>(flux.sum()) *
                               static_cast<double>(sample.direct.factor) / sample.probability;
         found_.possible += weight;
         return weight;
+    }
+
+    /// Of a light that is dark at the pass's wavelengths as if it were grey: what is found of it
+    /// holds for other passes, too.
+    Spectrum emitted_by(std::size_t light) const {
+        const Spectrum& emission = scene_.emission[light];
+        if (!emission.is_zero()) return emission;
+        return Spectrum(curve(scene_.scene.lights()[light]).luminance());
     }
 
     void add(const LightAtPoint& sample, const Vec3& at, double weight) {

@@ -129,8 +129,10 @@ private:
         Trials result;
         for (const Seed& seed : all.seeds()) {
             const EmissionPoint point = emission_of(seed.sample);
+            const double density = map.density(point);
+            if (!(density > 0)) continue;  // rounded into an empty box beside its own
             result.trials.push_back({point, seed.height == kVisible});
-            result.weights.push_back(1 / map.density(point));
+            result.weights.push_back(1 / density);
             if (seed.height == kVisible) result.visible += result.weights.back();
         }
         return result;

@@ -271,6 +271,7 @@ TEST_F(Flags, bad_values_are_refused_in_one_line) {
         {"--integrator", "path", "--photon-sampler", "random"},
         {"--integrator", "path", "--mode", "paper"},
         {"--integrator", "path", "--radius", "1"},
+        {"--integrator", "path", "--indirect-radius", "2"},
         {"--no-such-flag"},
         {"another.pbrt"},
     };

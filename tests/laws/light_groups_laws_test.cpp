@@ -17,7 +17,7 @@ struct ToyGroup {
     LadderPlan plan;
 };
 
-/// A lamp of which a third can be seen, and a sun of 50 times its power and one path in 700.
+/// A lamp of which a third can be seen, and a sun of 50 times its power and one path in 575.
 std::vector<ToyGroup> lamp_and_sun() {
     return {{1.0 / 51, {"lamp", {0, 6}, {{0.4, 0.3, 0.5, 1}, {0.8, 0.05, 0.5, 2}}}, {}},
             {50.0 / 51, {"sun", {0, 6}, {{0.3, 0.02, 0.5, 1}, {0.7, 0.012, 0.5, 4}}}, {}}};

@@ -16,7 +16,7 @@ TEST(PassImage, photons_bring_what_eye_paths_do_not) {
     PassImage image(1, {}, true);
     image.add_eye_light(0, Vec3(1, 2, 3), Layer::direct);
     image.add_light(0, Vec3(10, 20, -30), Layer::caustic);
-    image.add_addable(0, Vec3(100, 0, 0), Layer::indirect, true);
+    image.add_alone(0, Vec3(100, 0, 0), Layer::indirect);
     EXPECT_EQ(image.value(Layer::total, 0, 0).to_double(), 111);
     EXPECT_EQ(by_photons(image, 0), 110);
     EXPECT_EQ(by_photons(image, 1), 20);
@@ -44,7 +44,7 @@ TEST(PassImage, is_the_mean_over_draws) {
     for (std::uint32_t draw = 0; draw < kDraws; ++draw) {
         image.add_eye_light(0, Vec3(1, 2, 3), Layer::direct);
         image.add_light(0, Vec3(10, 20, 30), Layer::caustic);
-        image.add_addable(0, Vec3(100, 0, -40), Layer::indirect, draw % 2 == 0);
+        image.add_alone(0, Vec3(100, 0, -40), Layer::indirect);
         image.add_to_light_layer(0, Vec3(5, 6, 7), 0);
         image.add_feature(0, Vec3(0.5F, 0, 0), Layer::albedo);
     }

@@ -102,7 +102,7 @@ Seen look(const Scene& scene, RenderSettings settings, int seeds, const Radiance
         settings.seed = static_cast<std::uint64_t>(seed);
         const Film film = film_of(scene, settings);
         seen.plain.add(squared_error(film_picture(film), true));
-        seen.extrapolated.add(squared_error(film_picture(film, {1, true}), false));
+        seen.extrapolated.add(squared_error(film_picture(film, {true}), false));
         estimates.push_back(block_biases(film));
     }
     for (const std::vector<Bias>& blocks : estimates) {
