@@ -94,11 +94,14 @@ private:
     }
 
     /// Of a light that is dark at the pass's wavelengths as if it were grey: what is found of it
-    /// holds for other passes, too.
+    /// holds for other passes, too. Its luminance is what it is weighed by, over its power.
     Spectrum emitted_by(std::size_t light) const {
         const Spectrum& emission = scene_.emission[light];
         if (!emission.is_zero()) return emission;
-        return Spectrum(curve(scene_.scene.lights()[light]).luminance());
+        const Scene& scene = scene_.scene;
+        const LightChoice& all = scene.light_choice();
+        const double weight = all.total() * all.probability(light);
+        return Spectrum(static_cast<float>(weight / power(scene.lights()[light], scene.sphere())));
     }
 
     void add(const LightAtPoint& sample, const Vec3& at, double weight) {
