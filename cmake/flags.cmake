@@ -33,9 +33,17 @@ if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)
 endif()
 
 # Six files of the target at a time, which then read headers and make templates once. Local names must
-# differ within the target. Not where SUNFLECK_TOGETHER is off, for who edits.
+# differ within the six; ALONE takes the files, with their folders, that are no part of it. Not where
+# SUNFLECK_TOGETHER is off, for who edits.
 function(sunfleck_compile_together target)
+  cmake_parse_arguments(TOGETHER "" "" "ALONE" ${ARGN})
+  foreach(file ${TOGETHER_ALONE})
+    if(NOT EXISTS ${file})
+      message(FATAL_ERROR "${file}: is to be compiled alone and is not there")
+    endif()
+  endforeach()
   if(SUNFLECK_TOGETHER)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    set_source_files_properties(${TOGETHER_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 endfunction()

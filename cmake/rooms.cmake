@@ -4,9 +4,10 @@ set(SUNFLECK_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <
 
 # One static library a room of src/: its files are globbed, its libraries named here and nowhere
 # else. src/layers.txt says who may include whom; tools/check_layers.py checks it.
-# ONE_BY_ONE: files have local names in common; others are compiled several at a time.
+# Files are compiled several at a time, but ALONE those that have local names in common with others;
+# ONE_BY_ONE: these are many.
 function(sunfleck_room name)
-  cmake_parse_arguments(ROOM "ONE_BY_ONE" "FOLDER" "NEEDS" ${ARGN})
+  cmake_parse_arguments(ROOM "ONE_BY_ONE" "FOLDER" "ALONE;NEEDS" ${ARGN})
   if(NOT ROOM_FOLDER)
     set(ROOM_FOLDER ${name})
   endif()
@@ -15,7 +16,8 @@ function(sunfleck_room name)
     add_library(room_${name} STATIC ${sources})
     target_link_libraries(room_${name} PUBLIC sunfleck_flags ${ROOM_NEEDS})
     if(NOT ROOM_ONE_BY_ONE)
-      sunfleck_compile_together(room_${name})
+      list(TRANSFORM ROOM_ALONE REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/src/${ROOM_FOLDER}/\\1.cpp")
+      sunfleck_compile_together(room_${name} ALONE ${ROOM_ALONE})
     endif()
     # Whoever includes the scene does so in nearly every file; the others share the common headers.
     if(name STREQUAL "core")
@@ -36,7 +38,7 @@ endfunction()
 
 sunfleck_room(core NEEDS TBB::tbb fmt::fmt)
 sunfleck_room(math ONE_BY_ONE NEEDS room_core Imath::Imath)
-sunfleck_room(image ONE_BY_ONE NEEDS room_math OpenEXR::OpenEXR PNG::PNG JPEG::JPEG ZLIB::ZLIB)
+sunfleck_room(image NEEDS room_math OpenEXR::OpenEXR PNG::PNG JPEG::JPEG ZLIB::ZLIB)
 sunfleck_room(bsdf ONE_BY_ONE NEEDS room_math)
 sunfleck_room(geometry ONE_BY_ONE NEEDS room_math embree)
 sunfleck_room(camera NEEDS room_math)
@@ -47,7 +49,8 @@ sunfleck_room(material NEEDS room_bsdf room_texture)
 sunfleck_room(light NEEDS room_geometry room_image)
 sunfleck_room(measurement ONE_BY_ONE NEEDS room_bsdf room_geometry room_sampler hwy::hwy)
 sunfleck_room(scene NEEDS room_material room_light room_camera room_measurement)
-sunfleck_room(import_pbrt ONE_BY_ONE FOLDER import/pbrt NEEDS room_scene ZLIB::ZLIB)
+sunfleck_room(import_pbrt FOLDER import/pbrt ALONE materials texture_kinds world_directives
+  NEEDS room_scene ZLIB::ZLIB)
 sunfleck_room(eye NEEDS room_scene)
 sunfleck_room(photon ONE_BY_ONE NEEDS room_scene)
 sunfleck_room(estimate NEEDS room_scene)

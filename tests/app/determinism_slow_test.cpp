@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Learned{"balance", "cornell", {}, 15, {14, 17, 18}},
         Learned{"passes_that_count_twice", "keyhole-4", {}, 17, {14, 17, 18}, "48x48"},
-        Learned{"noisy_pixels", "iced-tea", {}, 15, {14, 17, 18}},
+        Learned{"noisy_pixels", "iced-tea", {"--photons-per-pass", "20000"}, 15, {14, 17, 18}},
         Learned{"light_groups", "useless-light", {"--photons-per-pass", "3000"}, 7, {4, 17, 18}},
         Learned{"light_layers",
                 "useless-light",
