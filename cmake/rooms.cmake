@@ -5,7 +5,7 @@ set(SUNFLECK_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <
 # One static library a room of src/: its files are globbed, its libraries named here and nowhere
 # else. src/layers.txt says who may include whom; tools/check_layers.py checks it.
 # Files are compiled several at a time, but ALONE those that have local names in common with others;
-# ONE_BY_ONE: these are many.
+# ONE_BY_ONE: all of them, where these are many or were not looked for.
 function(sunfleck_room name)
   cmake_parse_arguments(ROOM "ONE_BY_ONE" "FOLDER" "ALONE;NEEDS" ${ARGN})
   if(NOT ROOM_FOLDER)
