@@ -130,6 +130,7 @@ struct Query : RTCIntersectContext {
     std::uint32_t first_instance;  // Embree's number of instance 0
     double t = 0;                  // of the nearest point on such a shape so far
     const Line* whole = nullptr;   // the ray of which `line` is the end, if it is
+    AlphaTest alpha_test = AlphaTest::by_chance;
 
     /// @param number  Embree's, or RTC_INVALID_GEOMETRY_ID: then null.
     const BuiltInstance* instance_of(unsigned number) const {

@@ -31,20 +31,25 @@ void filter(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
-bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
-              std::uint32_t crossing) {
-    Hit hit;
-    complete_hit(found, query.line, hit);
-    const float cover = found.shape->cover()(hit);
+bool passes_alpha_test(float cover, const Line& ray, const CrossingName& name) {
     if (cover >= 1) return true;
     if (!(cover > 0)) return false;
-    const Line& ray = query.whole == nullptr ? query.line : *query.whole;
     std::uint64_t hash =
-        hash_joined(hash_of(ray), std::uint64_t{geometry} << 32U | found.primitive);
-    const auto instance = static_cast<std::uint64_t>(
-        found.instance == nullptr ? 0 : found.instance - query.instances->data() + 1);
-    hash = hash_joined(hash, instance << 32U | crossing);
+        hash_joined(hash_of(ray), std::uint64_t{name.shape} << 32U | name.primitive);
+    hash = hash_joined(hash, std::uint64_t{name.instance} << 32U | name.crossing);
     return hash_to_unit(hash) < cover;
+}
+
+bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
+              std::uint32_t crossing) {
+    if (query.alpha_test == AlphaTest::off) return true;
+    Hit hit;
+    complete_hit(found, query.line, hit);
+    const Line& ray = query.whole == nullptr ? query.line : *query.whole;
+    const auto instance = static_cast<std::uint32_t>(
+        found.instance == nullptr ? 0 : found.instance - query.instances->data() + 1);
+    return passes_alpha_test(found.shape->cover()(hit), ray,
+                             {geometry, found.primitive, instance, crossing});
 }
 
 void attach_cover(const BuiltShape& mesh) {

@@ -11,7 +11,18 @@
 
 namespace sunfleck {
 
-/// Is the surface there where a query's ray meets it?
+/// One crossing of a ray with a primitive; the numbers need to tell crossings apart, no more.
+struct CrossingName {
+    std::uint32_t shape = 0;
+    std::uint32_t primitive = 0;
+    std::uint32_t instance = 0;
+    std::uint32_t crossing = 0;  // of those of the ray with the primitive
+};
+
+/// The alpha test: true with probability `cover`, by a hash of the ray and of the crossing.
+bool passes_alpha_test(float cover, const Line& ray, const CrossingName& name);
+
+/// Is the surface there where a query's ray meets it? Always, without an alpha test.
 /// @param crossing  tells apart the points where a ray meets one primitive several times.
 bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
               std::uint32_t crossing);

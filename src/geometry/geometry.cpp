@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "geometry/built.h"
+#include "geometry/cover.h"
 
 #include <embree3/rtcore_ray.h>
 
@@ -65,7 +66,8 @@ struct Geometry::Impl {
     void build_world();
     std::uint32_t first_instance() const { return static_cast<std::uint32_t>(world.shapes.size()); }
     std::size_t triangles_of(const std::vector<std::uint32_t>& list) const;
-    Meeting meet(const Line& line, float length, const Line* whole = nullptr) const;
+    Meeting meet(const Line& line, float length, AlphaTest alpha_test,
+                 const Line* whole = nullptr) const;
     void complete(const Meeting& meeting, Hit& hit) const;
     bool is_far(double distance, const Vec3& position) const;
 };
@@ -135,13 +137,16 @@ std::size_t Geometry::Impl::triangles_of(const std::vector<std::uint32_t>& list)
 }
 
 /// @param whole  the ray of which `line` is the end, if it is.
-Meeting Geometry::Impl::meet(const Line& line, float length, const Line* whole) const {
+Meeting Geometry::Impl::meet(const Line& line, float length, AlphaTest alpha_test,
+                             const Line* whole) const {
     Meeting meeting;
+    meeting.alpha_test = alpha_test;
     meeting.origin = line.origin;
     meeting.direction = line.direction;
     if (!is_traceable(line, length)) return meeting;
     Query query(line, instances, first_instance());
     query.whole = whole;
+    query.alpha_test = alpha_test;
     RTCRayHit met;
     set_ray(met.ray, line, length);
     met.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -187,12 +192,13 @@ Geometry::~Geometry() = default;
 Geometry::Geometry(Geometry&&) noexcept = default;
 Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 
-Meeting Geometry::meet(const Ray& ray) const {
-    return impl_->meet({Vec3d(ray.origin), Vec3d(ray.direction)}, ray.length);
+Meeting Geometry::meet(const Ray& ray, AlphaTest alpha_test) const {
+    return impl_->meet({Vec3d(ray.origin), Vec3d(ray.direction)}, ray.length, alpha_test);
 }
 
-Meeting Geometry::meet_precise(const Vec3d& origin, const Vec3d& direction) const {
-    Meeting meeting = impl_->meet({origin, direction}, kInfinity);
+Meeting Geometry::meet_precise(const Vec3d& origin, const Vec3d& direction,
+                               AlphaTest alpha_test) const {
+    Meeting meeting = impl_->meet({origin, direction}, kInfinity, alpha_test);
     meeting.precise = true;
     return meeting;
 }
@@ -218,12 +224,19 @@ bool Geometry::hit_of(const Meeting& meeting, Hit& hit) const {
         if (!impl_->is_far(left, hit.position)) return true;
         walked += left * kWalk;
         const Vec3d start = meeting.origin + meeting.direction * walked;
-        const Meeting again = impl_->meet({start, meeting.direction}, kInfinity, &whole);
+        const Meeting again =
+            impl_->meet({start, meeting.direction}, kInfinity, meeting.alpha_test, &whole);
         if (again.shape == kNone) return false;
         impl_->complete(again, hit);
     }
     hit.distance = static_cast<float>(walked + double{hit.distance});
     return true;
+}
+
+bool Geometry::is_there(const Hit& hit, const Vec3d& origin, const Vec3& direction) const {
+    const Cover& cover = impl_->shapes[hit.shape].cover();
+    return !cover || passes_alpha_test(cover(hit), {origin, Vec3d(direction)},
+                                       {hit.shape, hit.primitive, hit.instance});
 }
 
 std::optional<Hit> Geometry::intersect(const Ray& ray) const {

@@ -28,6 +28,12 @@ bool cpu_has_avx2();
 /// that probability. Called by any number of threads; shape and instance of the hit are not set.
 using Cover = std::function<float(const Hit&)>;
 
+/// Where a surface is there in part: do rays meet it by chance, or always?
+enum class AlphaTest : std::uint8_t {
+    by_chance,  // as often as its cover says, by a hash of the ray
+    off         // always: who asks decides with Geometry::is_there() whether it stops the ray
+};
+
 /// One shape in the world or in an object.
 struct PlacedShape {
     Shape shape;
@@ -58,8 +64,9 @@ struct Meeting {
     std::uint32_t primitive = 0;
     std::uint32_t instance = kNone;
     bool precise = false;  // asked for by meet_precise()
-    Vec2 weights{0};       // Embree's, of corners 1 and 2
-    double t = 0;          // of a shape that is intersected exactly
+    AlphaTest alpha_test = AlphaTest::by_chance;
+    Vec2 weights{0};  // Embree's, of corners 1 and 2
+    double t = 0;     // of a shape that is intersected exactly
 };
 
 /// Left out, for nothing can be hit there: triangles without area, with a corner that is not
@@ -89,10 +96,15 @@ public:
     /// intersect() and intersect_precise() in two halves, with time between them: the first asks
     /// Embree and calls the primitive into the cache, the second works out the hit. Whoever traces
     /// several paths in turn waits for neither.
-    Meeting meet(const Ray& ray) const;
-    Meeting meet_precise(const Vec3d& origin, const Vec3d& direction) const;
+    Meeting meet(const Ray& ray, AlphaTest alpha_test = AlphaTest::by_chance) const;
+    Meeting meet_precise(const Vec3d& origin, const Vec3d& direction,
+                         AlphaTest alpha_test = AlphaTest::by_chance) const;
     /// @return whether the ray meets anything; if not, `hit` is left in any state.
     bool hit_of(const Meeting& meeting, Hit& hit) const;
+
+    /// The alpha test of a hit that was found without: is the surface there for this ray? A hash
+    /// of the ray and of the primitive decides.
+    bool is_there(const Hit& hit, const Vec3d& origin, const Vec3& direction) const;
 
     /// Around a hit of this geometry.
     SurfaceDerivatives derivatives(const Hit& hit) const;

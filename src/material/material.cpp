@@ -133,6 +133,23 @@ struct IsTextured {
     bool operator()(const InterfaceMaterial&) const { return false; }
 };
 
+/// One overload a material.
+struct MayGather {
+    bool operator()(const DiffuseMaterial&) const { return true; }
+    bool operator()(const DielectricMaterial& m) const { return is_rough_somewhere(m.roughness); }
+    bool operator()(const ConductorMaterial& m) const { return is_rough_somewhere(m.roughness); }
+    bool operator()(const CoatedDiffuseMaterial&) const { return true; }
+    bool operator()(const CoatedConductorMaterial&) const { return true; }
+    bool operator()(const DiffuseTransmissionMaterial&) const { return true; }
+    bool operator()(const MixMaterial&) const { return false; }
+    bool operator()(const ThinDielectricMaterial&) const { return false; }
+    bool operator()(const InterfaceMaterial&) const { return false; }
+
+    static bool is_rough_somewhere(const Roughness& roughness) {
+        return !roughness.is_constant() || !is_smooth(roughness.alphas({}));
+    }
+};
+
 }  // namespace
 
 Vec2 Roughness::alphas(const TexturePoint& point) const {
@@ -150,6 +167,10 @@ std::uint32_t MixMaterial::chosen(const TexturePoint& point) const {
 
 bool is_textured(const Material& material) {
     return std::visit(IsTextured{}, material);
+}
+
+bool may_gather(const Material& material) {
+    return std::visit(MayGather{}, material);
 }
 
 std::optional<Bsdf> bsdf_of(const Material& material, const Wavelengths& wavelengths,

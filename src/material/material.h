@@ -96,6 +96,10 @@ using Material = std::variant<DiffuseMaterial, DielectricMaterial, ThinDielectri
 /// Does the Bsdf depend on the point?
 bool is_textured(const Material& material);
 
+/// Can the Bsdf gather light (other than Scattering::specular) at some point? Of a mix its parts
+/// know.
+bool may_gather(const Material& material);
+
 /// The material at one pass's wavelengths and at a point, which counts where it is textured;
 /// nothing for an interface, and for a mix, whose parts have their own.
 ///

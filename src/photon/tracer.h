@@ -68,11 +68,12 @@ public:
         return true;
     }
 
-    /// The ray of a photon on its way.
+    /// The ray of a photon on its way. It meets all that is there in part: pass_absent().
     Meeting send(const PhotonState& state) const {
         const Geometry& geometry = pass_.scene.geometry();
-        if (state.at_light) return geometry.meet_precise(state.origin, state.first_direction);
-        return geometry.meet({Vec3(state.origin), state.direction});
+        if (state.at_light)
+            return geometry.meet_precise(state.origin, state.first_direction, AlphaTest::off);
+        return geometry.meet({Vec3(state.origin), state.direction}, AlphaTest::off);
     }
 
     /// Where it arrives. @return whether it does.
@@ -85,6 +86,8 @@ public:
     template <SlotReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
+        if (pass_.scene.has_cover(hit) && !is_there(hit, state))
+            return pass_absent(visit, hit, state);
         if (state.unlit > 0 && is_stopped(hit, state)) return PathEnd::absorbed;
         if (has_media_ && !fade(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
@@ -97,7 +100,7 @@ public:
     /// go_on() in three steps, for who has many photons to go on with. First: what scatters there,
     /// if it is a surface that is treated so; else go_on() is to be called.
     const Lambert* plain_surface(const Hit& hit, const PhotonState& state) const {
-        if (state.unlit > 0 || has_media_) return nullptr;
+        if (state.unlit > 0 || has_media_ || pass_.scene.has_cover(hit)) return nullptr;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         return constant ? std::get_if<Lambert>(&*constant) : nullptr;
     }
@@ -115,6 +118,25 @@ public:
     }
 
 private:
+    [[gnu::noinline]] bool is_there(const Hit& hit, const PhotonState& state) const {
+        return pass_.scene.geometry().is_there(hit, state.origin, state.direction);
+    }
+
+    /// Where a surface is there in part and not for this photon: its visible points gather the
+    /// photon all the same, since they are there by a chance of their own. Light that arrives at a
+    /// surface does not depend on how much of it is there.
+    template <PhotonVisitor Visitor>
+    [[gnu::noinline]] std::optional<PathEnd> pass_absent(Visitor& visit, const Hit& hit,
+                                                         PhotonState& state) const {
+        const bool is_lit = !(hit.distance < state.unlit);
+        state.unlit = std::max(0.0F, state.unlit - hit.distance);
+        if (has_media_ && !fade(hit, state)) return PathEnd::absorbed;
+        if (is_lit && pass_.may_gather(pass_.scene.material_of(hit))) visit(arrive(hit, state));
+        state.at_light = false;
+        state.origin = Vec3d(ray_from(hit, state.direction).origin);
+        return {};
+    }
+
     /// The medium takes its share on the way to the hit. @return whether anything is left.
     [[gnu::noinline]] bool fade(const Hit& hit, PhotonState& state) const {
         const Spectrum left = pass_.left_after(state.medium, hit.distance);
@@ -150,7 +172,7 @@ private:
                                                               const Bsdf& bsdf, const Hit& hit,
                                                               PhotonState& state) const {
         const auto* lambert = std::get_if<Lambert>(&bsdf);
-        const bool gathers = lambert != nullptr || scattering(bsdf) != Scattering::specular;
+        const bool gathers = lambert != nullptr || pass_.may_gather(pass_.scene.material_of(hit));
         if (gathers) visit(arrive(hit, state));
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
         const bool goes_on =

@@ -36,12 +36,23 @@ PassScene::PassScene(const Scene& of, PassId pass)
             kept_.add(coated->top());
         }
     }
+    may_gather_.resize(materials);
+    for (std::uint32_t i = 0; i < materials; ++i) may_gather_[i] = find_whether_gathers(i) ? 1 : 0;
     for (const SpectralCurve& curve : of.media().absorption)
         absorption.push_back(curve.at(wavelengths));
     parallel_blocks(emission.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             emission[i] = curve(of.lights()[i]).at(wavelengths);
     });
+}
+
+bool PassScene::find_whether_gathers(std::uint32_t material) const {
+    const Material& here = scene.materials()[material];
+    if (const auto* mix = std::get_if<MixMaterial>(&here))
+        return find_whether_gathers(mix->parts[0]) || find_whether_gathers(mix->parts[1]);
+    for (const auto* constant : {&bsdfs[material], &bent_[material]})
+        if (*constant) return scattering(**constant) != Scattering::specular;
+    return sunfleck::may_gather(here);
 }
 
 MediumNumber PassScene::start_medium(std::size_t light, const Emission& start,

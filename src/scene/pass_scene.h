@@ -30,6 +30,11 @@ struct PassScene {
         return constant ? *constant : make_bsdf(hit, room);
     }
 
+    /// Can what scatters at some hit on the material gather? A photon is stored at all of its
+    /// surfaces then, whatever scatters where it arrives (docs/method.md, surfaces that are there
+    /// in part).
+    bool may_gather(std::uint32_t material) const { return may_gather_[material]; }
+
     /// What a light emits, in the colour that it has there.
     Spectrum tinted(const Spectrum& emitted, const std::optional<Vec3>& tint) const {
         return tint ? emitted * colour(*tint) : emitted;
@@ -72,6 +77,9 @@ private:
     Spectrum colour(const Vec3& rgb) const;
     const Bsdf& make_bsdf(Hit& hit, std::optional<Bsdf>& room) const;
 
+    bool find_whether_gathers(std::uint32_t material) const;
+
+    std::vector<char> may_gather_;           // by material
     std::vector<std::optional<Bsdf>> bent_;  // by material: constant, but with a relief
     std::vector<std::uint32_t> layers_;      // by material: number of a coated one's base; the top
     mutable BsdfStore kept_;  // which number a Bsdf has depends on the threads, no picture does

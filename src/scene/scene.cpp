@@ -48,7 +48,8 @@ GeometryInput Scene::take_shapes(SceneDescription& description) {
         if (straight && !shape.emission && !shape.media.parts()) return {};
         if (straight) has_straight_hits_ = true;
         const auto index = static_cast<std::uint32_t>(input.shapes.size());
-        shapes_.push_back({shape.material, kNone, shape.media});
+        const bool has_cover = shape.placed.cover != nullptr;
+        shapes_.push_back({shape.material, kNone, shape.media, has_cover});
         if (shape.emission) add_area_lights(shape, index);
         input.shapes.push_back(std::move(shape.placed));
         return index;

@@ -17,6 +17,7 @@ struct ShapeRecord {
     std::uint32_t material = 0;
     std::uint32_t first_light = kNone;  // light of primitive 0, if it emits; the others follow
     MediumSides media{};
+    bool has_cover = false;  // it is there in part: rays pass it by chance
 };
 
 class Scene {
@@ -58,6 +59,9 @@ public:
     bool passes_straight(const Hit& hit) const {
         return std::holds_alternative<InterfaceMaterial>(materials_[material_of(hit)]);
     }
+
+    /// Is the surface there in part? If so, Geometry::is_there() says whether it stops a ray.
+    bool has_cover(const Hit& hit) const { return shapes_[hit.shape].has_cover; }
 
     /// Is the way from `from` to the end of the ray free, surfaces passed straight aside?
     bool is_free(const Ray& ray) const;

@@ -1,5 +1,5 @@
 // One photon path at a time: kinds, sides, bounces and ends; what stands before a portal.
-#include "photon/tracer.h"
+#include "traced_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -9,52 +9,6 @@
 
 namespace sunfleck {
 namespace {
-
-/// A square of side 4 at height z, facing up.
-ShapeDescription square(float z, std::uint32_t material) {
-    TriangleMesh mesh;
-    mesh.positions = {{-2, -2, z}, {2, -2, z}, {2, 2, z}, {-2, 2, z}};
-    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    return {{mesh, Matrix(), false}, material, {}, {}};
-}
-
-/// A sun straight from above; materials 0: grey 0.5, 1: glass, 2: white, 3: rough metal.
-SceneDescription sunny(std::vector<ShapeDescription> shapes) {
-    SceneDescription scene;
-    scene.materials = {
-        DiffuseMaterial{}, ThinDielectricMaterial{}, DiffuseMaterial{SpectralCurve::constant(1)},
-        ConductorMaterial{
-            SpectralCurve::constant(0.2F), SpectralCurve::constant(4), {}, {0.3F, 0.3F}}};
-    scene.shapes = std::move(shapes);
-    scene.lights = {DistantLight{SpectralCurve::constant(1), {0, 0, -1}}};
-    return scene;
-}
-
-struct Path {
-    std::vector<Photon> photons;
-    PathEnd end = PathEnd::no_light;
-    std::uint64_t rays = 0;
-};
-
-std::vector<Path> paths_of(const SceneDescription& description, int max_depth,
-                           std::uint32_t count = 2000) {
-    const Scene scene(description);
-    const PassScene pass(scene, {1, 0});
-    const TransportSettings transport{DirectLight::photons, max_depth};
-    const PhotonTracer tracer(pass, transport);
-    std::vector<Path> paths(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        Path& path = paths[i];
-        path.end = tracer.trace(
-            IndependentReader(PassId{1, 0}.stream(Purpose::test, i)),
-            [&](const Photon& photon) {
-                path.photons.push_back(photon);
-                return true;
-            },
-            path.rays);
-    }
-    return paths;
-}
 
 TEST(PhotonTracer, first_photon_is_direct_and_comes_from_the_light) {
     int met = 0;
