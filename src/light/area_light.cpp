@@ -2,6 +2,7 @@
 #include "light/area_light.h"
 
 #include "light/emitting_surface.h"
+#include "light/partial_emitter.h"
 #include "light/surface_picture.h"
 #include "math/warp.h"
 
@@ -65,6 +66,7 @@ Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneS
     const double sides = two_sided ? 2 : 1;
     Emission emission{on.position, rotate_z_to(on.normal, local), sides * kPiDouble * on.spread,
                       Vec3(on.normal), std::visit(bound, surface)};
+    if (alpha) emission.factor *= alpha->at(surface, on.position, on.normal);
     if (!picture) return emission;
     emission.factor *= from.light.luminance / from.density;
     emission.tint = from.light.tint;
@@ -105,10 +107,13 @@ std::optional<DirectSample> AreaLight::sample_direct(const Vec3& point, const Ve
     };
     std::optional<DirectSample> drawn = std::visit(sample, surface);
     if (drawn && unseen) drawn->pdf.reset();
-    if (!drawn || !picture) return drawn;
+    if (!drawn || !(picture || alpha)) return drawn;
     const Vec3d towards(drawn->direction);
-    const TexelLight light =
-        picture->at(surface, from + towards * static_cast<double>(drawn->distance), towards);
+    const Vec3d on = from + towards * static_cast<double>(drawn->distance);
+    if (alpha) drawn->factor *= alpha->at(surface, on, towards);
+    if (!(drawn->factor > 0)) return {};
+    if (!picture) return drawn;
+    const TexelLight light = picture->at(surface, on, towards);
     if (!(light.luminance > 0)) return {};
     drawn->factor *= static_cast<float>(light.luminance);
     drawn->tint = light.tint;
@@ -116,7 +121,8 @@ std::optional<DirectSample> AreaLight::sample_direct(const Vec3& point, const Ve
 }
 
 double AreaLight::power(const SceneSphere&) const {
-    return (two_sided ? 2 : 1) * kPiDouble * (picture ? picture->flux() : area());
+    return (two_sided ? 2 : 1) * kPiDouble * (picture ? picture->flux() : area()) *
+           (alpha ? alpha->mean() : 1);
 }
 
 TexelLight AreaLight::light_at(const Vec2& uv) const {

@@ -51,7 +51,8 @@ struct EmittingQuadric {
 using EmittingSurface = std::variant<EmittingTriangle, EmittingPatch, EmittingQuadric<Sphere>,
                                      EmittingQuadric<Cylinder>, EmittingQuadric<Disk>>;
 
-class LaidPicture;  // light/surface_picture.h
+class LaidPicture;     // light/surface_picture.h
+class PartialEmitter;  // light/partial_emitter.h
 
 struct AreaLight {
     SpectralCurve curve;
@@ -63,13 +64,15 @@ struct AreaLight {
     bool unseen = false;
     /// What the radiance is multiplied by, over the surface; null: one.
     std::shared_ptr<const LaidPicture> picture = nullptr;
+    /// How much of the surface is there; null: all of it.
+    std::shared_ptr<const PartialEmitter> alpha = nullptr;
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
     EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;
-    /// pi * area, twice if two-sided; times the picture's mean over the surface.
+    /// pi * area, twice if two-sided; times the means of picture and alpha over the surface.
     double power(const SceneSphere&) const;
     /// In m^2, in the world. By quadrature where there is no closed form.
     double area() const;

@@ -105,9 +105,12 @@ std::optional<VisibleCap> visible_cap(const EmittingQuadric<Sphere>& sphere, con
     const Vec3d to_center = map.origin - point;
     const double radius2 = sphere.shape.radius * sphere.shape.radius * mean_scale2(map);
     const double distance2 = to_center.length2();
-    if (!(distance2 > radius2 * (1 + 1e-9))) return {};
-    const double sine2 = radius2 / distance2;
     const double distance = std::sqrt(distance2);
+    // A point of the sphere itself, rounded to floats, sees no cap of it.
+    const Vec3d& o = map.origin;
+    const double rounding = 0x1p-21 * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
+    if (!(distance > std::sqrt(radius2) * (1 + 1e-4) + rounding)) return {};
+    const double sine2 = radius2 / distance2;
     return VisibleCap{to_center / distance, distance, std::sqrt(radius2),
                       sine2 / (1 + std::sqrt(1 - sine2))};
 }

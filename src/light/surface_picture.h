@@ -5,8 +5,8 @@
 // density of what is emitted there.
 #pragma once
 
-#include "light/emitting_surface.h"
 #include "light/light_picture.h"
+#include "light/surface_uv.h"
 
 #include <memory>
 
@@ -26,9 +26,6 @@ private:
     Image image_;
     double mean_ = 0;
 };
-
-/// (u, v) at the corners of a triangle (the first three) or of a patch; of no meaning for others.
-using CornerUvs = std::array<Vec2, 4>;
 
 /// A picture as it lies on the surface of one light.
 class LaidPicture {

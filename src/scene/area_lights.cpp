@@ -2,6 +2,7 @@
 #include "scene/area_lights.h"
 
 #include "geometry/measure.h"
+#include "light/partial_emitter.h"
 
 #include <algorithm>
 
@@ -82,6 +83,8 @@ std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32
         if (emission.picture && area > 0)
             light.picture =
                 std::make_shared<const LaidPicture>(emission.picture, uvs, light.surface, cells);
+        if (placed.cover)
+            light.alpha = std::make_shared<const PartialEmitter>(placed.cover, uvs, light.surface);
     };
     if (const auto* mesh = std::get_if<TriangleMesh>(&placed.shape)) {
         cells /= static_cast<int>(std::clamp<std::size_t>(mesh->triangles.size(), 1, kMostCells));

@@ -3,6 +3,7 @@
 // Irradiance by the midpoint rule over the slots of sample_direct(): no randomness.
 #include "light/area_light.h"
 
+#include "light/partial_emitter.h"
 #include "math/warp.h"
 
 #include <gtest/gtest.h>
@@ -67,6 +68,19 @@ TEST(AreaLight, sphere_from_outside) {
 
 /// Two triangles, seen from below a corner. Source: Howell's catalogue of configuration factors,
 /// B-3: element parallel to a rectangle.
+/// Half of the points, rounded to floats, lie outside: they would see it as a wall of light.
+TEST(AreaLight, sphere_does_not_light_its_own_surface) {
+    const Matrix matrix = placed({1, 2, 3}, Vec3d(0.5), 0.6);
+    const AreaLight light = light_of(EmittingQuadric<Sphere>{{1, -1, 1, 2 * kPiDouble}, matrix});
+    for (int i = 0; i < 20; ++i) {
+        const double angle = 0.3 * i;
+        const Vec3d out(std::cos(angle), 0.6 * std::sin(angle), 0.8 * std::sin(angle));
+        const Vec3 on(Vec3d(1, 2, 3) + out * 0.5);
+        const auto s = light.sample_direct(on, {0.3F, 0.6F}, {});
+        EXPECT_FALSE(s && s->factor > 0) << i;
+    }
+}
+
 TEST(AreaLight, rectangle_of_two_triangles) {
     const double a = 1.5;
     const double b = 0.7;
@@ -174,6 +188,28 @@ TEST(AreaLight, that_nothing_meets_is_sampled_as_a_point_light) {
     EXPECT_TRUE(seen->pdf);
     EXPECT_FALSE(unseen->pdf);
     EXPECT_EQ(seen->factor, unseen->factor);
+}
+
+/// A third of it is there at the left, all of it at the right: power, light samples, emission.
+TEST(AreaLight, that_is_there_in_part_shines_as_far_as_it_is) {
+    const Cover cover = [](const Hit& hit) { return hit.uv.x < 0.5F ? 1.0F / 3 : 1.0F; };
+    AreaLight light = light_of(EmittingTriangle{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    const double whole_power = light.power({});
+    const AreaLight whole = light;
+    light.alpha = std::make_shared<const PartialEmitter>(
+        cover, CornerUvs{Vec2(0, 0), Vec2(1, 0), Vec2(0, 0)}, light.surface);
+    EXPECT_NEAR(light.power({}) / whole_power, 0.5, 0.02);  // a quarter of the area is right
+    for (const float u : {0.1F, 0.33F, 0.77F, 0.95F}) {
+        const auto part = light.sample_direct({0.5F, 0.2F, 1}, {u, 0.4F}, {});
+        const auto all = whole.sample_direct({0.5F, 0.2F, 1}, {u, 0.4F}, {});
+        ASSERT_TRUE(part && all);
+        const float x = 0.5F + part->direction.x * part->distance;
+        EXPECT_NEAR(part->factor / all->factor, x < 1 ? 1.0F / 3 : 1.0F, 1e-5F) << x;
+        const std::array<double, 4> numbers = {u, 0.4, 0.3, 0.2};
+        const Emission emitted = light.sample_emission(numbers, {});
+        EXPECT_NEAR(emitted.factor / whole.sample_emission(numbers, {}).factor,
+                    emitted.origin.x < 1 ? 1.0 / 3 : 1.0, 1e-5);
+    }
 }
 
 }  // namespace

@@ -105,6 +105,9 @@ std::vector<Estimator> estimators() {
     std::vector<Estimator> all;
     RenderSettings usual;
     usual.eye.radius_pixels = 1;
+    usual.photon.paths_per_pass = 10'000;
+    usual.photon.balance = false;  // or passes of later epochs are worth more than earlier ones
+    usual.photon.noisy_pixels = false;
     const auto add = [&](const char* name, const auto& change) {
         all.push_back({name, usual});
         change(all.back().settings);
@@ -131,7 +134,6 @@ TEST_P(PartialSurfaces, are_as_bright_by_all_estimators) {
     truth.add(10 * kAtOnce);
     for (Estimator& estimator : estimators()) {
         if (GetParam().has_mirror && !estimator.sees_mirrors) continue;
-        estimator.settings.photon.paths_per_pass = 10'000;
         Brightness tried(scene, estimator.settings);
         tried.add(2 * kAtOnce);
         Verdict verdict = compare(tried, truth);

@@ -123,11 +123,7 @@ bool take_alpha(const Statement& statement, Reading& reading, ShapeDescription& 
         shape.unseen = true;
         return shape.emission.has_value();
     }
-    if (shape.emission)
-        reading.warn(statement.where,
-                     "an \"alpha\" other than 0 or 1 is ignored on what emits: it is opaque");
-    else
-        shape.placed.cover = [alpha](const Hit& hit) { return alpha.at(TexturePoint(hit)); };
+    shape.placed.cover = [alpha](const Hit& hit) { return alpha.at(TexturePoint(hit)); };
     return true;
 }
 
