@@ -41,11 +41,14 @@ void add_bias(Picture& picture, const Film& film, const FilmPictureOptions& opti
 void add_error(Picture& picture, const Film& film, const FilmPictureOptions& options) {
     std::vector<double> errors;
     if (options.extrapolate) errors = extrapolated_pixel_errors(film);
-    if (errors.empty())
+    const bool extrapolated = !errors.empty();
+    if (!extrapolated)
         for (const MeanError& pixel : pixel_errors(film)) errors.push_back(pixel.standard_error);
     if (errors.empty()) return;
+    const double wider = extrapolated ? line_widening(film) : widening(film);
     std::vector<float>& values = picture.add("error.Y").values;
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(errors[i]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<float>(wider * errors[i]);
 }
 
 }  // namespace

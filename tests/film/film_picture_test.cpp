@@ -48,7 +48,8 @@ TEST(FilmPicture, has_an_error_from_two_rounds_on) {
     const Picture picture = film_picture(film);
     ASSERT_NE(picture.find("error.Y"), nullptr);
     EXPECT_FLOAT_EQ(picture.find("error.Y")->values[5],
-                    static_cast<float>(pixel_errors(film)[5].standard_error));
+                    static_cast<float>(widening(film) * pixel_errors(film)[5].standard_error));
+    EXPECT_GT(widening(film), 6);
 }
 
 double luminance_at(const Picture& picture, std::size_t i) {
@@ -78,7 +79,7 @@ TEST(FilmPicture, extrapolated_is_less_its_bias_and_has_the_error_of_that) {
     }
     EXPECT_NE(luminance_at(picture, 7), luminance_at(plain, 7));
     EXPECT_FLOAT_EQ(picture.find("error.Y")->values[7],
-                    static_cast<float>(extrapolated_pixel_errors(film)[7]));
+                    static_cast<float>(line_widening(film) * extrapolated_pixel_errors(film)[7]));
     EXPECT_EQ(picture.find("caustic.R")->values, plain.find("caustic.R")->values);
     EXPECT_EQ(picture.metadata.count(kExtrapolated), 1U);
 }
