@@ -14,7 +14,7 @@ namespace {
 /// Exact sum of a pixel over the passes of complete rounds.
 RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
     RgbSum rgb = rgb_of(sums.layers[0], pixel);
-    for (const auto& [number, round] : sums.open_rounds) rgb -= rgb_of(round.rgb, pixel);
+    for (const auto& [number, round] : sums.open_rounds) rgb -= rgb_of(round.layers[0], pixel);
     return rgb;
 }
 
@@ -127,10 +127,14 @@ std::optional<MeanError> image_error(const Film& film) {
 double image_mean(const Film& film) {
     if (film.pass_count() == 0) return 0;
     const BlockGrid grid(film.key(), kErrorBlock);
-    const std::vector<double> sums = block_sums(grid, film.weight(), [&](std::size_t pixel) {
-        return rgb_of(film.sums().layers[0], pixel);
-    });
-    return total(sums) / static_cast<double>(film.key().pixels());
+    const auto sum_of = [&](const FixedPoints& rgb) {
+        return total(block_sums(grid, film.picture_weight(),
+                                [&](std::size_t pixel) { return rgb_of(rgb, pixel); }));
+    };
+    double sum = sum_of(film.sums().layers[0]);
+    for (const auto& [number, round] : film.sums().open_rounds)
+        sum -= (1 - film.share_of_round(number)) * sum_of(round.layers[0]);
+    return sum / static_cast<double>(film.key().pixels());
 }
 
 }  // namespace sunfleck

@@ -54,7 +54,7 @@ std::vector<MeanError> block_errors(const Film& film);
 /// with fewer than two complete rounds, or where these are black and the picture is not.
 std::optional<MeanError> image_error(const Film& film);
 
-/// Mean luminance over all passes, each as often as it counts, complete round or not; zero without
+/// Mean luminance of the picture: over all passes, each as often as it counts there; zero without
 /// passes.
 double image_mean(const Film& film);
 

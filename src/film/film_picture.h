@@ -1,4 +1,5 @@
-// The film as a picture: the mean over passes, layer by layer, and its error.
+// The film as a picture: the mean over passes, layer by layer, and its error. Passes of open rounds
+// count less (film.h).
 #pragma once
 
 #include "film/film.h"
