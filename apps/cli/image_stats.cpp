@@ -11,12 +11,12 @@
 namespace sunfleck {
 namespace {
 
-/// Nothing where it is zero and the picture is not black, which says nothing.
+/// Widened. Nothing where it is zero and the picture is not black, which says nothing.
 std::optional<MeanError> known_error(const Film& film) {
     const auto error = image_error(film);
     if (!error || is_too_dim(film)) return {};
     if (error->standard_error == 0 && error->mean != 0) return {};
-    return error;
+    return MeanError{error->mean, widening(film) * error->standard_error};
 }
 
 }  // namespace
@@ -27,10 +27,12 @@ nlohmann::ordered_json image_json(const Film& film, ErrorTerms terms) {
     if (const auto error = known_error(film)) {
         json["mean_std_error"] = error->standard_error;
         if (error->mean > 0) json["relative_std_error"] = error->standard_error / error->mean;
+        json["error_degrees"] = error_degrees(film);
+        json["error_widening"] = widening(film);
     }
     if (const auto bias = image_bias(film)) {
         json["bias"] = bias->value;
-        json["bias_std_error"] = bias->standard_error;
+        json["bias_std_error"] = line_widening(film) * bias->standard_error;
         if (const auto relative = relative_bias(film)) json["relative_bias"] = *relative;
     }
     if (const auto error = target_error(film, terms)) {

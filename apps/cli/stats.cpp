@@ -3,6 +3,7 @@
 
 #include "apps/cli/image_stats.h"
 #include "film/error_bars.h"
+#include "math/wavelengths.h"
 #include "render/count_pass.h"
 #include "render/epoch.h"
 
@@ -228,9 +229,13 @@ std::vector<std::string> reliability_warnings(const Film& film) {
             "uncertain as a whole",
             100 * visible.error / visible.value, film.pass_count(), visible.value, visible.error));
     const auto error = image_error(film);
-    if (error && error->mean > 0 && error->standard_error > 0.05 * error->mean)
-        lines.push_back(fmt::format("the brightness of the whole picture is uncertain by {:.0f}%",
-                                    100 * error->standard_error / error->mean));
+    const double brightness = error ? widening(film) * error->standard_error : 0;
+    if (error && error->mean > 0 && brightness > 0.05 * error->mean)
+        lines.push_back(fmt::format(
+            "the brightness of the whole picture is uncertain by {:.0f}%, "
+            "from {} batches of {} passes{}",
+            100 * brightness / error->mean, film.rounds(), kRoundPasses,
+            film.rounds() < kTargetRounds ? ", too few to say it well: render more passes" : ""));
     if (is_too_dim(film))
         lines.push_back(
             fmt::format("the picture is so dark, {:.2g} on average, that its error bars "

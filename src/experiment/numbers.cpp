@@ -1,9 +1,9 @@
-// Student's t, Welch's ratio, Spearman's ranks.
+// Welch's ratio, Spearman's ranks.
 #include "experiment/numbers.h"
 
 #include "math/statistics.h"
+#include "math/student.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,11 +11,6 @@ namespace sunfleck {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-constexpr std::array<double, 30> kStudent = {
-    12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
-    2.201,  2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086,
-    2.080,  2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042};
 
 RunningMean logarithms(const std::vector<double>& values) {
     RunningMean logs;
@@ -39,10 +34,8 @@ std::vector<double> ranks(const std::vector<double>& values) {
 
 }  // namespace
 
-double student_t(std::size_t freedom) {
-    if (freedom <= kStudent.size()) return kStudent.at(freedom - 1);
-    const double inverse = 1 / static_cast<double>(freedom);
-    return 1.959964 + (2.37228 + 2.8226 * inverse) * inverse;
+double student_t(double freedom) {
+    return student_quantile(0.95, freedom);
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -55,7 +48,7 @@ Interval mean_interval(const std::vector<double>& values) {
     RunningMean mean;
     for (const double v : values) mean.add(v);
     if (values.size() < 2) return {mean.mean(), mean.mean(), mean.mean()};
-    const double half = student_t(values.size() - 1) * mean.standard_error();
+    const double half = student_t(static_cast<double>(values.size() - 1)) * mean.standard_error();
     return {mean.mean(), mean.mean() - half, mean.mean() + half};
 }
 
@@ -71,7 +64,7 @@ Interval ratio_interval(const std::vector<double>& a, const std::vector<double>&
     const double freedom =
         (u + v) * (u + v) /
         (u * u / static_cast<double>(a.size() - 1) + v * v / static_cast<double>(b.size() - 1));
-    const double half = student_t(static_cast<std::size_t>(freedom)) * std::sqrt(u + v);
+    const double half = student_t(freedom) * std::sqrt(u + v);
     return {std::exp(difference), std::exp(difference - half), std::exp(difference + half)};
 }
 

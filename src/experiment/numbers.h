@@ -13,9 +13,7 @@ struct Interval {
 };
 
 /// The 97.5% point of Student's t. @param freedom  degrees, at least one.
-/// Source: tables of the distribution, three decimals up to 30 degrees; beyond, Cornish and
-/// Fisher's first two terms.
-double student_t(std::size_t freedom);
+double student_t(double freedom);
 
 /// @param values  at least one.
 double mean_of(const std::vector<double>& values);

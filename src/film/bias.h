@@ -24,8 +24,14 @@ std::vector<std::array<double, 3>> pixel_biases(const Film& film);
 /// What to subtract from a luminance, and how well that is known.
 struct Bias {
     double value = 0;
-    double standard_error = 0;
+    double standard_error = 0;  // not widened
 };
+
+/// widening() for standard errors around a line, for which two numbers have been fitted.
+/// @param film  of three complete rounds at least.
+inline double line_widening(const Film& film) {
+    return student_widening(error_degrees(film) - 1);
+}
 
 /// Of the luminance of each block of 8 x 8 pixels, row after row. Empty where disc_areas() has
 /// nothing.
@@ -35,9 +41,9 @@ std::vector<Bias> block_biases(const Film& film);
 /// have brought no light in complete rounds, and the picture is not black.
 std::optional<Bias> image_bias(const Film& film);
 
-/// Standard errors of the luminance of each pixel, bias subtracted; not less than they are where
-/// sampled direct light is noisy, nor where only an open round has lit a pixel. Empty where
-/// disc_areas() has nothing.
+/// Standard errors, not widened, of the luminance of each pixel, bias subtracted; not less than
+/// they are where sampled direct light is noisy, nor where only an open round has lit a pixel.
+/// Empty where disc_areas() has nothing.
 std::vector<double> extrapolated_pixel_errors(const Film& film);
 
 /// The same for blocks, without that reserve.

@@ -9,8 +9,9 @@ namespace {
 
 /// A round, and those of its passes that a film holds.
 struct RoundAreas {
-    double mean = 0;  // over all passes of the round
-    double held = 0;  // sum over those that the film holds
+    double share = 1;  // Film::share_of_round()
+    double mean = 0;   // over all passes of the round
+    double held = 0;   // sum over those that the film holds
     double count = 0;
     double weight = 1;  // how often each counts
 };
@@ -19,6 +20,7 @@ struct RoundAreas {
 RoundAreas next_round(const Film& film, std::uint64_t round, DiscAreaSequence& areas) {
     RoundAreas result;
     result.weight = film.weight_of_round(round);
+    result.share = film.share_of_round(round);
     const PassRange range = round_range(round);
     for (std::uint64_t p = range.begin; p < range.end; ++p) {
         const double area = areas.next();
@@ -33,7 +35,9 @@ RoundAreas next_round(const Film& film, std::uint64_t round, DiscAreaSequence& a
 /// Sums over rounds.
 struct Sums {
     double passes = 0;
-    double held = 0;           // areas of passes
+    double held = 0;   // areas of passes
+    double shown = 0;  // passes, and their areas, as they count in the picture
+    double shown_areas = 0;
     double means = 0;          // of a pass that of its round
     double means_by_held = 0;  // areas of passes times those of their rounds
     double rounds = 0;         // complete ones; how often they count, their areas and squares
@@ -44,6 +48,8 @@ struct Sums {
     void add(const RoundAreas& round) {
         passes += round.weight * round.count;
         held += round.weight * round.held;
+        shown += round.share * round.weight * round.count;
+        shown_areas += round.share * round.weight * round.held;
         means += round.weight * round.count * round.mean;
         means_by_held += round.weight * round.mean * round.held;
         if (round.count < kRoundPasses) return;
@@ -68,7 +74,7 @@ std::optional<DiscAreas> disc_areas(const Film& film) {
     result.weight = sums.weight;
     result.mean = sums.areas / sums.weight;
     result.squares = sums.squares - sums.areas * result.mean;
-    result.mean_of_passes = sums.held / sums.passes;
+    result.mean_of_passes = sums.shown_areas / sums.shown;
     result.share = sums.means / sums.passes;
     result.divisor = sums.means_by_held - result.share * sums.held;
     // Of a mean over rounds the variance is that of a round that counts once over their weight.

@@ -3,7 +3,8 @@
 //
 // To first order the mean of that light, y = a + c s, is linear in the area s (docs/method.md):
 // c s is the bias, a the light without it. In a round s is the mean over its passes. Passes and
-// rounds count as often as they do in the film, in all sums and means.
+// rounds count as often as they do in the film, in all sums and means; in that of the picture as
+// they do there.
 #pragma once
 
 #include "film/film.h"
@@ -24,7 +25,7 @@ struct DiscAreas {
     double weight = 0;          // how often they count together
     double mean = 0;            // over complete rounds
     double squares = 0;         // of complete rounds: sum of (s - mean)^2
-    double mean_of_passes = 0;  // over all passes: with the slope, the bias of the picture
+    double mean_of_passes = 0;  // of the picture: with the slope, the bias of the picture
 
     // Of sums over all passes, Y of light and M of light times its round's area, the slope is
     // (M - share Y) / divisor: both sums are linear in a and c, so it is unbiased.

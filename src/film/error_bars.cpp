@@ -5,6 +5,7 @@
 #include "film/luminance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sunfleck {
@@ -13,7 +14,7 @@ namespace {
 /// Exact sum of a pixel over the passes of complete rounds.
 RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
     RgbSum rgb = rgb_of(sums.layers[0], pixel);
-    for (const auto& [number, round] : sums.open_rounds) rgb -= rgb_of(round.rgb, pixel);
+    for (const auto& [number, round] : sums.open_rounds) rgb -= rgb_of(round.layers[0], pixel);
     return rgb;
 }
 
@@ -55,6 +56,29 @@ std::vector<double> complete_block_sums(const Film& film) {
 }
 
 }  // namespace
+
+/// With variances in proportion to one over the weights w the sum of w (y - m)^2 has the
+/// distribution of chi-square with n - 1 degrees. With equal variances its mean and variance are
+/// those of chi-square with trace(A)^2 / trace(A^2) degrees, A = diag(w) - w w^T / sum(w).
+double error_degrees(const Film& film) {
+    std::array<double, 4> powers{};  // sums of w^0, w, w^2, w^3
+    const auto add = [&](double rounds, double weight) {
+        for (double& power : powers) {
+            power += rounds;
+            rounds *= weight;
+        }
+    };
+    auto light = static_cast<double>(film.rounds());
+    for (const auto& [weight, passes] : film.sums().heavy) {
+        const auto rounds = static_cast<double>(complete_rounds(passes));
+        add(rounds, weight);
+        light -= rounds;
+    }
+    add(light, 1);
+    const double mean = powers[2] / powers[1];
+    const double trace = powers[1] - mean;
+    return trace * trace / (powers[2] - 2 * powers[3] / powers[1] + mean * mean);
+}
 
 bool is_lit(const FixedPoints& sums) {
     return std::any_of(sums.begin(), sums.end(),
@@ -103,10 +127,14 @@ std::optional<MeanError> image_error(const Film& film) {
 double image_mean(const Film& film) {
     if (film.pass_count() == 0) return 0;
     const BlockGrid grid(film.key(), kErrorBlock);
-    const std::vector<double> sums = block_sums(grid, film.weight(), [&](std::size_t pixel) {
-        return rgb_of(film.sums().layers[0], pixel);
-    });
-    return total(sums) / static_cast<double>(film.key().pixels());
+    const auto sum_of = [&](const FixedPoints& rgb) {
+        return total(block_sums(grid, film.picture_weight(),
+                                [&](std::size_t pixel) { return rgb_of(rgb, pixel); }));
+    };
+    double sum = sum_of(film.sums().layers[0]);
+    for (const auto& [number, round] : film.sums().open_rounds)
+        sum -= (1 - film.share_of_round(number)) * sum_of(round.layers[0]);
+    return sum / static_cast<double>(film.key().pixels());
 }
 
 }  // namespace sunfleck

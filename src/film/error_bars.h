@@ -5,11 +5,14 @@
 // rounds differ in variance, as they do while radii shrink. Where some count more than once, q/n is
 // over how often all count; then it holds if a round's variance is as one over how often it counts.
 // Where camera paths make all noise, and the first of n rounds counts once and the others four
-// times, it is 15% too small for n = 3, and 4% for n = 8. Precision: of y about 2^-26 relative
+// times, it is 15% too small for n = 3, and 4% for n = 8. From few rounds the standard error is
+// itself uncertain: whatever is reported is widened by Student's t (widening()), whatever is
+// computed on is not, for its square has no bias. Precision: of y about 2^-26 relative
 // and 2^-32 absolute (the squares' unit is 2^-64).
 #pragma once
 
 #include "film/film.h"
+#include "math/student.h"
 
 #include <optional>
 #include <vector>
@@ -24,8 +27,20 @@ bool is_lit(const FixedPoints& sums);
 
 struct MeanError {
     double mean = 0;            // over complete rounds
-    double standard_error = 0;  // of that mean
+    double standard_error = 0;  // of that mean, not widened
 };
+
+/// Degrees of freedom of standard errors: one less than complete rounds, and fewer where these
+/// count unlike, as if their variances were equal all the same (Welch and Satterthwaite).
+/// @param film  of two complete rounds at least.
+double error_degrees(const Film& film);
+
+/// Factor by which the standard errors below are widened where they are reported, so that the true
+/// mean lies within two of them in 95% of all renders, however few rounds there are.
+/// @param film  of two complete rounds at least.
+inline double widening(const Film& film) {
+    return student_widening(error_degrees(film));
+}
 
 /// Luminance of each pixel. Empty with fewer than two complete rounds. A pixel that only an open
 /// round has lit, so that complete ones know nothing of it: the mean over all passes is its error.
@@ -39,7 +54,7 @@ std::vector<MeanError> block_errors(const Film& film);
 /// with fewer than two complete rounds, or where these are black and the picture is not.
 std::optional<MeanError> image_error(const Film& film);
 
-/// Mean luminance over all passes, each as often as it counts, complete round or not; zero without
+/// Mean luminance of the picture: over all passes, each as often as it counts there; zero without
 /// passes.
 double image_mean(const Film& film);
 

@@ -6,6 +6,7 @@
 #include "math/wavelengths.h"
 #include "measurement/radius.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sunfleck {
@@ -57,6 +58,15 @@ void check_parts(const FilmSums& sums, const FilmSums& other, const std::string&
 /// Has a part of the passes all that there are of a round?
 bool has_all_of_round(const PassSet& part, std::uint64_t round, const PassSet& passes) {
     return part.count_in(round_range(round)) == passes.count_in(round_range(round));
+}
+
+/// @param sums  of all passes or of an open round: arrays of layers that are not kept are empty.
+template <class Sums>
+void add_layers(Sums& sums, const PassImage& image, std::uint32_t weight) {
+    for (std::size_t i = 0; i < kLayerCount; ++i)
+        if (!sums.layers.at(i).empty()) add_layer(sums.layers.at(i), image, kLayers.at(i), weight);
+    for (std::size_t i = 0; i < sums.light_layers.size(); ++i)
+        add_light_layer(sums.light_layers[i], image, i, weight);
 }
 
 void insert_all(const PassSet& from, PassSet& to) {
@@ -132,6 +142,23 @@ std::uint32_t Film::weight_of_round(std::uint64_t round) const {
     return 1;
 }
 
+double Film::share_of_round(std::uint64_t round) const {
+    std::uint64_t most = rounds() > 0 ? kRoundPasses : 0;
+    for (const auto& [number, sums] : sums_.open_rounds)
+        most = std::max(most, sums_.passes.count_in(round_range(number)));
+    const std::uint64_t held = sums_.passes.count_in(round_range(round));
+    return static_cast<double>(held) / static_cast<double>(most);
+}
+
+double Film::picture_weight() const {
+    double sum = weight();
+    for (const auto& [number, round] : sums_.open_rounds) {
+        const std::uint64_t held = sums_.passes.count_in(round_range(number));
+        sum -= (1 - share_of_round(number)) * weight_of_round(number) * static_cast<double>(held);
+    }
+    return sum;
+}
+
 void Film::count(std::string_view name, std::uint64_t events) {
     if (events == 0) return;
     sums_.statistics[std::string(name)] += FixedPoint{static_cast<std::int64_t>(events), 0};
@@ -160,17 +187,14 @@ void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t 
                         std::to_string(weight_of_round(round_number)),
                     "let all passes of a round count alike");
     check_image(sums_.key, number, image);
-    for (std::size_t i = 0; i < kLayerCount; ++i)
-        if (key().has(i)) add_layer(sums_.layers.at(i), image, kLayers.at(i), weight);
-    for (std::size_t i = 0; i < sums_.light_layers.size(); ++i)
-        add_light_layer(sums_.light_layers[i], image, i, weight);
+    add_layers(sums_, image, weight);
     count("dropped_nonfinite", image.dropped());
     count("saturated", image.saturated());
     sums_.passes.insert(range);
     if (weight > 1) sums_.heavy[weight].insert(range);
     if (key().sequential) return;
     OpenRound& round = open_round(round_number);
-    add_layer(round.rgb, image, kLayers[0], weight);
+    add_layers(round, image, weight);
     if (key().has_discs()) {
         const double area = round_area(round_number, key().alpha);
         count("saturated", add_photons(sums_, image, {area, weight}, round));

@@ -12,6 +12,11 @@
 // kept beside the totals. The same is done for the luminance that photons have brought, of blocks
 // and the picture, where there are discs.
 //
+// In the picture a round of which k passes are there counts k/16 as often as these passes do: the
+// wavelengths of a complete round are one fine lattice, those of a part of it are not, and where
+// lamps have lines the light of a part may be off as a whole (docs/method.md). So the sums of an
+// open round are kept for each layer.
+//
 // Passes that build on those before are no samples: a sequential film (film_key.h) has no rounds.
 #pragma once
 
@@ -67,6 +72,11 @@ public:
     /// How often the passes of complete rounds count together.
     double complete_weight() const;
     std::uint32_t weight_of_round(std::uint64_t round) const;
+    /// Factor on the weights of a round's passes in the picture: the passes that are there over the
+    /// most that are there of any round. One of complete rounds.
+    double share_of_round(std::uint64_t round) const;
+    /// How often all passes count in the picture together.
+    double picture_weight() const;
 
 private:
     OpenRound& open_round(std::uint64_t number);

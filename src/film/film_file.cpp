@@ -16,9 +16,10 @@ bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_round
         return static_cast<std::uint64_t>((pixels + kErrorBlock - 1) / kErrorBlock);
     };
     const std::uint64_t discs = key.has_discs() ? 1 : 0;
-    std::uint64_t a_pixel = 1 + 3 * open_round_count + 6 * discs + 3 * key.light_layers.size();
+    std::uint64_t layers = 3 * key.light_layers.size();
     for (std::size_t i = 0; i < kLayerCount; ++i)
-        if (key.has(i)) a_pixel += kLayers.at(i).channels.size();
+        if (key.has(i)) layers += kLayers.at(i).channels.size();
+    const std::uint64_t a_pixel = 1 + 6 * discs + (1 + open_round_count) * layers;
     if (a_pixel > words / key.pixels()) return false;  // so that the product cannot overflow
     const std::uint64_t a_block = 1 + discs + 3 * open_round_count * discs;
     return words == 2 * (a_pixel * key.pixels() + a_block * blocks(key.width) * blocks(key.height) +

@@ -7,8 +7,8 @@
 // count of statistics, and each name, high and low word; the sums (high, low) of each layer, of
 // each layer of lights, pixel squares, block squares, the picture's square; with discs, of what
 // photons have brought: RGB sums, those by area, block squares, the picture's square; for each open
-// round its RGB sums and, with discs, photons' RGB of each block (a sequential film has none);
-// checksum of all before. One film has one file.
+// round its sums of each layer and of each layer of lights and, with discs, photons' RGB of each
+// block (a sequential film has none); checksum of all before. One film has one file.
 #pragma once
 
 #include "film/film.h"

@@ -11,7 +11,7 @@ namespace sunfleck {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x0A'6D'6C'69'66'6E'75'73;  // "sunfilm\n"
-constexpr std::uint64_t kVersion = 4;
+constexpr std::uint64_t kVersion = 5;
 constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;

@@ -4,11 +4,40 @@
 #include "core/parallel.h"
 #include "film/bias.h"
 
+#include <span>
+#include <vector>
+
 namespace sunfleck {
 namespace {
 
+/// A layer's sums, and those of open rounds with what of them does not count in the picture.
+class LayerSums {
+public:
+    /// @param layer  of FilmSums or an OpenRound.
+    template <class LayerOf>
+    LayerSums(const Film& film, const LayerOf& layer) : all_(layer(film.sums())) {
+        for (const auto& [number, round] : film.sums().open_rounds) {
+            const double left_out = 1 - film.share_of_round(number);
+            if (left_out > 0) parts_.push_back({layer(round), left_out});
+        }
+    }
+    double operator[](std::size_t i) const {
+        double sum = all_[i].to_double();
+        for (const Part& part : parts_) sum -= part.left_out * part.sums[i].to_double();
+        return sum;
+    }
+
+private:
+    struct Part {
+        std::span<const FixedPoint> sums;
+        double left_out;
+    };
+    std::span<const FixedPoint> all_;
+    std::vector<Part> parts_;
+};
+
 /// @param names  of the channels, a letter each.
-void add_layer(Picture& picture, const FixedPoints& sums, std::string_view layer,
+void add_layer(Picture& picture, const LayerSums& sums, std::string_view layer,
                std::string_view names, double scale) {
     const std::size_t channels = names.size();
     for (std::size_t c = 0; c < channels; ++c) {
@@ -16,7 +45,7 @@ void add_layer(Picture& picture, const FixedPoints& sums, std::string_view layer
         std::vector<float>& values = picture.add(prefix + names[c]).values;
         parallel_blocks(values.size(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                values[i] = static_cast<float>(sums[i * channels + c].to_double() * scale);
+                values[i] = static_cast<float>(sums[i * channels + c] * scale);
         });
     }
 }
@@ -41,25 +70,32 @@ void add_bias(Picture& picture, const Film& film, const FilmPictureOptions& opti
 void add_error(Picture& picture, const Film& film, const FilmPictureOptions& options) {
     std::vector<double> errors;
     if (options.extrapolate) errors = extrapolated_pixel_errors(film);
-    if (errors.empty())
+    const bool extrapolated = !errors.empty();
+    if (!extrapolated)
         for (const MeanError& pixel : pixel_errors(film)) errors.push_back(pixel.standard_error);
     if (errors.empty()) return;
+    const double wider = extrapolated ? line_widening(film) : widening(film);
     std::vector<float>& values = picture.add("error.Y").values;
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(errors[i]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<float>(wider * errors[i]);
 }
 
 }  // namespace
 
 Picture film_picture(const Film& film, FilmPictureOptions options) {
     Picture picture{film.key().width, film.key().height, {}, {}};
-    const double share = film.pass_count() == 0 ? 0 : 1 / film.weight();
+    const double share = film.pass_count() == 0 ? 0 : 1 / film.picture_weight();
     for (std::size_t i = 0; i < kLayerCount; ++i) {
         const LayerRow& row = kLayers.at(i);
         if (film.key().has(i))
-            add_layer(picture, film.sums().layers.at(i), row.name, row.channels, share);
+            add_layer(picture,
+                      {film, [i](const auto& sums) { return std::span(sums.layers.at(i)); }},
+                      row.name, row.channels, share);
     }
     for (std::size_t i = 0; i < film.key().light_layers.size(); ++i)
-        add_layer(picture, film.sums().light_layers[i], film.key().light_layers[i], "RGB", share);
+        add_layer(picture,
+                  {film, [i](const auto& sums) { return std::span(sums.light_layers[i]); }},
+                  film.key().light_layers[i], "RGB", share);
     for (const std::string& name : film.key().light_layers) {
         std::string& names = picture.metadata[kLightLayerNames];
         names += (names.empty() ? "" : " ") + name;

@@ -1,4 +1,5 @@
-// The film as a picture: the mean over passes, layer by layer, and its error.
+// The film as a picture: the mean over passes, layer by layer, and its error. Passes of open rounds
+// count less (film.h).
 #pragma once
 
 #include "film/film.h"
@@ -19,9 +20,10 @@ struct FilmPictureOptions {
 /// Channels R, G, B, then those of each layer that the film has ("direct.R", "depth.Z", ...), those
 /// of lights last; from
 /// two complete rounds on "error.Y", the standard error of the pixel's luminance (from complete
-/// rounds alone); and where the bias of the discs is known "bias.R", "bias.G", "bias.B": what to
-/// subtract from RGB, or what has been subtracted. Then metadata say so, the error is that of the
-/// difference, and layers are as they were: they add up to RGB and bias. Black without passes.
+/// rounds alone, widened as error_bars.h says); and where the bias of the discs is known "bias.R",
+/// "bias.G", "bias.B": what to subtract from RGB, or what has been subtracted. Then metadata say
+/// so, the error is that of the difference, and layers are as they were: they add up to RGB and
+/// bias. Black without passes.
 Picture film_picture(const Film& film, FilmPictureOptions options = {});
 
 }  // namespace sunfleck

@@ -39,9 +39,10 @@ struct PhotonSums {
     friend bool operator==(const PhotonSums&, const PhotonSums&) = default;
 };
 
-/// A round of which some passes are there and not all.
+/// A round of which some passes are there and not all: sums over those passes.
 struct OpenRound {
-    FixedPoints rgb;            // of each pixel, over those passes
+    std::array<FixedPoints, kLayerCount> layers;  // as in FilmSums
+    std::vector<FixedPoints> light_layers;
     FixedPoints photon_blocks;  // RGB of each block, over its pixels: what photons have brought
 
     friend bool operator==(const OpenRound&, const OpenRound&) = default;
@@ -84,12 +85,8 @@ std::vector<std::span<const FixedPoint>> total_arrays(const FilmSums& sums);
 std::vector<std::span<FixedPoint>> all_arrays(FilmSums& sums);
 std::vector<std::span<const FixedPoint>> all_arrays(const FilmSums& sums);
 
-/// The arrays of an open round.
-inline std::array<std::span<FixedPoint>, 2> arrays(OpenRound& round) {
-    return {round.rgb, round.photon_blocks};
-}
-inline std::array<std::span<const FixedPoint>, 2> arrays(const OpenRound& round) {
-    return {round.rgb, round.photon_blocks};
-}
+/// The arrays of an open round. Some are empty.
+std::vector<std::span<FixedPoint>> arrays(OpenRound& round);
+std::vector<std::span<const FixedPoint>> arrays(const OpenRound& round);
 
 }  // namespace sunfleck

@@ -104,7 +104,7 @@ std::uint64_t add_squares(FilmSums& sums, const OpenRound& round, std::uint32_t 
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum block;
         grid.for_pixels(b, [&](std::size_t pixel) {
-            const RgbSum rgb = rgb_of(round.rgb, pixel);
+            const RgbSum rgb = rgb_of(round.layers[0], pixel);
             sums.pixel_squares[pixel] += square(rgb.mean_luminance(passes));
             block += rgb;
         });

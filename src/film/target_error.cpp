@@ -36,7 +36,8 @@ double noise_of(const Film& film, const std::vector<BrightBlock>& bright, bool e
         relative.push_back(error / block.luminance.mean);
     }
     std::sort(relative.begin(), relative.end());
-    return relative[(relative.size() * 95 + 99) / 100 - 1];
+    const double wider = errors.empty() ? widening(film) : line_widening(film);
+    return wider * relative[(relative.size() * 95 + 99) / 100 - 1];
 }
 
 /// @param bright  at least one. Nothing where no bias is known.

@@ -20,7 +20,7 @@ struct ErrorTerms {
 
 /// Relative errors.
 struct TargetError {
-    double noise = 0;  // the standard error that 95% of the bright blocks keep
+    double noise = 0;  // the widened standard error that 95% of the bright blocks keep
     double bias = 0;   // relative_bias(); zero where it does not count, is not there, or not known
 
     double value() const { return std::sqrt(noise * noise + bias * bias); }

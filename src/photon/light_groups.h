@@ -16,8 +16,10 @@ namespace sunfleck {
 /// Explores once, plans for any number of paths.
 class LightPlanner {
 public:
-    /// @param view, settings  must outlive it.
-    LightPlanner(const PhotonView& view, const PhotonSettings& settings, const PilotName& name);
+    /// @param view, settings  must outlive it. @param work  camera and photon paths of the passes
+    ///                        that plans are for: a long search for light costs about as much.
+    LightPlanner(const PhotonView& view, const PhotonSettings& settings, const PilotName& name,
+                 std::uint64_t work);
     LightPlanner(const LightPlanner&) = delete;
     LightPlanner(LightPlanner&&) = delete;
     LightPlanner& operator=(const LightPlanner&) = delete;

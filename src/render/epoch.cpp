@@ -57,7 +57,8 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
         window,         name.round(kSeenViewRound), radius_factor(first, settings.alpha)};
     const EyeView seen = view_of(eye);
     const PhotonView view{at_wavelengths, settings.transport, seen.index};
-    LightPlanner planner(view, settings.photon, name);
+    const std::uint64_t passes = first_pass_of(epoch.number + 1) - first;
+    LightPlanner planner(view, settings.photon, name, passes * (paths + window.pixels()));
     epoch.groups = planner.plan(paths);
     const DrawWishes wishes = wishes_of(settings.photon, epoch.number, paths, window.pixels());
     DrawPlan plan = measured_plan(eye, seen, epoch.groups, name, wishes);

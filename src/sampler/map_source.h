@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace sunfleck {
@@ -30,6 +31,8 @@ struct MapSource {
     Edges edges = {};
     /// Flux that a walk finds of all lights together, about: the picture's brightness.
     std::function<double(PassId)> seen = {};
+    /// Walks that a long search is worth, where a short one has found nothing.
+    std::size_t most_walks = std::numeric_limits<std::size_t>::max();
 };
 
 }  // namespace sunfleck

@@ -11,6 +11,7 @@
 #include "sampler/map_source.h"
 #include "sampler/set_walk.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace sunfleck {
@@ -144,6 +145,11 @@ private:
         return true;
     }
 
+    /// Where a long search ends: not beyond what the picture is worth.
+    std::size_t long_search() const {
+        return std::clamp<std::size_t>(maps_.most_walks / kWalks * kWalks, kFewWalks, kMostWalks);
+    }
+
     /// Visible paths of light that passes close to edges. @param tries  points by edges.
     Population visible_past_edges(std::size_t tries) {
         const std::vector<WeightedEmission> past = maps_.edges(walk_.next_round(), {0, tries});
@@ -161,7 +167,7 @@ private:
         if (found.hints.size() < kFewHints) {
             if (maps_.edges) population = visible_past_edges(matters ? kManyTries : kSomeTries);
             if (matters && !has_climbed_ && population.units() < kFewHints)
-                walk_for_hints(pass, {kFewWalks, kMostWalks}, kFewHints, seen, found);
+                walk_for_hints(pass, {kFewWalks, long_search()}, kFewHints, seen, found);
         }
         population.add(visible_from(space_, found.hints, walk_.next_round(), tally_));
         if (population.units() == 0) return false;

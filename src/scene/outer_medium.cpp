@@ -10,14 +10,6 @@ namespace {
 
 constexpr int kMostSurfaces = 1000;
 
-/// A surface that names what is beyond it, or that light passes without a change of medium.
-bool can_be_passed(const Scene& scene, const Hit& hit) {
-    const Material& material = scene.materials()[scene.material_of(hit)];
-    return scene.parts_media(hit) || scene.passes_straight(hit) ||
-           std::holds_alternative<DielectricMaterial>(material) ||
-           std::holds_alternative<ThinDielectricMaterial>(material);
-}
-
 std::optional<MediumNumber> far_along(const Scene& scene, Ray ray) {
     MediumNumber medium = scene.media().at_camera;
     for (int i = 0; i < kMostSurfaces; ++i) {
@@ -31,6 +23,13 @@ std::optional<MediumNumber> far_along(const Scene& scene, Ray ray) {
 }
 
 }  // namespace
+
+bool can_be_passed(const Scene& scene, const Hit& hit) {
+    const Material& material = scene.materials()[scene.material_of(hit)];
+    return scene.parts_media(hit) || scene.passes_straight(hit) ||
+           std::holds_alternative<DielectricMaterial>(material) ||
+           std::holds_alternative<ThinDielectricMaterial>(material);
+}
 
 MediumNumber outer_medium_of(const Scene& scene) {
     const Vec2d middle = Vec2d(scene.film().resolution) * 0.5;

@@ -3,6 +3,7 @@
 
 #include "geometry/measure.h"
 #include "scene/area_lights.h"
+#include "scene/media_check.h"
 #include "scene/outer_medium.h"
 
 #include <algorithm>
@@ -13,6 +14,26 @@ namespace {
 /// Lights are weighed by what they emit in the visible range: power times luminance.
 double weight_of(const Light& light, const SceneSphere& sphere) {
     return power(light, sphere) * std::max(0.0F, curve(light).luminance());
+}
+
+/// Can no path tell that a shape is there? Interfaces that neither emit nor part media are left
+/// out, as are shapes that only emit.
+bool is_left_out(const ShapeDescription& shape, const std::vector<Material>& materials) {
+    const bool straight = std::holds_alternative<InterfaceMaterial>(materials[shape.material]);
+    return shape.unseen || (straight && !shape.emission && !shape.media.parts());
+}
+
+/// By shape of the scene: its place in the file.
+std::vector<SourceLocation> places_of_shapes(const SceneDescription& description,
+                                             const std::vector<Material>& materials) {
+    std::vector<SourceLocation> places;
+    const auto add = [&](const std::vector<ShapeDescription>& shapes) {
+        for (const ShapeDescription& shape : shapes)
+            if (!is_left_out(shape, materials)) places.push_back(shape.where);
+    };
+    add(description.shapes);
+    for (const auto& object : description.objects) add(object);
+    return places;
 }
 
 }  // namespace
@@ -32,10 +53,16 @@ Scene::Scene(SceneDescription description, const std::string& isa)
     if (!bounds.is_empty()) sphere_ = {bounds.center(), std::max(bounds.radius(), 1e-6)};
     reliefs_.resize(materials_.size());
     finish_lights(description);
-    if (has_media_) finish_media(std::move(description.media));
+    if (!has_media_) return;
+    media_.at_camera = description.media.at_camera;
+    mend_media(*this, places_of_shapes(description, materials_), shapes_, warnings_);
+    for (std::size_t i = 0; i < media_.at_lights.size(); ++i) {
+        const std::uint32_t shape = std::get<AreaLight>(lights_[i]).shape;
+        if (shape != kNone) media_.at_lights[i] = shapes_[shape].media;
+    }
+    finish_media(std::move(description.media));
 }
 
-/// Interfaces that neither emit nor part media are left out: no path can tell that they are there.
 GeometryInput Scene::take_shapes(SceneDescription& description) {
     GeometryInput input;
     const auto take = [&](ShapeDescription& shape) -> std::optional<std::uint32_t> {
@@ -44,9 +71,9 @@ GeometryInput Scene::take_shapes(SceneDescription& description) {
             if (shape.emission) add_area_lights(shape, kNone);
             return {};
         }
-        const bool straight = std::holds_alternative<InterfaceMaterial>(materials_[shape.material]);
-        if (straight && !shape.emission && !shape.media.parts()) return {};
-        if (straight) has_straight_hits_ = true;
+        if (is_left_out(shape, materials_)) return {};
+        if (std::holds_alternative<InterfaceMaterial>(materials_[shape.material]))
+            has_straight_hits_ = true;
         const auto index = static_cast<std::uint32_t>(input.shapes.size());
         const bool has_cover = shape.placed.cover != nullptr;
         shapes_.push_back({shape.material, kNone, shape.media, has_cover});

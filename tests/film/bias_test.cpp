@@ -4,6 +4,7 @@
 // factor of 1.15 is seen, and a mean wrong by a fifth of its spread.
 #include "film/bias.h"
 
+#include "film/film_picture.h"
 #include "film/target_error.h"
 #include "lines.h"
 #include "math/statistics.h"
@@ -20,13 +21,15 @@ using testing_support::line_key;
 using testing_support::numbers;
 using testing_support::weight_of_round;
 
-/// Mean of the discs' areas over passes [0, end), each as often as it counts.
+/// Mean of the discs' areas over passes [0, end), each as often as it counts in the picture.
 double mean_area(std::uint32_t end, std::uint32_t (*weight)(std::uint64_t round)) {
     double sum = 0;
     double count = 0;
     for (std::uint32_t p = 0; p < end; ++p) {
-        sum += weight(p / kRoundPasses) * std::pow(radius_factor(p, 2.0 / 3), 2);
-        count += weight(p / kRoundPasses);
+        const std::uint32_t held = std::min(end - p / kRoundPasses * kRoundPasses, kRoundPasses);
+        const double share = weight(p / kRoundPasses) * (held / double{kRoundPasses});
+        sum += share * std::pow(radius_factor(p, 2.0 / 3), 2);
+        count += share;
     }
     return sum / count;
 }
@@ -43,8 +46,8 @@ TEST(Bias, of_a_line_without_noise_is_found) {
     const Film film = line_film(line_key(9, 9, 1), passes, line);
     double area = 0;
     for (const std::uint32_t pass : passes)
-        area += weight_of_round(pass / kRoundPasses) * std::pow(radius_factor(pass, 2.0 / 3), 2) /
-                film.weight();
+        area += film.share_of_round(pass / kRoundPasses) * weight_of_round(pass / kRoundPasses) *
+                std::pow(radius_factor(pass, 2.0 / 3), 2) / film.picture_weight();
     const auto pixels = pixel_biases(film);
     ASSERT_EQ(pixels.size(), 81U);
     for (std::size_t i = 0; i < pixels.size(); ++i)
@@ -106,8 +109,7 @@ constexpr double kQuantile = 2.447;     // of t with six degrees of freedom
 
 /// The picture's luminance less its bias.
 double extrapolated(const Film& film, std::size_t pixel) {
-    const double sum = film.sums().layers[0][3 * pixel].to_double();
-    return sum / film.weight() - pixel_biases(film)[pixel][0];
+    return double{film_picture(film).find("R")->values[pixel]} - pixel_biases(film)[pixel][0];
 }
 
 class NoisyLines : public testing::Test {

@@ -3,6 +3,7 @@
 
 #include "film/bias.h"
 #include "film/luminance.h"
+#include "math/spectral_curve.h"
 #include "synthetic.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,11 @@ using testing_support::noise_pass;
 using testing_support::numbers;
 using testing_support::small_key;
 using testing_support::weight_of_round;
+
+double luminance_at(const Picture& picture, std::size_t i) {
+    return luminance(
+        {picture.find("R")->values[i], picture.find("G")->values[i], picture.find("B")->values[i]});
+}
 
 TEST(FilmPicture, is_the_mean_over_passes) {
     const FilmKey key = small_key();
@@ -30,7 +36,7 @@ TEST(FilmPicture, is_the_mean_over_passes) {
     double lamp = 0;
     for (std::uint32_t pass = 0; pass < 20; ++pass) {
         const PassImage image = noise_pass(key, pass);
-        const double share = weight_of_round(pass / kRoundPasses) / 32.0;  // of 16 and 4 times 4
+        const double share = (pass < kRoundPasses ? 1 : 4 * 0.25) / 20;  // 4 of 16 count less
         red += share * image.value(Layer::total, 33, 0).to_double();
         caustic += share * image.value(Layer::caustic, 33, 1).to_double();
         depth += share * image.value(Layer::depth, 33, 0).to_double();
@@ -43,17 +49,71 @@ TEST(FilmPicture, is_the_mean_over_passes) {
     EXPECT_EQ(picture.metadata.at(kLightLayerNames), "sun lamp");
 }
 
+/// As if a lamp of three lines lit a white wall, and nothing else made noise.
+Film film_of_wavelengths(std::uint64_t seed, std::uint32_t passes, std::uint32_t late_weight) {
+    const SpectralCurve lamp = *named_spectrum("stdillum-F11");
+    const FilmKey key{1, 1, {}, seed, 0, ""};
+    Film film(key);
+    for (std::uint32_t pass = 0; pass < passes; ++pass) {
+        const Wavelengths drawn = Wavelengths::of_pass({seed, pass});
+        PassImage image(1, key.layers);
+        image.add_light(0, drawn.to_rgb(lamp.at(drawn)), Layer::direct);
+        film.add_pass(pass, image, pass < kRoundPasses ? 1 : late_weight);
+    }
+    return film;
+}
+
+/// Root mean square of its brightness's error. 200 seeds: known to 5%.
+double wavelength_error(std::uint32_t passes, std::uint32_t late_weight) {
+    const Vec3 exact = named_spectrum("stdillum-F11")->to_rgb();
+    const double truth = luminance({exact[0], exact[1], exact[2]});
+    double squares = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const Film film = film_of_wavelengths(seed, passes, late_weight);
+        const double off = luminance_at(film_picture(film), 0) / truth - 1;
+        squares += off * off / 200;
+        EXPECT_NEAR(image_mean(film) / luminance_at(film_picture(film), 0), 1, 1e-6);
+    }
+    return std::sqrt(squares);
+}
+
+/// A seventeenth pass that counted like the others, or four times, made 3.7 and 12.7%.
+TEST(FilmPicture, of_few_passes_beyond_a_round_is_hardly_off_by_their_wavelengths) {
+    EXPECT_LT(wavelength_error(16, 1), 0.004);
+    for (const std::uint32_t passes : {17U, 20U, 24U, 33U}) {
+        EXPECT_LT(wavelength_error(passes, 1), 0.005) << passes;
+        EXPECT_LT(wavelength_error(passes, 4), 0.014) << passes;
+    }
+}
+
+TEST(FilmPicture, of_a_part_of_one_round_is_the_plain_mean) {
+    const FilmKey key = small_key();
+    const Film film = film_of(key, numbers(16, 27));
+    EXPECT_EQ(film.picture_weight(), film.weight());
+    EXPECT_FLOAT_EQ(film_picture(film).find("R")->values[33],
+                    static_cast<float>(film.sums().layers[0][99].to_double() / film.weight()));
+}
+
+/// Parts of rounds: 12 passes of one, 3 of another, none complete; the first counts in full.
+TEST(FilmPicture, of_two_parts_of_rounds_weighs_them_by_their_passes) {
+    const FilmKey key{1, 1, {}, 1, 0, ""};
+    Film film(key);
+    for (const std::uint32_t pass :
+         {0U, 1U, 2U, 16U, 17U, 18U, 19U, 20U, 21U, 22U, 23U, 24U, 25U, 26U, 27U}) {
+        PassImage image(1, key.layers);
+        image.add_light(0, Vec3(pass < 16 ? 1 : 2), Layer::direct);
+        film.add_pass(pass, image);
+    }
+    EXPECT_NEAR(luminance_at(film_picture(film), 0), (3 * 0.25 + 2 * 12) / (3 * 0.25 + 12), 1e-6);
+}
+
 TEST(FilmPicture, has_an_error_from_two_rounds_on) {
     const Film film = film_of(small_key(), numbers(0, 32));
     const Picture picture = film_picture(film);
     ASSERT_NE(picture.find("error.Y"), nullptr);
     EXPECT_FLOAT_EQ(picture.find("error.Y")->values[5],
-                    static_cast<float>(pixel_errors(film)[5].standard_error));
-}
-
-double luminance_at(const Picture& picture, std::size_t i) {
-    return luminance(
-        {picture.find("R")->values[i], picture.find("G")->values[i], picture.find("B")->values[i]});
+                    static_cast<float>(widening(film) * pixel_errors(film)[5].standard_error));
+    EXPECT_GT(widening(film), 6);
 }
 
 TEST(FilmPicture, has_a_bias_from_four_rounds_on) {
@@ -78,7 +138,7 @@ TEST(FilmPicture, extrapolated_is_less_its_bias_and_has_the_error_of_that) {
     }
     EXPECT_NE(luminance_at(picture, 7), luminance_at(plain, 7));
     EXPECT_FLOAT_EQ(picture.find("error.Y")->values[7],
-                    static_cast<float>(extrapolated_pixel_errors(film)[7]));
+                    static_cast<float>(line_widening(film) * extrapolated_pixel_errors(film)[7]));
     EXPECT_EQ(picture.find("caustic.R")->values, plain.find("caustic.R")->values);
     EXPECT_EQ(picture.metadata.count(kExtrapolated), 1U);
 }

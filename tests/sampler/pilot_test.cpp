@@ -214,6 +214,24 @@ TEST(Pilot, looks_for_hints_while_they_may_matter) {
     }
 }
 
+// A picture of little work is not worth a search that takes longer than it does.
+TEST(Pilot, looks_for_hints_no_longer_than_the_picture_is_worth) {
+    const Hidden space = hidden();
+    for (const std::size_t worth : {1'000UL, 850'000UL, 100'000'000UL}) {
+        std::size_t walked = 0;
+        const MapSource sealed{true,
+                               [&](PassId, const PathRange& walks) {
+                                   walked = walks.end;
+                                   return WalkedEmission{{}, double(walks.end - walks.begin)};
+                               },
+                               {},
+                               {},
+                               worth};
+        Pilot<Hidden, EmissionPoints>(space, {1, 0}, sealed).run(kPaths);
+        EXPECT_EQ(walked, std::clamp<std::size_t>(worth / 100'000 * 100'000, 500'000, 8'000'000));
+    }
+}
+
 // Walks find nothing; one point in a hundred by an edge is on an island. Then there are no walks
 // but the first ones, and where light would be seen in spots alone a tenth of the points.
 TEST(Pilot, starts_from_points_by_edges_where_walks_find_nothing) {
