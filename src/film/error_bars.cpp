@@ -54,6 +54,15 @@ std::vector<double> complete_block_sums(const Film& film) {
                       [&](std::size_t pixel) { return complete_sum(film.sums(), pixel); });
 }
 
+/// Of all pixels. @param rgb  of each, over passes.
+double mean_luminance(const Film& film, const FixedPoints& rgb) {
+    if (film.pass_count() == 0) return 0;
+    const BlockGrid grid(film.key(), kErrorBlock);
+    const std::vector<double> sums =
+        block_sums(grid, film.weight(), [&](std::size_t pixel) { return rgb_of(rgb, pixel); });
+    return total(sums) / static_cast<double>(film.key().pixels());
+}
+
 }  // namespace
 
 bool is_lit(const FixedPoints& sums) {
@@ -101,12 +110,12 @@ std::optional<MeanError> image_error(const Film& film) {
 }
 
 double image_mean(const Film& film) {
-    if (film.pass_count() == 0) return 0;
-    const BlockGrid grid(film.key(), kErrorBlock);
-    const std::vector<double> sums = block_sums(grid, film.weight(), [&](std::size_t pixel) {
-        return rgb_of(film.sums().layers[0], pixel);
-    });
-    return total(sums) / static_cast<double>(film.key().pixels());
+    return mean_luminance(film, film.sums().layers[0]);
+}
+
+double image_mean_by_photons(const Film& film) {
+    const FixedPoints& rgb = film.sums().photons.rgb;
+    return rgb.empty() ? 0 : mean_luminance(film, rgb);
 }
 
 }  // namespace sunfleck

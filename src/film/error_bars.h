@@ -42,6 +42,8 @@ std::optional<MeanError> image_error(const Film& film);
 /// Mean luminance over all passes, each as often as it counts, complete round or not; zero without
 /// passes.
 double image_mean(const Film& film);
+/// The same of what photons have brought; zero where there are no discs.
+double image_mean_by_photons(const Film& film);
 
 /// Is there light, but too little for standard errors to be known?
 inline bool is_too_dim(const Film& film) {
