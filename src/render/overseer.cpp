@@ -14,9 +14,13 @@ namespace {
 /// A turn should not take longer where it takes more than a pass a rank: Ctrl-C waits for its end.
 constexpr double kTurnSeconds = 10;
 
-/// How far beyond `seconds` work goes on that has begun: less than a second, or than 5%.
-double end_of_grace(double seconds) {
-    return seconds + 0.8 * std::max(1.0, 0.05 * seconds);
+/// Work that has begun goes on beyond the time asked for by less than a second, or than 5% of it;
+/// learning before the first pass by less, since that pass is still to come.
+constexpr double kGrace = 0.8;
+constexpr double kGraceOfFirst = 0.25;
+
+double end_of_grace(double seconds, double grace = kGrace) {
+    return seconds + grace * std::max(1.0, 0.05 * seconds);
 }
 
 /// Share of photon paths that brought light.
@@ -88,20 +92,20 @@ bool Overseer::has_room_for_pass() const {
     return !seconds || progress_.seconds + kFaster * pass_seconds_ <= end_of_grace(*seconds);
 }
 
-bool Overseer::is_cut() const {
+bool Overseer::is_late(double grace) const {
     const auto& seconds = job_.stop.seconds;
-    return seconds && seconds_before_ + clock_.seconds() > end_of_grace(*seconds);
+    return seconds && seconds_before_ + clock_.seconds() > end_of_grace(*seconds, grace);
 }
 
 /// Of the first pass learning is cut short where a pass without it may take its place: in pictures,
 /// but not in checkpoints, which are to go on.
 bool Overseer::cuts_learning() const {
-    if (progress_.passes == 0) return is_cut() && !hooks_.save;
-    return is_cut() || (hooks_.interrupted != nullptr && *hooks_.interrupted);
+    if (progress_.passes == 0) return is_late(kGraceOfFirst) && !hooks_.save;
+    return is_late(kGrace) || (hooks_.interrupted != nullptr && *hooks_.interrupted);
 }
 
 bool Overseer::cuts_pass() const {
-    return progress_.passes > 0 && is_cut();
+    return progress_.passes > 0 && is_late(kGrace);
 }
 
 void Overseer::learning_begins() {

@@ -39,7 +39,7 @@ private:
     void ask_error(std::uint64_t end);
     bool is_over() const;
     bool is_black() const;
-    bool is_cut() const;
+    bool is_late(double grace) const;
     bool has_room_for_pass() const;
     double seconds_of_turn() const;
     void count_time();
