@@ -46,8 +46,8 @@ int main(int count, char** words) {
     sunfleck::keep_freed_memory();
     const sunfleck::Job job(count > 1 && std::string_view(words[1]) == "render");
     try {
-        const int code = run(count, words, job.ranks());
-        sunfleck::finish_printing();
+        int code = 0;
+        sunfleck::print_all([&] { code = run(count, words, job.ranks()); });
         return code;
     } catch (const sunfleck::FaultOfAll& fault) {
         if (job.ranks().is_first()) sunfleck::say(fault.what());

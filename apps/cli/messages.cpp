@@ -54,9 +54,18 @@ void draw_live_line(std::string_view line) {
     if (erase || !line.empty()) write_error(erase ? kErase : "", line, line.empty() ? "" : "\r");
 }
 
-void finish_printing() {
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-    throw std::runtime_error("cannot print: " + std::generic_category().message(errno));
+void print_all(const std::function<void()>& task) {
+    const auto fail = [](int code) {
+        throw std::runtime_error("cannot write to standard output: " +
+                                 std::generic_category().message(code));
+    };
+    try {
+        task();
+    } catch (const std::system_error& error) {
+        if (std::ferror(stdout) == 0) throw;
+        fail(error.code().value());
+    }
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) fail(errno);
 }
 
 }  // namespace sunfleck

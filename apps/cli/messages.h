@@ -1,6 +1,7 @@
 // What the program says on standard error, and the check that what it printed has been written.
 #pragma once
 
+#include <functional>
 #include <string_view>
 
 namespace sunfleck {
@@ -19,7 +20,8 @@ void say(std::string_view line);
 /// @param line  shorter than the terminal is wide; empty: none is left there.
 void draw_live_line(std::string_view line);
 
-/// Flushes standard output. @throws std::runtime_error if anything printed there was lost.
-void finish_printing();
+/// Runs task(), which may print on standard output. @throws std::runtime_error if any of that was
+/// lost.
+void print_all(const std::function<void()>& task);
 
 }  // namespace sunfleck

@@ -36,15 +36,18 @@ TEST_F(Streams, for_messages_may_be_closed_or_full_or_without_a_reader) {
 }
 
 TEST_F(Streams, that_lose_what_was_asked_for_are_a_fault) {
-    for (const char* words : {"--help", "--version", "render --help", "info room.pbrt",
-                              "info --words", "scene", "scene keyhole-4 -o ."})
+    render({"-o", "a.exr", "--passes", "1"});
+    for (const char* words :
+         {"--help", "--version", "render --help", "info room.pbrt", "info --words", "scene",
+          "scene keyhole-4 -o .", "compare a.exr a.exr"})
         for (const char* redirection : {">/dev/full", ">&-"}) {
             const Ran ran = shell(std::string("$sunfleck ") + words + " " + redirection);
             EXPECT_EQ(ran.code, 1) << words << redirection;
-            EXPECT_TRUE(ran.err.starts_with("sunfleck: cannot ")) << ran.err;
+            EXPECT_TRUE(ran.err.starts_with("sunfleck: cannot write to standard output: "))
+                << ran.err;
         }
     const Ran ran = shell("($sunfleck info --words; echo $? >code) | true; cat code");
-    EXPECT_EQ(ran.out, "1\n") << ran.err;
+    EXPECT_EQ(ran.out, "1\n") << "whose reader has ended: " << ran.err;
 }
 
 }  // namespace
