@@ -1,6 +1,7 @@
 // `sunfleck experiment`: the paper's figures and tables, made again.
 #include "apps/cli/commands.h"
 #include "apps/cli/interrupt.h"
+#include "apps/cli/messages.h"
 #include "apps/cli/progress.h"
 #include "core/parallel.h"
 #include "experiment/run.h"
@@ -24,14 +25,14 @@ std::vector<Figure> chosen(const std::vector<std::string>& names) {
     return some;
 }
 
-void say(const RunProgress& p) {
+void say_progress(const RunProgress& p) {
     const std::string left = p.cpu_seconds_left > 0 ? ", " + duration_text(p.cpu_seconds_left) +
                                                           " of processor time left"
                                                     : "";
-    if (p.cell.empty())
-        fmt::print("{} renders, {} of them done{}\n", p.of, p.done, left);
-    else
-        fmt::print("[{}/{}] {}{}\n", p.done + 1, p.of, p.cell, left);
+    const std::string line =
+        p.cell.empty() ? fmt::format("{} renders, {} of them done{}\n", p.of, p.done, left)
+                       : fmt::format("[{}/{}] {}{}\n", p.done + 1, p.of, p.cell, left);
+    std::fputs(line.c_str(), stdout);  // a line that is lost is no reason to end
     std::fflush(stdout);
 }
 
@@ -47,11 +48,12 @@ int run_experiment(const ExperimentOptions& options) {
     RunSettings settings = options.run;
     settings.program = std::filesystem::read_symlink("/proc/self/exe").string();
     const CellStore store(settings);
-    const InterruptGuard guard;
+    const InterruptGuard guard({"ending the render that runs; once more: quit at once",
+                                "quit: the render that ran is lost"});
     try {
-        run_figures(store, wanted, &InterruptGuard::interrupted(), say);
+        run_figures(store, wanted, &InterruptGuard::interrupted(), say_progress);
     } catch (const Interrupted&) {
-        fmt::print(stderr, "interrupted: what is finished is kept; the same command goes on\n");
+        say("interrupted: what is finished is kept; the same command goes on");
         return 130;
     }
     fmt::print("{}/index.html\n", settings.folder);

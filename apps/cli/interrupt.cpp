@@ -1,39 +1,79 @@
-// Ctrl-C: the first asks the render to end after the pass that runs, the second ends at once.
+// Signal handlers that speak, set flags, and end the program when asked twice.
 #include "apps/cli/interrupt.h"
+
+#include "apps/cli/messages.h"
 
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 namespace sunfleck {
 namespace {
 
-std::atomic<bool> interrupted_flag{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler may not set it
-
+constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 constexpr int kInterruptedExit = 130;
+constexpr std::int64_t kApart = 1'000'000'000;  // nanoseconds between two that count
 
-std::atomic<bool> busy_flag{false};    // ends after the task of finish_first()
-std::atomic<bool> ending_flag{false};  // asked twice while busy
+std::atomic<bool> interrupted_flag{false};
+std::atomic<std::int64_t> interrupted_at{0};  // of the first
+std::atomic<bool> busy_flag{false};           // ends after the task of finish_first()
+std::atomic<bool> ending_flag{false};         // asked twice while busy
+std::atomic<const char*> first_words{nullptr};
+std::atomic<const char*> lost_words{nullptr};
 
-void on_signal(int) {
-    if (!interrupted_flag.exchange(true)) return;
-    ending_flag = true;
+// Or a signal handler may not use them.
+static_assert(std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+std::int64_t nanoseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+void say_if_any(const char* words) {
+    if (words != nullptr) say(words);
+}
+
+void on_signal(int signal) {
+    const std::int64_t now = nanoseconds();
+    if (!interrupted_flag.exchange(true)) {
+        interrupted_at = now;
+        say_if_any(first_words);
+        return;
+    }
+    if (signal == SIGHUP || now - interrupted_at < kApart) return;
+    if (!ending_flag.exchange(true)) say_if_any(lost_words);
     if (!busy_flag) _exit(kInterruptedExit);
+}
+
+bool is_ignored(int signal) {
+    struct sigaction now {};
+    return ::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
 }
 
 }  // namespace
 
-InterruptGuard::InterruptGuard() {
+InterruptGuard::InterruptGuard(const InterruptWords& words) {
     interrupted_flag = false;
     ending_flag = false;
-    std::signal(SIGINT, on_signal);
-    std::signal(SIGTERM, on_signal);
+    set_words(words);
+    for (const int signal : kSignals)
+        if (!is_ignored(signal)) std::signal(signal, on_signal);
 }
 
 InterruptGuard::~InterruptGuard() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (const int signal : kSignals)
+        if (!is_ignored(signal)) std::signal(signal, SIG_DFL);
+}
+
+void InterruptGuard::set_words(const InterruptWords& words) {
+    first_words = words.first;
+    lost_words = words.lost;
 }
 
 void InterruptGuard::finish_first(const std::function<void()>& task) {

@@ -1,12 +1,12 @@
 // Files that could not be written: no reason to lose what else there is, but a fault at the end.
 #pragma once
 
+#include "apps/cli/messages.h"
 #include "apps/cli/options.h"
 #include "core/error.h"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <optional>
 
 namespace sunfleck {
@@ -24,7 +24,7 @@ public:
             return true;
         } catch (const Error& error) {
             if (!fault_ && log_ != LogLevel::quiet)
-                fmt::print(stderr, "warning: {} (the render goes on)\n", error.what());
+                say(fmt::format("warning: {} (the render goes on)", error.what()));
             if (!fault_) fault_ = error;
             return false;
         }

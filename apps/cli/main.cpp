@@ -3,13 +3,13 @@
 // 0 done; 1 a fault of ours or of the machine; 2 bad input or usage; 130 interrupted (with the
 // picture so far written). Of several ranks rank 0 has the code of all; others that go well 0.
 #include "apps/cli/commands.h"
+#include "apps/cli/messages.h"
 #include "apps/cli/together.h"
 #include "apps/mpi/job.h"
 #include "core/error.h"
 #include "core/kept_memory.h"
 
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <string_view>
@@ -33,7 +33,7 @@ int run(int count, char** words, const Ranks& ranks) {
 
 /// @return code, where it returns.
 int fail(const sunfleck::Job& job, int code, const std::string& line) {
-    std::fprintf(stderr, "%s\n", line.c_str());
+    sunfleck::say(line);
     job.abort(code);
     return code;
 }
@@ -41,13 +41,16 @@ int fail(const sunfleck::Job& job, int code, const std::string& line) {
 }  // namespace
 
 int main(int count, char** words) {
+    sunfleck::keep_streams();
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a fault as any other
     sunfleck::keep_freed_memory();
     const sunfleck::Job job(count > 1 && std::string_view(words[1]) == "render");
     try {
-        return run(count, words, job.ranks());
+        int code = 0;
+        sunfleck::print_all([&] { code = run(count, words, job.ranks()); });
+        return code;
     } catch (const sunfleck::FaultOfAll& fault) {
-        if (job.ranks().is_first()) std::fprintf(stderr, "%s\n", fault.what());
+        if (job.ranks().is_first()) sunfleck::say(fault.what());
         return 2;
     } catch (const sunfleck::Error& error) {
         return fail(job, 2, error.what());

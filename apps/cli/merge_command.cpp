@@ -1,15 +1,13 @@
 // `sunfleck merge`: pass ranges of one render, added up exactly.
 #include "apps/cli/commands.h"
+#include "apps/cli/darkness.h"
 #include "apps/cli/image_stats.h"
+#include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/stats.h"
 #include "core/error.h"
 #include "film/film_file.h"
 #include "image/atomic_file.h"
-
-#include <fmt/format.h>
-
-#include <cstdio>
 
 namespace sunfleck {
 
@@ -26,12 +24,14 @@ int run_merge(const MergeOptions& options) {
     LateFault faults(LogLevel::quiet);  // thrown when all is tried
     write_outputs(options.outputs, film, {options.exposure, options.extrapolate}, faults);
     const auto doubts = extrapolation_warnings(film, options.extrapolate);
-    for (const std::string& line : doubts) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : doubts) say(line);
     if (!options.stats.empty()) {
         RunFacts facts;
         facts.command = "merge";
         facts.error_terms.extrapolated = options.extrapolate;
-        facts.warnings = reliability_warnings(film);
+        facts.warnings = darkness_warnings(film);
+        const auto others = reliability_warnings(film);
+        facts.warnings.insert(facts.warnings.end(), others.begin(), others.end());
         facts.warnings.insert(facts.warnings.end(), doubts.begin(), doubts.end());
         const std::string json = stats_json(film, facts);
         faults.attempt([&] { write_file(options.stats, json); });

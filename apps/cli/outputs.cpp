@@ -44,16 +44,20 @@ void check_outputs(const std::vector<std::string>& outputs,
     check_distinct(all);
 }
 
-void write_outputs(const std::vector<std::string>& outputs, const Film& film,
-                   const OutputOptions& options, LateFault& faults) {
+std::vector<std::string> write_outputs(const std::vector<std::string>& outputs, const Film& film,
+                                       const OutputOptions& options, LateFault& faults) {
+    std::vector<std::string> written;
     const Picture picture = film_picture(film, {options.extrapolate});
-    for (const std::string& path : outputs)
-        faults.attempt([&] {
+    for (const std::string& path : outputs) {
+        const bool is_written = faults.attempt([&] {
             if (is_film(path))
                 write_film(path, film);
             else
                 write_picture(path, picture, {static_cast<float>(options.exposure), false});
         });
+        if (is_written) written.push_back(path);
+    }
+    return written;
 }
 
 }  // namespace sunfleck

@@ -22,8 +22,8 @@ struct OutputOptions {
 };
 
 /// Writes the film to every output: .film, or a picture. What cannot be written is no reason to
-/// lose the others. @param faults  has it then.
-void write_outputs(const std::vector<std::string>& outputs, const Film& film,
-                   const OutputOptions& options, LateFault& faults);
+/// lose the others. @param faults  has it then. @return those that are written.
+std::vector<std::string> write_outputs(const std::vector<std::string>& outputs, const Film& film,
+                                       const OutputOptions& options, LateFault& faults);
 
 }  // namespace sunfleck

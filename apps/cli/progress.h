@@ -1,22 +1,32 @@
-// The progress line: passes, paths a second, error, time left. On a terminal it rewrites itself;
-// elsewhere it is silent.
+// The progress line: how far the picture is, how good, and how long it will take.
+//
+// On a terminal it rewrites itself as time goes on and fits the terminal's width; elsewhere it is a
+// line in ten seconds. A thread of its own draws it: a terminal that takes no text holds up nothing
+// else.
 #pragma once
 
+#include "core/stopwatch.h"
 #include "render/progressive.h"
 
-#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
 
 namespace sunfleck {
 
-/// Rounded up: 7s, 3m12s, 2h05m.
+/// In whole seconds: 7 s, 3m12s, 2h05m.
 std::string duration_text(double seconds);
+/// What a picture is, with its error where that is known: 64 passes, 11 s, error 1.9% (95% of
+/// blocks).
+std::string state_text(std::uint64_t passes, double seconds, std::optional<TargetError> error);
 
 class ProgressLine {
 public:
     /// @param wanted  if not, nothing is said, whatever the terminal.
     explicit ProgressLine(bool wanted);
-    /// Ends the line, so that what is printed next stands on its own.
+    /// Takes the line away, so that what is said next stands on its own.
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
@@ -26,9 +36,19 @@ public:
     void show(const Progress& progress);
 
 private:
-    bool shown_ = false;
-    bool terminal_ = false;
-    std::chrono::steady_clock::time_point last_;
+    struct Shown {
+        Progress progress;
+        Stopwatch since;
+    };
+
+    void draw_until_over();
+    Progress at_present() const;
+
+    std::mutex mutex_;  // of what follows
+    std::condition_variable changed_;
+    std::optional<Shown> shown_;
+    bool is_over_ = false;
+    std::thread thread_;
 };
 
 }  // namespace sunfleck

@@ -1,13 +1,12 @@
 // `sunfleck relight`: lamps dimmed after the render.
 #include "apps/cli/commands.h"
+#include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "image/exr.h"
 #include "image/picture_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <cstdio>
 
 namespace sunfleck {
 
@@ -18,10 +17,9 @@ int run_relight(const RelightOptions& options) {
     for (const std::string& path : options.outputs)
         write_picture(path, relit_now.picture, {static_cast<float>(options.exposure), false});
     if (!relit_now.left_out.empty())
-        fmt::print(stderr,
-                   "{}: its layers {} are not in the new picture: they are of the lights as they "
-                   "were\n",
-                   options.picture, fmt::join(relit_now.left_out, ", "));
+        say(fmt::format(
+            "{}: its layers {} are not in the new picture: they are of the lights as they were",
+            options.picture, fmt::join(relit_now.left_out, ", ")));
     return 0;
 }
 

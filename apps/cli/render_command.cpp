@@ -1,7 +1,9 @@
 // `sunfleck render`: scene in, pictures out.
 #include "apps/cli/commands.h"
+#include "apps/cli/darkness.h"
 #include "apps/cli/image_stats.h"
 #include "apps/cli/interrupt.h"
+#include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/render_setup.h"
@@ -11,19 +13,21 @@
 #include "core/parallel.h"
 #include "core/stopwatch.h"
 #include "image/atomic_file.h"
+#include "render/missing_light.h"
 #include "render/shared_turn.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstdio>
+#include <optional>
+#include <utility>
 
 namespace sunfleck {
 namespace {
 
 void print_lines(const std::vector<std::string>& lines, LogLevel log) {
     if (log == LogLevel::quiet) return;
-    for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : lines) say(line);
 }
 
 const char* const kNoAvx2 =
@@ -46,14 +50,16 @@ std::vector<std::string> notes_of(const RenderSetup& setup) {
     const RenderOptions& options = setup.options;
     std::vector<std::string> lines;
     if (!options.max_depth && !setup.scene.hints().max_depth)
-        lines.push_back(fmt::format("no greatest depth is given: --max-depth {}",
+        lines.push_back(fmt::format("maximum depth not given; using {} (--max-depth)",
                                     setup.job.settings.transport.max_depth));
     if (options.ends_by_default)
         lines.push_back(setup.job.stop.target_error
-                            ? "no end is given: --target-error 2% --time 10m, what comes first"
-                            : "no end is given: --time 10m");
+                            ? "no limit given; ending at an error of 2% or after 10 minutes "
+                              "(--target-error, --time)"
+                            : "no limit given; ending after 10 minutes (--time)");
     if (options.outputs.empty())
-        lines.push_back(fmt::format("no output is given: -o {}", fmt::join(setup.outputs, " ")));
+        lines.push_back(
+            fmt::format("no output given; writing {} (-o)", fmt::join(setup.outputs, " ")));
     return lines;
 }
 
@@ -80,12 +86,30 @@ void keep_snapshot(const RenderSetup& setup, const RenderState& so_far, LateFaul
     });
 }
 
+enum class Step { first_pass, passes, writing };
+
+/// What a signal is answered.
+InterruptWords words_while(Step step, const RenderOptions& options) {
+    if (options.log == LogLevel::quiet) return {};
+    if (step == Step::writing)
+        return {"writing; once more: quit without what is not written yet",
+                "quit: files that are not written yet are lost"};
+    return {step == Step::first_pass
+                ? "finishing the first pass, then writing; once more: quit without"
+                : "finishing this pass, then writing; once more: quit without",
+            options.checkpoint.empty() ? "quit: the picture is lost"
+                                       : "quit: the picture is lost, but for the checkpoint"};
+}
+
 /// What rank 0 does while it renders: a progress line, snapshots and checkpoints if wanted.
 RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, Beside& beside,
                      RunFacts& facts) {
     const RenderOptions& options = setup.options;
     RenderHooks hooks;
-    hooks.report = [&](const Progress& p) { line.show(p); };
+    hooks.report = [&](const Progress& p) {
+        if (p.passes > 0) InterruptGuard::set_words(words_while(Step::passes, options));
+        line.show(p);
+    };
     hooks.interrupted = &InterruptGuard::interrupted();
     if (!options.snapshots.empty())
         hooks.snapshot = [&](const RenderResult& so_far) {
@@ -99,18 +123,41 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, Beside& besid
     return hooks;
 }
 
-/// Pictures, doubts, statistics.
-void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& facts) {
+/// What is to be said of a picture that is written.
+std::vector<std::string> doubts_of(const RenderSetup& setup, const RenderResult& result) {
+    const StopSettings& stop = setup.options.stop;
+    std::vector<std::string> doubts =
+        extrapolation_warnings(result.film, stop.error_terms.extrapolated);
+    const auto add = [&](const std::vector<std::string>& lines) {
+        doubts.insert(doubts.end(), lines.begin(), lines.end());
+    };
+    if (result.is_unlearned)
+        add(
+            {fmt::format("--time {} was over before it was known where photons are needed: this is "
+                         "one pass of --photon-sampler uniform; give it more time",
+                         duration_text(*stop.seconds))});
+    // A dark scene has a black picture for sure, and that has been said.
+    if (setup.scene.is_dark()) return doubts;
+    add(darkness_warnings(result.film,
+                          [&] { return share_lit_by_photons(setup.scene, setup.job.settings); }));
+    add(reliability_warnings(result.film));
+    return doubts;
+}
+
+/// Pictures, doubts, statistics, and what each picture is.
+/// @param line  is ended when all pictures are written: a terminal may hold it up.
+void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& facts,
+               std::optional<ProgressLine>& line) {
     const RenderOptions& options = setup.options;
     LateFault faults(LogLevel::quiet);  // thrown when all is tried
+    InterruptGuard::set_words(words_while(Step::writing, options));
+    std::vector<std::string> written;
     InterruptGuard::finish_first([&] {
-        write_outputs(setup.outputs, result.film,
-                      {options.exposure, facts.error_terms.extrapolated}, faults);
+        written = write_outputs(setup.outputs, result.film,
+                                {options.exposure, facts.error_terms.extrapolated}, faults);
     });
-    auto doubts = extrapolation_warnings(result.film, facts.error_terms.extrapolated);
-    // Without a light the picture is black for sure, and that has been said.
-    if (!setup.scene.lights().empty())
-        for (const std::string& line : reliability_warnings(result.film)) doubts.push_back(line);
+    line.reset();
+    const std::vector<std::string> doubts = doubts_of(setup, result);
     print_lines(doubts, options.log);
     facts.warnings.insert(facts.warnings.end(), doubts.begin(), doubts.end());
     set_times(facts, result);
@@ -119,6 +166,10 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
         InterruptGuard::finish_first(
             [&] { faults.attempt([&] { write_file(options.stats, json); }); });
     }
+    const std::string state = state_text(result.film.pass_count(), result.total_seconds,
+                                         target_error(result.film, options.stop.error_terms));
+    for (std::string& file : written) file += ": " + state;
+    if (options.log == LogLevel::info) print_lines(written, options.log);
     faults.finish();
 }
 
@@ -143,7 +194,7 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
         return true;
     });
     const RenderOptions& options = setup->options;
-    const InterruptGuard guard;
+    const InterruptGuard guard(words_while(Step::first_pass, options));
     if (!ranks.is_first()) return help_render(*setup, ranks, asked.log);
     RunFacts facts{options.scene, options.command, options.isa, thread_count(), 0, 0, 0, {}, 1, {}};
     facts.ranks = ranks.size;
@@ -156,11 +207,10 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     Beside beside(options);
     std::optional<RenderState> earlier;
     if (setup->checkpoint) earlier = std::move(setup->checkpoint->state);
-    const RenderResult result = [&] {
-        ProgressLine line(options.log == LogLevel::info);
-        return render(setup->job, hooks_of(*setup, line, beside, facts), std::move(earlier), ranks);
-    }();
-    write_all(*setup, result, facts);
+    std::optional<ProgressLine> line(std::in_place, options.log == LogLevel::info);
+    const RenderResult result =
+        render(setup->job, hooks_of(*setup, *line, beside, facts), std::move(earlier), ranks);
+    write_all(*setup, result, facts, line);
     beside.checkpoints.finish();
     beside.snapshots.finish();
     return result.interrupted ? 130 : 0;

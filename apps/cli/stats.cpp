@@ -214,13 +214,6 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
 
 std::vector<std::string> reliability_warnings(const Film& film) {
     std::vector<std::string> lines;
-    const double starved = film.statistic("starved_passes");
-    if (starved > 0)
-        lines.push_back(
-            fmt::format("in {:.0f} of {} passes no photon reached what the camera sees, and they "
-                        "are dark; the picture is right on average over many more passes, or with "
-                        "more --photons-per-pass",
-                        starved, film.pass_count()));
     const Fraction visible = visible_fraction(film);
     if (visible.error > 0.1 * visible.value)
         lines.push_back(fmt::format(

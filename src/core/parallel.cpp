@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #if defined(__SANITIZE_THREAD__)
 #include <future>
@@ -41,6 +42,28 @@ public:
 private:
     unsigned before_ = 0;
 };
+
+using IsOver = std::function<bool()>;
+
+/// What the loops of this thread ask.
+thread_local const IsOver* asked = nullptr;
+
+/// They ask this while it lives.
+class Asking {
+public:
+    explicit Asking(const IsOver* is_over) : before_(std::exchange(asked, is_over)) {}
+    ~Asking() { asked = before_; }
+    Asking(const Asking&) = delete;
+    Asking& operator=(const Asking&) = delete;
+    Asking(Asking&&) = delete;
+    Asking& operator=(Asking&&) = delete;
+
+private:
+    const IsOver* before_;
+};
+
+/// Thrown by a loop of run_unless(), which catches it.
+struct LoopIsOver {};
 
 /// The innermost ThreadLimit's threads; null while there is none.
 std::atomic<tbb::task_arena*> limited_arena{nullptr};
@@ -110,10 +133,22 @@ void run_loop(std::size_t count, const Task& task) {
 }  // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
-    run_loop(count, [&](std::size_t i) {
+    run_loop(count, [&, is_over = asked](std::size_t i) {
         const FlushDenormals flush;
+        const Asking inherited(is_over);
+        if (is_over != nullptr && (*is_over)()) throw LoopIsOver{};
         task(i);
     });
+}
+
+bool run_unless(const std::function<bool()>& is_over, const std::function<void()>& task) {
+    const Asking asking(is_over ? &is_over : nullptr);
+    try {
+        task();
+        return true;
+    } catch (const LoopIsOver&) {
+        return false;
+    }
 }
 
 std::size_t block_of_a_thread(std::size_t count, std::size_t least) {

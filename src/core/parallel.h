@@ -44,4 +44,9 @@ std::size_t block_of_a_thread(std::size_t count, std::size_t least);
 void parallel_blocks(std::size_t count, std::size_t block,
                      const std::function<void(std::size_t, std::size_t)>& task);
 
+/// Runs task(). Its loops, and loops within their tasks, ask before each task whether it is_over(),
+/// on any thread. @param is_over  none: it never is. @return false if a loop was cut short: then
+/// task() was left, and what it has written is of no use.
+bool run_unless(const std::function<bool()>& is_over, const std::function<void()>& task);
+
 }  // namespace sunfleck

@@ -55,6 +55,15 @@ std::vector<double> complete_block_sums(const Film& film) {
                       [&](std::size_t pixel) { return complete_sum(film.sums(), pixel); });
 }
 
+/// Of all pixels. @param rgb  of each, over passes.
+double mean_luminance(const Film& film, const FixedPoints& rgb) {
+    if (film.pass_count() == 0) return 0;
+    const BlockGrid grid(film.key(), kErrorBlock);
+    const std::vector<double> sums =
+        block_sums(grid, film.weight(), [&](std::size_t pixel) { return rgb_of(rgb, pixel); });
+    return total(sums) / static_cast<double>(film.key().pixels());
+}
+
 }  // namespace
 
 /// With variances in proportion to one over the weights w the sum of w (y - m)^2 has the
@@ -135,6 +144,11 @@ double image_mean(const Film& film) {
     for (const auto& [number, round] : film.sums().open_rounds)
         sum -= (1 - film.share_of_round(number)) * sum_of(round.layers[0]);
     return sum / static_cast<double>(film.key().pixels());
+}
+
+double image_mean_by_photons(const Film& film) {
+    const FixedPoints& rgb = film.sums().photons.rgb;
+    return rgb.empty() ? 0 : mean_luminance(film, rgb);
 }
 
 }  // namespace sunfleck

@@ -57,6 +57,8 @@ std::optional<MeanError> image_error(const Film& film);
 /// Mean luminance of the picture: over all passes, each as often as it counts there; zero without
 /// passes.
 double image_mean(const Film& film);
+/// The same of what photons have brought; zero where there are no discs.
+double image_mean_by_photons(const Film& film);
 
 /// Is there light, but too little for standard errors to be known?
 inline bool is_too_dim(const Film& film) {

@@ -44,6 +44,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const PixelWindow window = window_of(scene.film());
     const std::uint32_t paths = paths_per_pass(settings.photon, window.pixels());
     Epoch epoch{epoch_of(pass), paths, 1, 1, {}, {}, 0};
+    if (scene.is_dark()) return epoch;
     if (settings.integrator != Integrator::sppm ||
         settings.photon.sampler != PhotonSampler::adaptive || paths < 2) {
         epoch.groups.push_back({scene.light_choice(), {paths, {}}, {}});

@@ -34,7 +34,7 @@ struct Epoch {
     std::uint32_t draws = 1;          // of a pass, which is their mean
     std::uint32_t weight = 1;         // of a pass: how often it counts in the picture
     Doublings doublings;              // of a draw's camera paths
-    std::vector<PhotonGroup> groups;  // at least one
+    std::vector<PhotonGroup> groups;  // at least one, unless the scene is dark
     double seconds = 0;
 };
 

@@ -1,6 +1,8 @@
 // Limits, progress, snapshots and checkpoints of a render, between its turns.
 #include "render/overseer.h"
 
+#include "film/error_bars.h"
+#include "math/wavelengths.h"
 #include "render/turns.h"
 
 #include <algorithm>
@@ -12,19 +14,27 @@ namespace {
 /// A turn should not take longer where it takes more than a pass a rank: Ctrl-C waits for its end.
 constexpr double kTurnSeconds = 10;
 
-/// Photon paths; camera paths where there are none.
-double paths_of(const Film& film, Integrator integrator) {
-    if (integrator == Integrator::path || integrator == Integrator::bdpt)
-        return static_cast<double>(film.key().pixels() * film.pass_count());
-    return film.statistic("uniform_paths") + film.statistic("mapped_paths") +
-           film.statistic("mutated_paths");
+/// Work that has begun goes on beyond the time asked for by less than a second, or than 5% of it;
+/// learning before the first pass by less, since that pass is still to come.
+constexpr double kGrace = 0.8;
+constexpr double kGraceOfFirst = 0.25;
+
+double end_of_grace(double seconds, double grace = kGrace) {
+    return seconds + grace * std::max(1.0, 0.05 * seconds);
+}
+
+/// Share of photon paths that brought light.
+double share_bringing(const Film& film) {
+    const double traced = film.statistic("uniform_paths") + film.statistic("mapped_paths") +
+                          film.statistic("mutated_paths");
+    return traced > 0 ? film.statistic("distinct_visible") / traced : 0;
 }
 
 std::optional<double> seconds_left(const Progress& p, const RenderJob& job, const Film& film) {
     const StopSettings& stop = job.stop;
     std::optional<double> left;
     const auto at_most = [&](double seconds) {
-        left = std::min(left.value_or(seconds), std::max(0.0, seconds));
+        left = std::max(0.0, std::min(left.value_or(seconds), seconds));
     };
     if (p.of) at_most(p.seconds / p.passes * (*p.of - p.passes));
     if (stop.seconds) at_most(*stop.seconds - p.seconds);
@@ -36,17 +46,6 @@ std::optional<double> seconds_left(const Progress& p, const RenderJob& job, cons
 
 bool is_at(const Progress& progress) {
     return progress.error && progress.target && progress.error->value() <= *progress.target;
-}
-
-void follow_groups(const std::vector<GroupCounts>& groups, Progress& progress) {
-    progress.levels.clear();
-    Acceptance mutations;
-    for (const GroupCounts& group : groups) {
-        const std::size_t sets = group.ladder.levels.size();
-        progress.levels.push_back(sets == 0 ? 0 : sets - 1);
-        mutations += group.ladder.mutations();
-    }
-    progress.acceptance = mutations.share();
 }
 
 }  // namespace
@@ -71,7 +70,51 @@ bool Overseer::is_over() const {
     const StopSettings& stop = job_.stop;
     return interrupted_ || (hooks_.interrupted != nullptr && *hooks_.interrupted) ||
            (stop.seconds && progress_.seconds >= *stop.seconds) ||
-           (stop.cpu_seconds && progress_.cpu_seconds >= *stop.cpu_seconds) || is_at(progress_);
+           (stop.cpu_seconds && progress_.cpu_seconds >= *stop.cpu_seconds) || is_at(progress_) ||
+           !has_room_for_pass() || (!stop.end_pass && is_black());
+}
+
+/// Will more passes be black, too? Where no light can be, one pass tells; where nothing is in view,
+/// a round does; so it does for layers of surfaces that are not lit.
+bool Overseer::is_black() const {
+    const bool is_dark = job_.scene.is_dark();
+    if (is_dark && job_.settings.layers == LayerSet{}) return true;
+    if (progress_.passes % kRoundPasses != 0) return false;
+    return is_dark ||
+           (job_.settings.integrator == Integrator::sppm &&
+            state_.film.statistic("visible_points") == 0 && image_mean(state_.film) == 0);
+}
+
+/// Can another pass end in time, if it is no slower than the last?
+bool Overseer::has_room_for_pass() const {
+    constexpr double kFaster = 0.8;
+    const auto& seconds = job_.stop.seconds;
+    return !seconds || progress_.seconds + kFaster * pass_seconds_ <= end_of_grace(*seconds);
+}
+
+bool Overseer::is_late(double grace) const {
+    const auto& seconds = job_.stop.seconds;
+    return seconds && seconds_before_ + clock_.seconds() > end_of_grace(*seconds, grace);
+}
+
+/// Of the first pass learning is cut short where a pass without it may take its place: in pictures,
+/// but not in checkpoints, which are to go on.
+bool Overseer::cuts_learning() const {
+    if (progress_.passes == 0) return is_late(kGraceOfFirst) && !hooks_.save;
+    return is_late(kGrace) || (hooks_.interrupted != nullptr && *hooks_.interrupted);
+}
+
+bool Overseer::cuts_pass() const {
+    return progress_.passes > 0 && is_late(kGrace);
+}
+
+void Overseer::learning_begins() {
+    if (!hooks_.report) return;
+    count_time();
+    progress_.seconds = state_.total_seconds;
+    progress_.is_learning = true;
+    hooks_.report(progress_);
+    progress_.is_learning = false;
 }
 
 /// Until something is due, or all should meet.
@@ -101,6 +144,7 @@ PassRange Overseer::next_turn() {
     turn_passes_ = passes_of_turn(limits);
     count_time();
     turn_began_ = state_.total_seconds;
+    learned_before_ = state_.seconds.learn;
     return {begin, begin + turn_passes_};
 }
 
@@ -113,15 +157,15 @@ bool Overseer::reached_target(std::uint64_t end) {
     return is_at(progress_);
 }
 
-void Overseer::turn_ended(const std::vector<GroupCounts>& last, double of_others,
-                          bool interrupted) {
+void Overseer::turn_ended(double of_others, bool interrupted) {
     cpu_seconds_of_others_ = of_others;
     interrupted_ = interrupted_ || interrupted;
-    follow_groups(last, progress_);
     count_time();
     const auto ranks = static_cast<std::uint64_t>(ranks_);
     const std::uint64_t of_a_rank = (turn_passes_ + ranks - 1) / ranks;
-    pass_seconds_ = (state_.total_seconds - turn_began_) / static_cast<double>(of_a_rank);
+    const double learning = state_.seconds.learn - learned_before_;
+    pass_seconds_ =
+        (state_.total_seconds - turn_began_ - learning) / static_cast<double>(of_a_rank);
     follow();
     if (hooks_.report) hooks_.report(progress_);
     shown_ = hooks_.snapshot && std::has_single_bit(progress_.passes);
@@ -150,9 +194,8 @@ void Overseer::follow() {
     progress_.passes = static_cast<std::uint32_t>(film.pass_count());
     progress_.seconds = state_.total_seconds;
     progress_.cpu_seconds = state_.cpu_seconds;
-    progress_.visible_fraction = film.statistic("visible_fraction") / progress_.passes;
+    progress_.bringing = share_bringing(film);
     progress_.starved = static_cast<std::uint32_t>(film.statistic("starved_passes"));
-    progress_.paths_per_second = paths_of(film, job_.settings.integrator) / progress_.seconds;
     progress_.seconds_left = seconds_left(progress_, job_, film);
 }
 

@@ -16,13 +16,20 @@ public:
     /// Passes that are next; empty if the render is over.
     PassRange next_turn();
 
+    /// The next turn begins with learning.
+    void learning_begins();
+    /// Is learning under way, or a pass, to be cut short, so that the render ends in time? Asked on
+    /// any thread during a turn.
+    bool cuts_learning() const;
+    bool cuts_pass() const;
+
     /// Passes up to `end` are in the film. @return is its error, asked at the end of each round,
     /// at the target?
     bool reached_target(std::uint64_t end);
 
     /// All passes of the turn that count are in the film.
     /// @param of_others  processor time of all other ranks since the render began.
-    void turn_ended(const std::vector<GroupCounts>& last, double of_others, bool interrupted);
+    void turn_ended(double of_others, bool interrupted);
 
     /// The last snapshot and the last checkpoint, if those of the last turn were not.
     void finish();
@@ -31,6 +38,9 @@ private:
     /// Where a round ends: of other passes a render in one go knows no error, either.
     void ask_error(std::uint64_t end);
     bool is_over() const;
+    bool is_black() const;
+    bool is_late(double grace) const;
+    bool has_room_for_pass() const;
     double seconds_of_turn() const;
     void count_time();
     void follow();
@@ -45,7 +55,8 @@ private:
     double cpu_seconds_of_others_ = 0;
     Progress progress_;
     double turn_began_ = 0;
-    double pass_seconds_ = 0;  // a rank's, in the last turn
+    double learned_before_ = 0;  // seconds of learning, up to the turn
+    double pass_seconds_ = 0;    // a rank's, in the last turn
     std::uint64_t turn_passes_ = 0;
     double saved_at_;
     bool interrupted_ = false;

@@ -68,6 +68,7 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
                       {},
                       epoch.draws,
                       epoch.weight};
+    if (scene.is_dark() && settings.layers == LayerSet{}) return result;
     Stopwatch watch;
     const PassScene at_wavelengths(scene, id);
     result.seconds.build = watch.lap();

@@ -1,6 +1,7 @@
 // Passes one after the other.
 #include "render/pass_maker.h"
 
+#include "core/parallel.h"
 #include "render/count_pass.h"
 
 #include <utility>
@@ -11,23 +12,38 @@ bool is_sequential(const RenderSettings& settings) {
            settings.photon.sampler == PhotonSampler::paper;
 }
 
-PassMaker::PassMaker(const RenderJob& job, RenderState& state) : job_(job), state_(state) {
+PassMaker::PassMaker(const RenderJob& job, RenderState& state, PassHooks hooks)
+    : job_(job), state_(state), hooks_(std::move(hooks)) {
     if (!is_sequential(job.settings)) return;
     if (!state.paper) state.paper.emplace(job.settings, state.film.key().pixels());
     paper_.emplace(job.scene, job.settings, *state.paper);
 }
 
-PassNote PassMaker::make(std::uint32_t number, Film& film) {
-    if (!paper_ && (!epoch_ || epoch_->number != epoch_of(number))) {
-        epoch_ = learn_epoch(job_.scene, job_.settings, number);
-        state_.seconds.learn += epoch_->seconds;
+/// @return false if it was cut short.
+bool PassMaker::learn(std::uint32_t number) {
+    if (epoch_ && epoch_->number == epoch_of(number)) return true;
+    if (hooks_.before_learning) hooks_.before_learning();
+    const bool is_learned = run_unless(
+        hooks_.cuts_learning, [&] { epoch_ = learn_epoch(job_.scene, job_.settings, number); });
+    if (is_learned) state_.seconds.learn += epoch_->seconds;
+    return is_learned;
+}
+
+std::optional<double> PassMaker::make(std::uint32_t number, Film& film) {
+    std::optional<PassResult> pass;
+    if (paper_) {
+        pass.emplace(paper_->next_pass());
+    } else {
+        if (!learn(number)) return {};
+        const bool is_whole = run_unless(hooks_.cuts_pass, [&] {
+            pass.emplace(render_pass(job_.scene, job_.settings, number, *epoch_));
+        });
+        if (!is_whole) return {};
     }
-    PassResult pass =
-        paper_ ? paper_->next_pass() : render_pass(job_.scene, job_.settings, number, *epoch_);
-    add_pass(film, number, pass);
+    add_pass(film, number, *pass);
     if (paper_) paper_->count(film);
-    state_.seconds += pass.seconds;
-    return {std::move(pass.groups), pass.radius_factor};
+    state_.seconds += pass->seconds;
+    return pass->radius_factor;
 }
 
 }  // namespace sunfleck

@@ -4,6 +4,7 @@
 #include "render/paper.h"
 #include "render/progressive.h"
 
+#include <functional>
 #include <optional>
 
 namespace sunfleck {
@@ -11,23 +12,29 @@ namespace sunfleck {
 /// Does each pass build on those before?
 bool is_sequential(const RenderSettings& settings);
 
-/// What is known of a pass beside what the film counts.
-struct PassNote {
-    std::vector<GroupCounts> groups;
-    double radius_factor = 1;
+/// What is asked and told while a pass is made. Each may be absent.
+struct PassHooks {
+    std::function<void()> before_learning;
+    std::function<bool()> cuts_learning;  // asked on any thread: is it to be cut short?
+    std::function<bool()> cuts_pass;      // the same of the pass itself
 };
 
 class PassMaker {
 public:
     /// @param state  its seconds grow with each pass; with the sampler `paper` its memory goes on.
-    PassMaker(const RenderJob& job, RenderState& state);
+    PassMaker(const RenderJob& job, RenderState& state, PassHooks hooks = {});
 
     /// Renders a pass and adds it, with all that it counted, to a film of this job.
-    PassNote make(std::uint32_t number, Film& film);
+    /// @return its radius factor, or nothing if it was cut short: then the film has not changed.
+    ///         Passes of the sampler `paper` never are: they change its memory while they run.
+    std::optional<double> make(std::uint32_t number, Film& film);
 
 private:
+    bool learn(std::uint32_t number);
+
     const RenderJob& job_;
     RenderState& state_;
+    PassHooks hooks_;
     std::optional<Epoch> epoch_;
     std::optional<PaperRender> paper_;
 };

@@ -15,18 +15,31 @@ namespace {
 RenderResult begin_of(const RenderJob& job, std::optional<RenderState> earlier) {
     RenderState state =
         earlier ? std::move(*earlier) : RenderState{Film(key_of(job)), {}, 0, 0, 1, {}};
-    return {std::move(state), false};
+    return {std::move(state), false, false};
+}
+
+/// The first pass of the sampler that needs no learning, in a film of its own.
+/// @return its radius factor.
+double unlearned_pass(const RenderJob& job, RenderResult& result) {
+    RenderJob plain = job;
+    plain.settings.photon.sampler = PhotonSampler::uniform;
+    result.film = Film(key_of(plain));
+    result.is_unlearned = true;
+    return *PassMaker(plain, result).make(job.stop.first_pass, result.film);
 }
 
 /// A turn is a pass, and goes into the film at once.
 RenderResult render_alone(const RenderJob& job, const RenderHooks& hooks, RenderResult result) {
     Overseer overseer(job, hooks, result, 1);
-    PassMaker passes(job, result);
+    PassMaker passes(job, result,
+                     {[&] { overseer.learning_begins(); }, [&] { return overseer.cuts_learning(); },
+                      [&] { return overseer.cuts_pass(); }});
     for (PassRange turn = overseer.next_turn(); turn.size() > 0; turn = overseer.next_turn()) {
-        const PassNote pass = passes.make(static_cast<std::uint32_t>(turn.begin), result.film);
-        result.radius_factor = pass.radius_factor;
+        const auto radius_factor = passes.make(static_cast<std::uint32_t>(turn.begin), result.film);
+        if (!radius_factor && result.film.pass_count() > 0) break;
+        result.radius_factor = radius_factor ? *radius_factor : unlearned_pass(job, result);
         overseer.reached_target(turn.end);
-        overseer.turn_ended(pass.groups, 0, false);
+        overseer.turn_ended(0, false);
     }
     overseer.finish();
     return result;
@@ -54,8 +67,8 @@ RenderResult render_among(const Ranks& ranks, const RenderJob& job, const Render
             result.radius_factor = radius_factor;
             over = overseer.reached_target(part.end);
         };
-        const TurnNote all = shared.render(turn[0], note, take);
-        if (ranks.is_first()) overseer.turn_ended(all.groups, all.cpu_seconds, all.interrupted);
+        const RankNote all = shared.render(turn[0], note, take);
+        if (ranks.is_first()) overseer.turn_ended(all.cpu_seconds, all.interrupted);
     }
     if (ranks.is_first()) overseer.finish();
     return result;

@@ -1,7 +1,9 @@
 // A whole render: passes one after the other until a limit, added up in a film.
 //
-// In:  scene, settings, limits, and earlier passes to go on from. Out: the film. A pass that runs
-// is always finished. Several ranks render it together, to the same bytes (ranks.h, turns.h).
+// In:  scene, settings, limits, and earlier passes to go on from. Out: the film. Only whole passes
+// go into it, and never what depends on the clock: a limit of time cuts the last pass short, or the
+// learning before it, and leaves it out. Several ranks render it together, to the same bytes
+// (ranks.h, turns.h).
 #pragma once
 
 #include "film/film.h"
@@ -22,14 +24,12 @@ struct Progress {
     std::optional<std::uint32_t> of;
     double seconds = 0;
     double cpu_seconds = 0;            // of all threads
-    double paths_per_second = 0;       // photon paths (camera paths of the reference)
     std::optional<TargetError> error;  // from complete rounds
     std::optional<double> target;
     std::optional<double> seconds_left;  // an estimate
-    double visible_fraction = 0;         // mean over passes
-    std::vector<std::size_t> levels;     // of the last pass's ladders, by group of lights
-    double acceptance = 0;               // of their mutations
+    double bringing = 0;                 // share of photon paths that brought light
     std::uint32_t starved = 0;           // passes that found no visible photon path
+    bool is_learning = false;            // where photons are needed, before the next pass
 };
 
 /// All that goes from one pass to the next. What adaptive sampling has learned is no part of it: an
@@ -45,13 +45,18 @@ struct RenderState {
 
 struct RenderResult : RenderState {
     bool interrupted = false;
+    /// Time was over before it was known where photons are needed: in place of the job's passes
+    /// there is its first one with the sampler `uniform`, under the key of that.
+    bool is_unlearned = false;
 };
 
 struct RenderHooks {
-    std::function<void(const Progress&)> report;  // after each pass, or turn of several ranks
+    /// After each pass, or turn of several ranks, and before an epoch is learned.
+    std::function<void(const Progress&)> report;
     /// After 1, 2, 4, 8 ... passes and at the end; its time does not count.
     std::function<void(const RenderResult&)> snapshot;
-    const std::atomic<bool>* interrupted = nullptr;  // asked after each pass
+    /// Asked after each pass, and while epochs are learned but the first.
+    const std::atomic<bool>* interrupted = nullptr;
     /// After a pass when `save_every` seconds have gone since the last call began, and at the end.
     std::function<void(const RenderState&)> save;
     double save_every = 60;

@@ -73,21 +73,19 @@ void check_same_render(const Ranks& ranks, const FilmKey& key) {
     if (mine != of_first) differs("a setting or the program's version");
 }
 
-TurnNote SharedTurn::render(
+RankNote SharedTurn::render(
     const PassRange& turn, const std::function<RankNote()>& note,
     const std::function<void(const PassRange&, const Film&, double)>& take) {
     const PassRange block = block_of(turn, ranks_.rank, ranks_.size);
     const std::vector<PassRange> parts =
         job_.stop.target_error ? cut_at_rounds(turn) : std::vector<PassRange>{turn};
     std::vector<Held> held(parts.size());
-    std::vector<GroupCounts> groups;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const PassRange mine = common(parts[i], block);
         if (mine.size() > 0) held[i].film.emplace(key_);
         for (std::uint64_t number = mine.begin; number < mine.end; ++number) {
-            PassNote pass = passes_.make(static_cast<std::uint32_t>(number), *held[i].film);
-            held[i].radius_factor = pass.radius_factor;
-            groups = std::move(pass.groups);
+            held[i].radius_factor =
+                *passes_.make(static_cast<std::uint32_t>(number), *held[i].film);
         }
     }
     const RankNote all = hand_up_notes(ranks_, note());
@@ -96,7 +94,7 @@ TurnNote SharedTurn::render(
         if (ranks_.is_first()) take(parts[i], *held[i].film, held[i].radius_factor);
         held[i].film.reset();
     }
-    return {std::move(groups), all.cpu_seconds, all.interrupted};
+    return all;
 }
 
 }  // namespace sunfleck

@@ -12,13 +12,6 @@
 
 namespace sunfleck {
 
-/// Of all ranks.
-struct TurnNote {
-    std::vector<GroupCounts> groups;  // of this rank's last pass, if it had one
-    double cpu_seconds = 0;           // what each rank says, summed; whole on rank 0 alone
-    bool interrupted = false;         // what any says; the same
-};
-
 /// What a rank says at the end of a turn.
 struct RankNote {
     double cpu_seconds = 0;
@@ -39,7 +32,9 @@ public:
     /// @param note  asked when this rank's block is rendered.
     /// @param take  called on rank 0 with the passes of each part in their order, the film that
     ///              holds them, and the last one's radius factor.
-    TurnNote render(const PassRange& turn, const std::function<RankNote()>& note,
+    /// @return what all ranks say: their time summed, and whether any was interrupted; whole on
+    ///         rank 0 alone.
+    RankNote render(const PassRange& turn, const std::function<RankNote()>& note,
                     const std::function<void(const PassRange&, const Film&, double)>& take);
 
 private:

@@ -122,8 +122,21 @@ void Scene::finish_lights(SceneDescription& description) {
     }
     light_choice_ = LightChoice(weights);
     light_tree_ = LightTree(lights_, weights);
-    const bool dark = std::all_of(weights.begin(), weights.end(), [](double w) { return w <= 0; });
-    if (dark) warnings_.add({path_}, "the scene has no light; the picture will be black");
+    find_darkness(weights);
+}
+
+/// @param weights  of the lights.
+void Scene::find_darkness(const std::vector<double>& weights) {
+    const auto darken = [this](const std::string& why) {
+        is_dark_ = true;
+        warnings_.add({path_}, why + "; the picture will be black");
+    };
+    if (lights_.empty())
+        darken("the scene has no light");
+    else if (std::all_of(weights.begin(), weights.end(), [](double w) { return w <= 0; }))
+        darken("no light of the scene has any power (L, I or scale is 0)");
+    else if (geometry_.bounds().is_empty() && infinite_lights_.empty())
+        darken("the scene has no shape and no infinite light: nothing can be seen");
 }
 
 /// @param media  as described; those at area lights are known already.

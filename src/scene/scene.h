@@ -46,6 +46,8 @@ public:
     const SceneSphere& sphere() const { return sphere_; }
     const Warnings& warnings() const { return warnings_; }
     const std::string& path() const { return path_; }
+    /// Is every picture of it black? No light has any power, or there is nothing to see.
+    bool is_dark() const { return is_dark_; }
     /// Are there lights that a ray can meet (area, infinite)?
     bool has_lights_to_meet() const { return has_lights_to_meet_; }
 
@@ -84,6 +86,7 @@ private:
     GeometryInput take_shapes(SceneDescription& description);
     void add_area_lights(const ShapeDescription& shape, std::uint32_t index);
     void finish_lights(SceneDescription& description);
+    void find_darkness(const std::vector<double>& weights);
     void finish_media(Media media);
 
     std::vector<Material> materials_;
@@ -94,6 +97,7 @@ private:
     std::vector<LightStatement> light_statements_;
     std::vector<std::uint32_t> stated_in_;
     std::vector<std::uint32_t> infinite_lights_;
+    bool is_dark_ = false;
     bool has_lights_to_meet_ = false;
     bool has_straight_hits_ = false;
     bool has_media_ = false;

@@ -37,7 +37,7 @@ TEST_F(Extrapolate, subtracts_the_bias_from_the_picture_alone) {
     const Words films{"-o", "plain.film"};
     render_to("plain", Words{"--passes", "64", "--layers", "caustic"} + films);
     const Ran ran = render_to("zero", {"--passes", "64", "--layers", "caustic", "-o", "zero.film",
-                                       "--extrapolate", "on"});
+                                       "--extrapolate", "on", "--log-level", "warning"});
     EXPECT_EQ(ran.err, "");
     const Picture plain = read_exr(path("plain.exr"));
     const Picture zero = read_exr(path("zero.exr"));
@@ -90,7 +90,8 @@ TEST_F(Extrapolate, is_in_snapshots_and_goes_on_from_checkpoints) {
 
 TEST_F(Extrapolate, of_too_few_rounds_is_the_plain_picture_with_a_warning) {
     render_to("plain", {"--passes", "63", "-o", "plain.film"});
-    const Ran ran = render_to("zero", {"--passes", "63", "--extrapolate", "on"});
+    const Ran ran =
+        render_to("zero", {"--passes", "63", "--extrapolate", "on", "--log-level", "warning"});
     EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
     EXPECT_NE(ran.err.find("4 complete rounds of 16 passes on, of which it has 3"),
               std::string::npos);

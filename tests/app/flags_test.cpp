@@ -182,7 +182,7 @@ TEST_F(Flags, log_levels) {
                text.find('\n', text.find("AreaLightSource")) - text.find("AreaLightSource"));
     write_text(path("room.pbrt"), text);
     const Words base{"-o", "x.exr", "--passes", "1"};
-    const std::string depth = "--max-depth 64";
+    const std::string depth = "using 64 (--max-depth)";
     const std::string no_light = "no light";
     const auto says = [&](const Words& words) {
         const Ran ran = render(base + words);

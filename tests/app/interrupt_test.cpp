@@ -34,13 +34,15 @@ protected:
 };
 
 TEST_F(Interrupt, first_writes_the_picture) {
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         Process process(path(""), endless("2000"));
         ASSERT_TRUE(process.wait_for_handler());
         std::this_thread::sleep_for(100ms);
         process.send(signal);
         const Ran ran = process.wait();
         EXPECT_EQ(ran.code, 130) << ran.err;
+        EXPECT_NE(ran.err.find(" pass, then writing; once more: quit without"), std::string::npos)
+            << ran.err;
         EXPECT_EQ(names(), "x.exr x.film x.json");
         const Picture picture = read_exr(path("x.exr"));
         EXPECT_EQ(picture.width, 16);
@@ -58,12 +60,42 @@ TEST_F(Interrupt, second_ends_at_once_without_files) {
     Process process(path(""), endless("1000000000"));
     ASSERT_TRUE(process.wait_for_handler());
     process.send(SIGINT);
-    std::this_thread::sleep_for(200ms);
+    std::this_thread::sleep_for(1100ms);
     const auto start = Clock::now();
     process.send(SIGINT);
-    EXPECT_EQ(process.wait().code, 130);
+    const Ran ran = process.wait();
+    EXPECT_EQ(ran.code, 130);
     EXPECT_LT(Clock::now() - start, 5s);  // a pass takes many minutes
+    EXPECT_NE(ran.err.find("the picture is lost"), std::string::npos) << ran.err;
     EXPECT_EQ(names(), "");
+}
+
+/// Fingers repeat themselves, and a terminal that closes sends a hang-up more than once.
+TEST_F(Interrupt, second_that_comes_at_once_does_not_count) {
+    for (const int signal : {SIGINT, SIGHUP}) {
+        Process process(path(""), endless("1000000"));
+        ASSERT_TRUE(process.wait_for_handler());
+        process.send(signal);
+        std::this_thread::sleep_for(50ms);
+        process.send(signal);
+        const Ran ran = process.wait();
+        EXPECT_EQ(ran.code, 130);
+        EXPECT_EQ(ran.err.find("lost"), std::string::npos) << ran.err;
+        EXPECT_EQ(names(), "x.exr x.film x.json");
+        for (const char* name : {"x.exr", "x.film", "x.json"}) std::filesystem::remove(path(name));
+    }
+}
+
+/// As `nohup` does.
+TEST_F(Interrupt, signals_that_were_ignored_stay_ignored) {
+    Words words{"-c", "trap '' HUP; exec " SUNFLECK_PROGRAM " \"$@\"", "sh"};
+    Process process(path(""), words + endless("2000"), "/bin/sh");
+    ASSERT_TRUE(process.wait_for_handler());
+    process.send(SIGHUP);
+    std::this_thread::sleep_for(100ms);
+    EXPECT_EQ(::waitpid(process.id(), nullptr, WNOHANG), 0) << "the render has ended";
+    process.send(SIGINT);
+    EXPECT_EQ(process.wait().code, 130);
 }
 
 /// The second comes while a file is being written: that file is finished.

@@ -45,7 +45,8 @@ TEST_F(PaperFlags, sampler_and_mode_are_one) {
 }
 
 TEST_F(PaperFlags, say_at_the_start_that_the_picture_is_biased) {
-    const Ran ran = render({"-o", "x.exr", "--mode", "paper", "--passes", "1"});
+    const Ran ran =
+        render({"-o", "x.exr", "--mode", "paper", "--passes", "1", "--log-level", "warning"});
     EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
     EXPECT_TRUE(ran.err.starts_with("sampler paper: ")) << ran.err;
     EXPECT_NE(ran.err.find("biased"), std::string::npos);

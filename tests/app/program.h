@@ -55,6 +55,8 @@ public:
         argv.push_back(nullptr);
         pid_ = ::fork();
         if (pid_ != 0) return;
+        // Whoever runs the tests may ignore them.
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
         const bool open = std::freopen(out_.c_str(), "wb", stdout) != nullptr &&
                           std::freopen(err_.c_str(), "wb", stderr) != nullptr &&
                           ::chdir(folder.c_str()) == 0;

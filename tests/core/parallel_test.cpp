@@ -119,6 +119,32 @@ TEST(ThreadLimit, gives_the_number_of_threads_asked_for) {
     }
 }
 
+/// So it is for loops within tasks, on whatever thread they run.
+TEST(RunUnless, cuts_loops_short_also_those_within) {
+    const ThreadLimit limit(4);
+    std::atomic<bool> over = false;
+    std::atomic<int> done = 0;
+    const auto is_over = [&] { return over.load(); };
+    const auto work = [&] {
+        parallel_for(100, [&](std::size_t) {
+            parallel_for(100, [&](std::size_t) {
+                if (++done == 50) over = true;
+            });
+        });
+    };
+    EXPECT_FALSE(run_unless(is_over, work));
+    EXPECT_GE(done, 50);
+    EXPECT_LT(done, 1000);
+    over = false;
+    done = 100;
+    EXPECT_TRUE(run_unless(is_over, work));
+    EXPECT_EQ(done, 10'100);
+    over = true;
+    work();  // asks nobody
+    EXPECT_EQ(done, 20'100);
+    EXPECT_TRUE(run_unless({}, work));
+}
+
 TEST(ThreadLimit, ends_with_its_life) {
     const std::size_t before = thread_count();
     {

@@ -136,7 +136,7 @@ TEST_F(ManyRanks, add_their_times_up) {
         RenderState state{Film(key_of(job({}))), {}, 0, 0, 1, {}};
         const RenderJob of_this = job({});
         SharedTurn turn(of_this, ranks, state);
-        const TurnNote all = turn.render(
+        const RankNote all = turn.render(
             {0, 3},
             [&] {
                 return RankNote{1.0 + ranks.rank, false};
