@@ -1,0 +1,120 @@
+// Flags of the estimators, and what is asked of each single render.
+#include "differential/renders.h"
+
+#include "core/error.h"
+#include "image/exr.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace sunfleck::differential {
+namespace {
+
+/// Contributions that were not finite and were left out: see docs/stats.md.
+int dropped_nonfinite(const std::string& stats) {
+    std::ifstream file(stats);
+    return nlohmann::json::parse(file).at("dropped_nonfinite").get<int>();
+}
+
+}  // namespace
+
+std::string_view name(Kind kind) {
+    switch (kind) {
+        case Kind::refused:
+            return "refused";
+        case Kind::late:
+            return "late";
+        case Kind::values:
+            return "values";
+        case Kind::threads:
+            return "threads";
+        case Kind::resume:
+            return "resume";
+        case Kind::light:
+            return "light";
+        case Kind::discs:
+            return "discs";
+        case Kind::error_bars:
+            break;
+    }
+    return "error-bars";
+}
+
+namespace ways {
+
+Way adaptive() {
+    return {"default", {"--photons-per-pass", "5000"}, 16, 0};
+}
+
+Way photons(const std::string& name) {
+    Way way{name, {"--photons-per-pass", "10000"}, 16, 1};
+    if (name == "uniform" || name == "random") {
+        way.flags.emplace_back("--photon-sampler");
+        way.flags.push_back(name);
+    } else {
+        way.flags.emplace_back("--direct");
+        way.flags.emplace_back("photons");
+    }
+    return way;
+}
+
+Way path() {
+    return {"path", {"--integrator", "path"}, 64, 2};
+}
+
+Way pairs() {
+    return {"bdpt", {"--integrator", "bdpt"}, 32, 3};
+}
+
+Way with_small_discs(Way way) {
+    way.flags[1] = "20000";
+    way.flags.emplace_back("--radius-pixels");
+    way.flags.emplace_back("0.3");
+    way.seeds += 4;
+    return way;
+}
+
+Way with_bias(Way way) {
+    way.passes = 64;
+    way.seeds += 6;
+    return way;
+}
+
+}  // namespace ways
+
+Ended Renders::run(const Words& words, std::optional<std::chrono::milliseconds> interrupt_after) {
+    Words all = {"render", place_.scene, "--log-level", "quiet"};
+    all.insert(all.end(), words.begin(), words.end());
+    Ended ended = program_->run(place_.folder, all, interrupt_after);
+    seconds_ += ended.seconds;
+    if (ended.is_late) throw RenderFault({Kind::late, ended.text()});
+    return ended;
+}
+
+Picture Renders::render(const Way& way, std::uint64_t index) {
+    Words words = way.flags;
+    const std::uint64_t seed = (place_.seed * 8 + way.seeds) * 1000 + index;
+    for (const std::string& word :
+         {std::string("-o"), std::string("look.exr"), std::string("--stats"),
+          std::string("look.json"), std::string("--nthreads"), std::string("1"),
+          std::string("--passes"), std::to_string(way.passes), std::string("--seed"),
+          std::to_string(seed)})
+        words.push_back(word);
+    const Ended ended = run(words);
+    if (ended.code != 0) throw RenderFault({Kind::refused, way.name + ": " + ended.text()});
+    Picture picture = read_exr(place_.folder + "/look.exr");
+    if (const auto broken = broken_values(picture, place_.may_be_negative))
+        throw RenderFault({Kind::values, way.name + ": " + *broken});
+    if (dropped_nonfinite(place_.folder + "/look.json") != 0)
+        throw RenderFault({Kind::values, way.name + ": contributions that are not finite"});
+    return picture;
+}
+
+std::vector<Look> Renders::looks(const Way& way, std::uint64_t first, std::uint64_t count) {
+    std::vector<Look> all;
+    for (std::uint64_t i = first; i < first + count; ++i) all.push_back(look_at(render(way, i)));
+    return all;
+}
+
+}  // namespace sunfleck::differential
