@@ -87,7 +87,7 @@ private:
             return every > 0 && one.number % every == 0;
         };
         const Effort effort{.with_bytes = is_due(campaign_.bytes_every),
-                            .with_error_bars = is_due(campaign_.error_bars_every),
+                            .with_discs = is_due(campaign_.discs_every),
                             .until_decided = campaign_.until_decided,
                             .significance = 0.01 / campaign_.scenes};
         const Witnesses witnesses{is_found_by_path(*table_, one.choice),

@@ -18,7 +18,7 @@ struct Campaign {
     int jobs = 1;
     int seconds = 60;
     std::uint32_t bytes_every = 1;
-    std::uint32_t error_bars_every = 8;
+    std::uint32_t discs_every = 8;
     int tries = 60;
     bool until_decided = false;
     bool keep = false;              // scenes without a fault

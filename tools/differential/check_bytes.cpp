@@ -21,6 +21,7 @@ public:
     explicit Bytes(Renders& renders) : renders_(&renders) {}
 
     std::string render(const Words& more) {
+        std::filesystem::remove(renders_->place().folder + "/bytes.exr");
         const Ended ended = renders_->run(words(more));
         if (ended.code != 0) throw RenderFault({Kind::refused, ended.text()});
         return picture();

@@ -4,19 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sunfleck::differential {
 namespace {
 
 constexpr std::uint64_t kFirstLook = 4;
-/// Renders of each estimator of a second look, while it is undecided.
-constexpr std::uint64_t kSecondLooks[] = {8, 24};
-/// Of a first look: wider than discs of the default radius are wrong in most scenes, and sure
-/// enough that noise sends one scene in a hundred to the second look.
-constexpr double kFirstMeanBand = 0.03;
+/// Of a first look: noise sends one right scene in twenty to the second, if it stands at the band.
+constexpr double kFirstSignificance = 0.05;
 constexpr double kFirstBlockBand = 0.2;
-constexpr double kFirstSignificance = 0.01;
+/// Renders of each estimator of a second look, while it is undecided.
+constexpr std::array<std::uint64_t, 2> kSecondLooks = {8, 24};
 /// Share of pixels that may lie beyond three of their errors: of four batches 6% do.
 constexpr double kBeyondThree = 0.15;
 
@@ -44,41 +43,36 @@ public:
 
     void run(const std::string& second, Findings& findings) {
         const std::vector<Look> reference = renders_->looks(reference_, 0, kFirstLook);
-        examine(ways::adaptive(), reference, findings);
+        examine(ways::with_small_discs(ways::adaptive()), reference, findings);
         findings.light = verdict_.verdict;
         findings.light_text = verdict_.text;
         if (second == "bdpt") examine(ways::pairs(), reference, findings);
         if (second == "uniform" || second == "random" || second == "direct photons")
-            examine(ways::photons(second), reference, findings);
-        if (effort_.with_error_bars && findings.faults.empty()) check_error_bars(findings);
+            examine(ways::with_small_discs(ways::photons(second)), reference, findings);
+        if (effort_.with_discs && findings.faults.empty()) check_discs(findings);
     }
 
 private:
     void examine(const Way& way, const std::vector<Look>& reference, Findings& findings) {
         if (way.name == reference_.name) return;
-        verdict_ = compare(renders_->looks(way, 0, kFirstLook), reference,
-                           {.mean = kFirstMeanBand,
-                            .block = kFirstBlockBand,
-                            .significance = kFirstSignificance,
-                            .allowance = {}});
+        verdict_ = compare(
+            renders_->looks(way, 0, kFirstLook), reference,
+            {.block = kFirstBlockBand, .significance = kFirstSignificance, .allowance = {}});
         const bool is_open = verdict_.verdict == Verdict::undecided && effort_.until_decided;
-        if (verdict_.verdict != Verdict::different && !is_open) return;
-        look_twice(way, findings);
+        if (verdict_.verdict == Verdict::different || is_open) look_twice(way, findings);
     }
 
     Bands sure() const {
-        return {.significance = effort_.significance / std::size(kSecondLooks), .allowance = {}};
+        return {.significance = effort_.significance / kSecondLooks.size(), .allowance = {}};
     }
 
-    /// Discs that hardly have a bias: what still differs is light.
     void look_twice(const Way& way, Findings& findings) {
-        const Way small = way.has_discs() ? ways::with_small_discs(way) : way;
         std::vector<Look> looks;
         std::vector<Look> reference;
-        const Way longer = with_passes(reference_, 4);
+        const Way longer = with_passes(reference_, 2);
         for (const std::uint64_t count : kSecondLooks) {
             const std::uint64_t first = 100 + looks.size();
-            append(looks, renders_->looks(small, first, count - looks.size()));
+            append(looks, renders_->looks(way, first, count - looks.size()));
             append(reference, renders_->looks(longer, first, count - reference.size()));
             verdict_ = compare(looks, reference, sure());
             if (verdict_.verdict != Verdict::undecided) break;
@@ -86,8 +80,6 @@ private:
         if (verdict_.verdict == Verdict::different && is_confirmed(way, looks))
             findings.faults.push_back(
                 {Kind::light, way.name + " and " + reference_.name + ": " + verdict_.text});
-        else if (verdict_.verdict == Verdict::equal && way.has_discs())
-            check_discs(way, reference, findings);
     }
 
     /// Each reference misses some light: path tracing what comes by rare paths, bidirectional what
@@ -95,7 +87,7 @@ private:
     bool is_confirmed(const Way& way, const std::vector<Look>& looks) {
         const Way judge = way.name == other_reference_.name
                               ? ways::with_small_discs(ways::adaptive())
-                              : with_passes(other_reference_, 2);
+                              : other_reference_;
         const Comparison other = compare(looks, renders_->looks(judge, 200, looks.size()), sure());
         if (other.verdict == Verdict::different) return true;
         verdict_.verdict = Verdict::undecided;
@@ -103,41 +95,46 @@ private:
         return false;
     }
 
-    /// The default radius, against what it reports as its bias.
-    void check_discs(const Way& way, const std::vector<Look>& reference, Findings& findings) {
-        const Way large = ways::with_bias(way);
+    /// Discs of the default radius against small ones, and against what they report of themselves.
+    void check_discs(Findings& findings) {
         std::vector<Look> raw;
         std::vector<Look> corrected;
+        std::vector<Picture> pictures;
         Look bias;
-        bias.blocks.assign(reference.front().blocks.size(), 0);
-        for (std::uint64_t i = 0; i < kSecondLooks[0]; ++i) {
-            const Picture picture = renders_->render(large, i);
-            const Look own = look_at(picture, "bias.");
-            raw.push_back(look_at(picture));
+        for (std::uint64_t i = 0; i < kFirstLook; ++i) {
+            pictures.push_back(renders_->render(ways::with_bias(ways::adaptive()), 300 + i));
+            const Look own = look_at(pictures.back(), "bias.");
+            raw.push_back(look_at(pictures.back()));
             corrected.push_back(sum(raw.back(), own, -1));
-            bias = sum(bias, own, 1.0 / static_cast<double>(kSecondLooks[0]));
+            if (i == 0) bias.blocks.assign(own.blocks.size(), 0);
+            bias = sum(bias, own, 1.0 / static_cast<double>(kFirstLook));
+        }
+        std::vector<Look> small;
+        std::vector<std::vector<double>> truth;
+        for (std::uint64_t i = 0; i < kSecondLooks.front(); ++i) {
+            const Picture picture =
+                renders_->render(ways::with_small_discs(ways::adaptive()), 300 + i);
+            small.push_back(look_at(picture));
+            truth.push_back(luminances(picture));
         }
         Bands bands = sure();
         bands.allowance = bias;
-        const Comparison with_bias = compare(raw, reference, bands);
-        if (with_bias.verdict != Verdict::different) return;
-        if (compare(corrected, reference, sure()).verdict != Verdict::different) return;
-        findings.faults.push_back(
-            {Kind::discs, fmt::format("{} and {}: {}; reported bias of mean {:.2g}", way.name,
-                                      reference_.name, with_bias.text, bias.mean)});
+        const Comparison found = compare(raw, small, bands);
+        if (found.verdict == Verdict::different &&
+            compare(corrected, small, sure()).verdict == Verdict::different)
+            findings.faults.push_back(
+                {Kind::discs,
+                 fmt::format("default and small discs: {}; reported bias of mean {:.2g}",
+                             found.text, bias.mean)});
+        check_error_bars(pictures, truth, findings);
     }
 
-    void check_error_bars(Findings& findings) {
-        const Way longer = with_passes(reference_, 4);
-        std::vector<std::vector<double>> truth;
-        for (std::uint64_t i = 0; i < kSecondLooks[0]; ++i)
-            truth.push_back(luminances(renders_->render(longer, 300 + i)));
+    static void check_error_bars(const std::vector<Picture>& pictures,
+                                 const std::vector<std::vector<double>>& truth,
+                                 Findings& findings) {
         std::size_t pixels = 0;
         std::size_t beyond = 0;
-        for (std::uint64_t i = 0; i < kFirstLook; ++i) {
-            const Picture picture = renders_->render(ways::with_bias(ways::adaptive()), 300 + i);
-            count_beyond(picture, truth, pixels, beyond);
-        }
+        for (const Picture& picture : pictures) count_beyond(picture, truth, pixels, beyond);
         if (static_cast<double>(beyond) > kBeyondThree * static_cast<double>(pixels))
             findings.faults.push_back(
                 {Kind::error_bars,

@@ -37,7 +37,8 @@ bool has_fault(Renders& renders, const Witnesses& witnesses, Kind kind) {
             if (auto fault = check_bytes(renders)) findings.faults.push_back(*fault);
         } else {
             check_light(renders, witnesses,
-                        {.with_error_bars = kind == Kind::error_bars, .significance = 1e-3},
+                        {.with_discs = kind == Kind::error_bars || kind == Kind::discs,
+                         .significance = 1e-3},
                         findings);
         }
     });

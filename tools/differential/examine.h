@@ -10,10 +10,10 @@ namespace sunfleck::differential {
 
 /// How much is asked.
 struct Effort {
-    bool with_bytes = true;        // threads, interrupt, resume
-    bool with_error_bars = false;  // always; else where light is looked at twice
-    bool until_decided = false;    // look twice where the first look leaves it open, too
-    double significance = 1e-5;    // of a scene: a false alarm in so many
+    bool with_bytes = true;      // threads, interrupt, resume
+    bool with_discs = false;     // discs of the default radius, and error bars
+    bool until_decided = false;  // look twice where the first look leaves it open, too
+    double significance = 1e-5;  // of a scene: a false alarm in so many
 };
 
 /// The estimators of a scene.
@@ -24,7 +24,7 @@ struct Witnesses {
 
 struct Findings {
     std::vector<Fault> faults;
-    Verdict light = Verdict::equal;
+    Verdict light = Verdict::undecided;
     std::string light_text;
     double seconds = 0;
 };

@@ -109,7 +109,9 @@ std::optional<std::string> broken_values(const Picture& picture, bool may_be_neg
 
 Comparison compare(const std::vector<Look>& a, const std::vector<Look>& b, const Bands& bands) {
     const std::size_t blocks = a.front().blocks.size();
-    const double significance = bands.significance / static_cast<double>(blocks + 1);
+    // Half for the mean, and half for all blocks together.
+    const double significance = bands.significance / 2;
+    const double of_block = significance / static_cast<double>(blocks);
     const bool is_wider = !bands.allowance.blocks.empty();
     Joined joined;
     const MeanOf mean_a = mean_of(means_of(a));
@@ -123,7 +125,7 @@ Comparison compare(const std::vector<Look>& a, const std::vector<Look>& b, const
         const MeanOf block = mean_of(values_of(b, i), prior_b);
         const double band = bands.block * std::max(block.mean, mean_b.mean / 4) +
                             (is_wider ? std::abs(bands.allowance.blocks[i]) : 0);
-        joined.add(mean_of(values_of(a, i), prior_a), block, band, significance,
+        joined.add(mean_of(values_of(a, i), prior_a), block, band, of_block,
                    "block " + std::to_string(i));
     }
     return joined.found();

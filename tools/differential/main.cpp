@@ -22,8 +22,8 @@ int main(int argc, char** argv) {
     app.add_option("--seconds", campaign.seconds, "Processor time that one render may take");
     app.add_option("--bytes-every", campaign.bytes_every,
                    "Compare bytes (threads, interrupt, resume) of every so-manieth scene");
-    app.add_option("--error-bars-every", campaign.error_bars_every,
-                   "Check error bars of every so-manieth scene");
+    app.add_option("--discs-every", campaign.discs_every,
+                   "Check discs of the default radius, and error bars, of every so-manieth scene");
     app.add_option("--tries", campaign.tries, "Renders of smaller scenes, for each fault");
     app.add_option("--leave-out", left_out, "FEATURE=VALUE that no scene takes; may be repeated");
     app.add_option("--only", campaign.only,

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
 
 namespace sunfleck::differential {
@@ -44,11 +45,11 @@ std::string_view name(Kind kind) {
 namespace ways {
 
 Way adaptive() {
-    return {"default", {"--photons-per-pass", "5000"}, 16, 0};
+    return {"default", {"--photons-per-pass", "10000"}, 16, 0};
 }
 
 Way photons(const std::string& name) {
-    Way way{name, {"--photons-per-pass", "10000"}, 16, 1};
+    Way way{name, {"--photons-per-pass", "20000"}, 16, 1};
     if (name == "uniform" || name == "random") {
         way.flags.emplace_back("--photon-sampler");
         way.flags.push_back(name);
@@ -60,15 +61,14 @@ Way photons(const std::string& name) {
 }
 
 Way path() {
-    return {"path", {"--integrator", "path"}, 64, 2};
+    return {"path", {"--integrator", "path"}, 128, 2};
 }
 
 Way pairs() {
-    return {"bdpt", {"--integrator", "bdpt"}, 32, 3};
+    return {"bdpt", {"--integrator", "bdpt"}, 96, 3};
 }
 
 Way with_small_discs(Way way) {
-    way.flags[1] = "20000";
     way.flags.emplace_back("--radius-pixels");
     way.flags.emplace_back("0.3");
     way.seeds += 4;
@@ -93,21 +93,28 @@ Ended Renders::run(const Words& words, std::optional<std::chrono::milliseconds> 
 }
 
 Picture Renders::render(const Way& way, std::uint64_t index) {
-    Words words = way.flags;
+    const std::string picture_file = place_.folder + "/look.exr";
+    const std::string stats_file = place_.folder + "/look.json";
+    std::filesystem::remove(picture_file);
+    std::filesystem::remove(stats_file);
     const std::uint64_t seed = (place_.seed * 8 + way.seeds) * 1000 + index;
-    for (const std::string& word :
-         {std::string("-o"), std::string("look.exr"), std::string("--stats"),
-          std::string("look.json"), std::string("--nthreads"), std::string("1"),
-          std::string("--passes"), std::to_string(way.passes), std::string("--seed"),
-          std::to_string(seed)})
-        words.push_back(word);
+    Words words = {"-o",       picture_file,         "--stats",
+                   stats_file, "--passes",           std::to_string(way.passes),
+                   "--seed",   std::to_string(seed), "--nthreads",
+                   "1"};
+    words.insert(words.end(), way.flags.begin(), way.flags.end());
     const Ended ended = run(words);
-    if (ended.code != 0) throw RenderFault({Kind::refused, way.name + ": " + ended.text()});
-    Picture picture = read_exr(place_.folder + "/look.exr");
+    const auto fail = [&](Kind kind, const std::string& text) {
+        throw RenderFault({kind, way.name + ": " + text});
+    };
+    if (ended.code != 0) fail(Kind::refused, ended.text());
+    if (!std::filesystem::exists(picture_file) || !std::filesystem::exists(stats_file))
+        fail(Kind::refused, "no picture, though the exit code is 0");
+    Picture picture = read_exr(picture_file);
     if (const auto broken = broken_values(picture, place_.may_be_negative))
-        throw RenderFault({Kind::values, way.name + ": " + *broken});
-    if (dropped_nonfinite(place_.folder + "/look.json") != 0)
-        throw RenderFault({Kind::values, way.name + ": contributions that are not finite"});
+        fail(Kind::values, *broken);
+    if (dropped_nonfinite(stats_file) != 0)
+        fail(Kind::values, "contributions that are not finite were left out");
     return picture;
 }
 

@@ -18,8 +18,6 @@ struct Way {
     Words flags;
     int passes = 16;  // a multiple of 16, the batch of wavelengths
     std::uint64_t seeds = 0;
-
-    bool has_discs() const { return !flags.empty() && flags.front() == "--photons-per-pass"; }
 };
 
 namespace ways {
@@ -28,7 +26,7 @@ Way adaptive();
 Way photons(const std::string& name);
 Way path();
 Way pairs();  // bidirectional
-/// The same with discs so small that they have next to no bias, and more photons.
+/// The same with discs so small that they have next to no bias.
 Way with_small_discs(Way way);
 /// The same with more passes, so that the bias of its discs is reported.
 Way with_bias(Way way);
