@@ -11,8 +11,10 @@ namespace sunfleck::differential {
 namespace {
 
 constexpr std::uint64_t kFirstLook = 4;
-/// Of a first look: noise sends one right scene in twenty to the second, if it stands at the band.
-constexpr double kFirstSignificance = 0.05;
+/// Of a first look, which only says where to look twice: where the mean is off by more than its
+/// error, or a block by much.
+constexpr double kFirstMean = 0.15;
+constexpr double kFirstBlocks = 0.05;
 constexpr double kFirstBlockBand = 0.2;
 /// Renders of each estimator of a second look, while it is undecided.
 constexpr std::array<std::uint64_t, 2> kSecondLooks = {8, 24};
@@ -55,15 +57,18 @@ public:
 private:
     void examine(const Way& way, const std::vector<Look>& reference, Findings& findings) {
         if (way.name == reference_.name) return;
-        verdict_ = compare(
-            renders_->looks(way, 0, kFirstLook), reference,
-            {.block = kFirstBlockBand, .significance = kFirstSignificance, .allowance = {}});
+        verdict_ = compare(renders_->looks(way, 0, kFirstLook), reference,
+                           {.block = kFirstBlockBand,
+                            .mean_significance = kFirstMean,
+                            .block_significance = kFirstBlocks,
+                            .allowance = {}});
         const bool is_open = verdict_.verdict == Verdict::undecided && effort_.until_decided;
         if (verdict_.verdict == Verdict::different || is_open) look_twice(way, findings);
     }
 
     Bands sure() const {
-        return {.significance = effort_.significance / kSecondLooks.size(), .allowance = {}};
+        const double half = effort_.significance / (2 * kSecondLooks.size());
+        return {.mean_significance = half, .block_significance = half, .allowance = {}};
     }
 
     void look_twice(const Way& way, Findings& findings) {

@@ -109,16 +109,14 @@ std::optional<std::string> broken_values(const Picture& picture, bool may_be_neg
 
 Comparison compare(const std::vector<Look>& a, const std::vector<Look>& b, const Bands& bands) {
     const std::size_t blocks = a.front().blocks.size();
-    // Half for the mean, and half for all blocks together.
-    const double significance = bands.significance / 2;
-    const double of_block = significance / static_cast<double>(blocks);
+    const double of_block = bands.block_significance / static_cast<double>(blocks);
     const bool is_wider = !bands.allowance.blocks.empty();
     Joined joined;
     const MeanOf mean_a = mean_of(means_of(a));
     const MeanOf mean_b = mean_of(means_of(b));
     joined.add(mean_a, mean_b,
                bands.mean * mean_b.mean + (is_wider ? std::abs(bands.allowance.mean) : 0),
-               significance, "mean");
+               bands.mean_significance, "mean");
     const Prior prior_a{shared_variance(a), kSharedDegrees};
     const Prior prior_b{shared_variance(b), kSharedDegrees};
     for (std::size_t i = 0; i < blocks; ++i) {

@@ -31,9 +31,10 @@ std::optional<std::string> broken_values(const Picture& picture, bool may_be_neg
 
 /// Differences that do not matter, and how sure a difference must be.
 struct Bands {
-    double mean = 0.02;          // of the mean luminance
-    double block = 0.1;          // of a block's, or of a quarter of the mean where that is more
-    double significance = 0.01;  // of all comparisons of two pictures together
+    double mean = 0.02;  // of the mean luminance
+    double block = 0.1;  // of a block's, or of a quarter of the mean where that is more
+    double mean_significance = 0.005;
+    double block_significance = 0.005;  // of all blocks together
     Look allowance;  // added to the bands: luminance, by block; none where it has no blocks
 };
 
