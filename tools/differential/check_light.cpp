@@ -47,6 +47,7 @@ public:
         const std::vector<Look> reference = renders_->looks(reference_, 0, kFirstLook);
         examine(ways::with_small_discs(ways::adaptive()), reference, findings);
         findings.light = verdict_.verdict;
+        findings.mean = verdict_.of_mean;
         findings.light_text = verdict_.text;
         if (second == "bdpt") examine(ways::pairs(), reference, findings);
         if (second == "uniform" || second == "random" || second == "direct photons")

@@ -24,7 +24,8 @@ struct Witnesses {
 
 struct Findings {
     std::vector<Fault> faults;
-    Verdict light = Verdict::undecided;
+    Verdict light = Verdict::undecided;  // default and reference, mean and blocks
+    Verdict mean = Verdict::undecided;   // the same, mean alone
     std::string light_text;
     double seconds = 0;
 };

@@ -56,6 +56,8 @@ public:
         found_.text = fmt::format("{}: {:.4g} against {:.4g}, ratio {:.3f}, error {:.2g}", where,
                                   a.mean, b.mean, b.mean > 0 ? a.mean / b.mean : 0, error);
     }
+    /// What was added so far is the mean.
+    void keep_as_mean() { found_.of_mean = found_.verdict; }
     const Comparison& found() const { return found_; }
 
 private:
@@ -117,6 +119,7 @@ Comparison compare(const std::vector<Look>& a, const std::vector<Look>& b, const
     joined.add(mean_a, mean_b,
                bands.mean * mean_b.mean + (is_wider ? std::abs(bands.allowance.mean) : 0),
                bands.mean_significance, "mean");
+    joined.keep_as_mean();
     const Prior prior_a{shared_variance(a), kSharedDegrees};
     const Prior prior_b{shared_variance(b), kSharedDegrees};
     for (std::size_t i = 0; i < blocks; ++i) {

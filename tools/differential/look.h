@@ -39,8 +39,9 @@ struct Bands {
 };
 
 struct Comparison {
-    Verdict verdict = Verdict::equal;
-    std::string text;  // where it differs most, in errors, and by how much
+    Verdict verdict = Verdict::equal;  // of mean and blocks together
+    Verdict of_mean = Verdict::equal;  // of the mean alone
+    std::string text;                  // where it differs most, in errors, and by how much
 };
 
 /// @param a, b  looks at independent renders, at least two of each.

@@ -4,12 +4,24 @@
 #include <fmt/format.h>
 
 namespace sunfleck::differential {
+namespace {
+
+std::string text_of(const std::array<std::size_t, 3>& by_verdict) {
+    std::string text;
+    for (const Verdict verdict : {Verdict::equal, Verdict::undecided, Verdict::different})
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
+                            by_verdict[static_cast<std::size_t>(verdict)], name(verdict));
+    return text;
+}
+
+}  // namespace
 
 void Report::add(const Findings& findings) {
     ++scenes_;
     seconds_ += findings.seconds;
     for (const Fault& fault : findings.faults) ++by_kind_.at(static_cast<std::size_t>(fault.kind));
     ++by_verdict_.at(static_cast<std::size_t>(findings.light));
+    ++by_mean_.at(static_cast<std::size_t>(findings.mean));
 }
 
 std::size_t Report::faults() const {
@@ -23,12 +35,9 @@ std::string Report::text(const FeatureTable& features, const PairCoverage& cover
     std::string text = fmt::format(
         "{} scenes, {:.0f} s ({:.1f} s of processor time a scene)\n"
         "pairs of feature values covered: {} of {}\n"
-        "default and reference: {} equal, {} undecided, {} different\n",
+        "default and reference: mean {}; mean and blocks {}\n",
         scenes_, seconds, seconds_ / static_cast<double>(scenes_ > 0 ? scenes_ : 1),
-        coverage.covered(), coverage.possible(),
-        by_verdict_[static_cast<std::size_t>(Verdict::equal)],
-        by_verdict_[static_cast<std::size_t>(Verdict::undecided)],
-        by_verdict_[static_cast<std::size_t>(Verdict::different)]);
+        coverage.covered(), coverage.possible(), text_of(by_mean_), text_of(by_verdict_));
     text += fmt::format("faults: {}\n", faults());
     for (std::size_t k = 0; k < by_kind_.size(); ++k)
         if (by_kind_[k] > 0)

@@ -20,6 +20,7 @@ public:
 private:
     std::array<std::size_t, 8> by_kind_{};
     std::array<std::size_t, 3> by_verdict_{};
+    std::array<std::size_t, 3> by_mean_{};
     std::size_t scenes_ = 0;
     double seconds_ = 0;
 };
