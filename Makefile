@@ -5,8 +5,10 @@ JOBS ?= $(shell nproc)
 BUILD := build/release
 CTEST := ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure --no-tests=error
 FUZZ_SECONDS ?= 600
+N ?= 200
+SEED ?= 0
 
-.PHONY: demo test check browser mpi sanitize nightly bench tidy format clean deps build
+.PHONY: demo test check browser mpi sanitize differential nightly bench tidy format clean deps build
 
 # Renders the sun through a glass of cognac into out/demo.
 demo: build
@@ -55,9 +57,17 @@ sanitize:
 	tools/setup.sh build test
 	tools/sanitize.sh
 
+# Random scenes by several estimators, compared: `make differential N=200 SEED=1` (docs/testing.md).
+differential:
+	tools/setup.sh build
+	cmake --preset release
+	cmake --build $(BUILD) -j $(JOBS) --target differential
+	$(BUILD)/bin/differential --program $(BUILD)/bin/sunfleck --jobs $(JOBS) --scenes $(N) --seed $(SEED)
+
 # What takes hours: everything above, lint, another compiler, long fuzzing.
 nightly: test browser mpi sanitize tidy
 	$(CTEST) -L nightly
+	$(MAKE) differential N=1000 SEED=$$(date +%Y%m%d)
 	cmake --preset clang
 	cmake --build build/clang -j $(JOBS)
 	ctest --test-dir build/clang -j $(JOBS) --output-on-failure --no-tests=error -LE "check|nightly|browser|mpi"
@@ -78,7 +88,7 @@ tidy:
 	tools/tidy.sh
 
 format:
-	find src apps tests bench \( -name '*.h' -o -name '*.cpp' \) -exec clang-format-14 -i {} +
+	find src apps tests bench tools \( -name '*.h' -o -name '*.cpp' \) -exec clang-format-14 -i {} +
 
 clean:
 	rm -rf build out

@@ -15,7 +15,7 @@ LINE_CEILING = 300
 SUFFIXES = {".h", ".cpp"}
 TABLES = {".inc"}
 PRODUCT = ("src", "apps")
-OTHERS = ("tests", "bench")
+OTHERS = ("tests", "bench", "tools")
 # Tests of whole pictures: named after what they show, not after a file.
 UNMIRRORED = {"tests/render"}
 # What would make a picture depend on the machine, the day or the schedule, or hide a fault.
