@@ -2,9 +2,9 @@
 //
 // Everything happens in the frame of the line, which is the z axis there: x and y say how far the
 // curve is, z where. A part whose box in x and y, widened by half the width, does not hold the
-// origin is passed over. What is left is solved to rounding, so the surfaces do not depend on how
-// curves were cut. Source for the recursion: Nakamaru and Ohno, Ray Tracing for Curves Primitive
-// (WSCG 2002).
+// origin is passed over, and so is one behind the line's start. What is left is solved to rounding,
+// so the surfaces do not depend on how curves were cut. Source for the recursion: Nakamaru and
+// Ohno, Ray Tracing for Curves Primitive (WSCG 2002).
 #include "geometry/curve_piece.h"
 #include "geometry/sweep.h"
 
@@ -100,6 +100,8 @@ private:
                 std::minmax({part[0][axis], part[1][axis], part[2][axis], part[3][axis]});
             if (!(low <= reach && high >= -reach)) return;
         }
+        const double ahead = std::max({part[0].z, part[1].z, part[2].z, part[3].z});
+        if (!(ahead >= -reach - 1e-6 * size_)) return;
         if (depth > 0) {
             const double middle = 0.5 * (from + to);
             const auto halves = halves_of(part);

@@ -56,7 +56,8 @@ struct CurvePiece {
 
 static_assert(ExactShape<CurvePiece>);
 
-/// All meetings of a line with a piece, in any order. @return how many.
+/// All meetings of a line with a piece from the line's start on, and some before it, in any order.
+/// @return how many.
 std::size_t meet(const CurvePiece& piece, const Vec3d& origin, const Vec3d& direction,
                  std::array<CurveMeeting, CurvePiece::kMostCrossings>& found);
 

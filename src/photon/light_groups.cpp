@@ -17,9 +17,10 @@ namespace {
 constexpr std::size_t kMostClusters = 64;
 constexpr std::uint32_t kMeasuring = 1;  // part of the pilots' numbers that measure clusters
 
-/// What a walk from the view costs, in paths of a picture: it meets many surfaces, and asks for a
-/// light at each. Measured where photon paths cost least, in the dark: 7; in lit rooms 1 to 2.
-constexpr std::uint64_t kPathsOfAWalk = 4;
+/// What a walk from the view costs at most, in paths of a picture: it meets many surfaces, and asks
+/// for a light at each. Measured: 7 in the dark, where photon paths cost least; 1 to 2 in lit
+/// rooms.
+constexpr std::uint64_t kPathsOfAWalk = 8;
 
 using Lights = std::vector<std::uint32_t>;
 

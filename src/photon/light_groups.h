@@ -17,7 +17,7 @@ namespace sunfleck {
 class LightPlanner {
 public:
     /// @param view, settings  must outlive it. @param work  camera and photon paths of the passes
-    ///                        that plans are for: a long search for light costs about as much.
+    ///                        that plans are for: a long search for light costs no more.
     LightPlanner(const PhotonView& view, const PhotonSettings& settings, const PilotName& name,
                  std::uint64_t work);
     LightPlanner(const LightPlanner&) = delete;

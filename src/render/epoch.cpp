@@ -2,6 +2,8 @@
 #include "render/epoch.h"
 
 #include "core/stopwatch.h"
+#include "film/target_error.h"
+#include "math/wavelengths.h"
 #include "measurement/radius.h"
 #include "photon/light_groups.h"
 #include "render/balance.h"
@@ -37,6 +39,13 @@ DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch, std::u
     return wishes;
 }
 
+/// The passes by which it is measured what learning may cost: those of the epoch, or as many as the
+/// error of a picture asks for.
+std::uint64_t worth_learning(std::uint32_t epoch) {
+    const std::uint64_t passes = first_pass_of(epoch + 1) - first_pass_of(epoch);
+    return std::max(passes, kTargetRounds * kRoundPasses);
+}
+
 }  // namespace
 
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass) {
@@ -58,8 +67,8 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
         window,         name.round(kSeenViewRound), radius_factor(first, settings.alpha)};
     const EyeView seen = view_of(eye);
     const PhotonView view{at_wavelengths, settings.transport, seen.index};
-    const std::uint64_t passes = first_pass_of(epoch.number + 1) - first;
-    LightPlanner planner(view, settings.photon, name, passes * (paths + window.pixels()));
+    const std::uint64_t work = worth_learning(epoch.number) * (paths + window.pixels());
+    LightPlanner planner(view, settings.photon, name, work);
     epoch.groups = planner.plan(paths);
     const DrawWishes wishes = wishes_of(settings.photon, epoch.number, paths, window.pixels());
     DrawPlan plan = measured_plan(eye, seen, epoch.groups, name, wishes);

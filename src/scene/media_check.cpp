@@ -142,7 +142,8 @@ void mend_media(const Scene& scene, const std::vector<SourceLocation>& places,
             warnings.add(places[shape],
                          "the normals of this shape point into it, so that its MediumInterface "
                          "names the medium within as the one around it; the two are exchanged; "
-                         "write them in the other order, or leave out ReverseOrientation");
+                         "leave out ReverseOrientation, or turn its triangles (glass refracts by "
+                         "these normals, too), or write the media in the other order");
         }
         faults = media_faults(scene);
     }
