@@ -76,8 +76,8 @@ std::string progress_text(const Progress& p, std::size_t width) {
             if (part.rank <= last) text += (text.empty() ? "" : ", ") + part.text;
         if (text.size() <= width) return text;
     }
-    const std::string cut = parts.front().text.substr(0, width);
-    return cut.substr(0, cut.rfind(' '));  // whole words
+    const std::string& first = parts.front().text;
+    return first.substr(0, std::min(width, first.find(' ')));
 }
 
 /// May it be written on: standard error is one whose lines can be erased?

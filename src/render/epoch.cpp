@@ -48,14 +48,21 @@ std::uint64_t worth_learning(std::uint32_t epoch) {
 
 }  // namespace
 
+bool needs_learning(const Scene& scene, const RenderSettings& settings) {
+    return !scene.is_dark() && settings.integrator == Integrator::sppm &&
+           settings.photon.sampler == PhotonSampler::adaptive;
+}
+
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass) {
     const Stopwatch watch;
     const PixelWindow window = window_of(scene.film());
     const std::uint32_t paths = paths_per_pass(settings.photon, window.pixels());
     Epoch epoch{epoch_of(pass), paths, 1, 1, {}, {}, 0};
-    if (scene.is_dark()) return epoch;
-    if (settings.integrator != Integrator::sppm ||
-        settings.photon.sampler != PhotonSampler::adaptive || paths < 2) {
+    if (scene.is_dark() && settings.integrator == Integrator::sppm) {
+        epoch.paths = 0;
+        return epoch;
+    }
+    if (!needs_learning(scene, settings) || paths < 2) {
         epoch.groups.push_back({scene.light_choice(), {paths, {}}, {}});
         return epoch;
     }

@@ -38,6 +38,9 @@ struct Epoch {
     double seconds = 0;
 };
 
+/// Is there anything to learn? If not, each epoch is the same but for its number.
+bool needs_learning(const Scene& scene, const RenderSettings& settings);
+
 /// The epoch that a pass belongs to.
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass);
 

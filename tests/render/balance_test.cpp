@@ -125,12 +125,12 @@ TEST(Balance, is_not_asked_in_the_first_epoch_or_where_the_number_is_given) {
 }
 
 // A black picture says nothing.
-TEST(Balance, leaves_a_dark_scene_as_it_is) {
+TEST(Balance, spends_no_photons_on_a_dark_scene) {
     EXPECT_EQ(learned(scene_of(view("0 0 4  0 0 0  0 1 0", 40, 8) + diffuse("0.5 0.5 0.5") +
                                quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0")),
                       {})
                   .paths,
-              kUsual);
+              0U);
 }
 
 }  // namespace
