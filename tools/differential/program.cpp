@@ -1,6 +1,7 @@
 // fork, exec, and a wait that can interrupt.
 #include "differential/program.h"
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,7 +30,10 @@ constexpr int kCannotStart = 127;
     const auto limit = static_cast<rlim_t>(seconds);
     const rlimit time{limit, limit + 5};
     const rlimit no_core{0, 0};
-    const bool is_ready = ::setrlimit(RLIMIT_CPU, &time) == 0 &&
+    // A tester that is killed leaves no render behind, which would write into the next one's
+    // folder.
+    const bool is_ready = ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 &&
+                          ::setrlimit(RLIMIT_CPU, &time) == 0 &&
                           ::setrlimit(RLIMIT_CORE, &no_core) == 0 && ::chdir(folder.c_str()) == 0 &&
                           std::freopen(log.c_str(), "wb", stdout) != nullptr &&
                           ::dup2(STDOUT_FILENO, STDERR_FILENO) >= 0;
