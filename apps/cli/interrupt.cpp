@@ -1,6 +1,8 @@
 // Ctrl-C: the first asks the render to end after the pass that runs, the second ends at once.
 #include "apps/cli/interrupt.h"
 
+#include "image/atomic_file.h"
+
 #include <unistd.h>
 
 #include <csignal>
@@ -19,7 +21,9 @@ std::atomic<bool> ending_flag{false};  // asked twice while busy
 void on_signal(int) {
     if (!interrupted_flag.exchange(true)) return;
     ending_flag = true;
-    if (!busy_flag) _exit(kInterruptedExit);
+    if (busy_flag) return;
+    remove_own_temporaries();
+    _exit(kInterruptedExit);
 }
 
 }  // namespace
@@ -40,7 +44,9 @@ void InterruptGuard::finish_first(const std::function<void()>& task) {
     busy_flag = true;
     task();
     busy_flag = false;
-    if (ending_flag) _exit(kInterruptedExit);
+    if (!ending_flag) return;
+    remove_own_temporaries();
+    _exit(kInterruptedExit);
 }
 
 const std::atomic<bool>& InterruptGuard::interrupted() {

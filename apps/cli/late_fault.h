@@ -1,8 +1,10 @@
 // Files that could not be written: no reason to lose what else there is, but a fault at the end.
+//
+// That they can be written has been tried before the work: what comes in between is the machine's.
 #pragma once
 
 #include "apps/cli/options.h"
-#include "core/error.h"
+#include "core/machine_fault.h"
 
 #include <fmt/format.h>
 
@@ -31,9 +33,9 @@ public:
     }
     /// What failed before no longer matters.
     void forget() { fault_.reset(); }
-    /// @throws Error if something failed that still matters.
+    /// @throws MachineFault if something failed that still matters.
     void finish() const {
-        if (fault_) throw Error(*fault_);
+        if (fault_) throw MachineFault(*fault_);
     }
 
 private:

@@ -5,13 +5,15 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/together.h"
 #include "apps/mpi/job.h"
-#include "core/error.h"
 #include "core/kept_memory.h"
+#include "core/machine_fault.h"
+#include "image/atomic_file.h"
+
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <new>
 #include <string_view>
 
 namespace {
@@ -31,6 +33,36 @@ int run(int count, char** words, const Ranks& ranks) {
     return sunfleck::run_compare(*options->compare);
 }
 
+/// Ends the program in place of abort(): an exception that nobody can catch, as of a thread of a
+/// library that has no memory left.
+[[noreturn]] void end_by_fault() {
+    const char* what = "a fault that has no name";
+    try {
+        if (const std::exception_ptr fault = std::current_exception())
+            std::rethrow_exception(fault);
+    } catch (const std::exception& error) {
+        what = error.what();
+    } catch (...) {
+    }
+    std::fprintf(stderr, "sunfleck: %s\n", what);
+    sunfleck::remove_own_temporaries();
+    _exit(1);
+}
+
+/// Leaves no temporary file, and ends by the signal as ever.
+void end_by_signal(int signal) {
+    sunfleck::remove_own_temporaries();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+void set_ends() {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a fault as any other
+    std::set_terminate(end_by_fault);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, end_by_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 /// @return code, where it returns.
 int fail(const sunfleck::Job& job, int code, const std::string& line) {
     std::fprintf(stderr, "%s\n", line.c_str());
@@ -41,18 +73,18 @@ int fail(const sunfleck::Job& job, int code, const std::string& line) {
 }  // namespace
 
 int main(int count, char** words) {
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a fault as any other
+    set_ends();
     sunfleck::keep_freed_memory();
     const sunfleck::Job job(count > 1 && std::string_view(words[1]) == "render");
     try {
         return run(count, words, job.ranks());
     } catch (const sunfleck::FaultOfAll& fault) {
         if (job.ranks().is_first()) std::fprintf(stderr, "%s\n", fault.what());
-        return 2;
+        return fault.code();
+    } catch (const sunfleck::MachineFault& fault) {
+        return fail(job, 1, fault.what());
     } catch (const sunfleck::Error& error) {
         return fail(job, 2, error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(job, 1, "sunfleck: not enough memory");
     } catch (const std::exception& error) {
         return fail(job, 1, std::string("sunfleck: ") + error.what());
     }

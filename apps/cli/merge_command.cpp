@@ -15,6 +15,10 @@ namespace sunfleck {
 
 int run_merge(const MergeOptions& options) {
     check_outputs(options.outputs, {options.stats});
+    std::vector<std::string> written = options.outputs;
+    written.push_back(options.stats);
+    check_apart({options.inputs, written});
+    const OutputClaims claims(written);
     Film film = read_film(options.inputs.front());
     for (std::size_t i = 1; i < options.inputs.size(); ++i)
         film.merge(read_film(options.inputs[i]), options.inputs[i]);

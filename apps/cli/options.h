@@ -52,6 +52,7 @@ struct InfoOptions {
 struct SceneOptions {
     std::string name;  // empty: list them
     std::string folder = ".";
+    bool force = false;  // replaces files that differ
 };
 
 struct ExperimentOptions {

@@ -144,6 +144,8 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     });
     const RenderOptions& options = setup->options;
     const InterruptGuard guard;
+    const auto claims =
+        together(ranks, [&] { return std::make_unique<OutputClaims>(written_files(*setup)); });
     if (!ranks.is_first()) return help_render(*setup, ranks, asked.log);
     RunFacts facts{options.scene, options.command, options.isa, thread_count(), 0, 0, 0, {}, 1, {}};
     facts.ranks = ranks.size;

@@ -3,6 +3,7 @@
 
 #include "apps/cli/outputs.h"
 #include "apps/cli/snapshots.h"
+#include "core/file_identity.h"
 #include "core/hash.h"
 #include "import/load.h"
 #include "scene/adjust.h"
@@ -51,6 +52,17 @@ RenderSettings settings_of(const RenderOptions& options, const RenderHints& hint
     return settings;
 }
 
+/// @param read  files of the scene.
+CommandFiles files_of(const RenderOptions& options, std::vector<std::string> read,
+                      const std::vector<std::string>& outputs) {
+    CommandFiles files{std::move(read), outputs, options.snapshots};
+    // A render goes on in the checkpoint that it was resumed from.
+    const bool goes_on = identity_of(options.resume) == identity_of(options.checkpoint);
+    if (!goes_on) files.inputs.push_back(options.resume);
+    files.outputs.insert(files.outputs.end(), {options.stats, options.checkpoint});
+    return files;
+}
+
 void adjust(SceneDescription& description, const RenderOptions& options) {
     if (options.resolution) set_resolution(description, *options.resolution);
     if (options.settings.energy_compensation) compensate_energy(description);
@@ -77,15 +89,25 @@ RenderOptions options_of(const RenderOptions& options, const Ranks& ranks) {
     return mine;
 }
 
+std::vector<std::string> written_files(const RenderSetup& setup) {
+    const RenderOptions& options = setup.options;
+    std::vector<std::string> files = setup.outputs;
+    files.insert(files.end(), {options.stats, options.checkpoint});
+    if (!options.snapshots.empty()) files.push_back(claim_of_snapshots(options.snapshots));
+    return files;
+}
+
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks) {
     check_shareable(options.settings, ranks);
     check_outputs(options.outputs, {options.stats, options.checkpoint});
+    check_apart(files_of(options, {options.scene}, options.outputs));
     std::optional<Checkpoint> checkpoint = open_checkpoints(options);
     SceneDescription description = load_scene(options.scene);
     adjust(description, options);
     std::vector<std::string> outputs;
     if (ranks.is_first()) outputs = outputs_of(options, description);
-    if (options.outputs.empty()) check_outputs(outputs, {options.stats, options.checkpoint});
+    if (options.outputs.empty()) check_outputs(outputs, {});
+    check_apart(files_of(options, description.files, outputs));
     if (!options.snapshots.empty()) prepare_snapshots(options.snapshots, checkpoint.has_value());
     auto setup = std::make_unique<RenderSetup>(options, std::move(description));
     setup->checkpoint = std::move(checkpoint);
