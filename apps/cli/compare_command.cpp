@@ -2,6 +2,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/outputs.h"
 #include "compare/comparison.h"
+#include "core/thread_trial.h"
 #include "image/atomic_file.h"
 #include "report/page.h"
 
@@ -26,6 +27,7 @@ std::vector<std::string> files_of(const CompareInput& reference,
 }  // namespace
 
 int run_compare(const CompareOptions& options) {
+    try_threads();
     std::vector<CompareInput> inputs;
     for (const std::string& text : options.inputs) inputs.push_back(compare_input(text));
     const CompareInput reference = compare_input(options.reference);

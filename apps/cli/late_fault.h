@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <optional>
+#include <exception>
 
 namespace sunfleck {
 
@@ -17,30 +17,34 @@ class LateFault {
 public:
     explicit LateFault(LogLevel log) : log_(log) {}
 
-    /// @param write  may throw Error: the first is a warning, if not quiet. @return whether it did
+    /// @param write  may throw: the first fault is a warning, if not quiet. @return whether it did
     /// not.
     template <class Write>
     bool attempt(const Write& write) {
         try {
             write();
             return true;
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
             if (!fault_ && log_ != LogLevel::quiet)
                 fmt::print(stderr, "warning: {} (the render goes on)\n", error.what());
-            if (!fault_) fault_ = error;
+            if (!fault_) fault_ = std::current_exception();
             return false;
         }
     }
     /// What failed before no longer matters.
-    void forget() { fault_.reset(); }
-    /// @throws MachineFault if something failed that still matters.
+    void forget() { fault_ = nullptr; }
+    /// Throws what failed and still matters. @throws MachineFault in place of Error.
     void finish() const {
-        if (fault_) throw MachineFault(*fault_);
+        try {
+            if (fault_) std::rethrow_exception(fault_);
+        } catch (const Error& error) {
+            throw MachineFault(error);
+        }
     }
 
 private:
     LogLevel log_;
-    std::optional<Error> fault_;
+    std::exception_ptr fault_;
 };
 
 }  // namespace sunfleck

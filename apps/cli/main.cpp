@@ -42,7 +42,6 @@ int run(int count, char** words, const Ranks& ranks) {
             std::rethrow_exception(fault);
     } catch (const std::exception& error) {
         what = error.what();
-    } catch (...) {
     }
     std::fprintf(stderr, "sunfleck: %s\n", what);
     sunfleck::remove_own_temporaries();
@@ -56,9 +55,11 @@ void end_by_signal(int signal) {
     std::raise(signal);
 }
 
-void set_ends() {
+/// @param is_render  which has files under way only where it answers signals itself.
+void set_ends(bool is_render) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a fault as any other
     std::set_terminate(end_by_fault);
+    if (is_render) return;
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         if (std::signal(signal, end_by_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
@@ -73,9 +74,10 @@ int fail(const sunfleck::Job& job, int code, const std::string& line) {
 }  // namespace
 
 int main(int count, char** words) {
-    set_ends();
+    const bool is_render = count > 1 && std::string_view(words[1]) == "render";
+    set_ends(is_render);
     sunfleck::keep_freed_memory();
-    const sunfleck::Job job(count > 1 && std::string_view(words[1]) == "render");
+    const sunfleck::Job job(is_render);
     try {
         return run(count, words, job.ranks());
     } catch (const sunfleck::FaultOfAll& fault) {

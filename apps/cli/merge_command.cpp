@@ -4,6 +4,7 @@
 #include "apps/cli/outputs.h"
 #include "apps/cli/stats.h"
 #include "core/error.h"
+#include "core/thread_trial.h"
 #include "film/film_file.h"
 #include "image/atomic_file.h"
 
@@ -14,6 +15,7 @@
 namespace sunfleck {
 
 int run_merge(const MergeOptions& options) {
+    try_threads();
     check_outputs(options.outputs, {options.stats});
     std::vector<std::string> written = options.outputs;
     written.push_back(options.stats);

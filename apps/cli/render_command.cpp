@@ -10,6 +10,7 @@
 #include "apps/cli/together.h"
 #include "core/parallel.h"
 #include "core/stopwatch.h"
+#include "core/thread_trial.h"
 #include "image/atomic_file.h"
 #include "render/shared_turn.h"
 
@@ -137,6 +138,10 @@ int help_render(const RenderSetup& setup, const Ranks& ranks, LogLevel log) {
 int run_render(const RenderOptions& asked, const Ranks& ranks) {
     const Stopwatch clock;
     const ThreadLimit limit(asked.threads);
+    together(ranks, [&] {
+        try_threads();
+        return true;
+    });
     const auto setup = together(ranks, [&] { return prepare(options_of(asked, ranks), ranks); });
     together(ranks, [&] {
         check_same_render(ranks, key_of(setup->job));

@@ -2,6 +2,7 @@
 #include "core/thread_trial.h"
 
 #include "core/machine_fault.h"
+#include "core/parallel.h"
 
 #include <condition_variable>
 #include <mutex>
@@ -44,9 +45,8 @@ private:
     std::vector<std::thread> threads_;
 };
 
-}  // namespace
-
-void try_threads(std::size_t count) {
+/// @param count  threads beside the caller's.
+void start_and_end(std::size_t count) {
     Waiting waiting;
     try {
         while (waiting.count() < count) waiting.start();
@@ -58,6 +58,14 @@ void try_threads(std::size_t count) {
                 ": " + fault.code().message(),
             "use --nthreads " + had + ", or raise the limit of processes (ulimit -u)");
     }
+}
+
+}  // namespace
+
+void try_threads() {
+    start_and_end(thread_count() - 1);
+    // Else it would begin within Embree, and where it has no memory then, wait for itself forever.
+    parallel_for(2, [](std::size_t) {});
 }
 
 }  // namespace sunfleck

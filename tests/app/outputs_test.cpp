@@ -30,7 +30,7 @@ TEST_F(Outputs, of_which_one_cannot_be_written_leave_the_others) {
     Process process(path(""), {"render", "room.pbrt", "--quiet", "-o", "away/x.png", "-o", "x.film",
                                "--stats", "x.json", "--passes", "1000000"});
     ASSERT_TRUE(process.wait_for_handler());
-    std::filesystem::remove(path("away"));
+    std::filesystem::remove_all(path("away"));
     process.send(SIGINT);
     const Ran ran = process.wait();
     EXPECT_EQ(ran.code, 1) << "it could be written when the render began";
