@@ -2,7 +2,6 @@
 #include "apps/cli/checkpoints.h"
 
 #include "apps/cli/interrupt.h"
-#include "image/atomic_file.h"
 
 #include <filesystem>
 
@@ -17,7 +16,6 @@ std::optional<Checkpoint> open_checkpoints(const RenderOptions& options) {
             (options.resume.empty() || !fs::equivalent(file, options.resume, code)))
             throw Error({file}, "stands there already, and --checkpoint would replace it",
                         "go on from it with --resume " + file + ", or remove it");
-        remove_leftovers(file);
     }
     if (options.resume.empty()) return {};
     return read_checkpoint(options.resume);

@@ -2,6 +2,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/outputs.h"
 #include "compare/comparison.h"
+#include "core/thread_trial.h"
 #include "image/atomic_file.h"
 #include "report/page.h"
 
@@ -11,18 +12,37 @@
 
 namespace sunfleck {
 
+namespace {
+
+std::vector<std::string> files_of(const CompareInput& reference,
+                                  const std::vector<CompareInput>& inputs) {
+    std::vector<std::string> files = {reference.path};
+    for (const CompareInput& input : inputs) {
+        const std::vector<std::string> read = files_of(input);
+        files.insert(files.end(), read.begin(), read.end());
+    }
+    return files;
+}
+
+}  // namespace
+
 int run_compare(const CompareOptions& options) {
-    check_distinct({options.report, options.json});
-    if (!options.report.empty()) check_writable(options.report);
-    if (!options.json.empty()) check_writable(options.json);
+    try_threads();
     std::vector<CompareInput> inputs;
     for (const std::string& text : options.inputs) inputs.push_back(compare_input(text));
-    const Comparison comparison = compare(compare_input(options.reference), inputs);
-    const auto write = [](const std::string& path, const std::string& text) {
-        if (!path.empty()) write_file(path, text);
+    const CompareInput reference = compare_input(options.reference);
+    const std::vector<std::string> written = {options.report, options.json};
+    check_outputs({}, written);
+    check_apart({files_of(reference, inputs), written});
+    const OutputClaims claims(written);
+    const Comparison comparison = compare(reference, inputs);
+    LateFault faults(LogLevel::quiet);  // thrown when all is tried
+    const auto write = [&](const std::string& path, const auto& text) {
+        if (!path.empty()) faults.attempt([&] { write_file(path, text(comparison)); });
     };
-    if (!options.report.empty()) write(options.report, report_page(comparison));
-    write(options.json, comparison_json(comparison));
+    write(options.report, report_page);
+    write(options.json, comparison_json);
+    faults.finish();
     fmt::print("{}", comparison_table(comparison));
     return 0;
 }

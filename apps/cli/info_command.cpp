@@ -1,7 +1,10 @@
 // `sunfleck info`: what was read, what is approximated, lights, bounds, triangles.
 #include "apps/cli/commands.h"
+#include "core/memory_room.h"
+#include "core/thread_trial.h"
 #include "import/load.h"
 #include "import/pbrt/vocabulary.h"
+#include "render/memory_estimate.h"
 #include "render/pass.h"
 
 #include <fmt/format.h>
@@ -79,6 +82,7 @@ int run_info(const InfoOptions& options) {
         print_vocabulary();
         return 0;
     }
+    try_threads();
     SceneDescription description = load_scene(options.scene);
     std::size_t in_objects = 0;
     for (const auto& object : description.objects) in_objects += object.size();
@@ -104,6 +108,9 @@ int run_info(const InfoOptions& options) {
     const PixelWindow window = window_of(scene.film());
     fmt::print("film        {} x {}, rendered {} x {}\n", scene.film().resolution.x,
                scene.film().resolution.y, window.width(), window.height());
+    fmt::print("memory      about {} to render, {} of them for the scene\n",
+               memory_text(memory_in_use() + render_bytes({scene, {}, {}})),
+               memory_text(memory_in_use()));
     if (scene.hints().integrator == "sppm")  // any other one is told by a warning
         fmt::print("integrator  \"sppm\", as here\n");
     print_words(words);

@@ -2,6 +2,7 @@
 #include "apps/cli/interrupt.h"
 
 #include "apps/cli/messages.h"
+#include "image/atomic_file.h"
 
 #include <unistd.h>
 
@@ -48,7 +49,9 @@ void on_signal(int signal) {
     }
     if (signal == SIGHUP || now - interrupted_at < kApart) return;
     if (!ending_flag.exchange(true)) say_if_any(lost_words);
-    if (!busy_flag) _exit(kInterruptedExit);
+    if (busy_flag) return;
+    remove_own_temporaries();
+    _exit(kInterruptedExit);
 }
 
 bool is_ignored(int signal) {
@@ -80,7 +83,9 @@ void InterruptGuard::finish_first(const std::function<void()>& task) {
     busy_flag = true;
     task();
     busy_flag = false;
-    if (ending_flag) _exit(kInterruptedExit);
+    if (!ending_flag) return;
+    remove_own_temporaries();
+    _exit(kInterruptedExit);
 }
 
 const std::atomic<bool>& InterruptGuard::interrupted() {

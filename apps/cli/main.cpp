@@ -6,12 +6,14 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/together.h"
 #include "apps/mpi/job.h"
-#include "core/error.h"
 #include "core/kept_memory.h"
+#include "core/machine_fault.h"
+#include "image/atomic_file.h"
+
+#include <unistd.h>
 
 #include <csignal>
 #include <exception>
-#include <new>
 #include <string_view>
 
 namespace {
@@ -31,6 +33,37 @@ int run(int count, char** words, const Ranks& ranks) {
     return sunfleck::run_compare(*options->compare);
 }
 
+/// Ends the program in place of abort(): an exception that nobody can catch, as of a thread of a
+/// library that has no memory left.
+[[noreturn]] void end_by_fault() {
+    const char* what = "a fault that has no name";
+    try {
+        if (const std::exception_ptr fault = std::current_exception())
+            std::rethrow_exception(fault);
+    } catch (const std::exception& error) {
+        what = error.what();
+    }
+    sunfleck::say(std::string("sunfleck: ") + what);
+    sunfleck::remove_own_temporaries();
+    _exit(1);
+}
+
+/// Leaves no temporary file, and ends by the signal as ever.
+void end_by_signal(int signal) {
+    sunfleck::remove_own_temporaries();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+/// @param is_render  which has files under way only where it answers signals itself.
+void set_ends(bool is_render) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a fault as any other
+    std::set_terminate(end_by_fault);
+    if (is_render) return;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, end_by_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 /// @return code, where it returns.
 int fail(const sunfleck::Job& job, int code, const std::string& line) {
     sunfleck::say(line);
@@ -42,20 +75,21 @@ int fail(const sunfleck::Job& job, int code, const std::string& line) {
 
 int main(int count, char** words) {
     sunfleck::keep_streams();
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a fault as any other
+    const bool is_render = count > 1 && std::string_view(words[1]) == "render";
+    set_ends(is_render);
     sunfleck::keep_freed_memory();
-    const sunfleck::Job job(count > 1 && std::string_view(words[1]) == "render");
+    const sunfleck::Job job(is_render);
     try {
         int code = 0;
         sunfleck::print_all([&] { code = run(count, words, job.ranks()); });
         return code;
     } catch (const sunfleck::FaultOfAll& fault) {
         if (job.ranks().is_first()) sunfleck::say(fault.what());
-        return 2;
+        return fault.code();
+    } catch (const sunfleck::MachineFault& fault) {
+        return fail(job, 1, fault.what());
     } catch (const sunfleck::Error& error) {
         return fail(job, 2, error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(job, 1, "sunfleck: not enough memory");
     } catch (const std::exception& error) {
         return fail(job, 1, std::string("sunfleck: ") + error.what());
     }

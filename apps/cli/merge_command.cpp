@@ -6,13 +6,19 @@
 #include "apps/cli/outputs.h"
 #include "apps/cli/stats.h"
 #include "core/error.h"
+#include "core/thread_trial.h"
 #include "film/film_file.h"
 #include "image/atomic_file.h"
 
 namespace sunfleck {
 
 int run_merge(const MergeOptions& options) {
+    try_threads();
     check_outputs(options.outputs, {options.stats});
+    std::vector<std::string> written = options.outputs;
+    written.push_back(options.stats);
+    check_apart({options.inputs, written});
+    const OutputClaims claims(written);
     Film film = read_film(options.inputs.front());
     for (std::size_t i = 1; i < options.inputs.size(); ++i)
         film.merge(read_film(options.inputs[i]), options.inputs[i]);

@@ -54,6 +54,7 @@ void add_info(CLI::App& app, InfoOptions& o) {
 void add_scene(CLI::App& app, SceneOptions& o) {
     app.add_option("NAME", o.name, "Its name");
     app.add_option("-o,--output", o.folder, "Folder to write to (default .)");
+    app.add_flag("--force", o.force, "Replace files there that differ");
 }
 
 /// All commands; one of them is given.

@@ -35,10 +35,11 @@ struct RenderOptions {
     std::string stats;      // file, or empty
     std::string snapshots;  // folder, or empty
     std::size_t threads = 0;
-    std::string checkpoint;          // file to write, or empty
-    double checkpoint_seconds = 60;  // at least so many between two
-    std::string resume;              // file to go on from, or empty
-    double exposure = 0;             // stops, PNG alone
+    std::optional<std::uint64_t> memory_limit;  // bytes; else what the machine leaves
+    std::string checkpoint;                     // file to write, or empty
+    double checkpoint_seconds = 60;             // at least so many between two
+    std::string resume;                         // file to go on from, or empty
+    double exposure = 0;                        // stops, PNG alone
     LogLevel log = LogLevel::info;
     std::string command;  // as typed, for the record
 };
@@ -52,6 +53,7 @@ struct InfoOptions {
 struct SceneOptions {
     std::string name;  // empty: list them
     std::string folder = ".";
+    bool force = false;  // replaces files that differ
 };
 
 struct ExperimentOptions {
@@ -100,6 +102,8 @@ std::optional<Options> read_options(int count, const char* const* words);
 double read_duration(const std::string& text, const std::string& flag);
 /// "2%" or "0.02". @throws Error naming the flag.
 double read_share(const std::string& text, const std::string& flag);
+/// "4G", "512MiB": bytes, in powers of 1024. @throws Error naming the flag.
+std::uint64_t read_bytes(const std::string& text, const std::string& flag);
 /// A number in (0, most). @throws Error naming the flag.
 double read_positive(const std::string& text, const std::string& flag, int most);
 /// "42": 0 to 2^64 - 1. @throws Error naming the flag.

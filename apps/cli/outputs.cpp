@@ -4,11 +4,7 @@
 #include "core/error.h"
 #include "film/film_file.h"
 #include "film/film_picture.h"
-#include "image/atomic_file.h"
 #include "image/picture_file.h"
-
-#include <filesystem>
-#include <set>
 
 namespace sunfleck {
 namespace {
@@ -19,17 +15,6 @@ bool is_film(const std::string& path) {
 
 }  // namespace
 
-void check_distinct(const std::vector<std::string>& files) {
-    std::set<std::filesystem::path> seen;
-    for (const std::string& file : files) {
-        std::error_code code;
-        const auto path =
-            std::filesystem::weakly_canonical(std::filesystem::absolute(file, code), code);
-        if (!file.empty() && !seen.insert(path).second)
-            throw Error({file}, "is to be written twice", "give each file a name of its own");
-    }
-}
-
 void check_outputs(const std::vector<std::string>& outputs,
                    const std::vector<std::string>& others) {
     for (const std::string& path : outputs) {
@@ -39,9 +24,11 @@ void check_outputs(const std::vector<std::string>& outputs,
     }
     for (const std::string& path : others)
         if (!path.empty()) check_writable(path);
-    std::vector<std::string> all = outputs;
-    all.insert(all.end(), others.begin(), others.end());
-    check_distinct(all);
+}
+
+OutputClaims::OutputClaims(const std::vector<std::string>& files) {
+    for (const std::string& file : files)
+        if (!file.empty()) claims_.emplace_back(file);
 }
 
 std::vector<std::string> write_outputs(const std::vector<std::string>& outputs, const Film& film,

@@ -3,18 +3,36 @@
 
 #include "apps/cli/late_fault.h"
 #include "film/film.h"
+#include "image/atomic_file.h"
 
+#include <list>
 #include <string>
 #include <vector>
 
 namespace sunfleck {
 
 /// @param others  other files that the command writes; empty names are none.
-/// @throws Error if one of the files cannot be written, two are the same, or an output's ending is
-/// unknown.
+/// @throws Error if one of the files cannot be written, or an output's ending is unknown.
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& others);
-/// @throws Error if two of the files are the same. Empty names are none.
-void check_distinct(const std::vector<std::string>& files);
+
+/// What a command reads and what it writes. Empty names are none; the input "-" is standard input.
+struct CommandFiles {
+    std::vector<std::string> inputs;
+    std::vector<std::string> outputs;
+    std::string snapshots = {};  // a folder for snapshots (snapshots.h)
+};
+/// @throws Error if an output is an input or another output, by whatever name, link or case.
+void check_apart(const CommandFiles& files);
+
+/// Keeps other programs from writing these files while it lives.
+class OutputClaims {
+public:
+    /// @throws Error if one of them is about to be written by another one. Empty names are none.
+    explicit OutputClaims(const std::vector<std::string>& files);
+
+private:
+    std::list<OutputClaim> claims_;
+};
 
 struct OutputOptions {
     double exposure = 0;       // stops, for formats of limited range alone

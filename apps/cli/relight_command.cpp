@@ -12,10 +12,15 @@ namespace sunfleck {
 
 int run_relight(const RelightOptions& options) {
     for (const std::string& path : options.outputs) check_picture_path(path);
-    check_distinct(options.outputs);
+    check_apart({{options.picture}, options.outputs});
+    const OutputClaims claims(options.outputs);
     const Relit relit_now = relit(read_exr(options.picture), options.factors, options.picture);
+    LateFault faults(LogLevel::quiet);  // thrown when all is tried
     for (const std::string& path : options.outputs)
-        write_picture(path, relit_now.picture, {static_cast<float>(options.exposure), false});
+        faults.attempt([&] {
+            write_picture(path, relit_now.picture, {static_cast<float>(options.exposure), false});
+        });
+    faults.finish();
     if (!relit_now.left_out.empty())
         say(fmt::format(
             "{}: its layers {} are not in the new picture: they are of the lights as they were",

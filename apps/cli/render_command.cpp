@@ -12,6 +12,7 @@
 #include "apps/cli/together.h"
 #include "core/parallel.h"
 #include "core/stopwatch.h"
+#include "core/thread_trial.h"
 #include "image/atomic_file.h"
 #include "render/missing_light.h"
 #include "render/shared_turn.h"
@@ -188,6 +189,10 @@ int help_render(const RenderSetup& setup, const Ranks& ranks, LogLevel log) {
 int run_render(const RenderOptions& asked, const Ranks& ranks) {
     const Stopwatch clock;
     const ThreadLimit limit(asked.threads);
+    together(ranks, [&] {
+        try_threads();
+        return true;
+    });
     const auto setup = together(ranks, [&] { return prepare(options_of(asked, ranks), ranks); });
     together(ranks, [&] {
         check_same_render(ranks, key_of(setup->job));
@@ -195,6 +200,8 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     });
     const RenderOptions& options = setup->options;
     const InterruptGuard guard(words_while(Step::first_pass, options));
+    const auto claims =
+        together(ranks, [&] { return std::make_unique<OutputClaims>(written_files(*setup)); });
     if (!ranks.is_first()) return help_render(*setup, ranks, asked.log);
     RunFacts facts{options.scene, options.command, options.isa, thread_count(), 0, 0, 0, {}, 1, {}};
     facts.ranks = ranks.size;

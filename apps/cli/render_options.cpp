@@ -123,6 +123,9 @@ void add_picture_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
 
 void add_run_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--nthreads", o.threads, "Threads (default: all)")->check(whole(1, 4096));
+    app.add_option("--memory-limit", t.memory_limit,
+                   "Refuse a render that would need more memory: 512M, 4G (default: what the "
+                   "machine, its control group and ulimit -v leave)");
     app.add_option("--isa", o.isa, "avx2 (default; same bytes on every such machine), or native")
         ->check(CLI::IsMember({"avx2", "native"}));
     app.add_option("--stats", o.stats, "Write statistics as JSON");
@@ -175,6 +178,7 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
         if (given.count(flag) > 0 && given[flag]->as<std::string>().empty())
             throw Error({flag}, "the file has no name", "name one");
     if (!t.cpu_time.empty()) o.stop.cpu_seconds = read_duration(t.cpu_time, "--cpu-time");
+    if (!t.memory_limit.empty()) o.memory_limit = read_bytes(t.memory_limit, "--memory-limit");
     if (!t.every.empty()) o.checkpoint_seconds = read_duration(t.every, "--every");
     if (!t.target_error.empty()) o.stop.target_error = read_share(t.target_error, "--target-error");
     if (t.passes) o.stop.end_pass = *t.passes;

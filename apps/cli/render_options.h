@@ -20,6 +20,7 @@ namespace sunfleck {
 struct RenderTexts {
     std::string time;
     std::string cpu_time;
+    std::string memory_limit;
     std::string every;
     std::string target_error;
     std::string resolution;

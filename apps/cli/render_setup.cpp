@@ -3,16 +3,19 @@
 
 #include "apps/cli/outputs.h"
 #include "apps/cli/snapshots.h"
+#include "core/file_identity.h"
 #include "core/hash.h"
+#include "core/memory_room.h"
+#include "image/read_file.h"
 #include "import/load.h"
+#include "render/memory_estimate.h"
+#include "render/pass.h"
 #include "scene/adjust.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace sunfleck {
 namespace {
@@ -26,11 +29,7 @@ std::vector<std::string> outputs_of(const RenderOptions& options, const SceneDes
 
 std::vector<SceneFileHash> hashes_of(const std::vector<std::string>& files) {
     std::vector<SceneFileHash> hashes;
-    for (const std::string& name : files) {
-        std::ifstream file(name, std::ios::binary);
-        const std::string bytes((std::istreambuf_iterator<char>(file)), {});
-        hashes.push_back({name, hash_text(bytes)});
-    }
+    for (const std::string& name : files) hashes.push_back({name, hash_text(read_file(name))});
     return hashes;
 }
 
@@ -49,6 +48,30 @@ RenderSettings settings_of(const RenderOptions& options, const RenderHints& hint
         settings.transport.max_depth = *hints.max_depth;
     }
     return settings;
+}
+
+/// @param read  files of the scene.
+CommandFiles files_of(const RenderOptions& options, std::vector<std::string> read,
+                      const std::vector<std::string>& outputs) {
+    CommandFiles files{std::move(read), outputs, options.snapshots};
+    // A render goes on in the checkpoint that it was resumed from.
+    const bool goes_on = identity_of(options.resume) == identity_of(options.checkpoint);
+    if (!goes_on) files.inputs.push_back(options.resume);
+    files.outputs.insert(files.outputs.end(), {options.stats, options.checkpoint});
+    return files;
+}
+
+/// @throws Error if the render, its scene being in memory, would need more than there is.
+void check_memory(const RenderJob& job, const std::optional<std::uint64_t>& limit) {
+    const std::uint64_t needed = memory_in_use() + render_bytes(job);
+    const MemoryRoom room = limit ? MemoryRoom{*limit, "--memory-limit"} : memory_room();
+    if (needed <= room.bytes) return;
+    const PixelWindow window = window_of(job.scene.film());
+    throw Error(
+        {"sunfleck render"},
+        fmt::format("{} x {} pixels need about {} of memory, and there are {} ({})", window.width(),
+                    window.height(), memory_text(needed), memory_text(room.bytes), room.limit),
+        "render fewer pixels (--resolution, --crop), or raise --memory-limit");
 }
 
 void adjust(SceneDescription& description, const RenderOptions& options) {
@@ -77,17 +100,28 @@ RenderOptions options_of(const RenderOptions& options, const Ranks& ranks) {
     return mine;
 }
 
+std::vector<std::string> written_files(const RenderSetup& setup) {
+    const RenderOptions& options = setup.options;
+    std::vector<std::string> files = setup.outputs;
+    files.insert(files.end(), {options.stats, options.checkpoint});
+    if (!options.snapshots.empty()) files.push_back(claim_of_snapshots(options.snapshots));
+    return files;
+}
+
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks) {
     check_shareable(options.settings, ranks);
     check_outputs(options.outputs, {options.stats, options.checkpoint});
+    check_apart(files_of(options, {options.scene}, options.outputs));
     std::optional<Checkpoint> checkpoint = open_checkpoints(options);
     SceneDescription description = load_scene(options.scene);
     adjust(description, options);
     std::vector<std::string> outputs;
     if (ranks.is_first()) outputs = outputs_of(options, description);
-    if (options.outputs.empty()) check_outputs(outputs, {options.stats, options.checkpoint});
+    if (options.outputs.empty()) check_outputs(outputs, {});
+    check_apart(files_of(options, description.files, outputs));
     if (!options.snapshots.empty()) prepare_snapshots(options.snapshots, checkpoint.has_value());
     auto setup = std::make_unique<RenderSetup>(options, std::move(description));
+    check_memory(setup->job, options.memory_limit);
     setup->checkpoint = std::move(checkpoint);
     setup->outputs = std::move(outputs);
     if (setup->checkpoint)

@@ -23,6 +23,9 @@ struct RenderSetup {
 /// What is asked of this rank: rank 0 alone writes and speaks.
 RenderOptions options_of(const RenderOptions& options, const Ranks& ranks);
 
+/// The files that this rank writes.
+std::vector<std::string> written_files(const RenderSetup& setup);
+
 /// @param options  of this rank.
 /// @throws Error for whatever cannot be used.
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks);

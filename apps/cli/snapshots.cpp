@@ -14,16 +14,26 @@ namespace sunfleck {
 
 namespace fs = std::filesystem;
 
+std::string claim_of_snapshots(const std::string& folder) {
+    return folder + "/passes.json";
+}
+
 void prepare_snapshots(const std::string& folder, bool resumed) {
     std::error_code code;
     fs::create_directories(folder, code);
-    if (!fs::is_directory(folder))
+    if (!fs::is_directory(folder, code))
         throw Error({folder}, "cannot be made a folder",
                     "name one in a folder that you may write to");
-    for (const auto& entry : fs::directory_iterator(folder))
+    const fs::directory_iterator entries(folder, code);
+    if (code) throw Error({folder}, "cannot be read: " + code.message(), "name another folder");
+    for (const auto& entry : entries)
         if (!resumed && entry.path().extension() == ".exr")
             throw Error({folder}, "holds pictures already", "name a new folder");
-    check_writable(folder + "/passes.json");
+    check_writable(claim_of_snapshots(folder));
+}
+
+bool is_snapshot(const std::string& name) {
+    return name.starts_with("passes-") && (name.ends_with(".exr") || name.ends_with(".json"));
 }
 
 void write_snapshot(const std::string& folder, const Film& film, const RunFacts& facts) {

@@ -1,7 +1,7 @@
 // Work that all ranks do or none: a fault of any of them ends all, and is said once.
 #pragma once
 
-#include "core/error.h"
+#include "core/machine_fault.h"
 #include "render/ranks.h"
 
 #include <optional>
@@ -9,10 +9,15 @@
 
 namespace sunfleck {
 
-/// Thrown on every rank of several when the work has failed on any: what() is for rank 0 to say.
+/// Thrown on every rank of several when the work has failed on any: what() is for rank 0 to say,
+/// and the program's exit code is code().
 class FaultOfAll : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    FaultOfAll(int code, const std::string& what) : std::runtime_error(what), code_(code) {}
+    int code() const { return code_; }
+
+private:
+    int code_;
 };
 
 /// What task() returns. @throws FaultOfAll where it throws Error on any rank, of one or of all;
@@ -21,15 +26,17 @@ template <class Task>
 auto together(const Ranks& ranks, const Task& task) {
     if (ranks.is_alone()) return task();
     std::optional<decltype(task())> result;
-    std::string fault;
+    const std::string place = ranks.is_first() ? "" : "rank " + std::to_string(ranks.rank) + ": ";
+    std::string fault;  // after one character for the exit code
     try {
         result.emplace(task());
+    } catch (const MachineFault& error) {
+        fault = "1" + place + error.what();
     } catch (const Error& error) {
-        const std::string place = ranks.is_first() ? "" : "rank " + std::to_string(ranks.rank);
-        fault = (place.empty() ? "" : place + ": ") + error.what();
+        fault = "2" + place + error.what();
     }
     const std::string first = first_text(ranks, fault);
-    if (!first.empty()) throw FaultOfAll(first);
+    if (!first.empty()) throw FaultOfAll(first.front() - '0', first.substr(1));
     return std::move(*result);
 }
 

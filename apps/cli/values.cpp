@@ -57,6 +57,19 @@ double read_share(const std::string& text, const std::string& flag) {
     return share;
 }
 
+std::uint64_t read_bytes(const std::string& text, const std::string& flag) {
+    std::string unit;
+    const double value = leading_number(text, unit);
+    double bytes = 0;
+    for (const auto& [letter, size] :
+         {std::pair{'K', 0x1p10}, {'M', 0x1p20}, {'G', 0x1p30}, {'T', 0x1p40}})
+        for (const char* rest : {"", "B", "iB"})
+            if (unit == letter + std::string(rest)) bytes = value * size;
+    if (!(bytes >= 1 && bytes < 0x1p62))
+        throw Error({flag}, "\"" + text + "\" is no size of memory", "write 512M or 4G");
+    return static_cast<std::uint64_t>(bytes);
+}
+
 double read_positive(const std::string& text, const std::string& flag, int most) {
     std::string rest;
     const double value = leading_number(text, rest);

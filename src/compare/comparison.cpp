@@ -72,6 +72,17 @@ CompareInput compare_input(const std::string& text) {
     return {folder.filename().string(), text};
 }
 
+std::vector<std::string> files_of(const CompareInput& input) {
+    if (!is_folder(input.path)) return {input.path};
+    std::vector<std::string> files;
+    for (const Snapshots& seed : read_series(input.path))
+        for (const Snapshot& snapshot : seed)
+            files.insert(
+                files.end(),
+                {snapshot.picture, fs::path(snapshot.picture).replace_extension(".json").string()});
+    return files;
+}
+
 Comparison compare(const CompareInput& reference, const std::vector<CompareInput>& inputs) {
     std::set<std::string> labels;
     for (const CompareInput& input : inputs)

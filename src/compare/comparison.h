@@ -19,6 +19,9 @@ struct CompareInput {
 /// for a folder). A name that is a file as it stands is no LABEL=PATH.
 CompareInput compare_input(const std::string& text);
 
+/// The files that it stands for: of a series, all pictures and their statistics.
+std::vector<std::string> files_of(const CompareInput& input);
+
 struct Compared {
     CompareInput input;
     std::string shown;  // the picture's file

@@ -1,18 +1,25 @@
 // Temporary file, fsync, rename: POSIX calls behind AtomicFile.
 #include "image/atomic_file.h"
 
-#include "core/error.h"
+#include "core/file_identity.h"
+#include "core/machine_fault.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <new>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace sunfleck {
@@ -25,10 +32,22 @@ std::string reason(int code) {
 }
 
 [[noreturn]] void fail(const std::string& path, int code) {
-    const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG;
-    throw Error({path}, "cannot write: " + reason(code),
-                full ? "make room on the disk, or write to another one"
-                     : "choose a file in a folder that you may write to");
+    const std::string what = "cannot write: " + reason(code);
+    switch (code) {
+        case EACCES:
+        case EPERM:
+            throw Error({path}, what, "choose a file in a folder that you may write to");
+        case ENAMETOOLONG:
+            throw Error({path}, what, "give it a shorter name");
+        case EROFS:
+            throw MachineFault({path}, what, "write to another disk");
+        case ENOSPC:
+        case EDQUOT:
+        case EFBIG:
+            throw MachineFault({path}, what, "make room on the disk, or write to another one");
+        default:
+            throw MachineFault({path}, what, "check the folder and its disk");
+    }
 }
 
 fs::path folder_of(const fs::path& target) {
@@ -41,13 +60,12 @@ fs::path folder_of(const fs::path& target) {
 std::string target_of(const std::string& path) {
     if (path.empty()) throw Error({"output"}, "the file has no name", "name one, as in out.exr");
     std::error_code code;
-    const bool link = fs::is_symlink(path, code);
-    const fs::path target = link ? fs::weakly_canonical(path, code) : fs::path(path);
-    const fs::file_status status = fs::status(target, code);
-    if (fs::is_directory(status) || !target.has_filename())
+    const fs::file_status status = fs::status(path, code);
+    if (fs::is_directory(status) || !fs::path(path).has_filename())
         throw Error({path}, "is a folder", "name a file in it");
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw Error({path}, "is no regular file", "name a new file, or one to replace");
+    const fs::path target = link_target(path);
     const fs::path folder = folder_of(target);
     if (!fs::is_directory(folder, code))
         throw Error({path}, "there is no folder " + folder.string(),
@@ -74,6 +92,87 @@ std::optional<pid_t> writer_of(const std::string& name, const std::string& targe
     return process;
 }
 
+/// Temporary files of this process, for remove_own_temporaries(). Whoever exchanges a name for null
+/// owns its memory.
+constexpr std::size_t kMostAtOnce = 1000;
+std::array<std::atomic<char*>, kMostAtOnce> own_temporaries{};
+static_assert(std::atomic<char*>::is_always_lock_free);  // or a signal handler may not take it
+
+/// @return its place in the list.
+std::size_t enlist(const std::string& temporary) {
+    char* name = ::strdup(temporary.c_str());
+    if (name == nullptr) throw std::bad_alloc();
+    for (std::size_t i = 0; i < kMostAtOnce; ++i) {
+        char* none = nullptr;
+        if (own_temporaries[i].compare_exchange_strong(none, name)) return i;
+    }
+    std::free(name);
+    throw Error({temporary}, "more than 1000 files are under way", "write fewer at once");
+}
+
+void delist(std::size_t place) {
+    std::free(own_temporaries[place].exchange(nullptr));
+}
+
+/// A new file, locked; -1, and errno, if there cannot be one.
+int open_locked(const std::string& name) {
+    const int descriptor = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0) return descriptor;
+    ::flock(descriptor, LOCK_EX);
+    struct stat status {};
+    if (::fstat(descriptor, &status) == 0 && status.st_nlink > 0) return descriptor;
+    // Before it was locked, another program has taken it for a leftover and removed it.
+    ::close(descriptor);
+    errno = EEXIST;
+    return -1;
+}
+
+/// A folder that no other program claims files in while it lives, as far as it can be locked.
+class FolderLock {
+public:
+    explicit FolderLock(const std::string& target)
+        : descriptor_(::open(folder_of(target).c_str(), O_RDONLY | O_CLOEXEC)) {
+        if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
+    }
+    ~FolderLock() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+    FolderLock(FolderLock&&) = delete;
+    FolderLock& operator=(FolderLock&&) = delete;
+
+private:
+    int descriptor_;
+};
+
+/// A file whose writer lives is locked. What a dead one has left is removed.
+bool is_alive_or_removed(const std::string& temporary) {
+    const int descriptor = ::open(temporary.c_str(), O_RDWR | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    const bool alive = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (!alive) ::unlink(temporary.c_str());
+    ::close(descriptor);
+    return alive;
+}
+
+/// The process that writes the target, but for this file of ours; leftovers of others are removed.
+std::optional<pid_t> other_writer(const AtomicFile& ours) {
+    const std::string target = fs::path(ours.target()).filename();
+    const std::string own = fs::path(ours.temporary()).filename();
+    std::optional<pid_t> living;
+    std::error_code code;
+    std::vector<std::pair<std::string, pid_t>> others;
+    for (const auto& entry : fs::directory_iterator(folder_of(ours.target()), code)) {
+        const std::string name = entry.path().filename();
+        if (const auto writer = writer_of(name, target); writer && name != own)
+            others.emplace_back(entry.path().string(), *writer);
+    }
+    for (const auto& [file, writer] : others)
+        if (is_alive_or_removed(file)) living = writer;
+    return living;
+}
+
 /// After a rename the folder's entry is brought to the disk, where the file system can do it.
 void sync_folder(const std::string& target) {
     const int descriptor = ::open(folder_of(target).c_str(), O_RDONLY | O_CLOEXEC);
@@ -87,16 +186,21 @@ void sync_folder(const std::string& target) {
 AtomicFile::AtomicFile(const std::string& path) : target_(target_of(path)) {
     for (int attempt = 0; descriptor_ < 0; ++attempt) {
         temporary_ = temporary_name(target_);
-        descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        place_ = enlist(temporary_);
+        descriptor_ = open_locked(temporary_);
+        if (descriptor_ >= 0) continue;
+        const int fault = errno;
+        delist(place_);
         // EEXIST: left over from a process that had our number and was killed.
-        if (descriptor_ < 0 && (errno != EEXIST || attempt == 100)) fail(target_, errno);
+        if (fault != EEXIST || attempt == 100) fail(target_, fault);
     }
 }
 
 AtomicFile::~AtomicFile() {
     if (descriptor_ < 0) return;
-    ::close(descriptor_);
     ::unlink(temporary_.c_str());
+    ::close(descriptor_);
+    delist(place_);
 }
 
 void AtomicFile::write(std::span<const std::byte> bytes) {
@@ -117,24 +221,30 @@ void AtomicFile::seek(std::uint64_t position) {
 void AtomicFile::commit() {
     if (::fsync(descriptor_) != 0) fail(target_, errno);
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, errno);
-    ::close(descriptor_);
+    delist(place_);
+    ::close(descriptor_);  // the bytes are on the disk: it has nothing to tell
     descriptor_ = -1;
     sync_folder(target_);
 }
 
-void check_writable(const std::string& path) {
-    const AtomicFile trial(path);
+OutputClaim::OutputClaim(const std::string& path) {
+    const FolderLock lock(target_of(path));
+    file_.emplace(path);
+    if (const auto writer = other_writer(*file_))
+        throw Error({path}, "is being written by process " + std::to_string(*writer),
+                    "wait for its end, or write to another file");
 }
 
-void remove_leftovers(const std::string& path) {
-    const fs::path target = target_of(path);
-    std::error_code code;
-    std::vector<fs::path> left;
-    for (const auto& entry : fs::directory_iterator(folder_of(target), code)) {
-        const auto writer = writer_of(entry.path().filename(), target.filename());
-        if (writer && ::kill(*writer, 0) != 0 && errno == ESRCH) left.push_back(entry.path());
-    }
-    for (const fs::path& file : left) fs::remove(file, code);
+bool ignores_case(const std::string& path) {
+    const AtomicFile trial(path);
+    std::string other = trial.temporary();
+    other.replace(other.size() - 4, 4, "PART");
+    return ::access(other.c_str(), F_OK) == 0;
+}
+
+void remove_own_temporaries() {
+    for (std::atomic<char*>& name : own_temporaries)
+        if (const char* const file = name.exchange(nullptr)) ::unlink(file);
 }
 
 void write_file(const std::string& path, std::span<const std::byte> bytes) {

@@ -1,13 +1,14 @@
 // Writes OpenEXR files by way of the OpenEXR library, through an AtomicFile.
 #include "image/exr.h"
 
-#include "core/error.h"
+#include "core/machine_fault.h"
 #include "image/atomic_file.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
@@ -100,6 +101,13 @@ void write_channels(Imf::OStream& stream, const Picture& picture, const ExrOptio
     output.writePixels(picture.height);
 }
 
+/// The library passes over what fails while it packs rows, as for lack of memory: these are
+/// missing.
+void check_complete(const std::string& path, const AtomicFile& file) {
+    if (!Imf::InputFile(file.temporary().c_str()).isComplete())
+        throw MachineFault({path}, "cannot be packed", "free some memory");
+}
+
 }  // namespace
 
 void write_exr(const std::string& path, const Picture& picture, const ExrOptions& options) {
@@ -107,6 +115,7 @@ void write_exr(const std::string& path, const Picture& picture, const ExrOptions
     FileStream stream(file, path);
     write_channels(stream, picture, options);
     stream.finish();
+    check_complete(path, file);
     file.commit();
 }
 

@@ -211,7 +211,7 @@ TEST_F(Resume, after_an_interrupt) {
 
 /// Killed when a part of a file is seen, again if it was whole before the kill came.
 TEST_F(Resume, a_kill_while_writing_leaves_the_former_one) {
-    const auto writes = [&] { return names().find(".part") != std::string::npos; };
+    const auto writes = [&] { return is_writing(); };
     for (int i = 0; i < 1000 && !writes(); ++i) {
         const bool again = exists("x.ckpt");
         Process process(path(""),

@@ -33,7 +33,7 @@ TEST_F(Documentation, has_each_flag_of_each_command) {
             EXPECT_TRUE(std::regex_search(text, std::regex(word + "[^a-z-]")))
                 << word << " in " << name;
         }
-        EXPECT_EQ(flags == 0, std::string("scene") == command) << help;
+        EXPECT_GT(flags, 0) << help;
     }
 }
 

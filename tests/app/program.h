@@ -122,6 +122,16 @@ protected:
 
     bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
 
+    /// Whether a file is half-written: the claims on outputs that stand beside it are empty.
+    bool is_writing() const {
+        std::error_code code;
+        for (const auto& entry : std::filesystem::directory_iterator(path("")))
+            if (const auto size = entry.file_size(code);
+                !code && size > 0 && entry.path().extension() == ".part")
+                return true;
+        return false;
+    }
+
     /// Names in the folder, but for the scene.
     std::string names() const {
         std::vector<std::string> all;

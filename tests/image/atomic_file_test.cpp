@@ -20,6 +20,15 @@ std::span<const std::byte> bytes_of(const std::string& text) {
     return std::as_bytes(std::span(text.data(), text.size()));
 }
 
+std::string fault_of(const std::string& path) {
+    try {
+        check_writable(path);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
 TEST_F(AtomicFiles, the_name_appears_with_commit_alone) {
     {
         AtomicFile file(path("a"));
@@ -68,6 +77,36 @@ TEST_F(AtomicFiles, a_link_keeps_pointing_to_its_target) {
     EXPECT_EQ(read_file(path("target")), "new");
 }
 
+TEST_F(AtomicFiles, a_claim_excludes_others_until_it_ends) {
+    std::filesystem::create_symlink("a", path("link"));
+    {
+        const OutputClaim claim(path("a"));
+        EXPECT_NE(fault_of(path("a")).find("is being written by process"), std::string::npos);
+        EXPECT_NE(fault_of(path("link")).find("is being written by process"), std::string::npos);
+        EXPECT_EQ(fault_of(path("b")), "");
+        write_file(path("a"), bytes_of("ours"));
+        EXPECT_NE(fault_of(path("a")), "") << "the file itself has been replaced";
+    }
+    EXPECT_EQ(fault_of(path("a")), "");
+    EXPECT_EQ(files(), 2);
+}
+
+/// A temporary file that nobody has locked is of a dead process, whatever number it had.
+TEST_F(AtomicFiles, a_claim_removes_what_a_killed_process_has_left) {
+    for (const char* name : {"a.1-0.part", "a.99999999-7.part", "a.1-0.part.txt", "aa.1-0.part"})
+        write_file(path(name), bytes_of("left"));
+    const OutputClaim claim(path("a"));
+    EXPECT_EQ(files(), 3) << "two files of other names, and the claim";
+}
+
+TEST_F(AtomicFiles, an_end_by_signal_leaves_nothing) {
+    const AtomicFile file(path("a"));
+    const OutputClaim claim(path("b"));
+    EXPECT_EQ(files(), 2);
+    remove_own_temporaries();
+    EXPECT_EQ(files(), 0);
+}
+
 /// A disk that is full is played by a limit on the size of files.
 TEST_F(AtomicFiles, a_full_disk_leaves_nothing_behind) {
     write_file(path("a"), bytes_of("old"));
@@ -90,15 +129,6 @@ TEST_F(AtomicFiles, a_full_disk_leaves_nothing_behind) {
                            "another one");
     EXPECT_EQ(read_file(path("a")), "old");
     EXPECT_EQ(files(), 1);
-}
-
-std::string fault_of(const std::string& path) {
-    try {
-        check_writable(path);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
 }
 
 TEST_F(AtomicFiles, check_writable_says_what_is_wrong_and_leaves_nothing) {

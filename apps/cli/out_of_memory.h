@@ -1,0 +1,21 @@
+// Memory that cannot be had, told with how much was asked for.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <new>
+
+namespace sunfleck {
+
+/// What `new` throws in this program.
+class OutOfMemory : public std::bad_alloc {
+public:
+    explicit OutOfMemory(std::size_t bytes) noexcept;
+    /// One line: how much was asked for, and how to need less.
+    const char* what() const noexcept override { return text_.data(); }
+
+private:
+    std::array<char, 200> text_{};
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,15 @@
+// Faults of the machine: no room, no memory, no thread. The user's words are right; exit code 1.
+#pragma once
+
+#include "core/error.h"
+
+namespace sunfleck {
+
+class MachineFault : public Error {
+public:
+    using Error::Error;
+    /// An error that input which has been checked cannot be the cause of.
+    explicit MachineFault(const Error& error) : Error(error) {}
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,25 @@
+// How much memory there is for this process, and what limits it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace sunfleck {
+
+/// Bytes of memory that this process has; zero where the system does not say.
+std::uint64_t memory_in_use();
+
+struct MemoryRoom {
+    std::uint64_t bytes = 0;  // that this process may have in all; no limit is the largest number
+    std::string limit;        // what sets it
+};
+
+/// The least of what is free on the machine, what its control group (version 1 or 2, and all that
+/// hold it) leaves, and the limit of address space.
+/// @param root  the folder that holds proc/ and sys/, for tests.
+MemoryRoom memory_room(const std::string& root = "");
+
+/// "1.5 GiB", "230 MiB".
+std::string memory_text(std::uint64_t bytes);
+
+}  // namespace sunfleck
