@@ -4,6 +4,7 @@
 #include "geometry/measure.h"
 #include "scene/area_lights.h"
 #include "scene/outer_medium.h"
+#include "scene/rendering_space.h"
 
 #include <algorithm>
 
@@ -18,7 +19,8 @@ double weight_of(const Light& light, const SceneSphere& sphere) {
 }  // namespace
 
 Scene::Scene(SceneDescription description, const std::string& isa)
-    : materials_(std::move(description.materials)),
+    : origin_(move_to_rendering_space(description)),
+      materials_(std::move(description.materials)),
       reliefs_(std::move(description.reliefs)),
       has_media_(description.media.absorb()),
       geometry_(take_shapes(description), isa),

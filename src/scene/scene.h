@@ -24,6 +24,9 @@ public:
     /// @param isa  see Geometry. @throws Error for a scene that cannot be built.
     explicit Scene(SceneDescription description, const std::string& isa = "avx2");
 
+    /// Where the origin of rendering space is in the world (scene/rendering_space.h). All places
+    /// that the scene gives or takes (of surfaces, lights, the camera) are relative to it.
+    const Vec3d& origin() const { return origin_; }
     const Geometry& geometry() const { return geometry_; }
     const Camera& camera() const { return camera_; }
     const FilterSettings& filter() const { return filter_; }
@@ -59,6 +62,12 @@ public:
         return std::holds_alternative<InterfaceMaterial>(materials_[material_of(hit)]);
     }
 
+    /// What a camera ray meets first; looked for in double where floats are too coarse for it.
+    std::optional<Hit> first_hit(const CameraRay& ray) const {
+        if (ray.needs_double()) return geometry_.intersect_precise(ray.origin, ray.direction);
+        return geometry_.intersect({Vec3(ray.origin), Vec3(ray.direction)});
+    }
+
     /// Is the way from `from` to the end of the ray free, surfaces passed straight aside?
     bool is_free(const Ray& ray) const;
 
@@ -82,6 +91,7 @@ private:
     void finish_lights(SceneDescription& description);
     void finish_media(Media media);
 
+    Vec3d origin_;
     std::vector<Material> materials_;
     std::vector<Relief> reliefs_;
     std::vector<ShapeRecord> shapes_;
