@@ -131,18 +131,19 @@ TEST(FarFromOrigin, the_caustic_is_as_bright_and_costs_as_many_rays) {
         EXPECT_NEAR(double(far_off.statistics[count]) / double(near_it.statistics[count]), 1, 0.05);
 }
 
-/// The checkerboard is fixed to the world: cells of 1 around whole numbers.
+/// The checkerboard has a frame of its own: cells of 1 around whole numbers of the world.
 TEST(FarFromOrigin, textures_and_masks_go_on_seeing_the_world) {
     const Vec3d place(500000.25, 4500000.5, 0);
     const auto floor = [&](const std::string& use) {
-        return scene_of(
-            "LookAt " + three(place + Vec3d(0, 0, 5)) + three(place) + "0 1 0\n" +
-            "Camera \"perspective\"\n" + film(4) +
-            "WorldBegin\nTexture \"cells\" \"float\" \"checkerboard\" \"string mapping\" "
-            "\"planar\" \"float tex1\" 1 \"float tex2\" 0\n" +
-            "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [" +
-            three(place + Vec3d(-4, -4, 0)) + three(place + Vec3d(4, -4, 0)) +
-            three(place + Vec3d(4, 4, 0)) + three(place + Vec3d(-4, 4, 0)) + "] " + use);
+        return scene_of("LookAt " + three(place + Vec3d(0, 0, 5)) + three(place) + "0 1 0\n" +
+                        "Camera \"perspective\"\n" + film(4) +
+                        "WorldBegin\nTranslate 500000 4500000 0\nTexture \"cells\" \"float\" "
+                        "\"checkerboard\" \"string mapping\" "
+                        "\"planar\" \"float tex1\" 1 \"float tex2\" 0\nIdentity\n" +
+                        "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [" +
+                        three(place + Vec3d(-4, -4, 0)) + three(place + Vec3d(4, -4, 0)) +
+                        three(place + Vec3d(4, 4, 0)) + three(place + Vec3d(-4, 4, 0)) + "] " +
+                        use);
     };
     const Scene scene = floor("\"texture alpha\" \"cells\"\n");
     for (const double x : {-1.5, -0.5, 0.5, 1.5})
