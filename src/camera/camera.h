@@ -18,6 +18,13 @@ struct CameraRay {
     float footprint_angle = 0;
     /// Width of a pixel where the ray starts, in the world.
     float footprint = 0;
+
+    /// Would a ray of floats go beside what this one meets? True if a pixel is less than 2^10 times
+    /// as wide as the steps of floats, in angle or in place: through a long lens from afar.
+    bool needs_double() const {
+        constexpr double kFine = 0x1p-14;
+        return footprint_angle < kFine && footprint <= kFine * origin.length();
+    }
 };
 
 /// What cameras with a flat film share. Left-handed camera frame: looks along +z, x right, y up.

@@ -37,15 +37,15 @@ void EyePath::trace(std::uint32_t pixel, const PathOfPixel& path) {
     pixel_ = pixel;
     of_pixel_ = 1 / static_cast<float>(path.count());
     RoundPoints numbers(pass_.id, pixel, path);
-    const Ray ray = start(numbers);
-    follow(ray, numbers);
+    const CameraRay view = start(numbers);
+    follow(pass_.scene.scene.first_hit(view), numbers);
 }
 
-void EyePath::follow(Ray ray, RoundPoints& numbers) {
+/// @param hit  what the ray meets, if anything.
+void EyePath::follow(std::optional<Hit> hit, RoundPoints& numbers) {
     const Scene& scene = pass_.scene.scene;
     while (true) {
         ++statistics_[Count::eye_rays];
-        auto hit = scene.geometry().intersect(ray);
         if (scene.has_media())
             throughput_ *= pass_.scene.left_after(medium_, hit ? hit->distance : kInfinity);
         if (!hit) {
@@ -61,7 +61,7 @@ void EyePath::follow(Ray ray, RoundPoints& numbers) {
             has_met_ = true;
             if (!meet(*hit, numbers)) return;
         }
-        ray = ray_beyond(*hit);
+        hit = scene.geometry().intersect(ray_beyond(*hit));
     }
 }
 
@@ -70,7 +70,7 @@ Ray EyePath::ray_beyond(const Hit& hit) {
     return ray_from(hit, direction_);
 }
 
-Ray EyePath::start(RoundPoints& numbers) {
+CameraRay EyePath::start(RoundPoints& numbers) {
     const FilterSample filtered = filter_.sample(numbers.next_2d());
     const Vec2d film = pass_.window.place(pixel_, filtered.offset);
     const CameraRay ray = camera_ray(pass_.scene.scene.camera(), film, numbers.next_2d());
@@ -82,7 +82,7 @@ Ray EyePath::start(RoundPoints& numbers) {
     footprint_ = ray.footprint;
     footprint_angle_ = ray.footprint_angle;
     position_ = Vec3(ray.origin);
-    return {position_, direction_};
+    return ray;
 }
 
 /// @return whether the path goes on, in the new direction.
@@ -212,10 +212,11 @@ bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {
         return take(vertex, draw, 1, choices.y);
     draw.u.x = 0.5F * mirrored;
     add_features(vertex.hit, Spectrum(1));  // all of it is reflected or refracted
+    const Geometry& geometry = pass_.scene.scene.geometry();
     EyePath branch = *this;
     RoundPoints others = numbers.branch();
     if (branch.take(vertex, draw, mirrored, choices.y))
-        branch.follow(branch.ray_beyond(vertex.hit), others);
+        branch.follow(geometry.intersect(branch.ray_beyond(vertex.hit)), others);
     draw.u.x = 0.5F * (1 + mirrored);
     return take(vertex, draw, 1 - mirrored, choices.y);
 }

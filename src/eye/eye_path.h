@@ -32,8 +32,8 @@ private:
         none       // by smooth surfaces after a glossy vertex: photons bring it
     };
 
-    Ray start(RoundPoints& numbers);
-    void follow(Ray ray, RoundPoints& numbers);
+    CameraRay start(RoundPoints& numbers);
+    void follow(std::optional<Hit> hit, RoundPoints& numbers);
     /// On from a hit, in the new direction.
     Ray ray_beyond(const Hit& hit);
     bool meet(Hit& hit, RoundPoints& numbers);

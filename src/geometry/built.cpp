@@ -157,12 +157,7 @@ BuiltInstance::BuiltInstance(const Matrix& to_world, const ShapeGroup& what, RTC
 }
 
 Bounds BuiltInstance::bounds() const {
-    Bounds box;
-    const std::array<Vec3d, 2> ends{group->bounds.min, group->bounds.max};
-    for (unsigned i = 0; i < 8; ++i)
-        box.extend(placement.to_world.point(
-            {ends.at(i & 1U).x, ends.at((i >> 1U) & 1U).y, ends.at((i >> 2U) & 1U).z}));
-    return box;
+    return image_of(group->bounds, placement.to_world);
 }
 
 /// Embree's inverse maps the world point as W p - W t, three products and four sums, each rounded.

@@ -15,13 +15,14 @@ struct Tangents {
 
 struct BentBy {
     const SurfaceDerivatives& surface;
+    const Vec3d& origin;
     const Hit& hit;
 
     Tangents operator()(const std::monostate&) const { return {surface.dp_du, surface.dp_dv}; }
 
     Tangents operator()(const Bumps& bumps) const {
         constexpr float kStep = 0.0005F;  // of u and of v; pbrt-v4's where it knows no footprint
-        const TexturePoint here(hit);
+        const TexturePoint here(hit, origin);
         const float height = bumps.displacement.at(here);
         const auto slope = [&](const Vec3& along, const Vec2& uv) {
             TexturePoint there = here;
@@ -46,8 +47,8 @@ struct BentBy {
 
 }  // namespace
 
-void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit) {
-    const Tangents bent = std::visit(BentBy{surface, hit}, relief);
+void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit, const Vec3d& origin) {
+    const Tangents bent = std::visit(BentBy{surface, origin, hit}, relief);
     const Vec3 normal = bent.u.cross(bent.v);
     const float length2 = normal.length2();
     if (!(length2 > 0) || !std::isfinite(length2)) return;

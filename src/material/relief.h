@@ -31,6 +31,8 @@ inline bool is_flat(const Relief& relief) {
 
 /// Bends the shading normal and the tangent of a hit. The shading normal stays on the side of the
 /// geometric one; where the relief gives none, all stays as it was.
-void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit);
+/// @param origin  of rendering space, in the world.
+void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit,
+          const Vec3d& origin = Vec3d(0));
 
 }  // namespace sunfleck

@@ -21,11 +21,13 @@ public:
           medium_(scene_.media().at_camera) {}
 
     /// Radiance along the ray. @return one sample of it.
-    Spectrum radiance(Ray ray) {
+    Spectrum radiance(const CameraRay& view) {
+        Ray ray{Vec3(view.origin), Vec3(view.direction)};
         last_ = ray.origin;
+        std::optional<Hit> met = scene_.first_hit(view);
         lanes_.chosen = lane_of(numbers_.next());
         for (int depth = 0;; ++depth) {
-            auto hit = next_surface(ray);
+            auto hit = next_surface(ray, std::move(met));
             if (!hit || depth >= pass_.transport.max_depth) return sum_;
             const auto drawn = scatter(*hit, ray);
             if (!drawn) return sum_;
@@ -35,6 +37,7 @@ public:
             if (drawn->dispersed) lanes_.single = true;
             scale_ *= drawn->eta * drawn->eta;
             if (depth > 2 && !survives()) return sum_;
+            met = scene_.geometry().intersect(ray);
         }
     }
 
@@ -42,10 +45,10 @@ private:
     double number() { return numbers_.next(); }
 
     /// Follows the ray past surfaces that are no obstacle, adding the emitters on the way.
-    std::optional<Hit> next_surface(Ray& ray) {
+    /// @param hit  what the ray meets, if anything.
+    std::optional<Hit> next_surface(Ray& ray, std::optional<Hit> hit) {
         while (true) {
             ++rays_;
-            auto hit = scene_.geometry().intersect(ray);
             if (scene_.has_media())
                 throughput_ *= pass_.scene.left_after(medium_, hit ? hit->distance : kInfinity);
             if (!hit) {
@@ -56,6 +59,7 @@ private:
             if (!scene_.passes_straight(*hit)) return hit;
             medium_ = scene_.medium_beyond(*hit, ray.direction, medium_);
             ray = ray_from(*hit, ray.direction);
+            hit = scene_.geometry().intersect(ray);
         }
     }
 
@@ -166,8 +170,7 @@ void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statisti
             const CameraRay camera = camera_ray(pass.scene.scene.camera(), film, lens);
             ReferencePath path(pass, numbers, rays);
             const Spectrum radiance =
-                path.radiance({Vec3(camera.origin), Vec3(camera.direction), kInfinity}) *
-                (filtered.weight * pass.scene.scene.film().imaging_ratio);
+                path.radiance(camera) * (filtered.weight * pass.scene.scene.film().imaging_ratio);
             image.add_light(pixel, pass.scene.wavelengths.to_rgb(radiance), Layer::total);
         }
         const std::lock_guard lock(guard);

@@ -36,11 +36,21 @@ struct AreaEmission {
     std::uint32_t statement = kNone;  // index into SceneDescription::light_statements
 };
 
+/// The part of a surface that is there, as a texture says.
+/// @param origin  of rendering space, in the world (scene/rendering_space.h).
+inline Cover cover_by(FloatTexture alpha, const Vec3d& origin = Vec3d(0)) {
+    return [alpha = std::move(alpha), origin](const Hit& hit) {
+        return alpha.at(TexturePoint(hit, origin));
+    };
+}
+
 struct ShapeDescription {
     PlacedShape placed;
     std::uint32_t material = 0;  // index into SceneDescription::materials
     std::optional<AreaEmission> emission;
     SourceLocation where;
+    /// "alpha", where it is neither 0 nor 1: that of placed.cover.
+    std::optional<FloatTexture> alpha = std::nullopt;
     bool unseen = false;  // it emits, and else it is not there (pbrt-v4's lights of alpha 0)
     MediumSides media{};
 };

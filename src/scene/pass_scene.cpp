@@ -91,12 +91,12 @@ Spectrum PassScene::colour(const Vec3& rgb) const {
 const Bsdf& PassScene::make_bsdf(Hit& hit, std::optional<Bsdf>& room) const {
     std::uint32_t number = scene.material_of(hit);
     while (const auto* mix = std::get_if<MixMaterial>(&scene.materials()[number]))
-        number = mix->chosen(TexturePoint(hit));
+        number = mix->chosen(TexturePoint(hit, scene.origin()));
     if (bsdfs[number]) return *bsdfs[number];
     const Relief& relief = scene.relief_of(number);
-    if (!is_flat(relief)) bend(relief, scene.geometry().derivatives(hit), hit);
+    if (!is_flat(relief)) bend(relief, scene.geometry().derivatives(hit), hit, scene.origin());
     if (bent_[number]) return *bent_[number];
-    room = bsdf_of(scene.materials()[number], wavelengths, TexturePoint(hit));
+    room = bsdf_of(scene.materials()[number], wavelengths, TexturePoint(hit, scene.origin()));
     return *room;
 }
 

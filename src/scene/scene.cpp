@@ -5,6 +5,7 @@
 #include "scene/area_lights.h"
 #include "scene/media_check.h"
 #include "scene/outer_medium.h"
+#include "scene/rendering_space.h"
 
 #include <algorithm>
 
@@ -39,7 +40,8 @@ std::vector<SourceLocation> places_of_shapes(const SceneDescription& description
 }  // namespace
 
 Scene::Scene(SceneDescription description, const std::string& isa)
-    : materials_(std::move(description.materials)),
+    : origin_(move_to_rendering_space(description)),
+      materials_(std::move(description.materials)),
       reliefs_(std::move(description.reliefs)),
       has_media_(description.media.absorb()),
       geometry_(take_shapes(description), isa),

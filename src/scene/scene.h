@@ -25,6 +25,9 @@ public:
     /// @param isa  see Geometry. @throws Error for a scene that cannot be built.
     explicit Scene(SceneDescription description, const std::string& isa = "avx2");
 
+    /// Where the origin of rendering space is in the world (scene/rendering_space.h). All places
+    /// that the scene gives or takes (of surfaces, lights, the camera) are relative to it.
+    const Vec3d& origin() const { return origin_; }
     const Geometry& geometry() const { return geometry_; }
     const Camera& camera() const { return camera_; }
     const FilterSettings& filter() const { return filter_; }
@@ -65,6 +68,12 @@ public:
     /// Is the surface there in part? If so, Geometry::is_there() says whether it stops a ray.
     bool has_cover(const Hit& hit) const { return shapes_[hit.shape].has_cover; }
 
+    /// What a camera ray meets first; looked for in double where floats are too coarse for it.
+    std::optional<Hit> first_hit(const CameraRay& ray) const {
+        if (ray.needs_double()) return geometry_.intersect_precise(ray.origin, ray.direction);
+        return geometry_.intersect({Vec3(ray.origin), Vec3(ray.direction)});
+    }
+
     /// Is the way from `from` to the end of the ray free, surfaces passed straight aside?
     bool is_free(const Ray& ray) const;
 
@@ -89,6 +98,7 @@ private:
     void find_darkness(const std::vector<double>& weights);
     void finish_media(Media media);
 
+    Vec3d origin_;
     std::vector<Material> materials_;
     std::vector<Relief> reliefs_;
     std::vector<ShapeRecord> shapes_;

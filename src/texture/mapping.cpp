@@ -6,7 +6,7 @@
 namespace sunfleck {
 
 Vec2 SphericalMapping::at(const TexturePoint& point) const {
-    const Vec3 p(to_texture.point(Vec3d(point.position)));
+    const Vec3 p(to_texture.point(point.in_world()));
     const float length = p.length();
     const float height = length > 0 ? std::clamp(p.z / length, -1.0F, 1.0F) : 0;
     const float azimuth = std::atan2(p.y, p.x);
@@ -15,12 +15,12 @@ Vec2 SphericalMapping::at(const TexturePoint& point) const {
 }
 
 Vec2 CylindricalMapping::at(const TexturePoint& point) const {
-    const Vec3 p(to_texture.point(Vec3d(point.position)));
+    const Vec3 p(to_texture.point(point.in_world()));
     return {(kPi + std::atan2(p.y, p.x)) / (2 * kPi), p.z};
 }
 
 Vec2 PlanarMapping::at(const TexturePoint& point) const {
-    const Vec3 p(to_texture.point(Vec3d(point.position)));
+    const Vec3 p(to_texture.point(point.in_world()));
     return Vec2(p.dot(v1), p.dot(v2)) + shift;
 }
 

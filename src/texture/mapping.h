@@ -13,14 +13,18 @@ namespace sunfleck {
 
 /// What a texture may know of the point where it is asked.
 struct TexturePoint {
-    Vec3 position{0};  // in the world
+    Vec3 position{0};  // as rays have it: in rendering space
     Vec3 normal{0};    // geometric, unit, either side
     Vec2 uv{0};
+    Vec3d origin{0};  // of rendering space, in the world
 
     TexturePoint() = default;
     TexturePoint(const Vec3& p, const Vec3& n, const Vec2& at) : position(p), normal(n), uv(at) {}
-    explicit TexturePoint(const Hit& hit)
-        : position(hit.position), normal(hit.normal), uv(hit.uv) {}
+    explicit TexturePoint(const Hit& hit, const Vec3d& origin_of_space = Vec3d(0))
+        : position(hit.position), normal(hit.normal), uv(hit.uv), origin(origin_of_space) {}
+
+    /// In the world's coordinates, as the scene's file has them.
+    Vec3d in_world() const { return Vec3d(position) + origin; }
 };
 
 /// uv * scale + shift.
@@ -60,9 +64,7 @@ inline Vec2 place(const Mapping& mapping, const TexturePoint& point) {
 /// The point itself, in the texture's frame.
 struct PointMapping {
     Affine to_texture;
-    Vec3 at(const TexturePoint& point) const {
-        return Vec3{to_texture.point(Vec3d(point.position))};
-    }
+    Vec3 at(const TexturePoint& point) const { return Vec3{to_texture.point(point.in_world())}; }
 };
 
 }  // namespace sunfleck

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters
         const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-        const sunfleck::TriangleMesh mesh = sunfleck::parse_ply(bytes, "fuzz.ply");
+        const sunfleck::TriangleMesh mesh = sunfleck::parse_ply(bytes, "fuzz.ply").mesh;
         for (const auto& triangle : mesh.triangles)
             for (const std::uint32_t corner : triangle)
                 if (corner >= mesh.positions.size()) std::abort();

@@ -43,15 +43,13 @@ Bezier from_bezier(const Vec3d* p, int degree) {
     return {p[0], p[1], p[2], p[3]};
 }
 
-std::vector<Bezier> segments_of(const Statement& statement) {
+/// @param points  of the statement.
+std::vector<Bezier> segments_of(const Statement& statement, const std::vector<Vec3d>& points) {
     static constexpr std::array<std::string_view, 2> kBases = {"bezier", "bspline"};
     const bool bspline = one_of(statement, "basis", kBases) == 1;
     const int degree = statement.integer("degree").value_or(3);
     if (degree != 2 && degree != 3)
         fail(statement, "degree", "degree " + std::to_string(degree), "use 2 or 3");
-    std::vector<Vec3d> points;
-    for (const Vec3& p : triples(statement.find("P", ParameterType::point3)))
-        points.emplace_back(p);
     const auto step = static_cast<std::size_t>(bspline ? 1 : degree);
     const auto needed = static_cast<std::size_t>(degree) + 1;
     if (points.size() < needed || (points.size() - needed) % step != 0)
@@ -67,6 +65,18 @@ std::vector<Bezier> segments_of(const Statement& statement) {
     return result;
 }
 
+/// Makes points relative to an origin near them. Hair is many short curves that are joined into one
+/// shape where they have the same origin: that of the curve before is kept while it serves.
+void move_near_origin(std::vector<Vec3d>& points, Vec3d& origin) {
+    constexpr double kServes = 0x1p14;  // radii: floats then err by 2^-10 of a radius
+    Bounds box;
+    for (const Vec3d& p : points) box.extend(p);
+    const Middle middle = middle_of({box});
+    if (middle.radius > 0 && !((middle.center - origin).length() < kServes * middle.radius))
+        origin = origin_near(middle);
+    for (Vec3d& p : points) p -= origin;
+}
+
 /// One at each end of each segment, of ribbons; none otherwise.
 std::vector<Vec3> normals_of(const Statement& statement, bool ribbon, std::size_t segments,
                              Reading& reading) {
@@ -75,7 +85,7 @@ std::vector<Vec3> normals_of(const Statement& statement, bool ribbon, std::size_
         if (given) reading.warn(given->where, "normals of a curve that is no ribbon are ignored");
         return {};
     }
-    std::vector<Vec3> normals = triples(given);
+    std::vector<Vec3> normals = float_triples(given);
     if (normals.size() != segments + 1)
         fail(statement, "N",
              std::to_string(normals.size()) + " normals for a ribbon of " +
@@ -88,13 +98,15 @@ std::vector<Vec3> normals_of(const Statement& statement, bool ribbon, std::size_
 
 }  // namespace
 
-Curves curve(const Statement& statement, Reading& reading) {
+LocalShape curve(const Statement& statement, Reading& reading) {
     static constexpr std::array<std::string_view, 3> kTypes = {"flat", "cylinder", "ribbon"};
     static constexpr std::array<CurveKind, 3> kKinds = {CurveKind::flat, CurveKind::cylinder,
                                                         CurveKind::ribbon};
     Curves result;
     result.kind = kKinds.at(one_of(statement, "type", kTypes));
-    const std::vector<Bezier> segments = segments_of(statement);
+    std::vector<Vec3d> points = triples(statement.find("P", ParameterType::point3));
+    move_near_origin(points, reading.curve_origin);
+    const std::vector<Bezier> segments = segments_of(statement, points);
     const double width = statement.real("width", 1);
     const double start = statement.real("width0", width);
     const double end = statement.real("width1", width);
@@ -114,7 +126,7 @@ Curves curve(const Statement& statement, Reading& reading) {
         if (!normals.empty()) segment.normal = {normals[i], normals[i + 1]};
     }
     statement.ignore({"splitdepth"});
-    return result;
+    return {std::move(result), reading.curve_origin};
 }
 
 }  // namespace sunfleck

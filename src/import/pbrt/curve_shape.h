@@ -1,7 +1,7 @@
 // Shape "curve" as a chain of cubic Bezier segments.
 #pragma once
 
-#include "geometry/curves.h"
+#include "import/pbrt/local_points.h"
 #include "import/pbrt/parameters.h"
 
 namespace sunfleck {
@@ -10,6 +10,6 @@ struct Reading;
 
 /// Bases "bezier" and "bspline" of degrees 2 and 3 (pbrt-v4). @throws Error for control points and
 /// normals that make no whole segments, and for widths that are negative.
-Curves curve(const Statement& statement, Reading& reading);
+LocalShape curve(const Statement& statement, Reading& reading);
 
 }  // namespace sunfleck

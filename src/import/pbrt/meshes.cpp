@@ -67,8 +67,8 @@ std::vector<std::array<std::uint32_t, N>> corners_of(const Statement& statement,
     return result;
 }
 
-std::vector<Vec3> positions_of(const Statement& statement) {
-    std::vector<Vec3> positions = triples(statement.find("P", ParameterType::point3));
+std::vector<Vec3d> positions_of(const Statement& statement) {
+    std::vector<Vec3d> positions = triples(statement.find("P", ParameterType::point3));
     if (!positions.empty()) return positions;
     throw Error(statement.where, "a " + statement.type + " without vertices", "add \"point3 P\"");
 }
@@ -77,12 +77,28 @@ std::vector<Vec3> positions_of(const Statement& statement) {
 template <class Mesh>
 void read_attributes(const Statement& statement, Mesh& mesh) {
     const Parameter* normals = statement.find("N", ParameterType::normal);
-    mesh.normals = triples(normals);
+    mesh.normals = float_triples(normals);
     check_count(normals, mesh.normals.size(), mesh.positions.size());
     const Parameter* uvs = statement.find("uv", ParameterType::point2);
     mesh.uvs = pairs(uvs);
     check_count(uvs, mesh.uvs.size(), mesh.positions.size());
     statement.ignore({"faceIndices"});
+}
+
+void warn_of_coarseness(const LocalPoints& local,
+                        const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                        const Statement& statement, Reading& reading) {
+    const std::string fault = coarseness_of(local, triangles);
+    if (!fault.empty()) reading.warn(statement.where, fault);
+}
+
+/// Sets the mesh's positions; warns where the file has too few digits. @return their origin.
+Vec3d place_triangles(TriangleMesh& mesh, const std::vector<Vec3d>& positions,
+                      const Statement& statement, Reading& reading) {
+    LocalPoints local = local_points(positions, all_corners(mesh.triangles));
+    warn_of_coarseness(local, mesh.triangles, statement, reading);
+    mesh.positions = std::move(local.points);
+    return local.origin;
 }
 
 /// Normals that are no numbers become zero: none. @return how many.
@@ -98,43 +114,50 @@ std::size_t drop_broken_normals(TriangleMesh& mesh) {
 
 }  // namespace
 
-std::vector<Vec3> triples(const Parameter* parameter) {
-    std::vector<Vec3> result;
+std::vector<Vec3d> triples(const Parameter* parameter) {
+    std::vector<Vec3d> result;
     if (!parameter) return result;
     const auto& v = parameter->numbers;
     result.reserve(v.size() / 3);
-    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
-        result.emplace_back(static_cast<float>(v[i]), static_cast<float>(v[i + 1]),
-                            static_cast<float>(v[i + 2]));
+    for (std::size_t i = 0; i + 2 < v.size(); i += 3) result.emplace_back(v[i], v[i + 1], v[i + 2]);
     return result;
 }
 
-TriangleMesh triangle_mesh(const Statement& statement) {
+std::vector<Vec3> float_triples(const Parameter* parameter) {
+    const std::vector<Vec3d> exact = triples(parameter);
+    return {exact.begin(), exact.end()};
+}
+
+LocalShape triangle_mesh(const Statement& statement, Reading& reading) {
     TriangleMesh mesh;
-    mesh.positions = positions_of(statement);
-    mesh.triangles = corners_of<3>(statement, mesh.positions.size(), "triangles");
+    const std::vector<Vec3d> positions = positions_of(statement);
+    mesh.triangles = corners_of<3>(statement, positions.size(), "triangles");
+    const Vec3d origin = place_triangles(mesh, positions, statement, reading);
     read_attributes(statement, mesh);
     const Parameter* tangents = statement.find("S", ParameterType::vector3);
-    mesh.tangents = triples(tangents);
+    mesh.tangents = float_triples(tangents);
     check_count(tangents, mesh.tangents.size(), mesh.positions.size());
-    return mesh;
+    return {std::move(mesh), origin};
 }
 
 /// In pbrt-v4 "emissionfilename" only says where to look for light: the picture is the area
 /// light's.
-BilinearMesh bilinear_mesh(const Statement& statement) {
+LocalShape bilinear_mesh(const Statement& statement) {
     BilinearMesh mesh;
-    mesh.positions = positions_of(statement);
-    mesh.patches = corners_of<4>(statement, mesh.positions.size(), "patches");
+    const std::vector<Vec3d> positions = positions_of(statement);
+    mesh.patches = corners_of<4>(statement, positions.size(), "patches");
+    LocalPoints local = local_points(positions, all_corners(mesh.patches));
+    mesh.positions = std::move(local.points);
     read_attributes(statement, mesh);
     statement.ignore({"emissionfilename"});
-    return mesh;
+    return {std::move(mesh), local.origin};
 }
 
-TriangleMesh loop_mesh(const Statement& statement) {
+LocalShape loop_mesh(const Statement& statement, Reading& reading) {
     TriangleMesh control;
-    control.positions = positions_of(statement);
-    control.triangles = corners_of<3>(statement, control.positions.size(), "triangles");
+    const std::vector<Vec3d> positions = positions_of(statement);
+    control.triangles = corners_of<3>(statement, positions.size(), "triangles");
+    const Vec3d origin = place_triangles(control, positions, statement, reading);
     const int levels = statement.integer("levels").value_or(3);
     statement.ignore({"scheme"});
     constexpr double kMostTriangles = 3e7;
@@ -150,22 +173,24 @@ TriangleMesh loop_mesh(const Statement& statement) {
     if (!fault.empty())
         throw Error(statement.where, "a mesh that cannot be subdivided: " + fault,
                     "repair it, or use a trianglemesh");
-    return loop_subdivided(control, levels);
+    return {loop_subdivided(control, levels), origin};
 }
 
-TriangleMesh ply_mesh(const Statement& statement, Reading& reading) {
+LocalShape ply_mesh(const Statement& statement, Reading& reading) {
     const auto name = statement.text("filename");
     if (!name) throw Error(statement.where, "a plymesh without a file", "add \"string filename\"");
     if (statement.find("displacement"))
         reading.warn(statement.where, "displacement is not simulated: meshes stay as they are");
     statement.ignore({"edgelength"});
-    TriangleMesh mesh =
+    PlyFile ply =
         parse_ply(reading.read_file(*name, statement.where), resolved(*name, reading.folder));
+    TriangleMesh& mesh = ply.mesh;
+    warn_of_coarseness({mesh.positions, ply.origin}, mesh.triangles, statement, reading);
     const std::size_t broken = drop_broken_normals(mesh);
     if (broken > 0)
         reading.warn(statement.where, std::to_string(broken) + " normals in " + in_quotes(*name) +
                                           " are no numbers: triangles are flat there");
-    return mesh;
+    return {std::move(mesh), ply.origin};
 }
 
 }  // namespace sunfleck

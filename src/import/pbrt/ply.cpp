@@ -1,6 +1,7 @@
 // PLY files: the body, row by row, into a TriangleMesh.
 #include "import/pbrt/ply.h"
 
+#include "import/pbrt/local_points.h"
 #include "import/pbrt/ply_gzip.h"
 #include "import/pbrt/ply_header.h"
 #include "import/pbrt/ply_source.h"
@@ -64,7 +65,7 @@ public:
     BodyReader(const PlyHeader& header, std::string_view body, const std::string& name)
         : header_(header), source_(body), name_(name) {}
 
-    TriangleMesh read() {
+    PlyFile read() {
         for (const PlyElement& element : header_.elements) {
             element_ = &element;
             row_ = 0;
@@ -80,7 +81,9 @@ public:
                 fail(fault.what(), "write the file again, it is cut or damaged");
             }
         }
-        return std::move(mesh_);
+        LocalPoints local = local_points(points_, all_corners(mesh_.triangles));
+        mesh_.positions = std::move(local.points);
+        return {std::move(mesh_), local.origin};
     }
 
 private:
@@ -109,7 +112,7 @@ private:
 
     void read_vertices(const PlyElement& element) {
         const VertexLayout layout = layout_of(element);
-        mesh_.positions.reserve(element.count);
+        points_.reserve(element.count);
         if (layout.normals) mesh_.normals.reserve(element.count);
         if (layout.uvs) mesh_.uvs.reserve(element.count);
         for (; row_ < element.count; ++row_) {
@@ -132,13 +135,13 @@ private:
             if (!(std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max())))
                 fail("a number that is not finite, or too large",
                      "export the mesh again without it");
-            return static_cast<float>(value);
+            return value;
         };
-        mesh_.positions.emplace_back(part(slot_x), part(slot_x + 1), part(slot_x + 2));
+        points_.emplace_back(part(slot_x), part(slot_x + 1), part(slot_x + 2));
         const auto any = [&](std::size_t slot) { return static_cast<float>(row.at(slot)); };
         if (layout.normals)
             mesh_.normals.emplace_back(any(slot_nx), any(slot_nx + 1), any(slot_nx + 2));
-        if (layout.uvs) mesh_.uvs.emplace_back(part(slot_u), part(slot_v));
+        if (layout.uvs) mesh_.uvs.emplace_back(Vec2d(part(slot_u), part(slot_v)));
     }
 
     void read_faces(const PlyElement& element) {
@@ -183,10 +186,11 @@ private:
     const std::string& name_;
     const PlyElement* element_ = nullptr;
     std::uint64_t row_ = 0;
+    std::vector<Vec3d> points_;
     TriangleMesh mesh_;
 };
 
-TriangleMesh parse_plain_ply(std::string_view bytes, const std::string& name) {
+PlyFile parse_plain_ply(std::string_view bytes, const std::string& name) {
     const PlyHeader header = parse_ply_header(bytes, name);
     const std::string_view body = bytes.substr(header.size);
     if (header.format == PlyFormat::ascii)
@@ -198,12 +202,12 @@ TriangleMesh parse_plain_ply(std::string_view bytes, const std::string& name) {
 
 }  // namespace
 
-TriangleMesh parse_ply(std::string_view bytes, const std::string& name) {
+PlyFile parse_ply(std::string_view bytes, const std::string& name) {
     if (!is_gzip(bytes)) return parse_plain_ply(bytes, name);
     return parse_plain_ply(gunzip(bytes, name), name);
 }
 
-TriangleMesh read_ply(const std::string& path, const SourceLocation& from) {
+PlyFile read_ply(const std::string& path, const SourceLocation& from) {
     std::error_code code;
     if (!std::filesystem::is_regular_file(path, code))
         throw Error(from, "there is no file " + path, "check its name");

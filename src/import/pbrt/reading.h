@@ -44,6 +44,7 @@ struct Reading {
     Options options;
     std::map<std::string, Motion> coordinate_systems;
     std::array<double, 2> transform_times{0, 1};
+    Vec3d curve_origin{0};  // that the control points of the last curve are relative to
 
     MaterialTable materials;
     TextureTable textures;

@@ -4,6 +4,7 @@
 #include "import/pbrt/curve_shape.h"
 #include "import/pbrt/meshes.h"
 #include "import/pbrt/reading.h"
+#include "import/pbrt/transforms.h"
 #include "import/pbrt/words.h"
 
 #include <algorithm>
@@ -32,17 +33,17 @@ double phi_max_of(const Statement& statement) {
     return std::min(degrees / 360, 1.0) * (2 * kPiDouble);
 }
 
-Shape sphere(const Statement& statement, Reading&) {
+LocalShape sphere(const Statement& statement, Reading&) {
     const double radius = radius_of(statement);
     const double z0 = statement.real("zmin", -radius);
     const double z1 = statement.real("zmax", radius);
     Sphere result{radius, std::max(std::min(z0, z1), -radius), std::min(std::max(z0, z1), radius),
                   phi_max_of(statement)};
     want(result.z_min < result.z_max, statement, "zmin", "nothing is left between zmin and zmax");
-    return result;
+    return {result};
 }
 
-Shape disk(const Statement& statement, Reading&) {
+LocalShape disk(const Statement& statement, Reading&) {
     Disk result;
     result.height = statement.real("height", 0);
     result.radius = radius_of(statement);
@@ -50,35 +51,35 @@ Shape disk(const Statement& statement, Reading&) {
     result.phi_max = phi_max_of(statement);
     want(result.inner_radius >= 0 && result.inner_radius < result.radius, statement, "innerradius",
          "the inner radius is not in [0, radius)");
-    return result;
+    return {result};
 }
 
-Shape cylinder(const Statement& statement, Reading&) {
+LocalShape cylinder(const Statement& statement, Reading&) {
     const double z0 = statement.real("zmin", -1);
     const double z1 = statement.real("zmax", 1);
     Cylinder result{radius_of(statement), std::min(z0, z1), std::max(z0, z1),
                     phi_max_of(statement)};
     want(result.z_min < result.z_max, statement, "zmin", "nothing is left between zmin and zmax");
-    return result;
+    return {result};
 }
 
-Shape triangles(const Statement& statement, Reading&) {
-    return triangle_mesh(statement);
+LocalShape triangles(const Statement& statement, Reading& reading) {
+    return triangle_mesh(statement, reading);
 }
-Shape ply(const Statement& statement, Reading& reading) {
+LocalShape ply(const Statement& statement, Reading& reading) {
     return ply_mesh(statement, reading);
 }
-Shape patches(const Statement& statement, Reading&) {
+LocalShape patches(const Statement& statement, Reading&) {
     return bilinear_mesh(statement);
 }
-Shape subdivision(const Statement& statement, Reading&) {
-    return loop_mesh(statement);
+LocalShape subdivision(const Statement& statement, Reading& reading) {
+    return loop_mesh(statement, reading);
 }
-Shape curves(const Statement& statement, Reading& reading) {
+LocalShape curves(const Statement& statement, Reading& reading) {
     return curve(statement, reading);
 }
 
-using Maker = Shape (*)(const Statement&, Reading&);
+using Maker = LocalShape (*)(const Statement&, Reading&);
 
 struct Row {
     std::string_view word;
@@ -123,7 +124,8 @@ bool take_alpha(const Statement& statement, Reading& reading, ShapeDescription& 
         shape.unseen = true;
         return shape.emission.has_value();
     }
-    shape.placed.cover = [alpha](const Hit& hit) { return alpha.at(TexturePoint(hit)); };
+    shape.alpha = alpha;
+    shape.placed.cover = cover_by(alpha);
     return true;
 }
 
@@ -149,7 +151,9 @@ void add_shape(const Statement& statement, Reading& reading) {
     reading.count_word(statement.keyword, statement.type);
     const GraphicsState& state = reading.state;
     ShapeDescription shape;
-    shape.placed = {row.maker(statement, reading), reading.still_matrix(statement.where),
+    LocalShape made = row.maker(statement, reading);
+    shape.placed = {std::move(made.shape),
+                    translation(made.origin) * reading.still_matrix(statement.where),
                     state.reverse_orientation};
     shape.emission = emission_here(statement, shape.placed.shape, reading);
     shape.material = state.material;

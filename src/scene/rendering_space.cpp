@@ -1,0 +1,99 @@
+// Boxes of what stands in the world, and the move of everything.
+#include "scene/rendering_space.h"
+
+#include "geometry/measure.h"
+#include "geometry/middle.h"
+
+#include <type_traits>
+
+namespace sunfleck {
+namespace {
+
+using Shapes = std::vector<ShapeDescription>;
+
+std::vector<Bounds> boxes_of(const Shapes& shapes, bool emitting) {
+    std::vector<Bounds> boxes;
+    for (const ShapeDescription& shape : shapes)
+        if (shape.emission.has_value() == emitting) boxes.push_back(bounds_of(shape.placed));
+    return boxes;
+}
+
+std::vector<Bounds> boxes_of_instances(const SceneDescription& scene) {
+    std::vector<Bounds> objects;
+    for (const Shapes& object : scene.objects) {
+        Bounds& box = objects.emplace_back();
+        for (const ShapeDescription& shape : object) box.extend(bounds_of(shape.placed));
+    }
+    std::vector<Bounds> boxes;
+    boxes.reserve(scene.instances.size());
+    for (const InstanceDescription& instance : scene.instances)
+        boxes.push_back(image_of(objects[instance.object], Affine(instance.to_world)));
+    return boxes;
+}
+
+void move(Matrix& to_world, const Vec3d& by) {
+    for (int axis = 0; axis < 3; ++axis) to_world[3][axis] += by[axis];
+}
+
+template <class L>
+void move(L& light, const Vec3d& by) {
+    if constexpr (requires { light.position; }) {
+        light.position += by;
+    } else if constexpr (std::is_same_v<L, PortalLight>) {
+        light.frame.origin += by;
+    } else {
+        // Directions alone; area lights are made from shapes, after the move.
+        static_assert(std::is_same_v<L, DistantLight> || std::is_same_v<L, InfiniteLight> ||
+                      std::is_same_v<L, ImageInfiniteLight> || std::is_same_v<L, AreaLight>);
+    }
+}
+
+void move(Shapes& shapes, const Vec3d& by) {
+    for (ShapeDescription& shape : shapes) move(shape.placed.to_world, by);
+}
+
+/// Shapes of an object are near the origin of its frame from then on; its instances make up for it.
+void move_objects(SceneDescription& scene) {
+    std::vector<Vec3d> origins;
+    for (Shapes& object : scene.objects) {
+        std::vector<Bounds> boxes;
+        for (const ShapeDescription& shape : object) boxes.push_back(bounds_of(shape.placed));
+        origins.push_back(origin_near(middle_of(boxes)));
+        move(object, -origins.back());
+    }
+    for (InstanceDescription& instance : scene.instances) {
+        const Vec3d place = Affine(instance.to_world).point(origins[instance.object]);
+        for (int axis = 0; axis < 3; ++axis) instance.to_world[3][axis] = place[axis];
+    }
+}
+
+/// What is there in part asks textures, which see the world.
+void move_covers(Shapes& shapes, const Vec3d& origin) {
+    for (ShapeDescription& shape : shapes)
+        if (shape.alpha) shape.placed.cover = cover_by(*shape.alpha, origin);
+}
+
+}  // namespace
+
+Vec3d rendering_origin(const SceneDescription& scene) {
+    std::vector<Bounds> boxes = boxes_of(scene.shapes, false);
+    const std::vector<Bounds> placed = boxes_of_instances(scene);
+    boxes.insert(boxes.end(), placed.begin(), placed.end());
+    if (boxes.empty()) boxes = boxes_of(scene.shapes, true);
+    return origin_near(middle_of(boxes));
+}
+
+Vec3d move_to_rendering_space(SceneDescription& scene) {
+    move_objects(scene);
+    const Vec3d origin = rendering_origin(scene);
+    if (origin == Vec3d(0)) return origin;
+    move(scene.shapes, -origin);
+    for (InstanceDescription& instance : scene.instances) move(instance.to_world, -origin);
+    for (Light& light : scene.lights) std::visit([&](auto& one) { move(one, -origin); }, light);
+    std::visit([&](auto& camera) { move(camera.camera_to_world, -origin); }, scene.camera);
+    move_covers(scene.shapes, origin);
+    for (Shapes& object : scene.objects) move_covers(object, origin);
+    return origin;
+}
+
+}  // namespace sunfleck
