@@ -24,9 +24,13 @@ std::vector<std::string> outputs_of(const RenderOptions& options, const SceneDes
     return {std::filesystem::path(name).filename().replace_extension(".exr").string()};
 }
 
-std::vector<SceneFileHash> hashes_of(const std::vector<std::string>& files) {
+std::vector<SceneFileHash> hashes_of(const SceneDescription& scene) {
     std::vector<SceneFileHash> hashes;
-    for (const std::string& name : files) {
+    for (const std::string& name : scene.files) {
+        if (scene.text && name == scene.path) {
+            hashes.push_back({name, hash_text(*scene.text)});
+            continue;
+        }
         std::ifstream file(name, std::ios::binary);
         const std::string bytes((std::istreambuf_iterator<char>(file)), {});
         hashes.push_back({name, hash_text(bytes)});
@@ -61,7 +65,7 @@ void adjust(SceneDescription& description, const RenderOptions& options) {
 
 RenderSetup::RenderSetup(const RenderOptions& from, SceneDescription description)
     : options(from),
-      origin{SUNFLECK_VERSION, from.isa, hashes_of(description.files)},
+      origin{SUNFLECK_VERSION, from.isa, hashes_of(description)},
       scene(std::move(description), from.isa),
       job{scene, settings_of(from, scene.hints()), from.stop, joined(origin.files)} {
     job.settings.transport.light_layers = light_layers_of(scene, from.light_layers);
@@ -79,6 +83,9 @@ RenderOptions options_of(const RenderOptions& options, const Ranks& ranks) {
 
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks) {
     check_shareable(options.settings, ranks);
+    if (options.scene == "-" && !ranks.is_alone())
+        throw Error({"-"}, "standard input is that of one rank alone",
+                    "write the scene to a file that all ranks can read");
     check_outputs(options.outputs, {options.stats, options.checkpoint});
     std::optional<Checkpoint> checkpoint = open_checkpoints(options);
     SceneDescription description = load_scene(options.scene);

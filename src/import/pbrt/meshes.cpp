@@ -159,8 +159,12 @@ TriangleMesh ply_mesh(const Statement& statement, Reading& reading) {
     if (statement.find("displacement"))
         reading.warn(statement.where, "displacement is not simulated: meshes stay as they are");
     statement.ignore({"edgelength"});
-    TriangleMesh mesh =
-        parse_ply(reading.read_file(*name, statement.where), resolved(*name, reading.folder));
+    PlyFile ply = reading.read_data(*name, statement.where, [](const NamedFile& file) {
+        return parse_ply(file.bytes, file.path);
+    });
+    for (const std::string& remark : ply.remarks)
+        reading.warn(statement.where, in_quotes(*name) + ": " + remark);
+    TriangleMesh mesh = std::move(ply.mesh);
     const std::size_t broken = drop_broken_normals(mesh);
     if (broken > 0)
         reading.warn(statement.where, std::to_string(broken) + " normals in " + in_quotes(*name) +

@@ -41,7 +41,11 @@ struct Word {
 
 class HeaderParser {
 public:
-    HeaderParser(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+    HeaderParser(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {
+        const std::size_t end = bytes.find_first_of("\n\r");
+        if (end + 1 < bytes.size() && bytes[end] == '\r' && bytes[end + 1] != '\n')
+            line_end_ = '\r';
+    }
 
     PlyHeader parse() {
         if (!next_line() || words_.size() != 1 || words_[0].text != "ply")
@@ -176,7 +180,7 @@ private:
     bool next_line() {
         words_.clear();
         ++line_;
-        const std::size_t end = bytes_.find('\n', at_);
+        const std::size_t end = bytes_.find(line_end_, at_);
         if (end == std::string_view::npos) return false;
         const std::string_view text = bytes_.substr(at_, end - at_);
         at_ = end + 1;
@@ -215,6 +219,7 @@ private:
 
     std::string_view bytes_;
     const std::string& name_;
+    char line_end_ = '\n';  // of all lines, as of the first: LF, or CR alone
     std::size_t at_ = 0;
     int line_ = 0;
     std::vector<Word> words_;
