@@ -77,8 +77,9 @@ public:
         try {
             app_.parse(count, words);
         } catch (const CLI::ExtrasError&) {
-            throw Error({"sunfleck"},
-                        "unknown flag or word \"" + app_.remaining(true).front() + "\"", help());
+            std::vector<std::string> rest = app_.remaining(true);
+            if (rest.size() > 1 && rest.front() == "--") rest.erase(rest.begin());
+            throw Error({"sunfleck"}, "unknown flag or word \"" + rest.front() + "\"", help());
         } catch (const CLI::RequiredError& fault) {
             const std::vector<std::string> rest = app_.remaining();
             if (app_.get_subcommands().empty() && !rest.empty())

@@ -27,9 +27,12 @@ std::vector<std::string> outputs_of(const RenderOptions& options, const SceneDes
     return {std::filesystem::path(name).filename().replace_extension(".exr").string()};
 }
 
-std::vector<SceneFileHash> hashes_of(const std::vector<std::string>& files) {
+std::vector<SceneFileHash> hashes_of(const SceneDescription& scene) {
     std::vector<SceneFileHash> hashes;
-    for (const std::string& name : files) hashes.push_back({name, hash_text(read_file(name))});
+    for (const std::string& name : scene.files) {
+        const bool is_text = scene.text && name == scene.path;
+        hashes.push_back({name, hash_text(is_text ? *scene.text : read_file(name))});
+    }
     return hashes;
 }
 
@@ -84,7 +87,7 @@ void adjust(SceneDescription& description, const RenderOptions& options) {
 
 RenderSetup::RenderSetup(const RenderOptions& from, SceneDescription description)
     : options(from),
-      origin{SUNFLECK_VERSION, from.isa, hashes_of(description.files)},
+      origin{SUNFLECK_VERSION, from.isa, hashes_of(description)},
       scene(std::move(description), from.isa),
       job{scene, settings_of(from, scene.hints()), from.stop, joined(origin.files)} {
     job.settings.transport.light_layers = light_layers_of(scene, from.light_layers);
@@ -110,6 +113,9 @@ std::vector<std::string> written_files(const RenderSetup& setup) {
 
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks) {
     check_shareable(options.settings, ranks);
+    if (options.scene == "-" && !ranks.is_alone())
+        throw Error({"-"}, "standard input is that of one rank alone",
+                    "write the scene to a file that all ranks can read");
     check_outputs(options.outputs, {options.stats, options.checkpoint});
     check_apart(files_of(options, {options.scene}, options.outputs));
     std::optional<Checkpoint> checkpoint = open_checkpoints(options);

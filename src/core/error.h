@@ -32,6 +32,16 @@ public:
 
     const SourceLocation& where() const { return where_; }
 
+    /// The same fault of a data file, told with the statement that asked for the file.
+    Error asked_for_at(const SourceLocation& from) const {
+        return Error(where_, std::string(what()) + " (asked for at " + from.text() + ")");
+    }
+
+protected:
+    /// @param whole  message that says what is wrong and how to mend it.
+    Error(SourceLocation where, const std::string& whole)
+        : std::runtime_error(whole), where_(std::move(where)) {}
+
 private:
     SourceLocation where_;
 };

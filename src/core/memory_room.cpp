@@ -131,6 +131,11 @@ MemoryRoom memory_room(const std::string& root) {
     return room;
 }
 
+std::uint64_t free_memory() {
+    const std::uint64_t room = memory_room().bytes;
+    return room - std::min(room, memory_in_use());
+}
+
 std::string memory_text(std::uint64_t bytes) {
     const double mebibytes = static_cast<double>(bytes) / (1 << 20);
     std::array<char, 32> text{};

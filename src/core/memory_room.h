@@ -19,6 +19,9 @@ struct MemoryRoom {
 /// @param root  the folder that holds proc/ and sys/, for tests.
 MemoryRoom memory_room(const std::string& root = "");
 
+/// Bytes that this process may still ask for: what its room leaves beside what it uses.
+std::uint64_t free_memory();
+
 /// "1.5 GiB", "230 MiB".
 std::string memory_text(std::uint64_t bytes);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/error.h"
+#include "image/image_memory.h"
 
 #include <cstdint>
 #include <string>
@@ -48,13 +49,17 @@ public:
     }
 
     /// A size that a picture may have. @param most  texels that what is left can hold.
-    void check_size(std::int64_t width, std::int64_t height, std::uint64_t most) const {
+    /// @param bytes  that a decoded texel takes.
+    void check_size(std::int64_t width, std::int64_t height, std::uint64_t most,
+                    std::uint64_t bytes) const {
         constexpr std::int64_t kMostAcross = 1 << 17;
         if (width < 1 || height < 1 || width > kMostAcross || height > kMostAcross)
             refuse("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                    " pixels");
-        if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > most)
-            refuse("it claims more pixels than its size can hold");
+        const auto texels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+        if (texels > most) refuse("it claims more pixels than its size can hold");
+        const std::string fault = fault_of_size(texels * bytes);
+        if (!fault.empty()) refuse(fault);
     }
 
 private:

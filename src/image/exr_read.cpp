@@ -1,8 +1,12 @@
 // Reads OpenEXR files from memory by way of the OpenEXR library.
 #include "core/error.h"
+#include "core/file_content.h"
 #include "image/exr.h"
+#include "image/exr_colours.h"
 #include "image/formats.h"
+#include "image/image_memory.h"
 #include "image/read_file.h"
+#include "math/colour.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -80,6 +84,8 @@ public:
         if (values > kMostValues || values > bytes.size() * kValuesPerByte + kFreeValues)
             refuse(name, "claims " + std::to_string(values) + " values in " +
                              std::to_string(bytes.size()) + " bytes");
+        const std::string fault = fault_of_size(values * sizeof(float));
+        if (!fault.empty()) refuse(name, "cannot be read as EXR: " + fault);
         resolution_ = {static_cast<int>(width), static_cast<int>(height)};
     }
 
@@ -129,22 +135,6 @@ Picture read_all_channels(std::string_view bytes, const std::string& name) {
     return picture;
 }
 
-/// R, G, B and perhaps A; or the only one there is.
-std::vector<std::string> colours_of(const Imf::ChannelList& channels, const std::string& name) {
-    const auto has = [&](const char* channel) { return channels.findChannel(channel) != nullptr; };
-    if (has("R") && has("G") && has("B")) {
-        if (has("A")) return {"R", "G", "B", "A"};
-        return {"R", "G", "B"};
-    }
-    std::string all;
-    for (auto c = channels.begin(); c != channels.end(); ++c)
-        all += (all.empty() ? "" : ", ") + std::string(c.name());
-    if (channels.begin() == channels.end()) refuse(name, "has no channels");
-    if (++channels.begin() != channels.end() && !has("Y"))
-        refuse(name, "has no channels R, G and B, but " + all.substr(0, 100));
-    return {has("Y") ? "Y" : channels.begin().name()};
-}
-
 template <class Value>
 Image read_colours(OpenExr& file, const std::vector<std::string>& names) {
     const std::size_t count = names.size();
@@ -153,6 +143,17 @@ Image read_colours(OpenExr& file, const std::vector<std::string>& names) {
     for (std::size_t c = 0; c < count; ++c) file.place(names[c].c_str(), texels.data() + c, count);
     file.read();
     return {file.resolution(), static_cast<int>(count), std::move(texels)};
+}
+
+/// Linear sRGB of texels that are CIE's X, Y and Z.
+Image rgb_of(const Image& xyz) {
+    std::vector<float> texels = std::get<std::vector<float>>(xyz.texels());
+    for (std::size_t i = 0; i < texels.size(); i += 3) {
+        const Triple rgb =
+            rgb_of_xyz({double{texels[i]}, double{texels[i + 1]}, double{texels[i + 2]}});
+        for (std::size_t c = 0; c < 3; ++c) texels[i + c] = static_cast<float>(rgb.at(c));
+    }
+    return {xyz.resolution(), 3, std::move(texels)};
 }
 
 /// Files that say nothing are taken to be of the primaries of sRGB, those of Rec. 709.
@@ -170,12 +171,19 @@ bool has_other_primaries(const Imf::Header& header) {
 
 Image read_image(std::string_view bytes, const std::string& name) {
     OpenExr file(bytes, name);
-    const std::vector<std::string> names = colours_of(file.channels(), name);
-    const bool all_half = std::all_of(names.begin(), names.end(), [&](const std::string& n) {
+    std::vector<std::string> all;
+    for (auto c = file.channels().begin(); c != file.channels().end(); ++c)
+        all.emplace_back(c.name());
+    const ExrColours colours = exr_colours(all, name);
+    const std::vector<std::string>& names = colours.channels;
+    const bool all_half = !colours.are_xyz && std::all_of(names.begin(), names.end(), [&](auto& n) {
         return file.channels().findChannel(n)->type == Imf::HALF;
     });
     Image image = all_half ? read_colours<half>(file, names) : read_colours<float>(file, names);
-    if (names.size() >= 3 && has_other_primaries(file.header())) image.set_other_primaries();
+    if (colours.are_xyz) image = rgb_of(image);
+    if (names.size() >= 3 && !colours.are_xyz && has_other_primaries(file.header()))
+        image.set_other_primaries();
+    image.set_remark(colours.remark);
     return image;
 }
 
@@ -203,6 +211,7 @@ auto guarded(const std::string& name, const Task& task) {
 
 Picture read_exr(const std::string& path) {
     const std::string bytes = read_file(path);
+    if (!bytes.starts_with("\x76\x2F\x31\x01")) refuse_other_content(bytes, path, "an EXR picture");
     return guarded(path, [&] { return read_all_channels(bytes, path); });
 }
 

@@ -10,11 +10,12 @@
 namespace sunfleck {
 
 Image parse_png_image(std::string_view bytes, const std::string& name, const Encoding& encoding);
-/// Grey or RGB, 8 bits; CMYK is refused.
+/// Grey, RGB, or the inks CMYK, 8 bits.
 Image parse_jpeg(std::string_view bytes, const std::string& name);
 /// 8-bit grey, 15 to 32-bit colours, palettes, each plain or packed in runs; alpha is dropped.
 Image parse_tga(std::string_view bytes, const std::string& name);
-/// Channels R, G, B and perhaps A, or a single one of any name; halves if all are.
+/// Channels R, G, B and perhaps A; X, Y, Z of CIE; those of the only layer that has such; or a
+/// single one of any name. Halves if all are.
 Image parse_exr_image(std::string_view bytes, const std::string& name);
 /// Radiance's RGBE with rows from the top, as floats.
 Image parse_hdr(std::string_view bytes, const std::string& name);

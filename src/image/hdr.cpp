@@ -73,9 +73,9 @@ Image parse_hdr(std::string_view bytes, const std::string& name) {
     ByteSource source(bytes, name, "HDR");
     const Vec2i resolution = read_head(source);
     // Of old, two texels of four bytes may stand for 65535; no picture is as empty as that.
-    source.check_size(resolution.x, resolution.y, source.left() * 256);
+    source.check_size(resolution.x, resolution.y, source.left() * 256, 12);
     std::vector<Rgbe> row(static_cast<std::size_t>(resolution.x));
-    std::vector<float> texels;
+    std::vector<float> texels;  // grows with what is read: the claim may be false
     for (int y = 0; y < resolution.y; ++y) {
         read_row(source, row);
         for (const Rgbe& texel : row) {

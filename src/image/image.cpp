@@ -4,8 +4,11 @@
 #include "image/srgb.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sunfleck {
+
+constexpr float kGreatestHalf = 65504;
 
 float Encoding::decode(float value) const {
     switch (kind) {
@@ -59,6 +62,30 @@ Image Image::with_channels(int count) const {
         },
         result.texels_);
     return result;
+}
+
+void Image::mend_broken() {
+    const auto count = static_cast<std::size_t>(channels_);
+    std::size_t last = 0;  // one behind the last broken texel
+    const auto note = [&](std::size_t texel) {
+        if (texel + 1 == last) return;
+        last = texel + 1;
+        const auto width = static_cast<std::size_t>(resolution_.x);
+        if (broken_.count == 0)
+            broken_.first = {static_cast<int>(texel % width), static_cast<int>(texel / width)};
+        ++broken_.count;
+    };
+    std::visit(
+        [&]<class T>(std::vector<T>& texels) {
+            if constexpr (!std::is_same_v<T, std::uint8_t>)
+                for (std::size_t i = 0; i < texels.size(); ++i) {
+                    const auto value = static_cast<float>(texels[i]);
+                    if (std::isfinite(value)) continue;
+                    texels[i] = T(value > 0 ? kGreatestHalf : 0.0F);
+                    note(i / count);
+                }
+        },
+        texels_);
 }
 
 bool Image::has_holes() const {

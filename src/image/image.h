@@ -8,7 +8,9 @@
 #include <half.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -28,6 +30,12 @@ struct Encoding {
     friend auto operator<=>(const Encoding&, const Encoding&) = default;
 };
 
+/// Texels of a file that had values which are no finite numbers.
+struct BrokenTexels {
+    std::size_t count = 0;
+    Vec2i first{0, 0};  // the first of them, rows from the top
+};
+
 /// Channels: 1 is grey, 3 are R G B, 4 are R G B and alpha.
 class Image {
 public:
@@ -44,6 +52,16 @@ public:
     /// Does the file say that its colours have other primaries than those of sRGB?
     bool has_other_primaries() const { return has_other_primaries_; }
     void set_other_primaries() { has_other_primaries_ = true; }
+    /// Which channels of the file were taken for its colours, where that needs to be said; or
+    /// empty.
+    const std::string& remark() const { return remark_; }
+    void set_remark(std::string remark) { remark_ = std::move(remark); }
+
+    /// The texels that mend_broken() found.
+    const BrokenTexels& broken() const { return broken_; }
+    /// Values that are infinite become 65504, the greatest half; NaN and what is infinitely
+    /// negative become 0. They are counted in broken().
+    void mend_broken();
 
     /// All channels of a texel, as linear light; zero where there are fewer than four.
     /// @param x  in [0, width) from the left. @param y  in [0, height) from the top.
@@ -66,6 +84,8 @@ private:
     Texels texels_;
     std::array<float, 256> light_{};  // of 8 bits
     bool has_other_primaries_ = false;
+    std::string remark_;
+    BrokenTexels broken_;
 };
 
 }  // namespace sunfleck

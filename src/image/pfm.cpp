@@ -57,7 +57,8 @@ Image parse_pfm(std::string_view bytes, const std::string& name) {
     ByteSource source(bytes, name, "PFM");
     const Head head = read_head(source);
     const auto channels = static_cast<std::size_t>(head.channels);
-    source.check_size(head.resolution.x, head.resolution.y, source.left() / (4 * channels));
+    source.check_size(head.resolution.x, head.resolution.y, source.left() / (4 * channels),
+                      4 * channels);
     const auto row = static_cast<std::size_t>(head.resolution.x) * channels;
     const auto rows = static_cast<std::size_t>(head.resolution.y);
     std::vector<float> texels(row * rows);

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "image/atomic_file.h"
 #include "image/formats.h"
+#include "image/image_memory.h"
 #include "image/read_file.h"
 #include "image/srgb.h"
 
@@ -28,7 +29,7 @@ constexpr std::uint64_t kBytesPerByte = 1100;  // deflate gives at most 1032 for
 constexpr std::uint64_t kFreeBytes = 1U << 16U;
 
 /// What one call of libpng works on, and the fault that it left by.
-struct Job {
+struct PngJob {
     std::string_view input;
     std::size_t used = 0;
     std::vector<std::byte> output;
@@ -38,21 +39,21 @@ struct Job {
 };
 
 [[noreturn]] void on_fault(png_structp png, png_const_charp text) {
-    static_cast<Job*>(png_get_error_ptr(png))->fault = text;
+    static_cast<PngJob*>(png_get_error_ptr(png))->fault = text;
     png_longjmp(png, 1);
 }
 
 void on_warning(png_structp, png_const_charp) {}
 
 void on_read(png_structp png, png_bytep bytes, std::size_t count) {
-    auto& job = *static_cast<Job*>(png_get_io_ptr(png));
+    auto& job = *static_cast<PngJob*>(png_get_io_ptr(png));
     if (job.input.size() - job.used < count) png_error(png, "the file is cut");
     std::memcpy(bytes, job.input.data() + job.used, count);
     job.used += count;
 }
 
 void on_write(png_structp png, png_bytep bytes, std::size_t count) {
-    auto& job = *static_cast<Job*>(png_get_io_ptr(png));
+    auto& job = *static_cast<PngJob*>(png_get_io_ptr(png));
     const auto all = std::as_bytes(std::span(bytes, count));
     job.output.insert(job.output.end(), all.begin(), all.end());
 }
@@ -60,7 +61,7 @@ void on_write(png_structp png, png_bytep bytes, std::size_t count) {
 void on_flush(png_structp) {}
 
 /// Takes the header; every transformation that makes 8 or 16 bits a channel is set.
-void prepare(png_structp png, png_infop info, Job& job) {
+void prepare(png_structp png, png_infop info, PngJob& job) {
     png_set_user_limits(png, kMostPixelsAcross, kMostPixelsAcross);
     png_read_info(png, info);
     png_set_expand(png);  // palettes and few bits to 8 bits, transparency to alpha
@@ -74,11 +75,14 @@ void prepare(png_structp png, png_infop info, Job& job) {
         std::uint64_t{png_get_rowbytes(png, info)} * static_cast<std::uint64_t>(job.image.height);
     if (bytes > job.input.size() * kBytesPerByte + kFreeBytes)
         png_error(png, "it claims more pixels than its size can hold");
+    // The rows, their values in 16 bits, and the texels are in memory together.
+    job.fault = fault_of_size(4 * bytes);
+    if (!job.fault.empty()) png_longjmp(png, 1);
     if (passes != 1 && passes != 7) png_error(png, "unknown interlacing");
     job.row.resize(bytes);  // the whole picture: interlaced rows come back several times
 }
 
-void read_rows(png_structp png, png_infop info, Job& job) {
+void read_rows(png_structp png, png_infop info, PngJob& job) {
     const std::size_t row_bytes = png_get_rowbytes(png, info);
     const int passes = png_get_interlace_type(png, info) == PNG_INTERLACE_NONE ? 1 : 7;
     for (int pass = 0; pass < passes; ++pass)
@@ -87,7 +91,7 @@ void read_rows(png_structp png, png_infop info, Job& job) {
     png_read_end(png, nullptr);
 }
 
-void decode(Job& job) {
+void decode(PngJob& job) {
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &job, on_fault, on_warning);
     png_infop info = png_create_info_struct(png);
     // NOLINTNEXTLINE(cert-err52-cpp,modernize-avoid-*): the library's only way to report
@@ -99,7 +103,7 @@ void decode(Job& job) {
     png_destroy_read_struct(&png, &info, nullptr);
 }
 
-void encode(Job& job) {
+void encode(PngJob& job) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, on_fault, on_warning);
     png_infop info = png_create_info_struct(png);
     const auto width = static_cast<png_uint_32>(job.image.width);
@@ -136,7 +140,7 @@ std::vector<png_byte> encoded_rgb(const std::string& path, const Picture& pictur
 }  // namespace
 
 void write_png(const std::string& path, const Picture& picture, float exposure) {
-    Job job;
+    PngJob job;
     job.image.width = picture.width;
     job.image.height = picture.height;
     job.row = encoded_rgb(path, picture, std::exp2(exposure));
@@ -151,7 +155,7 @@ PngImage read_png(const std::string& path) {
 }
 
 PngImage parse_png(std::string_view bytes, const std::string& name) {
-    Job job;
+    PngJob job;
     job.input = bytes;
     decode(job);
     if (!job.fault.empty())

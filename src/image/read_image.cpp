@@ -2,14 +2,25 @@
 #include "image/read_image.h"
 
 #include "core/error.h"
+#include "core/file_content.h"
 #include "core/small_letters.h"
 #include "image/formats.h"
+
+#include <algorithm>
 
 namespace sunfleck {
 namespace {
 
 bool ends_in_tga(const std::string& name) {
     return name.size() >= 4 && small_letters(name.substr(name.size() - 4)) == ".tga";
+}
+
+/// Text that stands where a picture should: an answer of a server, for example.
+std::string beginning_of(std::string_view bytes) {
+    const std::string_view text = bytes.substr(0, 40);
+    const bool is_text =
+        std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F; });
+    return is_text ? " (it begins \"" + std::string(text) + "\")" : "";
 }
 
 Image parse_any(std::string_view bytes, const std::string& name, const Encoding& encoding) {
@@ -21,8 +32,9 @@ Image parse_any(std::string_view bytes, const std::string& name, const Encoding&
     if (begins("\x76\x2F\x31\x01")) return parse_exr_image(bytes, name);
     if (begins("#?")) return parse_hdr(bytes, name);
     if (begins("PF") || begins("Pf")) return parse_pfm(bytes, name);
+    refuse_other_content(bytes, name, "a picture in PNG, JPEG, TGA, EXR, HDR or PFM");
     if (ends_in_tga(name)) return parse_tga(bytes, name);
-    throw Error({name}, "is no image that is known",
+    throw Error({name}, "is no image that is known" + beginning_of(bytes),
                 "convert it to PNG, JPEG, TGA (with that ending), EXR, HDR or PFM");
 }
 

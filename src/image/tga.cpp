@@ -123,7 +123,8 @@ Image parse_tga(std::string_view bytes, const std::string& name) {
     const std::vector<Colour> palette = read_palette(source, h);
     const std::size_t per_texel = bytes_of(h.bits);
     source.check_size(h.width, h.height,
-                      h.packed ? source.left() * 128 / (per_texel + 1) : source.left() / per_texel);
+                      h.packed ? source.left() * 128 / (per_texel + 1) : source.left() / per_texel,
+                      h.type == 3 ? 1 : 3);
     const std::size_t channels = h.type == 3 ? 1 : 3;
     std::vector<std::uint8_t> texels(std::size_t{h.width} * h.height * channels);
     TexelReader reader(source, h);

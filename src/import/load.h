@@ -7,7 +7,7 @@
 
 namespace sunfleck {
 
-/// @throws Error for what cannot be read.
+/// @param path  of the scene, or "-" for standard input. @throws Error for what cannot be read.
 SceneDescription load_scene(const std::string& path);
 
 }  // namespace sunfleck

@@ -101,9 +101,10 @@ struct SceneDescription {
     /// Illuminance lights (pbrt "illuminance" on infinite lights) and spot/point "power" are
     /// already in the curves.
     Warnings warnings;
-    std::string path;                // of the main file
-    std::vector<std::string> files;  // all that were read
-    std::vector<UsedWord> words;     // sorted
+    std::string path;                 // of the main file
+    std::vector<std::string> files;   // all that were read, each once
+    std::optional<std::string> text;  // of the main file, if it is no file but standard input
+    std::vector<UsedWord> words;      // sorted
 };
 
 }  // namespace sunfleck

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "image/read_image.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -11,10 +12,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters
         const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-        const sunfleck::Image image = sunfleck::parse_image(bytes, "fuzz.tga");
+        sunfleck::Image image = sunfleck::parse_image(bytes, "fuzz.tga");
+        image.mend_broken();
         const sunfleck::Vec2i& n = image.resolution();
         if (n.x < 1 || n.y < 1 || image.channels() < 1 || image.channels() > 4) std::abort();
-        image.at(n.x - 1, n.y - 1);
+        for (const float value : image.at(n.x - 1, n.y - 1))
+            if (!std::isfinite(value)) std::abort();
     } catch (const sunfleck::Error& error) {
         if (std::string(error.what()).find('\n') != std::string::npos) std::abort();
     }

@@ -2,6 +2,7 @@
 #include "core/error.h"
 #include "import/pbrt/ply.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
@@ -14,6 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const auto& triangle : mesh.triangles)
             for (const std::uint32_t corner : triangle)
                 if (corner >= mesh.positions.size()) std::abort();
+        for (const sunfleck::Vec3& p : mesh.positions)
+            if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) std::abort();
         if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) std::abort();
         if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.positions.size()) std::abort();
     } catch (const sunfleck::Error&) {

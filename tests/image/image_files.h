@@ -50,8 +50,10 @@ inline std::string png_file(const Vec2i& size, int bits, int type, const Bytes& 
     return file;
 }
 
-/// @param channels  1 or 3.
-inline std::string jpeg_file(const Vec2i& size, int channels, Bytes texels, int quality = 95) {
+/// @param channels  1, 3, or 4 inks.
+/// @param inks  how inks are stored: JCS_CMYK or JCS_YCCK. @param adobe  with Adobe's marker.
+inline std::string jpeg_file(const Vec2i& size, int channels, Bytes texels, int quality = 95,
+                             J_COLOR_SPACE inks = JCS_CMYK, bool adobe = true) {
     jpeg_compress_struct info;
     jpeg_error_mgr manager;
     info.err = jpeg_std_error(&manager);
@@ -62,8 +64,12 @@ inline std::string jpeg_file(const Vec2i& size, int channels, Bytes texels, int 
     info.image_width = static_cast<JDIMENSION>(size.x);
     info.image_height = static_cast<JDIMENSION>(size.y);
     info.input_components = channels;
-    info.in_color_space = channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
+    info.in_color_space = channels == 1 ? JCS_GRAYSCALE : channels == 3 ? JCS_RGB : JCS_CMYK;
     jpeg_set_defaults(&info);
+    if (channels == 4) {
+        jpeg_set_colorspace(&info, inks);
+        info.write_Adobe_marker = adobe ? TRUE : FALSE;
+    }
     jpeg_set_quality(&info, quality, TRUE);
     jpeg_start_compress(&info, TRUE);
     for (int y = 0; y < size.y; ++y) {

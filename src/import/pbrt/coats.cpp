@@ -19,7 +19,7 @@ float coat_index(const Statement& statement, const CoatWords& words, Reading& re
     if (found->type == ParameterType::real) {
         eta = static_cast<float>(statement.real(name, 1.5));
     } else {
-        eta = curve_of(*found, SpectrumUse::unbounded, reading).luminance();  // its mean
+        eta = curve_of(*found, SpectrumUse::index, reading).luminance();  // its mean
         reading.warn(found->where, "a coat bends all wavelengths alike, by their mean index");
     }
     if (eta > 0) return eta;

@@ -95,8 +95,11 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
     {"Shape", "plymesh", kExact,
      "triangles, normals, uv; ASCII and both binary forms; quads become two triangles each, where "
      "pbrt-v4 has a bilinear patch: one that is not flat has a crease, one without uv has others "
-     "in half of it, and `power` counts both; normals that are no numbers are left out, and its "
-     "`displacement` is ignored with a warning"},
+     "in half of it, and `power` counts both; planar convex faces of more corners are cut "
+     "likewise, with a warning, and others refused; left out, with a warning: faces of fewer than "
+     "three corners, vertices of no face whose numbers are not finite, normals that are no "
+     "numbers; "
+     "its `displacement` is ignored with a warning"},
     {"Shape", "sphere", kExact, "`radius zmin zmax phimax`; met exactly, in double"},
     {"Shape", "disk", kExact, "`height radius innerradius phimax`"},
     {"Shape", "cylinder", kExact, "`radius zmin zmax phimax`"},

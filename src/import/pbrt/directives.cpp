@@ -2,6 +2,7 @@
 #include "import/pbrt/directives.h"
 
 #include "import/pbrt/reading.h"
+#include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
 #include <map>
@@ -30,6 +31,7 @@ const Table& table() {
     if (token.kind != TokenKind::word)
         throw Error(token.where(), "expected a directive, found " + in_quotes(token.text),
                     "remove the bracket, or open its list");
+    if (is_directive_of_v3(token.text)) refuse_v3(std::string(token.text), token.where());
     std::vector<std::string_view> words;
     for (const auto& [word, directive] : table()) words.push_back(word);
     throw Error(token.where(), "unknown directive " + in_quotes(token.text),
@@ -54,7 +56,11 @@ void read_statements(Reading& reading, TokenStream& tokens) {
         if (found == table().end()) unknown(*token);
         check_place(found->second, reading, *token);
         reading.count_word("Directive", token->text);
-        found->second.handler(reading, tokens, *token);
+        try {
+            found->second.handler(reading, tokens, *token);
+        } catch (const MissingFile& missing) {  // the statement is read to its end
+            reading.note_missing(missing);
+        }
         tokens.release();
     }
 }

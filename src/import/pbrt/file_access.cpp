@@ -1,40 +1,44 @@
 // Files that a scene names: found beside the main file, unpacked by content.
 #include "import/pbrt/file_access.h"
 
+#include "core/input_file.h"
 #include "import/pbrt/ply_gzip.h"
 #include "import/pbrt/words.h"
 
 #include <filesystem>
-#include <fstream>
 
 namespace sunfleck {
 namespace {
 
 constexpr std::size_t kLongestPath = 4096;
 
-std::string bytes_of(const std::string& path, const SourceLocation& from) {
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(path, code))
-        throw Error(from, "there is no file " + in_quotes(path, kLongestPath), "check the name");
-    const std::uintmax_t size = std::filesystem::file_size(path, code);
-    std::ifstream file(path, std::ios::binary);
-    if (code || !file)
-        throw Error(from, in_quotes(path, kLongestPath) + " cannot be opened",
-                    "check that you may read it");
-    std::string bytes(size, '\0');
-    file.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (static_cast<std::uintmax_t>(file.gcount()) != size)
-        throw Error(from, in_quotes(path, kLongestPath) + " cannot be read to its end",
-                    "check the disk");
-    return bytes;
+/// Each backslash as a slash. One before n, r, t, b or f was read as the escape of a control
+/// character, which no file's name has.
+std::string with_slashes(const std::string& name) {
+    constexpr std::string_view kControls = "\n\r\t\b\f";
+    constexpr std::string_view kLetters = "nrtbf";
+    std::string result;
+    for (const char c : name) {
+        const std::size_t escape = kControls.find(c);
+        if (c == '\\' || escape != std::string_view::npos)
+            result += '/';
+        else
+            result += c;
+        if (escape != std::string_view::npos) result += kLetters[escape];
+    }
+    return result;
 }
 
 }  // namespace
 
+std::string unpacked(std::string bytes, const std::string& name) {
+    if (!is_gzip(bytes)) return bytes;
+    return gunzip(bytes, name);
+}
+
 FileAccess disk_access() {
     return [](const std::string& path, const SourceLocation& from) {
-        std::string bytes = bytes_of(path, from);
-        return is_gzip(bytes) ? gunzip(bytes, path) : bytes;
+        return unpacked(read_input_file(path, from), path);
     };
 }
 
@@ -43,6 +47,22 @@ FileAccess no_access() {
         throw Error(from, "other files are not read here: " + in_quotes(path, kLongestPath),
                     "leave them out");
     };
+}
+
+NamedFile find_file(const std::string& name, const std::string& folder, const SourceLocation& from,
+                    const FileAccess& files) {
+    const std::string path = resolved(name, folder);
+    const std::string slashed = resolved(with_slashes(name), folder);
+    try {
+        return {path, files(path, from)};
+    } catch (const MissingFile&) {
+        if (slashed == path) throw;
+    }
+    try {
+        return {slashed, files(slashed, from), true};
+    } catch (const MissingFile& missing) {
+        throw MissingFile(from, path, missing.mend());
+    }
 }
 
 std::string resolved(const std::string& name, const std::string& folder) {

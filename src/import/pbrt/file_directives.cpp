@@ -1,4 +1,5 @@
 // Include, which splices a file in, and Import, which keeps the file's state to itself.
+#include "core/file_content.h"
 #include "import/pbrt/directives.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
@@ -8,19 +9,28 @@
 namespace sunfleck {
 namespace {
 
-void include(Reading& reading, TokenStream& tokens, const Token& keyword) {
+/// Reads the file that a statement names, and puts it in front of the stream.
+/// @param to  where it goes: `tokens` itself, or a stream of its own.
+void open(Reading& reading, TokenStream& tokens, const Token& keyword, TokenStream& to) {
     const std::string name = tokens.require_string("the name of a file");
-    const std::string path = resolved(name, reading.folder);
-    tokens.check_opening(path, keyword.where());
-    tokens.push(reading.read_file(name, keyword.where()), path, keyword.where());
+    const SourceLocation from = keyword.where();
+    to.check_opening(resolved(name, reading.folder), from);
+    NamedFile file = reading.read_file(name, from);
+    if (!file.bytes.empty()) refuse_other_content(file.bytes, file.path, "a scene of pbrt-v4");
+    reading.inclusions.add(file.path, from, to.root(),
+                           [&](const std::string& other, const SourceLocation& where) {
+                               return find_file(other, reading.folder, where, reading.files);
+                           });
+    to.push(std::move(file.bytes), file.path, from);
+}
+
+void include(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    open(reading, tokens, keyword, tokens);
 }
 
 void import(Reading& reading, TokenStream& tokens, const Token& keyword) {
-    const std::string name = tokens.require_string("the name of a file");
-    const std::string path = resolved(name, reading.folder);
     TokenStream imported(&tokens);
-    imported.check_opening(path, keyword.where());
-    imported.push(reading.read_file(name, keyword.where()), path, keyword.where());
+    open(reading, tokens, keyword, imported);
 
     const GraphicsState before = reading.state;
     const auto systems = reading.coordinate_systems;

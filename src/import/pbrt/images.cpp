@@ -5,46 +5,65 @@
 #include "image/read_image.h"
 #include "import/pbrt/reading.h"
 
-#include <optional>
 #include <utility>
 
 namespace sunfleck {
 
-void warn_of_primaries(const Image& image, const std::string& name, const SourceLocation& from,
-                       Reading& reading) {
-    if (!image.has_other_primaries()) return;
-    reading.warn(from, "the colours of " + name +
-                           " are of other primaries than sRGB's (chromaticities): they are taken "
-                           "for sRGB's");
+void warn_of_image(const Image& image, const std::string& path, const SourceLocation& from,
+                   Reading& reading) {
+    if (image.has_other_primaries())
+        reading.warn(from, "the colours of " + path +
+                               " are of other primaries than sRGB's (chromaticities): they are "
+                               "taken for sRGB's");
+    if (!image.remark().empty()) reading.warn(from, path + ": " + image.remark());
+    const BrokenTexels& broken = image.broken();
+    if (broken.count > 0)
+        reading.warn(from, std::to_string(broken.count) + " texels of " + path +
+                               " are no finite numbers, the first at (" +
+                               std::to_string(broken.first.x) + ", " +
+                               std::to_string(broken.first.y) +
+                               "): infinite values are taken for 65504, others for 0");
 }
 
 std::shared_ptr<const Image> ImageTable::enter(const std::string& name, const Encoding& encoding,
                                                const SourceLocation& from, Reading& reading) {
-    const std::string path = resolved(name, reading.folder);
-    const auto [place, is_new] = numbers_.try_emplace({path, encoding}, slots_.size());
-    if (is_new) {
-        reading.count_file(path, from);
-        slots_.push_back({path, encoding, from, std::make_shared<Image>()});
-    }
+    const auto [place, is_new] =
+        numbers_.try_emplace({resolved(name, reading.folder), encoding}, slots_.size());
+    if (is_new) slots_.push_back({name, encoding, from, std::make_shared<Image>()});
     return slots_[place->second].image;
+}
+
+/// May run beside others. A missing file's image has one texel, so that reading goes on to what
+/// else is missing.
+void ImageTable::load(const Slot& slot, const Reading& reading, Loaded& loaded) {
+    try {
+        loaded.file = find_file(slot.name, reading.folder, slot.from, reading.files);
+        *slot.image = parse_image(loaded.file.bytes, loaded.file.path, slot.encoding);
+        slot.image->mend_broken();
+    } catch (const MissingFile& missing) {
+        loaded.missing = missing;
+        *slot.image = Image({1, 1}, 1, std::vector<float>(1));
+    } catch (const Error& fault) {
+        loaded.fault = fault.where().file == slot.from.file ? fault : fault.asked_for_at(slot.from);
+    }
+    loaded.file.bytes = {};
 }
 
 void ImageTable::load(Reading& reading) {
     const std::size_t first = std::exchange(loaded_, slots_.size());
-    std::vector<std::optional<Error>> faults(slots_.size() - first);
-    parallel_for(faults.size(), [&](std::size_t i) {
+    std::vector<Loaded> loaded(slots_.size() - first);
+    parallel_for(loaded.size(),
+                 [&](std::size_t i) { load(slots_[first + i], reading, loaded[i]); });
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
         const Slot& slot = slots_[first + i];
-        try {
-            *slot.image =
-                parse_image(reading.files(slot.path, slot.from), slot.path, slot.encoding);
-        } catch (const Error& fault) {
-            faults[i] = fault;
+        if (loaded[i].missing) {
+            reading.note_missing(*loaded[i].missing);
+            continue;
         }
-    });
-    for (const std::optional<Error>& fault : faults)
-        if (fault) throw Error(*fault);
-    for (std::size_t i = first; i < slots_.size(); ++i)
-        warn_of_primaries(*slots_[i].image, slots_[i].path, slots_[i].from, reading);
+        if (loaded[i].fault) throw Error(*loaded[i].fault);
+        reading.note_file(loaded[i].file, slot.from);
+        warn_of_image(*slot.image, loaded[i].file.path, slot.from, reading);
+    }
 }
 
 }  // namespace sunfleck

@@ -2,11 +2,12 @@
 // ended.
 #pragma once
 
-#include "core/error.h"
 #include "image/image.h"
+#include "import/pbrt/file_access.h"
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,10 @@ namespace sunfleck {
 
 struct Reading;
 
-/// Warns if the image's colours are not those of sRGB, as which they are taken.
-void warn_of_primaries(const Image& image, const std::string& name, const SourceLocation& from,
-                       Reading& reading);
+/// Warns of what the picture's file has and the image has not: other primaries than sRGB's,
+/// channels that were chosen or left out, texels that are no finite numbers.
+void warn_of_image(const Image& image, const std::string& path, const SourceLocation& from,
+                   Reading& reading);
 
 class ImageTable {
 public:
@@ -24,18 +26,25 @@ public:
     std::shared_ptr<const Image> enter(const std::string& name, const Encoding& encoding,
                                        const SourceLocation& from, Reading& reading);
 
-    /// Reads all files that were not read before; warns of colours that are taken for those of sRGB
-    /// and are not. @throws Error, that of the first one which cannot
-    /// be read.
+    /// Reads all files that were not read before, and warns of what is in them. Missing ones are
+    /// noted in the reading. @throws Error, that of the first one which cannot be read.
     void load(Reading& reading);
 
 private:
     struct Slot {
-        std::string path;
+        std::string name;
         Encoding encoding;
         SourceLocation from;
         std::shared_ptr<Image> image;
     };
+
+    struct Loaded {
+        NamedFile file;
+        std::optional<MissingFile> missing;
+        std::optional<Error> fault;
+    };
+
+    static void load(const Slot& slot, const Reading& reading, Loaded& loaded);
 
     std::map<std::pair<std::string, Encoding>, std::size_t> numbers_;
     std::vector<Slot> slots_;

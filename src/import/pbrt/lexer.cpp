@@ -1,7 +1,8 @@
 // Tokens of the pbrt-v4 language.
 #include "import/pbrt/lexer.h"
 
-#include "import/pbrt/words.h"
+#include "core/file_content.h"
+#include "import/pbrt/odd_characters.h"
 
 namespace sunfleck {
 namespace {
@@ -34,12 +35,14 @@ std::string unescaped(const Token& token) {
             continue;
         }
         const char c = ++i < token.text.size() ? escaped(token.text[i]) : '\0';
-        if (c == '\0')
-            throw Error(token.where(), "unknown escape in " + in_quotes(token.text),
-                        "write a backslash as \\\\");
-        result += c;
+        result += c == '\0' ? '\\' : c;
+        if (c == '\0' && i < token.text.size()) result += token.text[i];
     }
     return result;
+}
+
+Lexer::Lexer(std::string text, std::string file) : text_(std::move(text)), file_(std::move(file)) {
+    position_ = line_begin_ = text_.size() - without_mark(text_).size();
 }
 
 std::optional<Token> Lexer::next() {
@@ -57,13 +60,14 @@ void Lexer::skip_space() {
     while (position_ < text_.size()) {
         const char c = text_[position_];
         if (c == '#') {
-            const std::size_t end = text_.find('\n', position_);
+            const std::size_t end = text_.find_first_of("\n\r", position_);
             position_ = end == std::string::npos ? text_.size() : end;
             continue;
         }
         if (!is_space(c)) return;
         ++position_;
-        if (c != '\n') continue;
+        const bool alone = position_ == text_.size() || text_[position_] != '\n';
+        if (c != '\n' && !(c == '\r' && alone)) continue;
         ++line_;
         line_begin_ = position_;
     }
@@ -90,9 +94,16 @@ Token Lexer::string() {
 }
 
 Token Lexer::word() {
-    std::size_t end = position_ + 1;
-    while (end < text_.size() && !ends_word(text_[end])) ++end;
+    std::size_t end = position_;
+    bool is_odd = false;
+    for (; end < text_.size() && (end == position_ || !ends_word(text_[end])); ++end)
+        is_odd = is_odd || !is_plain(text_[end]);
     const Token result = token(TokenKind::word, position_, end - position_);
+    if (is_odd) {
+        const auto odd = *odd_character_in(result.text);
+        position_ += odd.at;
+        throw Error(here(), odd.what + " stands here, which no word has", odd.mend);
+    }
     position_ = end;
     return result;
 }

@@ -1,6 +1,7 @@
 // Cuts the text of a scene file into tokens: words, quoted strings, brackets.
 //
-// In:  bytes. Out: tokens with line and column; comments (# to the end of the line) are skipped.
+// In:  bytes, perhaps behind a byte order mark. Out: tokens with line and column; comments (# to
+//      the end of the line) are skipped. Lines end in LF, CR LF or CR.
 #pragma once
 
 #include "core/error.h"
@@ -24,13 +25,13 @@ struct Token {
     SourceLocation where() const { return {*file, line, column}; }
 };
 
-/// The text of a string token with its escapes (\n \t \\ \" and the like) undone.
-/// @throws Error for an escape that is not known.
+/// The text of a string token with its escapes (\n \t \\ \" and the like) undone. A backslash
+/// before any other letter stays: it may be that of a file's name.
 std::string unescaped(const Token& token);
 
 class Lexer {
 public:
-    Lexer(std::string text, std::string file) : text_(std::move(text)), file_(std::move(file)) {}
+    Lexer(std::string text, std::string file);
     Lexer(const Lexer&) = delete;
     Lexer& operator=(const Lexer&) = delete;
     Lexer(Lexer&&) = delete;
@@ -38,10 +39,12 @@ public:
     ~Lexer() = default;
 
     /// The next token, or nothing at the end; its text lives as long as the lexer.
-    /// @throws Error for a string without its closing quote, or a token of more than 64 KiB.
+    /// @throws Error for a string without its closing quote, a word with a character that no word
+    ///         has, or a token of more than 64 KiB.
     std::optional<Token> next();
 
     const std::string& file() const { return file_; }
+    const std::string& text() const { return text_; }
     /// Where the next token would begin.
     SourceLocation here() const { return {file_, line_, column()}; }
 

@@ -15,18 +15,12 @@ Image light_image(const Statement& statement, Reading& reading) {
     if (!name || name->empty())
         throw Error(statement.where, "a light without its picture", "add \"string filename\"");
     const SourceLocation& where = statement.find("filename")->where;
-    Image image = parse_image(reading.read_file(*name, where), *name);
-    warn_of_primaries(image, *name, where, reading);
-    for (int y = 0; y < image.resolution().y; ++y)
-        for (int x = 0; x < image.resolution().x; ++x) {
-            const Vec3 rgb = image.rgb(x, y);
-            if (!std::isfinite(rgb.x) || !std::isfinite(rgb.y) || !std::isfinite(rgb.z))
-                throw Error(where,
-                            "texel (" + std::to_string(x) + ", " + std::to_string(y) + ") of " +
-                                in_quotes(*name) + " is not finite",
-                            "mend the picture: lights need numbers");
-        }
-    return image;
+    return reading.read_data(*name, where, [&](const NamedFile& file) {
+        Image image = parse_image(file.bytes, file.path);
+        image.mend_broken();
+        warn_of_image(image, file.path, where, reading);
+        return image;
+    });
 }
 
 Image directions_image(const Statement& statement, Reading& reading) {

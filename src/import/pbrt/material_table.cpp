@@ -3,6 +3,7 @@
 
 #include "import/pbrt/materials.h"
 #include "import/pbrt/reading.h"
+#include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
 #include <algorithm>
@@ -45,6 +46,7 @@ void MaterialTable::make(const std::string& name, Statement statement) {
         throw Error(statement.where, "named material " + in_quotes(name) + " has no type",
                     "add \"string type\" \"diffuse\" or another");
     statement.type = *type;
+    check_not_of_v3("Material", *type, statement.where);
     check_type(statement);
     const SourceLocation where = statement.where;
     if (!named_.try_emplace(name, std::move(statement)).second)
@@ -75,9 +77,15 @@ void MaterialTable::finish(Reading& reading) {
         }
         const Statement& statement = slot.statement ? *slot.statement : named(slot.name, slot.from);
         reading.count_word("Material", statement.type);
-        materials.push_back(material_of(statement, reading));
-        reliefs.push_back(relief_of(statement, reading));
-        reading.warn_unused(statement);
+        materials.emplace_back(DiffuseMaterial{});
+        reliefs.emplace_back();
+        try {
+            materials.back() = material_of(statement, reading);
+            reliefs.back() = relief_of(statement, reading);
+            reading.warn_unused(statement);
+        } catch (const MissingFile& missing) {
+            reading.note_missing(missing);
+        }
     }
 }
 

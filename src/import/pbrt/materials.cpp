@@ -37,8 +37,7 @@ Roughness roughness_of(const Statement& statement, const std::string& prefix, Re
 SpectralCurve eta_of(const Statement& statement, Reading& reading) {
     const Parameter* found = statement.find("eta");
     if (!found) return SpectralCurve::constant(1.5F);
-    if (found->type != ParameterType::real)
-        return curve_of(*found, SpectrumUse::unbounded, reading);
+    if (found->type != ParameterType::real) return curve_of(*found, SpectrumUse::index, reading);
     const auto eta = static_cast<float>(*statement.real("eta"));
     if (eta > 0) return SpectralCurve::constant(eta);
     throw Error(found->where, "an index of refraction that is not positive",
@@ -64,9 +63,8 @@ Material thin_dielectric(const Statement& statement, Reading& reading) {
 
 ConductorMaterial conductor_by(const Statement& statement, const std::string& prefix,
                                Reading& reading) {
-    const auto eta =
-        find_spectrum_texture(statement, prefix + "eta", SpectrumUse::unbounded, reading);
-    const auto k = find_spectrum_texture(statement, prefix + "k", SpectrumUse::unbounded, reading);
+    const auto eta = find_spectrum_texture(statement, prefix + "eta", SpectrumUse::index, reading);
+    const auto k = find_spectrum_texture(statement, prefix + "k", SpectrumUse::index, reading);
     ConductorMaterial metal;
     metal.eta = eta ? *eta : SpectrumTexture(*named_spectrum("metal-Cu-eta"));
     metal.k = k ? *k : SpectrumTexture(*named_spectrum("metal-Cu-k"));

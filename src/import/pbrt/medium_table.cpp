@@ -4,6 +4,7 @@
 #include "import/pbrt/data_substances.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/spectra.h"
+#include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
 #include <algorithm>
@@ -79,6 +80,7 @@ void MediumTable::make(Statement statement) {
     if (!type)
         throw Error(statement.where, "medium " + in_quotes(statement.type) + " has no type",
                     "add \"string type\" \"homogeneous\"");
+    check_not_of_v3(statement.keyword, *type, statement.where);
     if (std::find(kTypes.begin(), kTypes.end(), *type) == kTypes.end())
         throw Error(statement.where, "unknown medium " + in_quotes(*type),
                     use_one_of(kTypes, *type));

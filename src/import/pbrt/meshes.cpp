@@ -182,9 +182,12 @@ LocalShape ply_mesh(const Statement& statement, Reading& reading) {
     if (statement.find("displacement"))
         reading.warn(statement.where, "displacement is not simulated: meshes stay as they are");
     statement.ignore({"edgelength"});
-    PlyFile ply =
-        parse_ply(reading.read_file(*name, statement.where), resolved(*name, reading.folder));
-    TriangleMesh& mesh = ply.mesh;
+    PlyFile ply = reading.read_data(*name, statement.where, [](const NamedFile& file) {
+        return parse_ply(file.bytes, file.path);
+    });
+    for (const std::string& remark : ply.remarks)
+        reading.warn(statement.where, in_quotes(*name) + ": " + remark);
+    TriangleMesh mesh = std::move(ply.mesh);
     warn_of_coarseness({mesh.positions, ply.origin}, mesh.triangles, statement, reading);
     const std::size_t broken = drop_broken_normals(mesh);
     if (broken > 0)

@@ -2,6 +2,8 @@
 #include "import/pbrt/parameter_parser.h"
 
 #include "import/pbrt/numbers.h"
+#include "import/pbrt/odd_characters.h"
+#include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
 namespace sunfleck {
@@ -17,20 +19,24 @@ std::string_view trimmed(std::string_view text) {
 Parameter declared(const Token& token) {
     const std::string whole = unescaped(token);
     const std::string_view text = trimmed(whole);
+    if (const auto odd = odd_character_in(whole))
+        throw Error(token.where(), odd->what + " stands in the declaration " + in_quotes(whole),
+                    odd->mend);
     const std::size_t blank = text.find_first_of(" \t");
     if (blank == std::string_view::npos)
         throw Error(token.where(), "expected a parameter, found " + in_quotes(whole),
                     "write its type and name, such as \"float radius\"");
     const auto type = parameter_type(text.substr(0, blank));
+    const std::string_view name = trimmed(text.substr(blank));
+    if (is_parameter_type_of_v3(text.substr(0, blank)) || is_parameter_of_v3(name))
+        refuse_v3("the parameter " + in_quotes(whole), token.where());
     if (!type)
         throw Error(token.where(), "unknown parameter type in " + in_quotes(whole),
-                    text.starts_with("color ") ? "write \"rgb\" for \"color\""
-                                               : "use float, integer, bool, string, point2, "
-                                                 "point3, vector3, normal, rgb, spectrum, "
-                                                 "blackbody or texture");
+                    "use float, integer, bool, string, point2, point3, vector3, normal, rgb, "
+                    "spectrum, blackbody or texture");
     Parameter parameter;
     parameter.type = *type;
-    parameter.name = trimmed(text.substr(blank));
+    parameter.name = name;
     parameter.where = token.where();
     return parameter;
 }
@@ -119,6 +125,7 @@ Statement read_statement(TokenStream& tokens, const Token& keyword, ColourSpace 
     statement.keyword = keyword.text;
     statement.where = keyword.where();
     statement.type = tokens.require_string("the type of " + statement.keyword);
+    check_not_of_v3(statement.keyword, statement.type, statement.where);
     statement.own = read_parameters(tokens, space);
     return statement;
 }

@@ -1,7 +1,8 @@
 // PLY files: the body, row by row, into a TriangleMesh.
 #include "import/pbrt/ply.h"
 
-#include "import/pbrt/local_points.h"
+#include "core/file_content.h"
+#include "import/pbrt/ply_body.h"
 #include "import/pbrt/ply_gzip.h"
 #include "import/pbrt/ply_header.h"
 #include "import/pbrt/ply_source.h"
@@ -10,8 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 
 namespace sunfleck {
@@ -65,7 +64,7 @@ public:
     BodyReader(const PlyHeader& header, std::string_view body, const std::string& name)
         : header_(header), source_(body), name_(name) {}
 
-    PlyFile read() {
+    PlyBody read() {
         for (const PlyElement& element : header_.elements) {
             element_ = &element;
             row_ = 0;
@@ -81,9 +80,7 @@ public:
                 fail(fault.what(), "write the file again, it is cut or damaged");
             }
         }
-        LocalPoints local = local_points(points_, all_corners(mesh_.triangles));
-        mesh_.positions = std::move(local.points);
-        return {std::move(mesh_), local.origin};
+        return std::move(body_);
     }
 
 private:
@@ -112,7 +109,7 @@ private:
 
     void read_vertices(const PlyElement& element) {
         const VertexLayout layout = layout_of(element);
-        points_.reserve(element.count);
+        body_.points.reserve(element.count);
         if (layout.normals) mesh_.normals.reserve(element.count);
         if (layout.uvs) mesh_.uvs.reserve(element.count);
         for (; row_ < element.count; ++row_) {
@@ -128,20 +125,22 @@ private:
         }
     }
 
-    /// Normals may be what is no number: exporters write that where they found none.
+    /// Normals may be what is no number: exporters write that where they found none. So may be all
+    /// of a vertex, if no face uses it.
     void add_vertex(const VertexRow& row, const VertexLayout& layout) {
+        bool is_broken = false;
         const auto part = [&](std::size_t slot) {
             const double value = row.at(slot);
-            if (!(std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max())))
-                fail("a number that is not finite, or too large",
-                     "export the mesh again without it");
+            is_broken =
+                is_broken || !(std::abs(value) <= double{std::numeric_limits<float>::max()});
             return value;
         };
-        points_.emplace_back(part(slot_x), part(slot_x + 1), part(slot_x + 2));
+        body_.points.emplace_back(part(slot_x), part(slot_x + 1), part(slot_x + 2));
         const auto any = [&](std::size_t slot) { return static_cast<float>(row.at(slot)); };
         if (layout.normals)
             mesh_.normals.emplace_back(any(slot_nx), any(slot_nx + 1), any(slot_nx + 2));
         if (layout.uvs) mesh_.uvs.emplace_back(Vec2d(part(slot_u), part(slot_v)));
+        if (is_broken) body_.broken.push_back(row_);
     }
 
     void read_faces(const PlyElement& element) {
@@ -158,13 +157,12 @@ private:
 
     void read_face(const PlyProperty& property) {
         const std::uint64_t length = list_length(property);
-        if (length != 3 && length != 4)
-            fail("it has " + std::to_string(length) + " vertices, not 3 or 4",
-                 "triangulate the mesh");
-        std::array<std::uint32_t, 4> corner{};
-        for (std::size_t i = 0; i < length; ++i) corner.at(i) = vertex_index(property.type);
-        mesh_.triangles.push_back({corner[0], corner[1], corner[2]});
-        if (length == 4) mesh_.triangles.push_back({corner[0], corner[2], corner[3]});
+        corners_.clear();
+        for (std::uint64_t i = 0; i < length; ++i) corners_.push_back(vertex_index(property.type));
+        if (length < 3) ++body_.faces_left_out;
+        if (length > 4) body_.fans.push_back({row_, mesh_.triangles.size(), length});
+        for (std::size_t i = 2; i < length; ++i)
+            mesh_.triangles.push_back({corners_[0], corners_[i - 1], corners_[i]});
     }
 
     std::uint32_t vertex_index(PlyType type) {
@@ -186,11 +184,14 @@ private:
     const std::string& name_;
     const PlyElement* element_ = nullptr;
     std::uint64_t row_ = 0;
-    std::vector<Vec3d> points_;
-    TriangleMesh mesh_;
+    PlyBody body_;
+    TriangleMesh& mesh_ = body_.mesh;
+    std::vector<std::uint32_t> corners_;  // of the present face
 };
 
-PlyFile parse_plain_ply(std::string_view bytes, const std::string& name) {
+PlyBody parse_plain_ply(std::string_view bytes, const std::string& name) {
+    bytes = without_mark(bytes);
+    if (!bytes.starts_with("ply")) refuse_other_content(bytes, name, "a PLY mesh");
     const PlyHeader header = parse_ply_header(bytes, name);
     const std::string_view body = bytes.substr(header.size);
     if (header.format == PlyFormat::ascii)
@@ -203,20 +204,8 @@ PlyFile parse_plain_ply(std::string_view bytes, const std::string& name) {
 }  // namespace
 
 PlyFile parse_ply(std::string_view bytes, const std::string& name) {
-    if (!is_gzip(bytes)) return parse_plain_ply(bytes, name);
-    return parse_plain_ply(gunzip(bytes, name), name);
-}
-
-PlyFile read_ply(const std::string& path, const SourceLocation& from) {
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(path, code))
-        throw Error(from, "there is no file " + path, "check its name");
-    const std::uintmax_t size = std::filesystem::file_size(path, code);
-    std::ifstream file(path, std::ios::binary);
-    std::string bytes(code ? 0 : size, '\0');
-    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (code || !file) throw Error(from, "cannot read " + path, "check that you may read it");
-    return parse_ply(bytes, path);
+    if (!is_gzip(bytes)) return finished_ply(parse_plain_ply(bytes, name), name);
+    return finished_ply(parse_plain_ply(gunzip(bytes, name), name), name);
 }
 
 }  // namespace sunfleck

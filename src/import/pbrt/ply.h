@@ -9,26 +9,27 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sunfleck {
 
+/// A mesh, and what of its file it has not.
 struct PlyFile {
     TriangleMesh mesh;
     Vec3d origin{0};  // that its positions are relative to; zero, unless they are far from it
+    std::vector<std::string> remarks;  // follow the file's name and a colon
 };
-
-/// Reads the file.
-/// @param from  the statement that asks for it: the place of the error if it cannot be opened.
-/// @throws Error as parse_ply() does.
-PlyFile read_ply(const std::string& path, const SourceLocation& from);
 
 /// Reads x y z, and where present nx ny nz and one pair of u v, s t, texture_u texture_v,
 /// texture_s texture_t of "vertex"; vertex_indices (or vertex_index) of "face". A quad becomes the
-/// triangles 0 1 2 and 0 2 3. Everything else in the file is skipped.
+/// triangles 0 1 2 and 0 2 3. Planar convex faces of more corners are cut likewise; faces of fewer
+/// than three corners and vertices that are no finite numbers and belong to no face are left out,
+/// all with a remark. Everything else in the file is skipped.
 /// @param name  of the file, for errors.
 /// @throws Error with line and column for faults of the header; with the element and its number
 ///         (from 0) for faults of the body: cut files, counts that the file cannot hold, numbers
-///         that are not finite floats, indices that name no vertex, faces of other than 3 or 4.
+///         that are not finite floats, indices that name no vertex, other faces of more than four
+///         corners. For what is no PLY file, it says what the file is.
 PlyFile parse_ply(std::string_view bytes, const std::string& name);
 
 }  // namespace sunfleck

@@ -1,20 +1,21 @@
-// gzip by way of zlib: the output grows as it comes, so a file's claim is never believed.
+// gzip by way of zlib: the output comes in pieces, so that a file's claim is never believed.
 #include "import/pbrt/ply_gzip.h"
 
 #include "core/error.h"
+#include "core/memory_room.h"
 
 #include <zlib.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <new>
+#include <utility>
+#include <vector>
 
 namespace sunfleck {
 namespace {
 
-constexpr std::size_t kFreeOutput = std::size_t{1} << 28U;
-constexpr std::size_t kMostOfAByte = 256;  // deflate could give 1032
-constexpr std::size_t kSmallestStep = std::size_t{1} << 16U;
+constexpr std::size_t kPiece = std::size_t{1} << 20U;
 constexpr std::size_t kLargestStep = std::size_t{1} << 30U;  // zlib counts in 32 bits
 
 /// zlib's state for one gzip member after another.
@@ -31,21 +32,30 @@ public:
     Inflater& operator=(Inflater&&) = delete;
 
     std::string all() {
+        std::vector<std::string> pieces(1, std::string(kPiece, '\0'));
+        std::size_t filled = 0;  // of the last piece
+        while (step(pieces.back(), filled))
+            if (filled == kPiece) {
+                check_size(pieces.size() * kPiece);
+                pieces.emplace_back(kPiece, '\0');
+                filled = 0;
+            }
+        pieces.back().resize(filled);
         std::string output;
-        std::size_t filled = 0;
-        for (bool more = true; more;) {
-            if (filled == output.size()) grow(output);
-            more = step(output, filled);
-        }
-        output.resize(filled);
+        output.reserve((pieces.size() - 1) * kPiece + filled);
+        for (std::string& piece : pieces) output += std::exchange(piece, {});
         return output;
     }
 
 private:
-    void grow(std::string& output) {
-        if (output.size() >= kFreeOutput + kMostOfAByte * input_.size())
-            fail("it unpacks to more than 256 times its size");
-        output.resize(std::max({2 * output.size(), 4 * input_.size(), kSmallestStep}));
+    /// The pieces and what is joined of them are in memory together.
+    void check_size(std::size_t unpacked) const {
+        if (unpacked <= free_memory()) return;
+        constexpr std::size_t kMebi = std::size_t{1} << 20U;
+        throw Error({name_},
+                    "it unpacks to more than " + std::to_string(unpacked / kMebi) +
+                        " MiB, half of the memory that was free",
+                    "free some memory, or use a smaller file");
     }
 
     /// Fills more of the output. @return whether there may be more.
@@ -68,7 +78,7 @@ private:
         return true;
     }
 
-    [[noreturn]] void fail(const std::string& what) {
+    [[noreturn]] void fail(const std::string& what) const {
         throw Error({name_}, what, "pack the file again");
     }
 

@@ -13,7 +13,8 @@ inline bool is_gzip(std::string_view bytes) {
 
 /// What the gzip file holds, all members joined; bytes after the last member are ignored.
 /// @param name  of the file, for errors.
-/// @throws Error for a cut or damaged file, and beyond 16 GiB.
+/// @throws Error for a cut or damaged file, and for one that unpacks to more than half of the
+///         memory that is free.
 std::string gunzip(std::string_view bytes, const std::string& name);
 
 }  // namespace sunfleck

@@ -11,7 +11,7 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{
+constexpr std::array<std::pair<std::string_view, PlyType>, 16> kPlyTypes = {{
     {"char", PlyType::int8},
     {"uchar", PlyType::uint8},
     {"short", PlyType::int16},
@@ -41,7 +41,11 @@ struct Word {
 
 class HeaderParser {
 public:
-    HeaderParser(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+    HeaderParser(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {
+        const std::size_t end = bytes.find_first_of("\n\r");
+        if (end + 1 < bytes.size() && bytes[end] == '\r' && bytes[end + 1] != '\n')
+            line_end_ = '\r';
+    }
 
     PlyHeader parse() {
         if (!next_line() || words_.size() != 1 || words_[0].text != "ply")
@@ -134,10 +138,10 @@ private:
     }
 
     PlyType type_of(std::size_t word) {
-        const auto* found = std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& row) {
+        const auto* found = std::find_if(kPlyTypes.begin(), kPlyTypes.end(), [&](const auto& row) {
             return row.first == words_[word].text;
         });
-        if (found == kTypes.end())
+        if (found == kPlyTypes.end())
             fail(word, "unknown type " + quoted(word),
                  "use char, uchar, short, ushort, int, uint, float or double");
         return found->second;
@@ -176,7 +180,7 @@ private:
     bool next_line() {
         words_.clear();
         ++line_;
-        const std::size_t end = bytes_.find('\n', at_);
+        const std::size_t end = bytes_.find(line_end_, at_);
         if (end == std::string_view::npos) return false;
         const std::string_view text = bytes_.substr(at_, end - at_);
         at_ = end + 1;
@@ -215,6 +219,7 @@ private:
 
     std::string_view bytes_;
     const std::string& name_;
+    char line_end_ = '\n';  // of all lines, as of the first: LF, or CR alone
     std::size_t at_ = 0;
     int line_ = 0;
     std::vector<Word> words_;

@@ -90,6 +90,8 @@ public:
         double value = 0;
         const auto result = std::from_chars(at_ + (plus ? 1 : 0), end_, value);
         if (result.ec == std::errc::result_out_of_range) return out_of_range(result.ptr);
+        if (result.ec == std::errc() && result.ptr != end_ && *result.ptr == '#')
+            return not_finite(result.ptr);
         if (result.ec != std::errc() || (result.ptr != end_ && !is_blank(*result.ptr)))
             throw PlyFault("\"" + word() + "\" is no number");
         at_ = result.ptr;
@@ -108,6 +110,18 @@ public:
 
 private:
     static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+    /// What Microsoft's library writes for numbers that are not finite: 1.#INF, -1.#IND, 1.#QNAN.
+    double not_finite(const char* mark) {
+        for (const std::string_view kind : {"#INF", "#IND", "#QNAN", "#SNAN"}) {
+            if (!std::string_view(mark, static_cast<std::size_t>(end_ - mark)).starts_with(kind))
+                continue;
+            at_ = mark;
+            while (at_ != end_ && !is_blank(*at_)) ++at_;
+            return kind == "#INF" ? HUGE_VAL : std::nan("");
+        }
+        throw PlyFault("\"" + word() + "\" is no number");
+    }
 
     /// Tiny numbers are zero; huge ones are infinite, and refused where a float is needed.
     double out_of_range(const char* behind) {

@@ -1,6 +1,7 @@
 // The reading from its first statement to the finished scene.
 #include "import/pbrt/reader.h"
 
+#include "core/file_content.h"
 #include "geometry/affine.h"
 #include "import/pbrt/camera.h"
 #include "import/pbrt/directives.h"
@@ -50,20 +51,11 @@ void finish_emission(Reading& reading) {
     }
 }
 
-SceneDescription read_all(std::string text, const std::string& path, const FileAccess& files) {
-    Reading reading;
-    reading.files = files;
-    reading.folder = std::filesystem::path(path).parent_path().string();
-    reading.scene.path = path;
-    reading.scene.files.push_back(path);
-
-    TokenStream tokens;
-    tokens.push(std::move(text), std::filesystem::path(path).lexically_normal().string(), {path});
-    read_statements(reading, tokens);
-
+/// What has to wait until all statements are known.
+void finish(Reading& reading) {
     reading.check_blocks_closed(0);
     if (!reading.in_world)
-        throw Error({path}, "there is no WorldBegin",
+        throw Error({reading.scene.path}, "there is no WorldBegin",
                     "write it after the camera, and shapes and lights after it");
     finish_film(reading);
     finish_camera(reading);
@@ -77,6 +69,27 @@ SceneDescription read_all(std::string text, const std::string& path, const FileA
     reading.warn_unused_defaults();
     for (const auto& [word, count] : reading.words)
         reading.scene.words.push_back({word.first, word.second, count});
+}
+
+SceneDescription read_all(std::string text, const std::string& path, const FileAccess& files) {
+    refuse_other_content(text, path, "a scene of pbrt-v4");
+    Reading reading;
+    reading.files = files;
+    reading.folder = std::filesystem::path(path).parent_path().string();
+    reading.scene.path = path;
+    reading.scene.files.push_back(path);
+    reading.files_read.insert(path);
+
+    TokenStream tokens;
+    tokens.push(std::move(text), std::filesystem::path(path).lexically_normal().string(), {path});
+    try {
+        read_statements(reading, tokens);
+        finish(reading);
+    } catch (const Error&) {
+        reading.check_missing();  // this fault may come of what is missing
+        throw;
+    }
+    reading.check_missing();
     return std::move(reading.scene);
 }
 
@@ -85,6 +98,14 @@ SceneDescription read_all(std::string text, const std::string& path, const FileA
 SceneDescription read_pbrt(const std::string& path) {
     const FileAccess files = disk_access();
     return read_all(files(path, {path}), path, files);
+}
+
+SceneDescription read_pbrt_input() {
+    const std::string name(kStandardInput);
+    const std::string text = unpacked(read_standard_input(name), name);
+    SceneDescription scene = read_all(text, name, disk_access());
+    scene.text = text;
+    return scene;
 }
 
 SceneDescription read_pbrt_text(const std::string& text, const std::string& path) {

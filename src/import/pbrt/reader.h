@@ -13,6 +13,10 @@ namespace sunfleck {
 /// @throws Error for what is no pbrt-v4 scene, or cannot be rendered as one.
 SceneDescription read_pbrt(const std::string& path);
 
+/// Reads a scene from standard input, plain or packed by gzip. Files named in it are found from the
+/// working folder. @throws Error as read_pbrt() does.
+SceneDescription read_pbrt_input();
+
 /// Reads a scene from text. @param path  the name of the main file: in messages, and for the
 /// folder of the files that the text names. @throws Error as read_pbrt() does.
 SceneDescription read_pbrt_text(const std::string& text, const std::string& path);

@@ -2,13 +2,15 @@
 #include "import/pbrt/reading.h"
 
 #include "import/pbrt/transforms.h"
+#include "import/pbrt/words.h"
 
 #include <algorithm>
 
 namespace sunfleck {
 
 constexpr std::size_t kMostWarnings = 500;
-constexpr std::size_t kMostFiles = 100000;
+constexpr std::size_t kMostListed = 20;  // of missing files
+constexpr std::size_t kLongestPath = 4096;
 
 void Reading::count_word(std::string_view directive, std::string_view word) {
     ++words[{std::string(directive), std::string(word)}];
@@ -32,17 +34,36 @@ void Reading::warn_unused_defaults() {
                                        parameter->title() + " of Attribute: it is ignored");
 }
 
-void Reading::count_file(const std::string& path, const SourceLocation& from) {
-    if (scene.files.size() >= kMostFiles)
-        throw Error(from, "the scene opens more than 100000 files", "join some of them");
-    scene.files.push_back(path);
+void Reading::note_file(const NamedFile& file, const SourceLocation& from) {
+    if (files_read.insert(file.path).second) scene.files.push_back(file.path);
+    if (file.by_slashes)
+        warn(from, "backslashes in a file's name are read as slashes: " +
+                       in_quotes(file.path, kLongestPath));
 }
 
-std::string Reading::read_file(const std::string& name, const SourceLocation& from) {
-    const std::string path = resolved(name, folder);
-    std::string bytes = files(path, from);
-    count_file(path, from);
-    return bytes;
+NamedFile Reading::read_file(const std::string& name, const SourceLocation& from) {
+    NamedFile file = find_file(name, folder, from, files);
+    note_file(file, from);
+    return file;
+}
+
+void Reading::note_missing(const MissingFile& fault) {
+    const bool known = std::any_of(missing.begin(), missing.end(), [&](const MissingFile& other) {
+        return other.path() == fault.path();
+    });
+    if (!known) missing.push_back(fault);
+}
+
+void Reading::check_missing() const {
+    if (missing.empty()) return;
+    if (missing.size() == 1) throw MissingFile(missing[0]);
+    std::string list;
+    for (std::size_t i = 0; i < std::min(missing.size(), kMostListed); ++i)
+        list += "\n  " + missing[i].line();
+    if (missing.size() > kMostListed)
+        list += "\n  and " + std::to_string(missing.size() - kMostListed) + " more";
+    throw Error(missing[0].where(), std::to_string(missing.size()) + " files are missing",
+                "check their names:" + list);
 }
 
 void Reading::check_blocks_closed(std::size_t base) const {

@@ -6,6 +6,7 @@
 #include "import/pbrt/file_access.h"
 #include "import/pbrt/graphics_state.h"
 #include "import/pbrt/images.h"
+#include "import/pbrt/inclusions.h"
 #include "import/pbrt/material_table.h"
 #include "import/pbrt/medium_table.h"
 #include "import/pbrt/textures.h"
@@ -56,6 +57,9 @@ struct Reading {
     std::map<std::pair<std::string, std::string>, std::size_t> words;  // count by directive, word
     std::optional<std::uint32_t> open_object;
     std::vector<InstanceUse> instances;
+    std::set<std::string> files_read;
+    Inclusions inclusions;
+    std::vector<MissingFile> missing;  // each path once
 
     /// Counts a word that the scene uses: of the directive `Shape`, `sphere`.
     void count_word(std::string_view directive, std::string_view word);
@@ -65,10 +69,25 @@ struct Reading {
     void warn_unused(const Statement& statement);
     /// The same, of those given by Attribute: at the end.
     void warn_unused_defaults();
-    /// The bytes of a file named in the scene, which is entered in the list of files.
-    std::string read_file(const std::string& name, const SourceLocation& from);
-    /// Enters a file in the list. @throws Error when there are too many.
-    void count_file(const std::string& path, const SourceLocation& from);
+    /// A file named in the scene, which is entered in the list of files. @throws as find_file().
+    NamedFile read_file(const std::string& name, const SourceLocation& from);
+    /// What a reader makes of a data file. @param reader  takes a NamedFile; its faults are told
+    /// with the statement that asked for the file.
+    template <class Reader>
+    auto read_data(const std::string& name, const SourceLocation& from, const Reader& reader) {
+        try {
+            return reader(read_file(name, from));
+        } catch (const Error& fault) {
+            if (fault.where().file == from.file) throw;
+            throw fault.asked_for_at(from);
+        }
+    }
+    /// Enters a file in the list, and warns if it was found by slashes for its backslashes.
+    void note_file(const NamedFile& file, const SourceLocation& from);
+    /// Notes a missing file, so that all of them are told at once.
+    void note_missing(const MissingFile& missing);
+    /// @throws Error  that lists the missing files, if there are any.
+    void check_missing() const;
     /// @throws Error if more than the outer `base` blocks are open.
     void check_blocks_closed(std::size_t base) const;
     /// The matrix of the graphics state in the middle of the exposure; warns where it moves.

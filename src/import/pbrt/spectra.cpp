@@ -1,11 +1,16 @@
 // Spectra as pbrt-v4 gives them: paramdict.cpp there, measured for lights.
 #include "import/pbrt/spectra.h"
 
+#include "core/file_content.h"
 #include "import/pbrt/numbers.h"
 #include "import/pbrt/reading.h"
+#include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
+#include "math/colour.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 namespace sunfleck {
 namespace {
@@ -17,6 +22,12 @@ void want(bool right, const Parameter& parameter, const std::string& fault,
     if (!right) throw Error(parameter.where, "parameter " + parameter.title() + fault, mend);
 }
 
+std::string shown(double number) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.6g", number);
+    return text.data();
+}
+
 /// In linear sRGB, negative components cut with a warning.
 Vec3 in_srgb(const Parameter& parameter, SpectrumUse use, Reading& reading) {
     const auto& v = parameter.numbers;
@@ -26,12 +37,26 @@ Vec3 in_srgb(const Parameter& parameter, SpectrumUse use, Reading& reading) {
         light ? srgb_of_light(parameter.space, given) : srgb_of_surface(parameter.space, given);
     const auto [least, most] = std::minmax_element(rgb.begin(), rgb.end());
     constexpr double kRounding = 1e-3;
-    const bool too_bright = use == SpectrumUse::reflectance && *most > 1 + kRounding;
+    const bool too_bright = use == SpectrumUse::reflectance && *most > 1 + kRounding &&
+                            parameter.space != ColourSpace::srgb;
     if (*least < -kRounding * *most || too_bright)
         reading.warn(parameter.where, "parameter " + parameter.title() +
                                           " is no colour of sRGB: what is beyond it is cut off");
     for (double& c : rgb) c = std::max(c, 0.0);
     return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
+}
+
+/// A surface reflects at most all light: where it is made of a spectrum, the rest is cut off.
+void warn_above_one(double most, const Parameter& parameter, const std::string& of,
+                    Reading& reading) {
+    constexpr double kRounding = 1e-3;
+    constexpr double kPercentages = 2;
+    if (!(most > 1 + kRounding)) return;
+    reading.warn(parameter.where, "parameter " + parameter.title() + of + " goes up to " +
+                                      shown(most) + ": what is above 1 is cut off" +
+                                      (most >= kPercentages && most <= 100
+                                           ? "; are these percentages? divide them by 100"
+                                           : ""));
 }
 
 SpectralCurve rgb_curve(const Parameter& parameter, SpectrumUse use, Reading& reading) {
@@ -40,16 +65,40 @@ SpectralCurve rgb_curve(const Parameter& parameter, SpectrumUse use, Reading& re
     want(*std::min_element(v.begin(), v.end()) >= 0, parameter, " has a negative component",
          "use components of 0 or more");
     if (use == SpectrumUse::reflectance)
-        want(*std::max_element(v.begin(), v.end()) <= 1, parameter, " has a component above 1",
-             "a surface reflects at most all light: use components in 0..1");
+        warn_above_one(*std::max_element(v.begin(), v.end()), parameter, "", reading);
     const Vec3 rgb = in_srgb(parameter, use, reading);
     if (use == SpectrumUse::emission) return SpectralCurve::rgb_illuminant(rgb);
-    if (use == SpectrumUse::unbounded) return SpectralCurve::rgb_unbounded(rgb);
-    return SpectralCurve::rgb_albedo(rgb);
+    if (use == SpectrumUse::reflectance) return SpectralCurve::rgb_albedo(rgb);
+    return SpectralCurve::rgb_unbounded(rgb);
 }
 
+/// Warns of a table that says nothing of visible light.
+void warn_invisible(const Points& points, const Parameter& parameter, const std::string& of,
+                    Reading& reading) {
+    constexpr float kMicrometres = 100;
+    if (points.back().nm >= kFirstNm && points.front().nm <= kLastNm) return;
+    reading.warn(parameter.where,
+                 "parameter " + parameter.title() + of + " has no point within 360 to 830 nm" +
+                     (points.back().nm < kMicrometres
+                          ? ": are its wavelengths micrometres? multiply them by 1000"
+                          : ""));
+}
+
+/// The first and the last value go on to the ends of visible light.
+void extend(Points& points, const Parameter& parameter, const std::string& of, Reading& reading) {
+    const TableCurve::Point first = points.front();
+    const TableCurve::Point last = points.back();
+    if (first.nm <= kFirstNm && last.nm >= kLastNm) return;
+    if (last.nm < kLastNm) points.push_back({kLastNm, last.value});
+    if (first.nm > kFirstNm) points.insert(points.begin(), {kFirstNm, first.value});
+    reading.warn(parameter.where, "parameter " + parameter.title() + of + " is given from " +
+                                      shown(first.nm) + " to " + shown(last.nm) +
+                                      " nm: beyond, its end values go on");
+}
+
+/// @param of  the file it stands in, or "".
 SpectralCurve sampled(const std::vector<double>& numbers, const Parameter& parameter,
-                      const std::string& of) {
+                      SpectrumUse use, const std::string& of, Reading& reading) {
     want(!numbers.empty() && numbers.size() % 2 == 0, parameter,
          of + " has " + std::to_string(numbers.size()) + " numbers",
          "give pairs of wavelength in nm and value");
@@ -61,18 +110,30 @@ SpectralCurve sampled(const std::vector<double>& numbers, const Parameter& param
         want(points.back().value >= 0, parameter, of + " has a negative value",
              "use values of 0 or more");
     }
+    warn_invisible(points, parameter, of, reading);
+    if (use == SpectrumUse::index) extend(points, parameter, of, reading);
+    if (use == SpectrumUse::reflectance) {
+        const auto most = std::max_element(points.begin(), points.end(),
+                                           [](auto& a, auto& b) { return a.value < b.value; });
+        warn_above_one(most->value, parameter, of, reading);
+    }
     return SpectralCurve::table(std::move(points));
 }
 
 /// Pairs of numbers in a text file, with # comments.
-SpectralCurve from_file(const std::string& name, const Parameter& parameter, Reading& reading) {
-    Lexer lexer(reading.read_file(name, parameter.where), resolved(name, reading.folder));
-    std::vector<double> numbers;
-    while (const auto token = lexer.next()) numbers.push_back(real_of(*token));
-    return sampled(numbers, parameter, ": the file " + in_quotes(name));
+SpectralCurve from_file(const std::string& name, const Parameter& parameter, SpectrumUse use,
+                        Reading& reading) {
+    const auto numbers = reading.read_data(name, parameter.where, [](NamedFile file) {
+        refuse_other_content(file.bytes, file.path, "a spectrum");
+        Lexer lexer(std::move(file.bytes), file.path);
+        std::vector<double> all;
+        while (const auto token = lexer.next()) all.push_back(real_of(*token));
+        return all;
+    });
+    return sampled(numbers, parameter, use, " (file " + in_quotes(name) + ")", reading);
 }
 
-SpectralCurve by_name(const Parameter& parameter, Reading& reading) {
+SpectralCurve by_name(const Parameter& parameter, SpectrumUse use, Reading& reading) {
     const std::string& name = parameter.texts[0];
     if (auto known = named_spectrum(name)) return *known;
     const bool prefix =
@@ -83,28 +144,30 @@ SpectralCurve by_name(const Parameter& parameter, Reading& reading) {
         throw Error(parameter.where, "unknown spectrum " + in_quotes(name),
                     did_you_mean(views, name));
     }
-    return from_file(name, parameter, reading);
+    return from_file(name, parameter, use, reading);
 }
 
-SpectralCurve raw_curve(const Parameter& parameter, Reading& reading) {
+SpectralCurve raw_curve(const Parameter& parameter, SpectrumUse use, Reading& reading) {
     if (parameter.type == ParameterType::blackbody) {
+        if (parameter.numbers.size() == 2)  // a temperature and a factor
+            refuse_v3("the parameter " + parameter.title() + " of two numbers", parameter.where);
         want(parameter.numbers.size() == 1 && parameter.numbers[0] > 0, parameter,
              " is no temperature", "give one positive number of kelvin");
         return SpectralCurve(BlackbodyCurve{static_cast<float>(parameter.numbers[0])});
     }
     want(parameter.type == ParameterType::spectrum, parameter, " is no spectrum",
          "write \"rgb " + parameter.name + "\" or \"spectrum " + parameter.name + "\"");
-    if (parameter.texts.empty()) return sampled(parameter.numbers, parameter, "");
+    if (parameter.texts.empty()) return sampled(parameter.numbers, parameter, use, "", reading);
     want(parameter.texts.size() == 1 && parameter.numbers.empty(), parameter,
          " mixes names and numbers", "give one name, or pairs of numbers");
-    return by_name(parameter, reading);
+    return by_name(parameter, use, reading);
 }
 
 }  // namespace
 
 SpectralCurve curve_of(const Parameter& parameter, SpectrumUse use, Reading& reading) {
     if (parameter.type == ParameterType::rgb) return rgb_curve(parameter, use, reading);
-    SpectralCurve curve = raw_curve(parameter, reading);
+    SpectralCurve curve = raw_curve(parameter, use, reading);
     if (use != SpectrumUse::emission) return curve;
     const float luminance = curve.luminance();
     if (luminance > 1e-30F) return curve.scaled(1 / luminance);

@@ -11,7 +11,8 @@ struct Reading;
 /// What the spectrum is for: it says what an rgb stands for (pbrt-v4).
 enum class SpectrumUse {
     reflectance,  // rgb in [0,1]
-    unbounded,    // eta, k
+    unbounded,    // absorption, scattering
+    index,        // eta, k: unbounded; a table's end values go on beyond it
     emission      // rgb under D65; all other spectra are divided by their luminance
 };
 

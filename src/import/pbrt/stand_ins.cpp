@@ -1,6 +1,7 @@
 // Stand-ins, each told in one warning.
 #include "import/pbrt/stand_ins.h"
 
+#include "core/file_content.h"
 #include "import/pbrt/coats.h"
 #include "import/pbrt/data_substances.h"
 #include "import/pbrt/even_textures.h"
@@ -120,8 +121,12 @@ Material measured_stand_in(const Statement& statement, Reading& reading) {
     if (!file || file->texts.size() != 1)
         throw Error(statement.where, "a measured material without a file",
                     "add \"string filename\" \"name.bsdf\"");
-    const MeasuredSummary measured =
-        summary_of_measured(reading.read_file(file->texts[0], file->where), file->where);
+    const auto measured =
+        reading.read_data(file->texts[0], file->where, [&](const NamedFile& data) {
+            if (!data.bytes.starts_with("tensor_file"))
+                refuse_other_content(data.bytes, data.path, "a file of measurements (.bsdf)");
+            return summary_of_measured(data.bytes, file->where);
+        });
     const bool glossy = measured.alpha < kGlossyAlpha;
     warn_stand_in(statement,
                   glossy ? "it is metal of its mean colour and about its roughness"

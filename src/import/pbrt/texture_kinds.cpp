@@ -171,7 +171,7 @@ ImageKind image_kind(const Making& m) {
 
 ColourUse colour_use(SpectrumUse use) {
     if (use == SpectrumUse::reflectance) return ColourUse::albedo;
-    return use == SpectrumUse::unbounded ? ColourUse::unbounded : ColourUse::illuminant;
+    return use == SpectrumUse::emission ? ColourUse::illuminant : ColourUse::unbounded;
 }
 
 FloatTexture float_image(const Making& m) {

@@ -3,6 +3,7 @@
 
 #include "import/pbrt/reading.h"
 #include "import/pbrt/texture_kinds.h"
+#include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
 #include <algorithm>
@@ -26,6 +27,8 @@ const Parameter& checked(const Parameter& parameter) {
 
 void TextureTable::add(const std::string& kind, const std::string& name, Statement statement,
                        const Matrix& to_world) {
+    if (is_parameter_type_of_v3(kind))
+        refuse_v3("Texture " + in_quotes(name) + " " + in_quotes(kind), statement.where);
     if (kind != "float" && kind != "spectrum")
         throw Error(statement.where, "unknown kind of texture " + in_quotes(kind),
                     "use \"float\" or \"spectrum\"");

@@ -32,6 +32,10 @@ public:
     /// Checks before reading a file that push() would take it. @throws Error as push() does.
     void check_opening(const std::string& file, const SourceLocation& from) const;
 
+    /// The file that all began with. Call it within a statement of an included file or before one
+    /// is pushed.
+    const Lexer& root() const { return outer_ ? outer_->root() : *open_.front(); }
+
     /// Drops files that have ended, and with them the text of their tokens.
     void release() { ended_.clear(); }
 

@@ -2,6 +2,7 @@
 #include "import/pbrt/directives.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/transforms.h"
+#include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
 namespace sunfleck {
@@ -114,6 +115,8 @@ void active_transform(Reading& reading, TokenStream& tokens, const Token&) {
 }
 
 void transform_times(Reading& reading, TokenStream& tokens, const Token& keyword) {
+    if (tokens.peek() && tokens.peek()->kind == TokenKind::open)
+        refuse_v3("TransformTimes with brackets", keyword.where());
     const double start = tokens.require_number("the first time of TransformTimes");
     const double end = tokens.require_number("the second time of TransformTimes");
     if (end < start) fail(keyword, "the end lies before the start", "swap them");

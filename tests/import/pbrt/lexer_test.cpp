@@ -50,10 +50,51 @@ TEST(Lexer, knows_kinds_and_places) {
 }
 
 TEST(Lexer, undoes_escapes) {
-    Lexer lexer(R"("a\"b\\c\nd" "\q")", "a.pbrt");
+    Lexer lexer(R"("a\"b\\c\nd" "\q" "tex\wall.png")", "a.pbrt");
     EXPECT_EQ(unescaped(*lexer.next()), "a\"b\\c\nd");
-    const Token bad = *lexer.next();
-    EXPECT_THROW(unescaped(bad), Error);
+    EXPECT_EQ(unescaped(*lexer.next()), "\\q");
+    EXPECT_EQ(unescaped(*lexer.next()), "tex\\wall.png");
+}
+
+TEST(Lexer, passes_over_a_byte_order_mark) {
+    Lexer lexer("\xEF\xBB\xBFScale 1", "a.pbrt");
+    EXPECT_EQ(lexer.next()->where().text(), "a.pbrt:1:1");
+    EXPECT_EQ(lexer.next()->where().text(), "a.pbrt:1:7");
+    EXPECT_TRUE(words_of("\xEF\xBB\xBF").empty());
+}
+
+TEST(Lexer, lines_may_end_as_on_any_system) {
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+        Lexer lexer(std::string("a # b") + end + end + "c", "a.pbrt");
+        EXPECT_EQ(lexer.next()->text, "a");
+        EXPECT_EQ(lexer.next()->where().text(), "a.pbrt:3:1");
+    }
+}
+
+TEST(Lexer, names_characters_that_look_like_others) {
+    EXPECT_EQ(error_in("Scale\xC2\xA0"
+                       "1 1 1"),
+              "a.pbrt:1:6: U+00A0 (no-break space) stands here, which no word has; write a plain "
+              "space");
+    const std::vector<std::pair<std::string, std::string>> odd = {
+        {"\xE2\x80\x89", "U+2009 (typographic space)"},
+        {"\xE3\x80\x80", "U+3000 (ideographic space)"},
+        {"\xE2\x80\x8B", "U+200B (invisible character)"},
+        {"\xE2\x80\x9C", "U+201C (quotation mark)"},
+        {"\xE2\x88\x92", "U+2212 (minus sign)"},
+        {"\xEF\xBB\xBF", "U+FEFF (byte order mark within the text)"},
+        {"\xC2\x85", "U+0085 (next line)"},
+        {"\xA0", "byte A0, which is no UTF-8"},
+        {"\xE2\x80", "byte E2, which is no UTF-8"},
+        {"\xC3\xA9", "U+00E9"},
+        {"\x0C", "U+000C"},
+        {"\x1A", "U+001A (end-of-file mark of DOS)"},
+        {std::string(1, '\0'), "U+0000 (a zero byte)"}};
+    for (const auto& [bytes, name] : odd)
+        EXPECT_NE(error_in("Scale\n1 2" + bytes + "3 ").find("a.pbrt:2:4: " + name),
+                  std::string::npos)
+            << name << ": " << error_in("Scale\n1 2" + bytes + "3 ");
+    EXPECT_EQ(error_in("\"\xC2\xA0\" # \xC2\xA0"), "");
 }
 
 TEST(Lexer, a_string_ends_on_its_line) {

@@ -75,7 +75,7 @@ TEST(Parameters, lists_that_are_broken_are_errors) {
     EXPECT_NE(error_in("S \"x\" \"bool a\" 1"), "");
     EXPECT_NE(error_in("S \"x\" \"radius\" 1"), "");
     EXPECT_NE(error_in("S \"x\" \"point3 P\" [1 2]"), "");
-    EXPECT_TRUE(error_in("S \"x\" \"color c\" [1 1 1]").ends_with("write \"rgb\" for \"color\""));
+    EXPECT_NE(error_in("S \"x\" \"color c\" [1 1 1]").find("pbrt-v3"), std::string::npos);
     EXPECT_NE(error_in("S x"), "");
 }
 

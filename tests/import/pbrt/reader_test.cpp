@@ -40,7 +40,7 @@ TEST(Reader, splices_includes_anywhere) {
     EXPECT_EQ(std::get<Sphere>(scene.shapes[0].placed.shape).radius, 3);
     EXPECT_EQ(scene.shapes[0].where.text(), "sub/b.pbrt:2:1");
     EXPECT_EQ(Vec3d(0) * scene.shapes[2].placed.to_world, Vec3d(1, 0, 0));
-    EXPECT_EQ(scene.files.size(), 5U);
+    EXPECT_EQ(scene.files.size(), 4U);
 }
 
 TEST(Reader, keeps_the_state_of_imports_to_themselves) {
@@ -63,7 +63,7 @@ TEST(Reader, keeps_the_state_of_imports_to_themselves) {
     EXPECT_NE(error_of("Import \"i.pbrt\" WorldBegin", {{"i.pbrt", ""}}), "");
 }
 
-TEST(Reader, refuses_circles_and_floods_of_files) {
+TEST(Reader, refuses_circles_of_files) {
     EXPECT_TRUE(contains(world_error("Include \"main.pbrt\"", {{"main.pbrt", ""}}), "itself"));
     EXPECT_TRUE(
         contains(world_error("Include \"a\"", {{"a", "Include \"x/../b\""}, {"b", "Import \"a\""}}),
@@ -76,12 +76,6 @@ TEST(Reader, refuses_circles_and_floods_of_files) {
     }
     EXPECT_TRUE(contains(world_error("Include \"0\"", chain), "more than 100 deep"));
     EXPECT_TRUE(contains(world_error("Import \"i0\"", chain), "more than 100 deep"));
-    MemoryFiles doubling = {{"20", ""}};
-    for (int i = 0; i < 20; ++i) {
-        const std::string next = "Include \"" + std::to_string(i + 1) + "\"";
-        doubling[std::to_string(i)] = next + next;
-    }
-    EXPECT_TRUE(contains(world_error("Include \"0\"", doubling), "more than 100000 files"));
 }
 
 TEST(Reader, without_file_access_reads_text_alone) {

@@ -16,7 +16,7 @@ using MemoryFiles = std::map<std::string, std::string>;
 inline FileAccess memory_access(const MemoryFiles& files) {
     return [files](const std::string& path, const SourceLocation& from) {
         const auto found = files.find(path);
-        if (found == files.end()) throw Error(from, "there is no file " + path, "make it");
+        if (found == files.end()) throw MissingFile(from, path, "make it");
         return found->second;
     };
 }

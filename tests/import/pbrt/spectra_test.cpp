@@ -65,14 +65,67 @@ TEST(Spectra, are_sampled_named_or_in_a_file) {
               (*named_spectrum("metal-Au-eta"))(500));
 }
 
+SceneDescription surface(const std::string& material, const MemoryFiles& files = {}) {
+    return read_world("Material " + material + " Shape \"sphere\"", files);
+}
+
+TEST(Spectra, without_visible_points_are_told) {
+    const MemoryFiles files = {{"a.spd", "0.4 .2\n0.7 .3"}, {"b.spd", "900 .2 1000 .3"}};
+    const std::string diffuse = "\"diffuse\" \"spectrum reflectance\" ";
+    const SceneDescription micro = surface(diffuse + "\"a.spd\"", files);
+    EXPECT_EQ(warnings_with(micro, "are its wavelengths micrometres?"), 1);
+    EXPECT_EQ(micro.warnings.entries()[0].where.text(), "main.pbrt:2:20");
+    EXPECT_TRUE(contains(micro.warnings.entries()[0].text, "a.spd"));
+    const SceneDescription infrared = surface(diffuse + "\"b.spd\"", files);
+    EXPECT_EQ(warnings_with(infrared, "no point within 360 to 830 nm"), 1);
+    EXPECT_EQ(warnings_with(infrared, "micrometres"), 0);
+    EXPECT_EQ(warnings_with(surface(diffuse + "[ .4 .5 .7 .5 ]"), "micrometres"), 1);
+    EXPECT_TRUE(surface(diffuse + "[ 300 .5 900 .5 ]").warnings.entries().empty());
+}
+
+TEST(Spectra, of_surfaces_above_one_are_told_and_cut_off) {
+    const SceneDescription slightly = surface("\"diffuse\" \"rgb reflectance\" [ .1 .2 1.01 ]");
+    EXPECT_EQ(warnings_with(slightly, "what is above 1 is cut off"), 1);
+    EXPECT_EQ(warnings_with(slightly, "percentages"), 0);
+    for (const char* parameter :
+         {"\"rgb reflectance\" [ 60 40 20 ]", "\"spectrum reflectance\" [ 400 60 700 20 ]"}) {
+        const SceneDescription scene = surface(std::string("\"diffuse\" ") + parameter);
+        EXPECT_EQ(warnings_with(scene, "goes up to 60"), 1) << parameter;
+        EXPECT_EQ(warnings_with(scene, "are these percentages?"), 1) << parameter;
+    }
+    EXPECT_TRUE(surface("\"conductor\" \"spectrum k\" [ 300 7 900 9 ]").warnings.entries().empty());
+    EXPECT_TRUE(surface("\"diffuse\" \"rgb reflectance\" [ 1 1 1 ]").warnings.entries().empty());
+}
+
+TEST(Spectra, of_eta_and_k_go_on_beyond_their_tables) {
+    const MemoryFiles files = {{"a.spd", "0.4 1.53\n0.7 1.51"}, {"b.spd", "500 1.5\n600 1.4"}};
+    const auto eta = [](const SceneDescription& scene) {
+        return std::get<DielectricMaterial>(scene.materials.at(scene.shapes.at(0).material)).eta;
+    };
+    const SceneDescription glass = surface("\"dielectric\" \"spectrum eta\" \"b.spd\"", files);
+    EXPECT_FLOAT_EQ(eta(glass)(400), 1.5F);
+    EXPECT_FLOAT_EQ(eta(glass)(550), 1.45F);
+    EXPECT_FLOAT_EQ(eta(glass)(800), 1.4F);
+    EXPECT_EQ(warnings_with(glass, "beyond, its end values go on"), 1);
+    const SceneDescription micro = surface("\"dielectric\" \"spectrum eta\" \"a.spd\"", files);
+    EXPECT_FLOAT_EQ(eta(micro)(550), 1.51F);
+    EXPECT_EQ(warnings_with(micro, "micrometres"), 1);
+    const SceneDescription metal =
+        surface("\"conductor\" \"spectrum eta\" [ 500 1 600 2 ] \"spectrum k\" [ 300 1 900 3 ]");
+    EXPECT_EQ(warnings_with(metal, "end values"), 1);
+    EXPECT_TRUE(surface("\"conductor\" \"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" "
+                        "\"metal-Au-k\"")
+                    .warnings.entries()
+                    .empty());
+}
+
 TEST(Spectra, with_numbers_that_none_has_are_errors) {
     for (const char* parameter :
-         {"\"rgb reflectance\" [ .1 .2 1.01 ]", "\"rgb reflectance\" [ .1 .2 -.1 ]",
-          "\"rgb reflectance\" []", "\"rgb reflectance\" [ 0 0 0 0 0 0 ]",
-          "\"blackbody reflectance\" 0", "\"spectrum reflectance\" []",
-          "\"spectrum reflectance\" [ 400 ]", "\"spectrum reflectance\" [ 500 1 400 1 ]",
-          "\"spectrum reflectance\" [ 400 1 400 2 ]", "\"spectrum reflectance\" [ 400 -1 ]",
-          "\"spectrum reflectance\" [ \"a\" \"b\" ]",
+         {"\"rgb reflectance\" [ .1 .2 -.1 ]", "\"rgb reflectance\" []",
+          "\"rgb reflectance\" [ 0 0 0 0 0 0 ]", "\"blackbody reflectance\" 0",
+          "\"spectrum reflectance\" []", "\"spectrum reflectance\" [ 400 ]",
+          "\"spectrum reflectance\" [ 500 1 400 1 ]", "\"spectrum reflectance\" [ 400 1 400 2 ]",
+          "\"spectrum reflectance\" [ 400 -1 ]", "\"spectrum reflectance\" [ \"a\" \"b\" ]",
           "\"spectrum reflectance\" [ \"metal-Cu-k\" 1 ]", "\"float reflectance\" .5",
           "\"spectrum reflectance\" \"nowhere.spd\""})
         EXPECT_NE(reflectance_error(parameter), "") << parameter;

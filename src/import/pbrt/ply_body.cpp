@@ -1,0 +1,86 @@
+// Checks of a PLY body that need all of its rows.
+#include "import/pbrt/ply_body.h"
+
+#include "import/pbrt/local_points.h"
+#include "import/pbrt/ply_polygons.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+std::vector<Vec3d> corners_of(const PlyFan& fan, const PlyBody& body) {
+    std::vector<Vec3d> corners;
+    const auto add = [&](std::size_t triangle, std::size_t corner) {
+        corners.push_back(body.points[body.mesh.triangles[triangle].at(corner)]);
+    };
+    add(fan.first, 0);
+    add(fan.first, 1);
+    for (std::size_t i = 0; i + 2 < fan.corners; ++i) add(fan.first + i, 2);
+    return corners;
+}
+
+void check_fans(const PlyBody& body, const std::string& name) {
+    for (const PlyFan& fan : body.fans)
+        if (!is_planar_and_convex(corners_of(fan, body)))
+            throw Error({name},
+                        "face " + std::to_string(fan.face) + ": it has " +
+                            std::to_string(fan.corners) + " corners that are not planar and convex",
+                        "triangulate the mesh");
+}
+
+void check_broken(const PlyBody& body, const std::string& name) {
+    std::vector<bool> is_used(body.points.size());
+    for (const auto& triangle : body.mesh.triangles)
+        for (const std::uint32_t corner : triangle) is_used[corner] = true;
+    for (const std::uint64_t vertex : body.broken)
+        if (is_used[vertex])
+            throw Error(
+                {name},
+                "vertex " + std::to_string(vertex) + ": a number that is not finite, or too large",
+                "export the mesh again without it");
+}
+
+/// Of vertices that no triangle has: those that are broken.
+void remove_broken(PlyBody& body) {
+    TriangleMesh& mesh = body.mesh;
+    std::vector<std::uint32_t> moved(body.points.size());
+    std::uint32_t kept = 0;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        if (std::binary_search(body.broken.begin(), body.broken.end(), i)) continue;
+        moved[i] = kept;
+        body.points[kept] = body.points[i];
+        if (!mesh.normals.empty()) mesh.normals[kept] = mesh.normals[i];
+        if (!mesh.uvs.empty()) mesh.uvs[kept] = mesh.uvs[i];
+        ++kept;
+    }
+    body.points.resize(kept);
+    if (!mesh.normals.empty()) mesh.normals.resize(kept);
+    if (!mesh.uvs.empty()) mesh.uvs.resize(kept);
+    for (auto& triangle : mesh.triangles)
+        for (std::uint32_t& corner : triangle) corner = moved[corner];
+}
+
+}  // namespace
+
+PlyFile finished_ply(PlyBody body, const std::string& name) {
+    if (body.mesh.triangles.empty())
+        throw Error({name}, "no face has three corners", "export a triangle mesh");
+    if (!body.broken.empty()) check_broken(body, name);
+    check_fans(body, name);
+    PlyFile file;
+    const auto remark = [&](std::size_t count, const std::string& what) {
+        if (count > 0) file.remarks.push_back(what + " (" + std::to_string(count) + ")");
+    };
+    remark(body.fans.size(), "faces of more than four corners are cut into triangles");
+    remark(body.faces_left_out, "faces of fewer than three corners are left out");
+    remark(body.broken.size(), "vertices of no face whose numbers are not finite are left out");
+    if (!body.broken.empty()) remove_broken(body);
+    LocalPoints local = local_points(body.points, all_corners(body.mesh.triangles));
+    file.mesh = std::move(body.mesh);
+    file.mesh.positions = std::move(local.points);
+    file.origin = local.origin;
+    return file;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,59 @@
+// Planarity by the distance from the mean plane, convexity by the turn at each corner.
+#include "import/pbrt/ply_polygons.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+constexpr double kOfSize = 1e-4;
+constexpr double kOfCoordinates = 1e-6;
+constexpr double kOneAndAHalfTurns = 3 * kPiDouble;
+
+/// Twice the area, along the mean normal (Newell).
+Vec3d area_of(std::span<const Vec3d> corners) {
+    Vec3d sum(0);
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        sum += (corners[i - 1] - corners[0]).cross(corners[i] - corners[0]);
+    return sum;
+}
+
+/// The corners without those that stand where the one before stands.
+std::vector<Vec3d> without_repeats(std::span<const Vec3d> corners) {
+    std::vector<Vec3d> result(corners.begin(), corners.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    while (result.size() > 1 && result.front() == result.back()) result.pop_back();
+    return result;
+}
+
+}  // namespace
+
+bool is_planar_and_convex(std::span<const Vec3d> given) {
+    const std::vector<Vec3d> corners = without_repeats(given);
+    if (corners.size() < 3) return true;
+    double size = 0;
+    double coordinate = 0;
+    for (const Vec3d& corner : corners) {
+        size = std::max(size, (corner - corners[0]).length());
+        coordinate = std::max(coordinate, corner.length());
+    }
+    const double tolerance = kOfSize * size + kOfCoordinates * coordinate;
+    const Vec3d area = area_of(corners);
+    const Vec3d normal = area.length() > tolerance * size ? area.normalized() : Vec3d(0);
+    double turn = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3d& here = corners[(i + 1) % corners.size()];
+        const Vec3d before = here - corners[i];
+        const Vec3d after = corners[(i + 2) % corners.size()] - here;
+        const Vec3d cross = before.cross(after);
+        const double slack = tolerance * (before.length() + after.length());
+        if (normal == Vec3d(0) && cross.length() > slack) return false;
+        if (std::abs((here - corners[0]).dot(normal)) > tolerance) return false;
+        if (cross.dot(normal) < -slack) return false;
+        turn += std::atan2(cross.dot(normal), before.dot(after));
+    }
+    return normal == Vec3d(0) || turn < kOneAndAHalfTurns;
+}
+
+}  // namespace sunfleck

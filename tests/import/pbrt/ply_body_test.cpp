@@ -1,0 +1,72 @@
+// What of a PLY file's body becomes a mesh, and what is left out.
+#include "import/pbrt/ply_body.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+/// A file of vertices x y z and of faces. @param rows  its body.
+std::string of_rows(const std::string& rows, const std::string& vertices = "3",
+                    const std::string& faces = "1") {
+    return "ply\nformat ascii 1.0\nelement vertex " + vertices +
+           "\nproperty float x\nproperty double y\nproperty float z\nelement face " + faces +
+           "\nproperty list uchar int vertex_indices\nend_header\n" + rows;
+}
+
+void expect_ply_refusal(const std::string& bytes, const std::string& begin) {
+    std::string message;
+    try {
+        parse_ply(bytes, "m.ply");
+    } catch (const Error& error) {
+        message = error.what();
+    }
+    EXPECT_EQ(message.substr(0, begin.size()), begin) << message;
+}
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+TEST(PlyBody, faces_of_fewer_than_three_corners_are_left_out) {
+    const std::string v = "0 0 0\n1 0 0\n0 1 0\n";
+    const PlyFile file = parse_ply(of_rows(v + "0\n3 0 1 2\n1 2\n2 0 1\n3 2 1 0\n", "3", "5"), "m");
+    EXPECT_EQ(file.mesh.triangles, (Triangles{{0, 1, 2}, {2, 1, 0}}));
+    ASSERT_EQ(file.remarks.size(), 1U);
+    EXPECT_EQ(file.remarks[0], "faces of fewer than three corners are left out (3)");
+}
+
+TEST(PlyBody, broken_vertices_that_no_face_uses_are_left_out) {
+    for (const char* broken : {"nan nan nan", "-1.#IND 1.#INF 0", "0 1.#QNAN00 0", "inf 0 0",
+                               "-nan(ind) 0 0", "1e999 0 0"}) {
+        const PlyFile file = parse_ply(
+            of_rows(std::string(broken) + "\n0 0 0\n1 0 0\n" + broken + "\n0 1 0\n3 1 2 4\n", "5"),
+            "m");
+        EXPECT_EQ(file.mesh.triangles, (Triangles{{0, 1, 2}})) << broken;
+        ASSERT_EQ(file.mesh.positions.size(), 3U) << broken;
+        EXPECT_EQ(file.mesh.positions[2], Vec3(0, 1, 0)) << broken;
+        ASSERT_EQ(file.remarks.size(), 1U) << broken;
+        EXPECT_NE(file.remarks[0].find("left out (2)"), std::string::npos) << file.remarks[0];
+    }
+    expect_ply_refusal(of_rows("0 0 0\n1 0 1.#INF\n0 1 0\n3 0 1 2\n"),
+                       "m.ply: vertex 1: a number that is");
+    expect_ply_refusal(of_rows("0 0 0\n1 0 1.#BAD\n0 1 0\n3 0 1 2\n"),
+                       "m.ply: vertex 1: \"1.#BAD\" is no");
+}
+
+TEST(PlyBody, planar_convex_polygons_are_cut_and_others_refused) {
+    const std::string pentagon = "0 0 0\n2 0 0\n3 1 0\n1 2 0\n-1 1 0\n";
+    const PlyFile file = parse_ply(of_rows(pentagon + "5 0 1 2 3 4\n3 2 1 0\n", "5", "2"), "m");
+    EXPECT_EQ(file.mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {2, 1, 0}}));
+    ASSERT_EQ(file.remarks.size(), 1U);
+    EXPECT_EQ(file.remarks[0], "faces of more than four corners are cut into triangles (1)");
+    const std::string bent = "0 0 0\n2 0 0\n3 1 1\n1 2 0\n-1 1 0\n";
+    expect_ply_refusal(of_rows(bent + "5 0 1 2 3 4\n", "5"),
+                       "m.ply: face 0: it has 5 corners that are not");
+    const std::string dart = "0 0 0\n2 0 0\n1 .5 0\n1 2 0\n-1 1 0\n";
+    expect_ply_refusal(of_rows(dart + "5 0 1 2 3 4\n", "5"),
+                       "m.ply: face 0: it has 5 corners that are not");
+    expect_ply_refusal(of_rows(pentagon + "3 0 1 2\n5 0 2 4 1 3\n", "5", "2"),
+                       "m.ply: face 1: it has 5");
+}
+
+}  // namespace
+}  // namespace sunfleck
