@@ -119,7 +119,7 @@ TEST_F(Resume, files_that_cannot_be_used) {
     broken = bytes;
     broken[8] = 9;
     write_text(path("x.ckpt"), broken);
-    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"version 9", "reads version 4"});
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"version 9", "reads version 5"});
 }
 
 /// The same command once more by mistake does not cost the render.
@@ -235,7 +235,7 @@ TEST_F(Resume, a_kill_while_writing_leaves_the_former_one) {
 }
 
 /// The disk is full for checkpoints, not for the small picture: the render goes on to its end, says
-/// so once, and ends with code 2.
+/// so once, and ends with code 1.
 TEST_F(Resume, a_full_disk_is_said_and_does_not_end_the_render) {
     keep("x.ckpt");
     Words words = endless("0.000001") + Words{"--resume", "x.ckpt"};
@@ -247,7 +247,7 @@ TEST_F(Resume, a_full_disk_is_said_and_does_not_end_the_render) {
     std::this_thread::sleep_for(100ms);
     process.send(SIGINT);
     const Ran ran = process.wait();
-    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(ran.code, 1);
     const std::string fault =
         "x.ckpt: cannot write: File too large; make room on the disk, or write to another one";
     const std::string warning = "warning: " + fault + " (the render goes on)\n";

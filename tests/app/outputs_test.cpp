@@ -190,7 +190,7 @@ TEST_F(Outputs, need_a_scene_that_can_be_read) {
     write_text(path("lamp.GLB"), "glTF");
     expect_refused({"render", "lamp.GLB", "-o", "x.exr"},
                    "lamp.GLB: is a glTF scene, and those of pbrt-v4 alone are read; convert it");
-    expect_refused({"info", "."}, ".: is a folder; name the scene file in it");
+    expect_refused({"info", "."}, ".: \".\" is a folder; name a file in it");
 }
 
 TEST_F(Outputs, refusals_say_where_to_read_on) {

@@ -135,6 +135,7 @@ TEST(Ledger, a_medium_absorbs_what_does_not_arrive) {
     scene.lights = {PointLight{SpectralCurve::constant(3), {0, 0, 0}}};
     scene.media.absorption.push_back(SpectralCurve::constant(0.45F));
     scene.media.at_lights = {{1, 1}};
+    scene.media.at_camera = 1;
     const double a = 2 * 0.45;
     const double back = 2 * (1 - (1 + a) * std::exp(-a)) / (a * a);
     const Ledger ledger = ledger_of(scene, 1000);

@@ -35,8 +35,9 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
     {"Directive", "MediumInterface", kExact,
      "the media inside (where the normal points away from) and outside of the shapes that follow; "
      "outside is also that of the `Camera` and of lights that follow. A surface with one medium on "
-     "both "
-     "sides changes nothing (pbrt-v4)"},
+     "both sides changes nothing (pbrt-v4). Where a closed shape's normals point into it "
+     "(ReverseOrientation, or triangles wound so) and its media do not agree with those around it, "
+     "the two are exchanged, with a warning; other surfaces that do not agree are warned of"},
     {"Directive", "MakeNamedMedium", kExact, "see Media"},
     {"Directive", "Material MakeNamedMaterial NamedMaterial", kExact,
      "see Materials; a named one may be made after the shapes that use it"},

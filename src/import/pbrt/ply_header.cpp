@@ -42,7 +42,7 @@ struct Word {
 class HeaderParser {
 public:
     HeaderParser(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {
-        const std::size_t end = bytes.find_first_of("\n\r");
+        const std::size_t end = std::min(bytes.find_first_of("\n\r"), bytes.size());
         if (end + 1 < bytes.size() && bytes[end] == '\r' && bytes[end + 1] != '\n')
             line_end_ = '\r';
     }

@@ -1,7 +1,7 @@
 // Photons at surfaces that are there in part: stored wherever a visible point may lie, whether the
 // surface is there for the photon or not, and scattered as often as it is there.
+#include "photon/traced_paths.h"
 #include "texture/kinds.h"
-#include "traced_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ Stored stored_at(ShapeDescription sheet, std::vector<Material> more = {}, float 
     return stored;
 }
 
-TEST(PartialSurfaces, store_photons_that_pass_them) {
+TEST(StoredPhotons, lie_on_surfaces_that_they_pass) {
     const Stored whole = stored_at(square(kSheet, 0));
     EXPECT_GT(whole.sheet, 500);
     EXPECT_EQ(whole.both, 0);
@@ -58,19 +58,19 @@ TEST(PartialSurfaces, store_photons_that_pass_them) {
 }
 
 /// A hole in a leaf: discs reach over it from what is there.
-TEST(PartialSurfaces, store_photons_in_their_holes) {
+TEST(StoredPhotons, lie_in_the_holes_of_surfaces) {
     const Stored hole = stored_at(square(kSheet, 0), {}, 0);
     EXPECT_EQ(hole.sheet, stored_at(square(kSheet, 0)).sheet);
     EXPECT_EQ(hole.both, hole.sheet);
 }
 
-TEST(PartialSurfaces, of_glass_store_nothing) {
+TEST(StoredPhotons, never_lie_on_glass) {
     for (const float alpha : {0.5F, 1.0F})
         EXPECT_EQ(stored_at(square(kSheet, 1), {}, alpha).sheet, 0) << alpha;
 }
 
 /// Material 4 of a mix: diffuse, or a pane that keeps no photon.
-TEST(PartialSurfaces, of_a_mix_store_photons_whichever_component_is_met) {
+TEST(StoredPhotons, lie_on_a_mix_whichever_component_is_met) {
     const int whole = stored_at(square(kSheet, 0)).sheet;
     for (const float amount : {0.0F, 0.1F, 0.5F, 1.0F}) {
         EXPECT_EQ(stored_at(square(kSheet, 4), {MixMaterial{{0, 1}, amount}}).sheet, whole);
@@ -82,7 +82,7 @@ TEST(PartialSurfaces, of_a_mix_store_photons_whichever_component_is_met) {
 }
 
 /// Smooth here and rough there: a photon beside a rough place is stored for it.
-TEST(PartialSurfaces, that_are_rough_somewhere_store_photons_everywhere) {
+TEST(StoredPhotons, lie_on_smooth_places_of_what_is_rough_elsewhere) {
     const FloatTexture none_here(FloatKind{BilerpKind<FloatTexture>{UvMapping{}, 0, 0, 0, 0}});
     ConductorMaterial metal{SpectralCurve::constant(0.2F), SpectralCurve::constant(4), {}, {}};
     metal.roughness = {none_here, none_here};
