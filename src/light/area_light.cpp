@@ -53,8 +53,7 @@ Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneS
     if (picture) {
         from = picture->draw(surface, {u[0], u[1]});
     } else {
-        const auto on_surface = [&](const auto& s) { return sample_surface(s, {u[0], u[1]}); };
-        from = {std::visit(on_surface, surface), {1, Vec3(1)}, 1};
+        from = {sample_surface(surface, {u[0], u[1]}), {1, Vec3(1)}, 1};
     }
     const SurfaceSample& on = from.on;
     const auto bound = [&](const auto& s) { return surface_error(s, on); };

@@ -25,6 +25,9 @@ SurfaceSample sample_surface(const EmittingPatch& patch, const Vec2d& u);
 SurfaceSample sample_surface(const EmittingQuadric<Sphere>& sphere, const Vec2d& u);
 SurfaceSample sample_surface(const EmittingQuadric<Cylinder>& cylinder, const Vec2d& u);
 SurfaceSample sample_surface(const EmittingQuadric<Disk>& disk, const Vec2d& u);
+inline SurfaceSample sample_surface(const EmittingSurface& surface, const Vec2d& u) {
+    return std::visit([&](const auto& s) { return sample_surface(s, u); }, surface);
+}
 
 /// The u that sample_surface() takes to the point `on` of the surface, where its unit world normal
 /// (either side) is `normal`: its inverse.
@@ -80,7 +83,8 @@ struct VisibleCap {
     double versine = 0;  // 1 - cos of the cone's half angle
 };
 
-/// Nothing for parts of spheres, for matrices that are no similarity, and from inside.
+/// Nothing for parts of spheres, for matrices that are no similarity, from inside, and at a point
+/// of the sphere itself.
 std::optional<VisibleCap> visible_cap(const EmittingQuadric<Sphere>& sphere, const Vec3d& point);
 template <class Surface>
 std::optional<VisibleCap> visible_cap(const Surface&, const Vec3d&) {

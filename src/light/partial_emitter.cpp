@@ -12,8 +12,7 @@ PartialEmitter::PartialEmitter(Cover cover, const CornerUvs& uvs, const Emitting
     double area = 0;
     for (int i = 0; i < kAcross * kAcross; ++i) {
         const Vec2d u((i % kAcross + 0.5) / kAcross, (i / kAcross + 0.5) / kAcross);
-        const auto sample = [&](const auto& s) { return sample_surface(s, u); };
-        const SurfaceSample on = std::visit(sample, surface);
+        const SurfaceSample on = sample_surface(surface, u);
         there += on.spread * at(surface, on.position, on.normal);
         area += on.spread;
     }

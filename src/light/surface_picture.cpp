@@ -51,8 +51,7 @@ double LaidPicture::mean_over(const EmittingSurface& surface, const Vec2i& cell,
     for (const double right : {0.25, 0.75})
         for (const double below : {0.25, 0.75}) {
             const Vec2d u((cell.x + right) / side, (cell.y + below) / side);
-            const auto sample = [&](const auto& s) { return sample_surface(s, u); };
-            const SurfaceSample on = std::visit(sample, surface);
+            const SurfaceSample on = sample_surface(surface, u);
             sum += on.spread * at(surface, on.position, on.normal).luminance / 4;
         }
     return sum;
@@ -74,8 +73,7 @@ int LaidPicture::cells_across(int most_cells) const {
 
 LaidPicture::Drawn LaidPicture::draw(const EmittingSurface& surface, const Vec2d& u) const {
     const LightPicture::Drawn slot = slots_->draw(u);
-    const auto sample = [&](const auto& s) { return sample_surface(s, slot.place); };
-    const SurfaceSample on = std::visit(sample, surface);
+    const SurfaceSample on = sample_surface(surface, slot.place);
     return {on, at(surface, on.position, on.normal), slot.density};
 }
 
