@@ -31,7 +31,8 @@ public:
           program_(std::filesystem::absolute(campaign.program), campaign.seconds),
           folder_(std::filesystem::absolute(campaign.folder)),
           choices_(table, campaign.seed),
-          covered_(table) {
+          covered_(table),
+          report_(table) {
         write_files(folder_);
     }
 
@@ -44,7 +45,7 @@ public:
             });
         for (std::thread& worker : workers) worker.join();
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-        const std::string text = report_.text(*table_, covered_, passed.count());
+        const std::string text = report_.text(covered_, passed.count());
         std::ofstream(folder_ + "/report.txt", std::ios::app) << text;
         fmt::print("{}", text);
         return report_.faults() == 0;
@@ -102,7 +103,7 @@ private:
 
     void tell(const Case& one, const Findings& findings) {
         const std::lock_guard lock(mutex_);
-        report_.add(findings);
+        report_.add(one.choice, findings);
         std::string text =
             fmt::format("{:04} {:.1f} s, {}", one.number, findings.seconds, name(findings.light));
         if (findings.light != Verdict::equal) text += " (" + findings.light_text + ')';

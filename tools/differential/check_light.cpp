@@ -46,6 +46,7 @@ public:
     void run(const std::string& second, Findings& findings) {
         const std::vector<Look> reference = renders_->looks(reference_, 0, kFirstLook);
         examine(ways::with_small_discs(ways::adaptive()), reference, findings);
+        findings.excess = first_excess_;
         findings.light = verdict_.verdict;
         findings.mean = verdict_.of_mean;
         findings.light_text = verdict_.text;
@@ -63,6 +64,7 @@ private:
                             .mean_significance = kFirstMean,
                             .block_significance = kFirstBlocks,
                             .allowance = {}});
+        first_excess_ = verdict_.excess;
         const bool is_open = verdict_.verdict == Verdict::undecided && effort_.until_decided;
         if (verdict_.verdict == Verdict::different || is_open) look_twice(way, findings);
     }
@@ -170,6 +172,7 @@ private:
     Way reference_;
     Way other_reference_;
     Comparison verdict_;
+    std::optional<Excess> first_excess_;  // of the first look of what was examined last
 };
 
 }  // namespace

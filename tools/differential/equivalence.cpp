@@ -68,6 +68,12 @@ MeanOf mean_of(const std::vector<double>& values, const Prior& prior) {
     return {mean, std::sqrt(squares / degrees / count), degrees};
 }
 
+std::optional<Excess> excess_of(const MeanOf& a, const MeanOf& b) {
+    if (b.mean <= 0) return {};
+    const double ratio = a.mean / b.mean;
+    return Excess{ratio - 1, std::hypot(a.error, ratio * b.error) / b.mean};
+}
+
 double student_tail(double t, double degrees) {
     const double half = incomplete_beta(degrees / 2, 0.5, degrees / (degrees + t * t)) / 2;
     return t > 0 ? half : 1 - half;

@@ -5,6 +5,7 @@
 // Welch (1947).
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -29,6 +30,14 @@ struct Prior {
     double degrees = 0;
 };
 MeanOf mean_of(const std::vector<double>& values, const Prior& prior = {});
+
+/// A mean over another, less one, and its standard error.
+struct Excess {
+    double value = 0;
+    double error = 0;
+};
+/// @return nothing if b is not positive.
+std::optional<Excess> excess_of(const MeanOf& a, const MeanOf& b);
 
 /// P(T > t) for Student's t with that many degrees of freedom, not necessarily an integer.
 double student_tail(double t, double degrees);

@@ -27,6 +27,7 @@ struct Findings {
     Verdict light = Verdict::undecided;  // default and reference, mean and blocks
     Verdict mean = Verdict::undecided;   // the same, mean alone
     std::string light_text;
+    std::optional<Excess> excess;  // of the mean of a first look, default over reference
     double seconds = 0;
 };
 

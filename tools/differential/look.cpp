@@ -57,7 +57,10 @@ public:
                                   a.mean, b.mean, b.mean > 0 ? a.mean / b.mean : 0, error);
     }
     /// What was added so far is the mean.
-    void keep_as_mean() { found_.of_mean = found_.verdict; }
+    void keep_as_mean(const std::optional<Excess>& excess) {
+        found_.of_mean = found_.verdict;
+        found_.excess = excess;
+    }
     const Comparison& found() const { return found_; }
 
 private:
@@ -119,7 +122,7 @@ Comparison compare(const std::vector<Look>& a, const std::vector<Look>& b, const
     joined.add(mean_a, mean_b,
                bands.mean * mean_b.mean + (is_wider ? std::abs(bands.allowance.mean) : 0),
                bands.mean_significance, "mean");
-    joined.keep_as_mean();
+    joined.keep_as_mean(excess_of(mean_a, mean_b));
     const Prior prior_a{shared_variance(a), kSharedDegrees};
     const Prior prior_b{shared_variance(b), kSharedDegrees};
     for (std::size_t i = 0; i < blocks; ++i) {

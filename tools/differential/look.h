@@ -41,6 +41,7 @@ struct Bands {
 struct Comparison {
     Verdict verdict = Verdict::equal;  // of mean and blocks together
     Verdict of_mean = Verdict::equal;  // of the mean alone
+    std::optional<Excess> excess;      // of a's mean over b's
     std::string text;                  // where it differs most, in errors, and by how much
 };
 

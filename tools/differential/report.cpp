@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace sunfleck::differential {
 namespace {
 
@@ -16,8 +18,9 @@ std::string text_of(const std::array<std::size_t, 3>& by_verdict) {
 
 }  // namespace
 
-void Report::add(const Findings& findings) {
+void Report::add(const Choice& choice, const Findings& findings) {
     ++scenes_;
+    if (findings.excess) evidence_.add(choice, *findings.excess);
     seconds_ += findings.seconds;
     for (const Fault& fault : findings.faults) ++by_kind_.at(static_cast<std::size_t>(fault.kind));
     ++by_verdict_.at(static_cast<std::size_t>(findings.light));
@@ -25,13 +28,12 @@ void Report::add(const Findings& findings) {
 }
 
 std::size_t Report::faults() const {
-    std::size_t count = 0;
+    std::size_t count = evidence_.faults().size();
     for (const std::size_t one : by_kind_) count += one;
     return count;
 }
 
-std::string Report::text(const FeatureTable& features, const PairCoverage& coverage,
-                         double seconds) const {
+std::string Report::text(const PairCoverage& coverage, double seconds) const {
     std::string text = fmt::format(
         "{} scenes, {:.0f} s ({:.1f} s of processor time a scene)\n"
         "pairs of feature values covered: {} of {}\n"
@@ -42,8 +44,29 @@ std::string Report::text(const FeatureTable& features, const PairCoverage& cover
     for (std::size_t k = 0; k < by_kind_.size(); ++k)
         if (by_kind_[k] > 0)
             text += fmt::format("  {}: {}\n", name(static_cast<Kind>(k)), by_kind_[k]);
+    return text + text_of_features() + text_of_missing(coverage);
+}
+
+std::string Report::text_of_features() const {
+    constexpr std::size_t kShown = 5;
+    std::string text;
+    const auto tell = [&](const std::string& what, const SharedExcess& one) {
+        const Feature& feature = (*features_)[one.feature];
+        text += fmt::format("  {} {} \"{}\": {} scenes, default over reference {:.4f} +- {:.4f}\n",
+                            what, feature.name, feature.values[one.value], one.scenes,
+                            1 + one.excess.value, one.excess.error);
+    };
+    for (const SharedExcess& fault : evidence_.faults()) tell("FAULT", fault);
+    const std::vector<SharedExcess> all = evidence_.shared();
+    for (std::size_t i = 0; i < all.size() && i < kShown; ++i) tell("least likely:", all[i]);
+    return text;
+}
+
+std::string Report::text_of_missing(const PairCoverage& coverage) const {
     constexpr std::size_t kShown = 20;
+    const FeatureTable& features = *features_;
     const auto missing = coverage.missing();
+    std::string text;
     for (std::size_t i = 0; i < missing.size() && i < kShown; ++i)
         text +=
             fmt::format("  missing: {} \"{}\" with {} \"{}\"\n", features[missing[i].f].name,

@@ -3,6 +3,7 @@
 
 #include "differential/covering.h"
 #include "differential/examine.h"
+#include "differential/shared_excess.h"
 
 #include <array>
 #include <string>
@@ -11,13 +12,20 @@ namespace sunfleck::differential {
 
 class Report {
 public:
-    void add(const Findings& findings);
-    /// @param features  the table that the coverage is of.
-    std::string text(const FeatureTable& features, const PairCoverage& coverage,
-                     double seconds) const;
+    /// @param features  the table that choices, and what was covered, are of.
+    explicit Report(const FeatureTable& features) : features_(&features), evidence_(features) {}
+
+    void add(const Choice& choice, const Findings& findings);
+    std::string text(const PairCoverage& coverage, double seconds) const;
+    /// Of scenes, and of features.
     std::size_t faults() const;
 
 private:
+    std::string text_of_missing(const PairCoverage& coverage) const;
+    std::string text_of_features() const;
+
+    const FeatureTable* features_;
+    FeatureEvidence evidence_;
     std::array<std::size_t, 8> by_kind_{};
     std::array<std::size_t, 3> by_verdict_{};
     std::array<std::size_t, 3> by_mean_{};
