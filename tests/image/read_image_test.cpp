@@ -138,6 +138,14 @@ TEST(ReadImage, hdr_plain_and_in_runs) {
     EXPECT_TRUE(std::holds_alternative<std::vector<float>>(runs.texels()));
 }
 
+/// The texels begin behind the whole line end, not between its two bytes.
+TEST(ReadImage, pfm_whose_lines_end_in_two_bytes) {
+    const Image image = parse_image(pfm_file("Pf\r\n2 1\r\n-1\r\n", {1, 2}, true), "a.pfm");
+    EXPECT_EQ(image.rgb(0, 0).x, 1);
+    EXPECT_EQ(image.rgb(1, 0).x, 2);
+    EXPECT_THROW(parse_image(pfm_file("PF4\n1 1\n-1\n", {1, 2, 3, 4}, true), "a.pfm"), Error);
+}
+
 TEST(ReadImage, pfm_of_both_byte_orders) {
     const std::vector<float> bottom_first = {1, 2, 3, 4, 5, 6};
     const Image big = parse_image(pfm_file("PF\n1 2\n2.0\n", bottom_first, false), "a.pfm");

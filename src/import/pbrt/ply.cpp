@@ -125,26 +125,30 @@ private:
         }
     }
 
-    /// Normals may be what is no number: exporters write that where they found none. So may be all
-    /// of a vertex, if no face uses it.
+    /// Normals and texture coordinates may be what is no number: exporters write that where they
+    /// found none. So may be all of a vertex, if no face uses it.
     void add_vertex(const VertexRow& row, const VertexLayout& layout) {
-        bool is_broken = false;
-        const auto part = [&](std::size_t slot) {
-            const double value = row.at(slot);
-            is_broken =
-                is_broken || !(std::abs(value) <= double{std::numeric_limits<float>::max()});
-            return value;
+        const auto are_floats = [&](std::size_t first, std::size_t last) {
+            return std::all_of(row.begin() + first, row.begin() + last + 1, [](double value) {
+                return std::abs(value) <= double{std::numeric_limits<float>::max()};
+            });
         };
-        body_.points.emplace_back(part(slot_x), part(slot_x + 1), part(slot_x + 2));
+        body_.points.emplace_back(row[slot_x], row[slot_x + 1], row[slot_x + 2]);
+        if (!are_floats(slot_x, slot_x + 2)) body_.broken.push_back(row_);
         const auto any = [&](std::size_t slot) { return static_cast<float>(row.at(slot)); };
         if (layout.normals)
             mesh_.normals.emplace_back(any(slot_nx), any(slot_nx + 1), any(slot_nx + 2));
-        if (layout.uvs) mesh_.uvs.emplace_back(Vec2d(part(slot_u), part(slot_v)));
-        if (is_broken) body_.broken.push_back(row_);
+        if (!layout.uvs) return;
+        const bool has_uv = are_floats(slot_u, slot_v);
+        mesh_.uvs.emplace_back(has_uv ? Vec2d(row[slot_u], row[slot_v]) : Vec2d(0));
+        if (!has_uv) ++body_.broken_uvs;
     }
 
     void read_faces(const PlyElement& element) {
         mesh_.triangles.reserve(element.count);
+        body_.has_face_uvs =
+            mesh_.uvs.empty() && std::any_of(element.properties.begin(), element.properties.end(),
+                                             [](const auto& p) { return p.name == "texcoord"; });
         for (; row_ < element.count; ++row_) {
             for (const PlyProperty& property : element.properties) {
                 if (is_vertex_list(property))
