@@ -21,25 +21,32 @@ bool is_fault(int wrong, int all) {
     return wrong > kMostSlips && wrong > kShareOfSlips * all;
 }
 
+/// Votes that decide: of walks from starts that name a medium, if there are more than slips.
+const MediaVotes& decisive(const ShapeVotes& votes) {
+    return votes.named.all() > kMostSlips ? votes.named : votes.assumed;
+}
+
+int wrong_votes(const ShapeVotes& votes) {
+    const int wrong = votes.named.wrong() + votes.assumed.wrong();
+    return is_fault(wrong, votes.named.all() + votes.assumed.all()) ? wrong : 0;
+}
+
 /// Shapes of which most walks say that they are inside out.
 std::vector<std::uint32_t> shapes_inside_out(const MediaWalks& walks) {
     std::vector<std::uint32_t> found;
-    for (const auto& [shape, votes] : walks.decisive_votes())
-        if (votes.inside_out > votes.right + votes.other) found.push_back(shape);
+    for (const auto& [shape, votes] : walks.votes())
+        if (2 * decisive(votes).inside_out > decisive(votes).all()) found.push_back(shape);
     return found;
 }
 
 /// Shapes at odds with what is around them: the worst. Walks beyond one find faults in others, too,
 /// which may have none.
 std::vector<std::uint32_t> worst_at_odds(const MediaWalks& walks) {
-    const auto all = walks.all_votes();
     int most = 0;
-    for (const auto& [shape, votes] : all)
-        if (is_fault(votes.wrong(), votes.all())) most = std::max(most, votes.wrong());
+    for (const auto& [shape, votes] : walks.votes()) most = std::max(most, wrong_votes(votes));
     std::vector<std::uint32_t> found;
-    for (const auto& [shape, votes] : all)
-        if (is_fault(votes.wrong(), votes.all()) && 2 * votes.wrong() > most)
-            found.push_back(shape);
+    for (const auto& [shape, votes] : walks.votes())
+        if (2 * wrong_votes(votes) > most) found.push_back(shape);
     return found;
 }
 

@@ -41,11 +41,12 @@ bool normal_points_in(const Scene& scene, const Hit& start) {
 }
 
 /// The medium of a walk where it arrives at the end of a ray; nothing where it does not.
-std::optional<MediumNumber> medium_at_end(const Scene& scene, Ray ray, MediumNumber medium) {
+std::optional<MediumNumber> medium_at_end(const Scene& scene, const std::set<std::uint32_t>& ends,
+                                          Ray ray, MediumNumber medium) {
     for (int i = 0; i < kMostCrossings; ++i) {
         const auto hit = scene.geometry().intersect(ray);
         if (!hit) return medium;
-        if (!can_be_passed(scene, *hit)) return {};
+        if (!can_be_passed(scene, *hit) || ends.contains(hit->shape)) return {};
         if (scene.medium_beyond(*hit, -ray.direction, medium) != medium) return {};
         medium = scene.medium_beyond(*hit, ray.direction, medium);
         const float left = ray.length - hit->distance;
@@ -128,22 +129,6 @@ void MediaWalks::walk_all() {
     walk_from(unnamed);
 }
 
-std::map<std::uint32_t, MediaVotes> MediaWalks::decisive_votes() const {
-    std::map<std::uint32_t, MediaVotes> votes = votes_[0];
-    for (const auto& [shape, named] : votes_[1]) votes[shape] = named;
-    return votes;
-}
-
-std::map<std::uint32_t, MediaVotes> MediaWalks::all_votes() const {
-    std::map<std::uint32_t, MediaVotes> votes = votes_[0];
-    for (const auto& [shape, named] : votes_[1]) {
-        votes[shape].right += named.right;
-        votes[shape].inside_out += named.inside_out;
-        votes[shape].other += named.other;
-    }
-    return votes;
-}
-
 void MediaWalks::walk_from(const std::vector<std::size_t>& starts) {
     if (starts.empty()) return;
     for (std::size_t i = 0; i < kWalks; ++i) {
@@ -195,7 +180,8 @@ void MediaWalks::walk(Walk at, bool is_named) {
 /// Does the surface name the medium from which the walk comes, or none at all?
 bool MediaWalks::agrees(const Hit& hit, const Walk& at, bool is_named) {
     if (!scene_.parts_media(hit)) return true;
-    MediaVotes& votes = votes_.at(is_named ? 1 : 0)[hit.shape];
+    ShapeVotes& of_shape = votes_[hit.shape];
+    MediaVotes& votes = is_named ? of_shape.named : of_shape.assumed;
     const bool right = scene_.medium_beyond(hit, -at.ray.direction, at.medium) == at.medium;
     const bool exchanged = scene_.medium_beyond(hit, at.ray.direction, at.medium) == at.medium;
     if (right)
@@ -221,7 +207,7 @@ void MediaWalks::look_around(const Hit* hit, const Ray& ray, MediumNumber medium
     if (hit != nullptr && side(way->direction) != side(ray.direction)) return;
     const Ray look = hit != nullptr ? shadow_ray(*hit, way->direction, way->distance)
                                     : Ray{ray.origin, way->direction, way->distance * (1 - 1e-4F)};
-    if (const auto found = medium_at_end(scene_, look, medium)) ++start.heard[*found];
+    if (const auto found = medium_at_end(scene_, ends_, look, medium)) ++start.heard[*found];
 }
 
 }  // namespace sunfleck

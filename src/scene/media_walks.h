@@ -8,7 +8,6 @@
 
 #include "scene/scene.h"
 
-#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,6 +23,11 @@ struct MediaVotes {
 
     int all() const { return right + inside_out + other; }
     int wrong() const { return inside_out + other; }
+};
+
+struct ShapeVotes {
+    MediaVotes named;    // of walks from starts for which the scene names a medium
+    MediaVotes assumed;  // of the others
 };
 
 /// Where walks start: the camera, or the lights of one source.
@@ -46,10 +50,8 @@ public:
     /// the other lights. Before its walks, a start that names none takes the medium it heard most.
     void walk_all();
 
-    /// By shape, those of walks from starts that name a medium; of the others where there are none.
-    std::map<std::uint32_t, MediaVotes> decisive_votes() const;
-    /// By shape.
-    std::map<std::uint32_t, MediaVotes> all_votes() const;
+    /// By shape of the scene.
+    const std::map<std::uint32_t, ShapeVotes>& votes() const { return votes_; }
     /// The camera first, then the sources of lights that are not far away.
     const std::vector<MediaStart>& starts() const { return starts_; }
 
@@ -72,8 +74,8 @@ private:
     const std::set<std::uint32_t>& ends_;
     std::vector<MediaStart> starts_;
     std::size_t next_looked_at_ = 0;
-    std::uint32_t drawn_ = 0;                                   // random numbers, by two
-    std::array<std::map<std::uint32_t, MediaVotes>, 2> votes_;  // by is_named, by shape
+    std::uint32_t drawn_ = 0;  // random numbers, by two
+    std::map<std::uint32_t, ShapeVotes> votes_;
 };
 
 }  // namespace sunfleck

@@ -102,8 +102,9 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
      "in half of it, and `power` counts both; planar convex faces of more corners are cut "
      "likewise, with a warning, and others refused; left out, with a warning: faces of fewer than "
      "three corners, vertices of no face whose numbers are not finite, normals that are no "
-     "numbers; "
-     "its `displacement` is ignored with a warning"},
+     "numbers, texture coordinates of faces (`texcoord`); texture coordinates that are no numbers "
+     "are (0, 0), with a warning; strips of triangles (`tristrips`) are refused; its "
+     "`displacement` is ignored with a warning"},
     {"Shape", "sphere", kExact, "`radius zmin zmax phimax`; met exactly, in double"},
     {"Shape", "disk", kExact, "`height radius innerradius phimax`"},
     {"Shape", "cylinder", kExact, "`radius zmin zmax phimax`"},
