@@ -58,7 +58,7 @@ bool is_fault(const MediaStart& start) {
 }
 
 /// Where the scene's file speaks of a start.
-SourceLocation place_of(const MediaStart& start, const Scene& scene) {
+SourceLocation location_of(const MediaStart& start, const Scene& scene) {
     if (start.lights.count == 0) return {scene.path()};
     const std::uint32_t statement = scene.stated_in()[start.lights.first];
     return statement == kNone ? SourceLocation{scene.path()}
@@ -67,14 +67,14 @@ SourceLocation place_of(const MediaStart& start, const Scene& scene) {
 
 void tell(const MediaStart& start, const Scene& scene, Warnings& warnings) {
     const std::string what = start.lights.count == 0 ? "the camera" : "this light";
-    const SourceLocation place = place_of(start, scene);
+    const SourceLocation where = location_of(start, scene);
     if (is_fault(start))
-        warnings.add(place, what +
+        warnings.add(where, what +
                                 " is seen through other media than the one in which it stands, so "
                                 "that light and camera paths may cross different media; write a "
                                 "MediumInterface before it that names, second, what is around it");
     else if (!start.is_named && start.sides.outside != 0)
-        warnings.add(place, "no MediumInterface names the medium around " + what +
+        warnings.add(where, "no MediumInterface names the medium around " + what +
                                 "; it stands in the one through which it is seen; name that, "
                                 "second, in a MediumInterface before it");
 }

@@ -57,18 +57,18 @@ std::optional<MediumNumber> medium_at_end(const Scene& scene, const std::set<std
     return {};
 }
 
-Vec3 camera_place(const Scene& scene) {
+Vec3 camera_position(const Scene& scene) {
     const Vec2d middle = Vec2d(scene.film().resolution) * 0.5;
     return Vec3(camera_ray(scene.camera(), middle, {0.5, 0.5}).origin);
 }
 
-/// The way to a place that is not far away.
-std::optional<DirectSample> way_to(const Vec3& place, const Vec3& from) {
-    const Vec3 way = place - from;
-    const float distance = way.length();
+/// The direction to a position, and the distance.
+std::optional<DirectSample> sample_towards(const Vec3& position, const Vec3& from) {
+    const Vec3 offset = position - from;
+    const float distance = offset.length();
     if (!(distance > 0)) return {};
     DirectSample sample;
-    sample.direction = way * (1 / distance);
+    sample.direction = offset * (1 / distance);
     sample.distance = distance;
     return sample;
 }
@@ -141,17 +141,17 @@ void MediaWalks::walk_from(const std::vector<std::size_t>& starts) {
 }
 
 MediaWalks::Walk MediaWalks::camera_walk() {
-    const Vec2d place = Vec2d(scene_.film().resolution) * next_two();
-    const CameraRay view = camera_ray(scene_.camera(), place, {0.5, 0.5});
+    const Vec2d film = Vec2d(scene_.film().resolution) * next_two();
+    const CameraRay view = camera_ray(scene_.camera(), film, {0.5, 0.5});
     return {{Vec3(view.origin), Vec3(view.direction)}, starts_[0].sides.outside};
 }
 
 std::optional<MediaWalks::Walk> MediaWalks::light_walk(const MediaStart& start, std::size_t i) {
     const Light& light = scene_.lights()[start.lights.first + i % start.lights.count];
-    const Vec2d place = next_two();
-    const Vec2d way = next_two();
-    const Emission first =
-        sample_emission(light, {place.x, place.y, way.x, way.y}, scene_.sphere());
+    const Vec2d position = next_two();
+    const Vec2d direction_numbers = next_two();
+    const Emission first = sample_emission(
+        light, {position.x, position.y, direction_numbers.x, direction_numbers.y}, scene_.sphere());
     if (!(first.factor > 0)) return {};
     const Vec3 direction(first.direction);
     return Walk{
@@ -199,14 +199,15 @@ void MediaWalks::look_around(const Hit* hit, const Ray& ray, MediumNumber medium
     MediaStart& start = starts_[next_looked_at_++ % starts_.size()];
     if (start.parts) return;  // walks meet its shape
     const auto& [first, count] = start.lights;
-    const auto way = count == 0 ? way_to(camera_place(scene_), ray.origin)
-                                : sample_direct(scene_.lights()[first + next_looked_at_ % count],
-                                                ray.origin, Vec2(next_two()), scene_.sphere());
-    if (!way || !(way->distance > 0) || !std::isfinite(way->distance)) return;
-    const auto side = [&](const Vec3& direction) { return hit->normal.dot(direction) > 0; };
-    if (hit != nullptr && side(way->direction) != side(ray.direction)) return;
-    const Ray look = hit != nullptr ? shadow_ray(*hit, way->direction, way->distance)
-                                    : Ray{ray.origin, way->direction, way->distance * (1 - 1e-4F)};
+    const auto sample = count == 0 ? sample_towards(camera_position(scene_), ray.origin)
+                                   : sample_direct(scene_.lights()[first + next_looked_at_ % count],
+                                                   ray.origin, Vec2(next_two()), scene_.sphere());
+    if (!sample || !(sample->distance > 0) || !std::isfinite(sample->distance)) return;
+    const auto is_above = [&](const Vec3& direction) { return hit->normal.dot(direction) > 0; };
+    if (hit != nullptr && is_above(sample->direction) != is_above(ray.direction)) return;
+    const Ray look = hit != nullptr
+                         ? shadow_ray(*hit, sample->direction, sample->distance)
+                         : Ray{ray.origin, sample->direction, sample->distance * (1 - 1e-4F)};
     if (const auto found = medium_at_end(scene_, ends_, look, medium)) ++start.heard[*found];
 }
 

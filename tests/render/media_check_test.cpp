@@ -88,9 +88,9 @@ TEST(MediaCheck, warns_of_an_open_shape_with_different_media) {
 )";
     for (const std::string& material : materials())
         for (const std::string& shape : {half_ball, disk, tube, bowl})
-            for (const char* turn : {"", "ReverseOrientation\n"}) {
+            for (const char* reversed : {"", "ReverseOrientation\n"}) {
                 const std::string text = from_afar() + sky() + floor_below(-1.5) +
-                                         in_media("tea", "", material + turn + shape);
+                                         in_media("tea", "", material + reversed + shape);
                 const std::string lines = lines_of(scene_of(text));
                 const std::string place = place_of(text, "Shape");
                 EXPECT_NE(lines.find(place + "1: warning: its MediumInterface"), std::string::npos)
