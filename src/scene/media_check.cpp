@@ -54,7 +54,8 @@ bool is_fault(const MediaStart& start) {
     int all = 0;
     for (const auto& [medium, count] : start.heard) all += count;
     const auto own = start.heard.find(start.sides.outside);
-    return is_fault(all - (own == start.heard.end() ? 0 : own->second), all);
+    const int taken = own == start.heard.end() ? 0 : own->second;
+    return is_fault(start.is_named ? start.wrong : all - taken, all);
 }
 
 /// Where the scene's file speaks of a start.

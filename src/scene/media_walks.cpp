@@ -2,7 +2,7 @@
 #include "scene/media_walks.h"
 
 #include "core/random.h"
-#include "scene/outer_medium.h"
+#include "scene/transmission.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,9 @@ std::optional<MediumNumber> medium_at_end(const Scene& scene, const std::set<std
     for (int i = 0; i < kMostCrossings; ++i) {
         const auto hit = scene.geometry().intersect(ray);
         if (!hit) return medium;
-        if (!can_be_passed(scene, *hit) || ends.contains(hit->shape)) return {};
+        if (!lets_light_through(scene.materials(), scene.material_of(*hit)) ||
+            ends.contains(hit->shape))
+            return {};
         if (scene.medium_beyond(*hit, -ray.direction, medium) != medium) return {};
         medium = scene.medium_beyond(*hit, ray.direction, medium);
         const float left = ray.length - hit->distance;
@@ -79,7 +81,6 @@ MediaStart start_at(const Scene& scene, const std::vector<ShapeRecord>& shapes, 
     const auto* area = std::get_if<AreaLight>(&scene.lights()[lights.first]);
     if (area != nullptr && area->shape != kNone && shapes[area->shape].media.parts())
         start.sides = shapes[area->shape].media;  // they may have been exchanged
-    start.parts = start.sides.parts();
     start.is_named = start.sides != MediumSides{};
     return start;
 }
@@ -118,7 +119,7 @@ void MediaWalks::walk_all() {
     for (std::size_t i = 1; i < starts_.size(); ++i)
         (starts_[i].is_named ? named : unnamed).push_back(i);
     const auto take_heard = [this](std::size_t start) {
-        auto& [lights, sides, is_named, parts, heard] = starts_[start];
+        auto& [lights, sides, is_named, heard, wrong] = starts_[start];
         if (!is_named && !heard.empty()) sides = {most_heard(heard), most_heard(heard)};
     };
     if (starts_[0].is_named) walk_from({0});
@@ -166,7 +167,7 @@ void MediaWalks::walk(Walk at, bool is_named) {
         const auto hit = scene_.geometry().intersect(ray);
         if (!hit || ends_.contains(hit->shape)) return;
         if (!agrees(*hit, at, is_named)) return;
-        if (can_be_passed(scene_, *hit)) {
+        if (lets_light_through(scene_.materials(), scene_.material_of(*hit))) {
             medium = scene_.medium_beyond(*hit, ray.direction, medium);
             ray = ray_from(*hit, ray.direction);
         } else {
@@ -197,7 +198,6 @@ bool MediaWalks::agrees(const Hit& hit, const Walk& at, bool is_named) {
 /// @param hit  where the walk is, or null at its start. @param ray  on which it goes on.
 void MediaWalks::look_around(const Hit* hit, const Ray& ray, MediumNumber medium) {
     MediaStart& start = starts_[next_looked_at_++ % starts_.size()];
-    if (start.parts) return;  // walks meet its shape
     const auto& [first, count] = start.lights;
     const auto sample = count == 0 ? sample_towards(camera_position(scene_), ray.origin)
                                    : sample_direct(scene_.lights()[first + next_looked_at_ % count],
@@ -208,7 +208,10 @@ void MediaWalks::look_around(const Hit* hit, const Ray& ray, MediumNumber medium
     const Ray look = hit != nullptr
                          ? shadow_ray(*hit, sample->direction, sample->distance)
                          : Ray{ray.origin, sample->direction, sample->distance * (1 - 1e-4F)};
-    if (const auto found = medium_at_end(scene_, ends_, look, medium)) ++start.heard[*found];
+    const auto found = medium_at_end(scene_, ends_, look, medium);
+    if (!found) return;
+    ++start.heard[*found];
+    if (*found != start.sides.towards(sample->normal, -sample->direction)) ++start.wrong;
 }
 
 }  // namespace sunfleck

@@ -1,8 +1,8 @@
 // Walks that ask the shapes, the lights and the camera of a scene which media they name.
 //
 // A walk starts at the camera or at a light in the medium there. It goes straight on through what
-// can be passed, leaves other surfaces in any direction, and ends at the first shape that does not
-// name the medium through which it came. On its way it looks at the camera and at lights, which
+// lets light through, leaves other surfaces in any direction, and ends at the first shape that does
+// not name the medium through which it came. On its way it looks at the camera and at lights, which
 // hear its medium.
 #pragma once
 
@@ -35,8 +35,8 @@ struct MediaStart {
     LightRange lights{};  // none: the camera
     MediumSides sides{};
     bool is_named = false;                // the scene names a medium there
-    bool parts = false;                   // lights of a shape with two media
     std::map<MediumNumber, int> heard{};  // media of the walks that looked at it
+    int wrong = 0;                        // of these, those that did not find the named medium
 };
 
 class MediaWalks {

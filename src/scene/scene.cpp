@@ -6,6 +6,7 @@
 #include "scene/media_check.h"
 #include "scene/outer_medium.h"
 #include "scene/rendering_space.h"
+#include "scene/transmission.h"
 
 #include <algorithm>
 
@@ -76,7 +77,9 @@ GeometryInput Scene::take_shapes(SceneDescription& description) {
             has_straight_hits_ = true;
         const auto index = static_cast<std::uint32_t>(input.shapes.size());
         const bool has_cover = shape.placed.cover != nullptr;
-        shapes_.push_back({shape.material, kNone, shape.media, has_cover});
+        const bool parts_media = lets_light_through(materials_, shape.material);
+        shapes_.push_back(
+            {shape.material, kNone, parts_media ? shape.media : MediumSides{}, has_cover});
         if (shape.emission) add_area_lights(shape, index);
         input.shapes.push_back(std::move(shape.placed));
         return index;

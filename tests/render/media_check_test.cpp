@@ -114,6 +114,16 @@ TEST(MediaCheck, says_nothing_of_what_is_right) {
     }
 }
 
+/// As in most scenes: what names the fog for the camera names it for all that follows.
+TEST(MediaCheck, says_nothing_of_opaque_shapes_in_fog) {
+    const std::string leaf =
+        "Rotate 60 1 0 0\n" + diffuse(".5 .5 .5") + "Shape \"disk\" \"float radius\" 0.8\n";
+    const std::string tube = "Material \"conductor\"\nShape \"cylinder\" \"float radius\" 0.4\n";
+    for (const std::string& thing : {leaf, tube})
+        expect_warning(around("tea") + from_afar() + lamp_at("2 1 3") + floor_below(-1.5) + thing,
+                       "", "");
+}
+
 TEST(MediaCheck, a_light_that_names_a_medium_decides_for_a_camera_that_names_none) {
     for (const std::string& material : materials()) {
         const std::string text =

@@ -35,12 +35,13 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
     {"Directive", "MediumInterface", kExact,
      "the media inside (where the normal points away from) and outside of the shapes that follow; "
      "outside is also that of the `Camera` and of lights that follow. A surface with one medium on "
-     "both sides changes nothing (pbrt-v4). Where a closed shape's normals point into it "
-     "(ReverseOrientation, or triangles wound so) and its media do not agree with those around "
-     "it, the two are exchanged, with a warning. A camera or light for which no medium is "
-     "named stands in the one through which it is seen, with a warning; what names a medium "
-     "decides. Other surfaces that do not agree are warned of, such as open ones, around whose "
-     "edge rays go from one medium into the other"},
+     "both sides changes nothing (pbrt-v4). Surfaces that let no light through part no media: "
+     "paths keep theirs. Where a closed shape's normals point into it (ReverseOrientation, or "
+     "triangles wound so) and its media do not agree with those around it, the two are "
+     "exchanged, with a warning. A camera or light for which no medium is named stands in the "
+     "one through which it is seen, with a warning; what names a medium decides. Other "
+     "surfaces that do not agree are warned of, such as open ones, around whose edge rays go "
+     "from one medium into the other"},
     {"Directive", "MakeNamedMedium", kExact, "see Media"},
     {"Directive", "Material MakeNamedMaterial NamedMaterial", kExact,
      "see Materials; a named one may be made after the shapes that use it"},
