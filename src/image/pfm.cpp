@@ -1,6 +1,7 @@
 // Portable float maps: floats of either byte order, rows from the bottom.
 //
 // Source: Debevec, PFM Portable FloatMap Image Format.
+#include "core/printable.h"
 #include "image/byte_source.h"
 #include "image/formats.h"
 
@@ -34,7 +35,7 @@ std::string word_of(ByteSource& source) {
 Head read_head(ByteSource& source) {
     Head head;
     const std::string kind = word_of(source);
-    if (kind != "PF" && kind != "Pf") source.refuse("it is of the kind " + kind);
+    if (kind != "PF" && kind != "Pf") source.refuse("it is of the kind " + printable(kind, 8));
     head.channels = kind == "PF" ? 3 : 1;
     const std::string width = word_of(source);
     const std::string height = word_of(source);

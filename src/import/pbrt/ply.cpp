@@ -2,10 +2,12 @@
 #include "import/pbrt/ply.h"
 
 #include "core/file_content.h"
+#include "core/printable.h"
 #include "import/pbrt/ply_body.h"
 #include "import/pbrt/ply_gzip.h"
 #include "import/pbrt/ply_header.h"
 #include "import/pbrt/ply_source.h"
+#include "import/pbrt/words.h"
 
 #include <algorithm>
 #include <array>
@@ -71,8 +73,8 @@ public:
             if (element.properties.empty()) continue;
             if (!source_.room_for(element))
                 throw Error({name_},
-                            "the header claims " + std::to_string(element.count) + " of \"" +
-                                element.name + "\", more than the file can hold",
+                            "the header claims " + std::to_string(element.count) + " of " +
+                                in_quotes(element.name) + ", more than the file can hold",
                             "write the file again, it is cut or damaged");
             try {
                 read_element(element);
@@ -102,7 +104,7 @@ private:
     std::uint64_t list_length(const PlyProperty& property) {
         const double length = source_.number(*property.count_type);
         if (!(length >= 0 && length <= 0x1p32 && length == std::floor(length)))
-            fail("a list \"" + property.name + "\" of negative or broken length",
+            fail("a list " + in_quotes(property.name) + " of negative or broken length",
                  "write the file again, it is damaged");
         return static_cast<std::uint64_t>(length);
     }
@@ -180,7 +182,8 @@ private:
     }
 
     [[noreturn]] void fail(const std::string& what, const std::string& mend) {
-        throw Error({name_}, element_->name + " " + std::to_string(row_) + ": " + what, mend);
+        throw Error({name_},
+                    printable(element_->name, 40) + " " + std::to_string(row_) + ": " + what, mend);
     }
 
     const PlyHeader& header_;
