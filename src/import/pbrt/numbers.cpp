@@ -19,7 +19,7 @@ std::string_view without_plus(std::string_view text) {
 /// How to write what was meant for a number.
 std::string number_mend(const Token& token) {
     const std::string_view text = token.text;
-    if (token.kind == TokenKind::string) return "write it without quotes";
+    if (token.kind == TokenKind::string) return "write a number such as 1.5, without quotes";
     if (text.find(',') != std::string_view::npos || text.find(';') != std::string_view::npos)
         return "write numbers such as 1.5, with a point, and blanks between them";
     return "write a number such as 1.5";
@@ -52,7 +52,7 @@ int integer_of(const Token& token) {
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (token.kind != TokenKind::word || code != std::errc() || end != text.data() + text.size())
         throw Error(token.where(), "expected an integer, found " + in_quotes(token.text),
-                    token.kind == TokenKind::string ? "write it without quotes"
+                    token.kind == TokenKind::string ? "write a whole number, without quotes"
                                                     : "write a whole number of at most 2147483647");
     return value;
 }
