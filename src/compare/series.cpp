@@ -2,6 +2,7 @@
 #include "compare/series.h"
 
 #include "core/error.h"
+#include "core/file_content.h"
 #include "image/read_file.h"
 
 #include <nlohmann/json.hpp>
@@ -22,8 +23,10 @@ Snapshot read_snapshot(const fs::path& picture) {
         throw Error({picture.string()},
                     "has no " + fs::path(stats).filename().string() + " beside it",
                     "write both by sunfleck render --snapshots");
+    const std::string text = read_file(stats);
+    if (!text.starts_with("{")) refuse_other_content(text, stats, "the statistics of a render");
     try {
-        const auto json = nlohmann::json::parse(read_file(stats));
+        const auto json = nlohmann::json::parse(text);
         Snapshot snapshot{picture.string(), json.at("passes").get<std::uint64_t>(),
                           json.at("seconds").at("total").get<double>(),
                           json.value("cpu_seconds", 0.0)};

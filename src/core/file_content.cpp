@@ -27,6 +27,10 @@ constexpr auto kMarks = std::to_array<Mark>({
      "version https://git-lfs.github.com/"sv,
      {"a pointer of Git LFS, not the file itself", "fetch the file: git lfs pull"}},
     {0,
+     "version https://hawser.github.com/"sv,
+     {"a pointer of Git LFS, not the file itself", "fetch the file: git lfs pull"}},
+    {0, "outs:\n"sv, {"a pointer of DVC, not the file itself", "fetch the file: dvc pull"}},
+    {0,
      "/annex/objects/"sv,
      {"a pointer of git-annex, not the file itself", "fetch the file: git annex get"}},
 
@@ -69,16 +73,23 @@ constexpr auto kMarks = std::to_array<Mark>({
     {0, "DDS "sv, {"a DDS picture", ""}},
     {0, "\xABKTX "sv, {"a KTX picture", ""}},
     {0, "qoif"sv, {"a QOI picture", ""}},
-    {0, "P6\n"sv, {"a PPM picture", ""}},
-    {0, "P5\n"sv, {"a PGM picture", ""}},
+    {0, "P6"sv, {"a PPM picture", ""}},
+    {0, "P5"sv, {"a PGM picture", ""}},
+    {0, "P3"sv, {"a PPM picture", ""}},
+    {0, "P2"sv, {"a PGM picture", ""}},
     {0, "SDPX"sv, {"a DPX picture", ""}},
     {0, "XPDS"sv, {"a DPX picture", ""}},
     {4, "jP  \r\n"sv, {"a JPEG 2000 picture", ""}},
+    {0, "\xFF\x4F\xFF\x51"sv, {"a JPEG 2000 picture", ""}},
     {4, "JXL \r\n"sv, {"a JPEG XL picture", ""}},
     {0, "\xFF\x0A"sv, {"a JPEG XL picture", ""}},
     {4, "ftypavif"sv, {"an AVIF picture", ""}},
+    {4, "ftypavis"sv, {"an AVIF picture", ""}},
     {4, "ftyphei"sv, {"a HEIF picture", ""}},
     {4, "ftypmif1"sv, {"a HEIF picture", ""}},
+    {4, "ftypmsf1"sv, {"a HEIF picture", ""}},
+    {4, "ftyp"sv, {"a video", ""}},
+    {0, "\0\0\1\0"sv, {"a Windows icon", ""}},
 
     {0, "ply\n"sv, {"a PLY mesh", ""}},
     {0, "ply\r"sv, {"a PLY mesh", ""}},
@@ -98,6 +109,9 @@ constexpr auto kMarks = std::to_array<Mark>({
     {0, "IESNA"sv, {"an IES light profile", ""}},
     {0, "sunfilm\n"sv, {"a film of Sunfleck", ""}},
     {0, "sunckpt\n"sv, {"a checkpoint of Sunfleck", ""}},
+    {0,
+     "\0\5\x16\7"sv,
+     {"what macOS keeps beside a file (AppleDouble)", "give the file without ._ in its name"}},
     {0, "%PDF"sv, {"a PDF document", ""}},
     {0,
      "\x7F"
@@ -110,6 +124,8 @@ bool begins_as_it_should(const Mark& mark, std::string_view bytes) {
     if (mark.bytes == "WEBP") return bytes.starts_with("RIFF");
     if (mark.bytes == "1AY&SY") return bytes.starts_with("BZh");
     if (mark.at == 6) return bytes.starts_with("BM");
+    if (mark.bytes.size() == 2 && mark.bytes[0] == 'P')
+        return bytes.size() > 2 && std::string_view(" \t\r\n").find(bytes[2]) != std::string::npos;
     return true;
 }
 

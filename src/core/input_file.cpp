@@ -4,6 +4,8 @@
 #include "core/memory_room.h"
 #include "core/small_letters.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -11,6 +13,7 @@
 #include <fstream>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace sunfleck {
 namespace {
@@ -35,16 +38,47 @@ std::string in_one_line(const std::string& path) {
     return shown + '"';
 }
 
+/// The first entry of a folder, by the alphabet, whose name is taken for another one.
+template <class IsLike>
+std::optional<fs::path> entry_like(const fs::path& folder, const IsLike& is_like) {
+    std::error_code code;
+    std::optional<fs::path> found;
+    const fs::path shown = folder.empty() ? fs::path(".") : folder;
+    for (fs::directory_iterator entry(shown, code), end; !code && entry != end;
+         entry.increment(code)) {
+        const fs::path name = entry->path().filename();
+        if (is_like(name) && (!found || name < found->filename())) found = folder / name;
+    }
+    return found;
+}
+
 /// The entry of a folder that differs from `name` in case alone.
 std::optional<fs::path> entry_of_other_case(const fs::path& folder, const std::string& name) {
     const std::string wanted = small_letters(name);
-    std::error_code code;
-    const fs::path shown = folder.empty() ? fs::path(".") : folder;
-    for (fs::directory_iterator entry(shown, code), end; !code && entry != end;
-         entry.increment(code))
-        if (small_letters(entry->path().filename().string()) == wanted)
-            return folder / entry->path().filename();
-    return std::nullopt;
+    return entry_like(
+        folder, [&](const fs::path& entry) { return small_letters(entry.string()) == wanted; });
+}
+
+/// The file beside it that differs in its ending: another format, or none, or a blank behind it.
+std::optional<fs::path> path_of_other_ending(const fs::path& path) {
+    const std::string wanted = small_letters(path.stem().string());
+    return entry_like(path.parent_path(), [&](const fs::path& entry) {
+        return small_letters(entry.stem().string()) == wanted;
+    });
+}
+
+/// What a name is that no file of this machine has: "C:/a.png", "https:/b.org/a.png"; else empty.
+std::string_view foreign_name(std::string_view path) {
+    const std::size_t colon = path.find(":/");
+    if (colon == std::string_view::npos) return "";
+    const std::size_t folder = path.substr(0, colon).rfind('/');
+    const std::size_t begin = folder == std::string_view::npos ? 0 : folder + 1;
+    const bool is_word =
+        std::all_of(path.begin() + static_cast<int>(begin), path.begin() + static_cast<int>(colon),
+                    [](unsigned char c) { return std::isalpha(c) != 0; });
+    if (!is_word || colon == begin) return "";
+    return colon - begin == 1 ? "it stands on a drive of Windows: name files relative to the scene"
+                              : "it is an address: download the file, and name that";
 }
 
 /// The file whose path differs in case alone, or nothing.
@@ -72,7 +106,10 @@ std::optional<fs::path> path_of_other_case(const fs::path& path) {
     if (const auto other = path_of_other_case(path))
         throw MissingFile(from, path,
                           "there is " + in_one_line(other->string()) + ": mind capital letters");
-    throw MissingFile(from, path, std::string(kCheckName));
+    if (const auto other = path_of_other_ending(path))
+        throw MissingFile(from, path, "there is " + in_one_line(other->string()));
+    const std::string_view foreign = foreign_name(path);
+    throw MissingFile(from, path, std::string(foreign.empty() ? kCheckName : foreign));
 }
 
 /// Refuses what is no regular file.
@@ -119,20 +156,25 @@ std::string MissingFile::line() const {
            (mend_ == kCheckName ? "" : ": " + mend_);
 }
 
-std::string read_input_file(const std::string& path, const SourceLocation& from) {
+OpenFile open_input_file(const std::string& path, const SourceLocation& from) {
     check_kind(path, from);
-    const std::string quoted = in_one_line(path);
     std::error_code code;
     const std::uintmax_t size = fs::file_size(path, code);
-    std::ifstream file(path, std::ios::binary);
-    if (code || !file)
-        throw Error(from, quoted + " cannot be opened: " + std::strerror(errno),
+    std::ifstream stream(path, std::ios::binary);
+    if (code || !stream)
+        throw Error(from, in_one_line(path) + " cannot be opened: " + std::strerror(errno),
                     "check that you may read it");
+    return {std::move(stream), size};
+}
+
+std::string read_input_file(const std::string& path, const SourceLocation& from) {
+    auto [stream, size] = open_input_file(path, from);
+    const std::string quoted = in_one_line(path);
     constexpr std::uintmax_t kSmall = 1U << 24U;  // less is not worth the question
     if (size > kSmall && size > free_memory()) too_large(size, quoted, from);
     std::string bytes(size, '\0');
-    file.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (static_cast<std::uintmax_t>(file.gcount()) != size)
+    stream.read(bytes.data(), static_cast<std::streamsize>(size));
+    if (static_cast<std::uintmax_t>(stream.gcount()) != size)
         throw Error(from, quoted + " cannot be read to its end", "check the disk");
     return bytes;
 }

@@ -1,8 +1,10 @@
-// Whole files as bytes, for the readers that parse in memory.
+// Input files: whole as bytes, for the readers that parse in memory, or open to be read in pieces.
 #pragma once
 
 #include "core/error.h"
 
+#include <cstdint>
+#include <fstream>
 #include <string>
 
 namespace sunfleck {
@@ -24,10 +26,19 @@ private:
     std::string mend_;
 };
 
-/// The bytes of a regular file.
-/// @param from  the statement that names it: the place of the error if it cannot be read.
+/// A regular file, open at its first byte.
+struct OpenFile {
+    std::ifstream stream;
+    std::uintmax_t size = 0;  // bytes
+};
+
+/// @param from  the statement that names it: the place of the error if it cannot be opened.
 /// @throws MissingFile  if there is none; its remedy names a file that differs in case alone.
-/// @throws Error  for folders, pipes, devices, and what cannot be opened, read or held in memory.
+/// @throws Error  for folders, pipes, devices, and what cannot be opened.
+OpenFile open_input_file(const std::string& path, const SourceLocation& from);
+
+/// The bytes of a regular file.
+/// @throws Error  as open_input_file(), and for what cannot be read or held in memory.
 std::string read_input_file(const std::string& path, const SourceLocation& from);
 
 /// All of standard input. @param name  of it, for messages. @throws Error  beyond free memory.

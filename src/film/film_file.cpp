@@ -1,6 +1,7 @@
 // Film files, word by word; a reader never allocates more than the file can fill.
 #include "film/film_file.h"
 
+#include "core/input_file.h"
 #include "film/film_head.h"
 
 #include <utility>
@@ -8,7 +9,8 @@
 namespace sunfleck {
 namespace {
 
-constexpr WordFileKind kKind{"film file", "use another copy, or render its passes again"};
+constexpr WordFileKind kKind{kFilmMagic, "film file",
+                             "use another copy, or render its passes again"};
 
 /// Do the sums fill the rest of the file? Asked before any room is made for them.
 bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_round_count) {
@@ -55,7 +57,7 @@ Film read_film(std::istream& stream, std::uint64_t size, const std::string& name
 }
 
 Film read_film(const std::string& path) {
-    OpenFile file(path);
+    OpenFile file = open_input_file(path, {path});
     return read_film(file.stream, file.size, path);
 }
 

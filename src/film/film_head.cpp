@@ -10,14 +10,13 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x0A'6D'6C'69'66'6E'75'73;  // "sunfilm\n"
 constexpr std::uint64_t kVersion = 5;
 constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
 
 FilmKey read_key(WordReader& in) {
-    in.check_head(kMagic, kVersion);
+    in.check_head(kFilmMagic, kVersion);
     FilmKey key;
     key.width = static_cast<int>(in.word_up_to(kMostPixelsAcross));
     key.height = static_cast<int>(in.word_up_to(kMostPixelsAcross));
@@ -103,7 +102,7 @@ std::vector<std::uint64_t> head_words(const FilmSums& sums) {
         if (sums.key.has(i)) layers |= std::uint64_t{1} << i;
     WordList out;
     for (const std::uint64_t word :
-         {kMagic, kVersion, static_cast<std::uint64_t>(sums.key.width),
+         {kFilmMagic, kVersion, static_cast<std::uint64_t>(sums.key.width),
           static_cast<std::uint64_t>(sums.key.height), layers,
           std::bit_cast<std::uint64_t>(sums.key.alpha), sums.key.seed, sums.key.scene_hash})
         out.put(word);

@@ -9,6 +9,9 @@
 
 namespace sunfleck {
 
+/// The first word of a film: "sunfilm\n".
+inline constexpr std::uint64_t kFilmMagic = 0x0A'6D'6C'69'66'6E'75'73;
+
 struct FilmHead {
     FilmKey key;
     PassSet passes;

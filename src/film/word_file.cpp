@@ -2,18 +2,41 @@
 #include "film/word_file.h"
 
 #include "core/error.h"
+#include "core/file_content.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <filesystem>
 #include <span>
+#include <string_view>
 #include <utility>
 
 namespace sunfleck {
 
 static_assert(std::endian::native == std::endian::little, "words are stored as they stand");
 static_assert(sizeof(FixedPoint) == 16, "sums are stored as two words");
+
+namespace {
+
+/// The first bytes of a stream, which is back at its beginning then.
+std::string beginning_of(std::istream& stream, std::uint64_t size) {
+    constexpr std::uint64_t kLooked = 512;
+    std::string bytes(std::min(size, kLooked), '\0');
+    const auto begin = stream.tellg();
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    stream.clear();
+    stream.seekg(begin);
+    return bytes;
+}
+
+bool begins_with(std::string_view bytes, std::uint64_t word) {
+    std::uint64_t first = 0;
+    std::memcpy(&first, bytes.data(), std::min(bytes.size(), sizeof first));
+    return first == word;
+}
+
+}  // namespace
 
 std::vector<std::uint64_t> words_of(const std::string& text) {
     std::vector<std::uint64_t> words((text.size() + 7) / 8 + 1, 0);
@@ -36,6 +59,10 @@ void WordWriter::flush() {
 WordReader::WordReader(std::istream& stream, std::uint64_t size, std::string path,
                        WordFileKind kind)
     : stream_(stream), path_(std::move(path)), kind_(kind) {
+    const std::string bytes = beginning_of(stream, size);
+    if (bytes.empty() && size > 0) damaged();
+    if (!begins_with(bytes, kind.magic))
+        refuse_other_content(bytes, path_, "a " + std::string(kind.name));
     if (size % 8 != 0 || size < 16) damaged();
     left_ = size / 8 - 1;  // the last is the checksum
 }
@@ -76,13 +103,6 @@ void WordReader::refill() {
     buffer_.resize(static_cast<std::size_t>(stream_.gcount()) / 8);
     next_ = 0;
     if (buffer_.empty()) damaged();
-}
-
-OpenFile::OpenFile(const std::string& path) : stream(path, std::ios::binary) {
-    std::error_code code;
-    size = std::filesystem::file_size(path, code);
-    if (code || !stream)
-        throw Error({path}, "there is no such file, or it cannot be opened", "check the name");
 }
 
 }  // namespace sunfleck

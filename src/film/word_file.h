@@ -10,7 +10,6 @@
 #include "image/atomic_file.h"
 
 #include <cstdint>
-#include <fstream>
 #include <istream>
 #include <span>
 #include <string>
@@ -70,8 +69,9 @@ private:
     std::vector<std::uint64_t> buffer_;
 };
 
-/// What a reader's faults say.
+/// A kind of file that begins with its own word, and what a reader's faults say.
 struct WordFileKind {
+    std::uint64_t magic;
     const char* name;  // "film file"
     const char* mend;  // what to do about a damaged one
 };
@@ -81,6 +81,7 @@ class WordReader {
 public:
     /// @param stream  to be read to its end, which is `size` bytes from here on; outlives this.
     /// @param path    its name, for errors.
+    /// @throws Error  that says what the file is, where that is known and it is not of this kind.
     WordReader(std::istream& stream, std::uint64_t size, std::string path, WordFileKind kind);
 
     /// Words before the checksum that were not taken yet.
@@ -131,14 +132,6 @@ private:
     std::uint64_t left_ = 0;
     std::vector<std::uint64_t> buffer_;
     std::size_t next_ = 0;
-};
-
-/// A file that is there and can be read. @throws Error if not.
-struct OpenFile {
-    explicit OpenFile(const std::string& path);
-
-    std::ifstream stream;
-    std::uint64_t size = 0;  // bytes
 };
 
 }  // namespace sunfleck

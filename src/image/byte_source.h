@@ -31,6 +31,10 @@ public:
         rest_.remove_prefix(count);
         return taken;
     }
+    /// Takes the next byte if it is that one.
+    void skip(char byte) {
+        if (rest_.starts_with(byte)) rest_.remove_prefix(1);
+    }
     std::uint8_t byte() { return static_cast<std::uint8_t>(take(1)[0]); }
     /// Two bytes, the lesser one first.
     unsigned word() {

@@ -2,6 +2,7 @@
 #include "image/exr_colours.h"
 
 #include "core/error.h"
+#include "core/printable.h"
 #include "core/small_letters.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ bool has(const Names& all, const std::string& name) {
 std::string joined(const Names& names) {
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text.size() > 100 ? text.substr(0, 100) + "..." : text;
+    return printable(text, 100);
 }
 
 /// 0 red, 1 green, 2 blue, 3 alpha, or 4: none of them. @param name  without its layer.

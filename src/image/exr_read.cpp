@@ -1,6 +1,7 @@
 // Reads OpenEXR files from memory by way of the OpenEXR library.
 #include "core/error.h"
 #include "core/file_content.h"
+#include "core/printable.h"
 #include "image/exr.h"
 #include "image/exr_colours.h"
 #include "image/formats.h"
@@ -78,7 +79,7 @@ public:
         for (auto c = this->channels().begin(); c != this->channels().end(); ++c) {
             ++channels;
             if (c.channel().xSampling != 1 || c.channel().ySampling != 1)
-                refuse(name, std::string("channel \"") + c.name() + "\" is subsampled");
+                refuse(name, "channel \"" + printable(c.name(), 60) + "\" is subsampled");
         }
         const std::uint64_t values = static_cast<std::uint64_t>(width * height) * channels;
         if (values > kMostValues || values > bytes.size() * kValuesPerByte + kFreeValues)
@@ -201,9 +202,7 @@ auto guarded(const std::string& name, const Task& task) {
     } catch (const Error&) {
         throw;
     } catch (const std::exception& fault) {
-        std::string text = fault.what();
-        std::replace(text.begin(), text.end(), '\n', ' ');
-        refuse(name, "cannot be read as EXR: " + text);
+        refuse(name, "cannot be read as EXR: " + printable(fault.what(), 400));
     }
 }
 

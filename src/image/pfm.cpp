@@ -1,6 +1,7 @@
 // Portable float maps: floats of either byte order, rows from the bottom.
 //
 // Source: Debevec, PFM Portable FloatMap Image Format.
+#include "core/printable.h"
 #include "image/byte_source.h"
 #include "image/formats.h"
 
@@ -17,12 +18,15 @@ struct Head {
     float scale = 1;
 };
 
-/// The next word, which a single white space ends.
+/// The next word, which a single white space ends, or a line end of two bytes.
 std::string word_of(ByteSource& source) {
     std::string word;
     for (char c = source.take(1)[0];; c = source.take(1)[0]) {
         const bool white = c == ' ' || c == '\n' || c == '\r' || c == '\t';
-        if (white && !word.empty()) return word;
+        if (white && !word.empty()) {
+            if (c == '\r') source.skip('\n');
+            return word;
+        }
         if (!white) word += c;
         if (word.size() > 40) source.refuse("its head is none");
     }
@@ -30,7 +34,9 @@ std::string word_of(ByteSource& source) {
 
 Head read_head(ByteSource& source) {
     Head head;
-    head.channels = word_of(source) == "PF" ? 3 : 1;
+    const std::string kind = word_of(source);
+    if (kind != "PF" && kind != "Pf") source.refuse("it is of the kind " + printable(kind, 8));
+    head.channels = kind == "PF" ? 3 : 1;
     const std::string width = word_of(source);
     const std::string height = word_of(source);
     const std::string scale = word_of(source);

@@ -2,6 +2,7 @@
 #include "render/checkpoint.h"
 
 #include "core/error.h"
+#include "core/input_file.h"
 #include "film/film_file.h"
 
 #include <bit>
@@ -13,7 +14,7 @@ namespace {
 constexpr std::uint64_t kMagic = 0x0A'74'70'6B'63'6E'75'73;     // "sunckpt\n"
 constexpr std::uint64_t kVersion = 5;                           // films of version 5
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 30U;  // as --passes
-constexpr WordFileKind kCheckpointFile{"checkpoint",
+constexpr WordFileKind kCheckpointFile{kMagic, "checkpoint",
                                        "use another copy, or render anew without --resume"};
 
 /// The archive (see StoredSample::visit) that writes.
@@ -170,7 +171,7 @@ Checkpoint read_checkpoint(std::istream& stream, std::uint64_t size, const std::
 }
 
 Checkpoint read_checkpoint(const std::string& path) {
-    OpenFile file(path);
+    OpenFile file = open_input_file(path, {path});
     return read_checkpoint(file.stream, file.size, path);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::vector<std::uint64_t>;
 
-constexpr WordFileKind kSentFilm{"film", "start the render again"};
+constexpr WordFileKind kSentFilm{kFilmMagic, "film", "start the render again"};
 
 std::string bytes_of(const FilmSums& sums) {
     Words words = head_words(sums);

@@ -1,143 +1,105 @@
-// Walks, and who names what on their way.
+// What is exchanged, what is warned of, and where a start that names no medium stands.
 #include "scene/media_check.h"
 
-#include "scene/outer_medium.h"
+#include "scene/media_walks.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <optional>
 #include <utility>
 
 namespace sunfleck {
 namespace {
 
-constexpr int kWalks = 2048;
-constexpr int kMostSteps = 24;
-constexpr int kMostCrossings = 64;
-
-/// Numbers that fill [0, 1) evenly: multiples of 1/g and 1/g^2, g^3 = g + 1.
-class EvenNumbers {
-public:
-    Vec2d next() {
-        at_ = {std::fmod(at_.x + 0.7548776662466927, 1.0),
-               std::fmod(at_.y + 0.5698402909980532, 1.0)};
-        return at_;
-    }
-
-private:
-    Vec2d at_{0.5, 0.5};
-};
-
 /// Shapes stand in each other: those within are looked at when those around them are right.
 constexpr int kMostNested = 16;
 
-/// Shapes, by their number in the scene, ascending.
-struct MediaFaults {
-    std::vector<std::uint32_t> inside_out;  // closed, normals inwards; right if exchanged
-    std::vector<std::uint32_t> at_odds;     // the others that name a medium that is not there
-};
+/// A walk may slip through where two surfaces touch. More than so many, and such a share of all,
+/// are a fault of the scene.
+constexpr int kMostSlips = 2;
+constexpr double kShareOfSlips = 0.01;
 
-/// What walks have met at a shape.
-struct Votes {
-    int right = 0;
-    int inside_out = 0;
-    int other = 0;
-};
-
-/// A direction on that side of a surface, any as likely as any other.
-Vec3 direction_above(const Vec3& normal, const Vec2d& numbers) {
-    const double z = 1 - 2 * numbers.x;
-    const double size = std::sqrt(std::max(0.0, 1 - z * z));
-    const double angle = 2 * std::numbers::pi * numbers.y;
-    const Vec3 any(Vec3d(size * std::cos(angle), size * std::sin(angle), z));
-    return any.dot(normal) < 0 ? -any : any;
+bool is_fault(int wrong, int all) {
+    return wrong > kMostSlips && wrong > kShareOfSlips * all;
 }
 
-/// Does the normal of a closed shape point into what it encloses? A ray that starts there leaves
-/// the shape one time more than it enters it.
-bool normal_points_in(const Scene& scene, const Hit& start) {
-    int crossings = 0;
-    Ray ray = ray_from(start, start.normal);
-    for (int i = 0; i < kMostCrossings; ++i) {
-        const auto hit = scene.geometry().intersect(ray);
-        if (!hit) break;
-        if (hit->shape == start.shape) ++crossings;
-        ray = ray_from(*hit, start.normal);
-    }
-    return crossings % 2 == 1;
+/// Votes that decide: of walks from starts that name a medium, if there are more than slips.
+const MediaVotes& decisive(const ShapeVotes& votes) {
+    return votes.named.all() > kMostSlips ? votes.named : votes.assumed;
 }
 
-/// Each walk ends at the first shape that does not name the medium through which the walk came.
-class Walker {
-public:
-    explicit Walker(const Scene& scene) : scene_(scene) {}
+int wrong_votes(const ShapeVotes& votes) {
+    const int wrong = votes.named.wrong() + votes.assumed.wrong();
+    return is_fault(wrong, votes.named.all() + votes.assumed.all()) ? wrong : 0;
+}
 
-    void walk() {
-        const Vec2d place = Vec2d(scene_.film().resolution) * numbers_.next();
-        const CameraRay view = camera_ray(scene_.camera(), place, {0.5, 0.5});
-        Ray ray{Vec3(view.origin), Vec3(view.direction)};
-        MediumNumber medium = scene_.media().at_camera;
-        for (int i = 0; i < kMostSteps; ++i) {
-            const auto hit = scene_.geometry().intersect(ray);
-            if (!hit || !agrees(*hit, ray.direction, medium)) return;
-            if (can_be_passed(scene_, *hit)) {
-                medium = scene_.medium_beyond(*hit, ray.direction, medium);
-                ray = ray_from(*hit, ray.direction);
-            } else {
-                const bool above = hit->normal.dot(ray.direction) < 0;
-                ray = ray_from(
-                    *hit, direction_above(above ? hit->normal : -hit->normal, numbers_.next()));
-            }
-        }
-    }
+/// Shapes of which most walks say that they are inside out.
+std::vector<std::uint32_t> shapes_inside_out(const MediaWalks& walks) {
+    std::vector<std::uint32_t> found;
+    for (const auto& [shape, votes] : walks.votes())
+        if (2 * decisive(votes).inside_out > decisive(votes).all()) found.push_back(shape);
+    return found;
+}
 
-    MediaFaults faults() const {
-        MediaFaults result;
-        for (const auto& [shape, votes] : votes_) {
-            if (votes.inside_out > votes.right + votes.other)
-                result.inside_out.push_back(shape);
-            else if (votes.inside_out + votes.other > votes.right)
-                result.at_odds.push_back(shape);
-        }
-        return result;
-    }
+/// Shapes at odds with what is around them: the worst. Walks beyond one find faults in others, too,
+/// which may have none.
+std::vector<std::uint32_t> worst_at_odds(const MediaWalks& walks) {
+    int most = 0;
+    for (const auto& [shape, votes] : walks.votes()) most = std::max(most, wrong_votes(votes));
+    std::vector<std::uint32_t> found;
+    for (const auto& [shape, votes] : walks.votes())
+        if (2 * wrong_votes(votes) > most) found.push_back(shape);
+    return found;
+}
 
-private:
-    /// Does the surface name the medium from which the walk comes, or none at all?
-    bool agrees(const Hit& hit, const Vec3& direction, MediumNumber medium) {
-        if (!scene_.parts_media(hit)) return true;
-        Votes& votes = votes_[hit.shape];
-        const bool right = scene_.medium_beyond(hit, -direction, medium) == medium;
-        const bool exchanged = scene_.medium_beyond(hit, direction, medium) == medium;
-        if (right)
-            ++votes.right;
-        else if (exchanged && normal_points_in(scene_, hit))
-            ++votes.inside_out;
-        else
-            ++votes.other;
-        return right;
-    }
+bool is_fault(const MediaStart& start) {
+    int all = 0;
+    for (const auto& [medium, count] : start.heard) all += count;
+    const auto own = start.heard.find(start.sides.outside);
+    const int taken = own == start.heard.end() ? 0 : own->second;
+    return is_fault(start.is_named ? start.wrong : all - taken, all);
+}
 
-    const Scene& scene_;
-    EvenNumbers numbers_;
-    std::map<std::uint32_t, Votes> votes_;  // by shape
-};
+/// Where the scene's file speaks of a start.
+SourceLocation location_of(const MediaStart& start, const Scene& scene) {
+    if (start.lights.count == 0) return {scene.path()};
+    const std::uint32_t statement = scene.stated_in()[start.lights.first];
+    return statement == kNone ? SourceLocation{scene.path()}
+                              : scene.light_statements()[statement].where;
+}
 
-MediaFaults media_faults(const Scene& scene) {
-    Walker walker(scene);
-    for (int i = 0; i < kWalks; ++i) walker.walk();
-    return walker.faults();
+void tell(const MediaStart& start, const Scene& scene, Warnings& warnings) {
+    const std::string what = start.lights.count == 0 ? "the camera" : "this light";
+    const SourceLocation where = location_of(start, scene);
+    if (is_fault(start))
+        warnings.add(where, what +
+                                " is seen through other media than the one in which it stands, so "
+                                "that light and camera paths may cross different media; write a "
+                                "MediumInterface before it that names, second, what is around it");
+    else if (!start.is_named && start.sides.outside != 0)
+        warnings.add(where, "no MediumInterface names the medium around " + what +
+                                "; it stands in the one through which it is seen; name that, "
+                                "second, in a MediumInterface before it");
+}
+
+/// Media of the camera and of lights, as the walks have left them.
+void take_starts(const MediaWalks& walks, Media& media) {
+    media.at_camera = walks.starts().front().sides.outside;
+    for (const MediaStart& start : walks.starts())
+        for (std::uint32_t i = 0; i < start.lights.count; ++i)
+            media.at_lights[start.lights.first + i] = start.sides;
 }
 
 }  // namespace
 
 void mend_media(const Scene& scene, const std::vector<SourceLocation>& places,
-                std::vector<ShapeRecord>& shapes, Warnings& warnings) {
-    MediaFaults faults = media_faults(scene);
-    for (int i = 0; i < kMostNested && !faults.inside_out.empty(); ++i) {
-        for (const std::uint32_t shape : faults.inside_out) {
+                std::vector<ShapeRecord>& shapes, Media& media, Warnings& warnings) {
+    const Media stated = media;
+    std::set<std::uint32_t> at_odds;
+    for (int i = 0; i < kMostNested; ++i) {
+        MediaWalks walks(scene, shapes, stated, at_odds);
+        walks.walk_all();
+        const bool is_last = i + 1 == kMostNested;
+        const auto inside_out = shapes_inside_out(walks);
+        for (const std::uint32_t shape : inside_out) {
             std::swap(shapes[shape].media.inside, shapes[shape].media.outside);
             warnings.add(places[shape],
                          "the normals of this shape point into it, so that its MediumInterface "
@@ -145,13 +107,20 @@ void mend_media(const Scene& scene, const std::vector<SourceLocation>& places,
                          "leave out ReverseOrientation, or turn its triangles (glass refracts by "
                          "these normals, too), or write the media in the other order");
         }
-        faults = media_faults(scene);
+        if (!inside_out.empty() && !is_last) continue;
+        const auto worst = worst_at_odds(walks);
+        at_odds.insert(worst.begin(), worst.end());
+        if (!worst.empty() && !is_last) continue;
+        take_starts(walks, media);
+        for (const MediaStart& start : walks.starts()) tell(start, scene, warnings);
+        break;
     }
-    for (const std::uint32_t shape : faults.at_odds)
+    for (const std::uint32_t shape : at_odds)
         warnings.add(places[shape],
                      "its MediumInterface does not name the medium through which it is seen, so "
                      "that light and camera paths may cross different media; name the same medium "
-                     "for the sides of surfaces, and the camera, that face each other");
+                     "for the sides of surfaces, and the camera, that face each other, and close "
+                     "the shape: rays go around the edge of an open one");
 }
 
 }  // namespace sunfleck

@@ -14,11 +14,12 @@
 namespace sunfleck {
 
 /// Exchanges the media of closed shapes whose normals point inwards, where that makes them agree
-/// with what is around them, and warns of these and of all others that do not agree. Found by walks
-/// from the camera: straight on through what can be passed, from other surfaces in any direction.
-/// The result depends on the scene alone.
-/// @param places  in the file, by shape of the scene. @param shapes  the scene's own.
+/// with what is around them. Puts the camera and lights for which the scene names no medium into
+/// the one through which they are seen. Warns of these, and of all that do not agree. A camera or
+/// light for which the scene names a medium decides what is right; where there is none, the camera
+/// stands in empty space. Found by walks (scene/media_walks.h); depends on the scene alone.
+/// @param places  in the file, by shape of the scene. @param shapes, media  the scene's own.
 void mend_media(const Scene& scene, const std::vector<SourceLocation>& places,
-                std::vector<ShapeRecord>& shapes, Warnings& warnings);
+                std::vector<ShapeRecord>& shapes, Media& media, Warnings& warnings);
 
 }  // namespace sunfleck

@@ -1,6 +1,8 @@
 // Looks for the way out.
 #include "scene/outer_medium.h"
 
+#include "scene/transmission.h"
+
 #include <array>
 #include <optional>
 #include <vector>
@@ -15,7 +17,7 @@ std::optional<MediumNumber> far_along(const Scene& scene, Ray ray) {
     for (int i = 0; i < kMostSurfaces; ++i) {
         const auto hit = scene.geometry().intersect(ray);
         if (!hit) return medium;
-        if (!can_be_passed(scene, *hit)) return {};
+        if (!lets_light_through(scene.materials(), scene.material_of(*hit))) return {};
         medium = scene.medium_beyond(*hit, ray.direction, medium);
         ray = ray_from(*hit, ray.direction);
     }
@@ -23,13 +25,6 @@ std::optional<MediumNumber> far_along(const Scene& scene, Ray ray) {
 }
 
 }  // namespace
-
-bool can_be_passed(const Scene& scene, const Hit& hit) {
-    const Material& material = scene.materials()[scene.material_of(hit)];
-    return scene.parts_media(hit) || scene.passes_straight(hit) ||
-           std::holds_alternative<DielectricMaterial>(material) ||
-           std::holds_alternative<ThinDielectricMaterial>(material);
-}
 
 MediumNumber outer_medium_of(const Scene& scene) {
     const Vec2d middle = Vec2d(scene.film().resolution) * 0.5;

@@ -6,6 +6,7 @@
 #include "scene/media_check.h"
 #include "scene/outer_medium.h"
 #include "scene/rendering_space.h"
+#include "scene/transmission.h"
 
 #include <algorithm>
 
@@ -56,13 +57,11 @@ Scene::Scene(SceneDescription description, const std::string& isa)
     reliefs_.resize(materials_.size());
     finish_lights(description);
     if (!has_media_) return;
-    media_.at_camera = description.media.at_camera;
-    mend_media(*this, places_of_shapes(description, materials_), shapes_, warnings_);
-    for (std::size_t i = 0; i < media_.at_lights.size(); ++i) {
-        const std::uint32_t shape = std::get<AreaLight>(lights_[i]).shape;
-        if (shape != kNone) media_.at_lights[i] = shapes_[shape].media;
-    }
-    finish_media(std::move(description.media));
+    join_media(std::move(description.media));
+    mend_media(*this, places_of_shapes(description, materials_), shapes_, media_, warnings_);
+    outer_medium_ = outer_medium_of(*this);
+    for (std::size_t i = 0; i < lights_.size(); ++i)
+        if (comes_from_afar(lights_[i])) media_.at_lights[i] = {outer_medium_, outer_medium_};
 }
 
 GeometryInput Scene::take_shapes(SceneDescription& description) {
@@ -78,7 +77,9 @@ GeometryInput Scene::take_shapes(SceneDescription& description) {
             has_straight_hits_ = true;
         const auto index = static_cast<std::uint32_t>(input.shapes.size());
         const bool has_cover = shape.placed.cover != nullptr;
-        shapes_.push_back({shape.material, kNone, shape.media, has_cover});
+        const bool parts_media = lets_light_through(materials_, shape.material);
+        shapes_.push_back(
+            {shape.material, kNone, parts_media ? shape.media : MediumSides{}, has_cover});
         if (shape.emission) add_area_lights(shape, index);
         input.shapes.push_back(std::move(shape.placed));
         return index;
@@ -103,7 +104,10 @@ void Scene::add_area_lights(const ShapeDescription& shape, std::uint32_t index) 
         {static_cast<std::uint32_t>(lights_.size()), static_cast<std::uint32_t>(made.size())});
     lights_.insert(lights_.end(), made.begin(), made.end());
     stated_in_.insert(stated_in_.end(), made.size(), shape.emission->statement);
-    media_.at_lights.insert(media_.at_lights.end(), made.size(), shape.media);
+    // Nothing parts the media where there is no surface: what is around the light is within, too.
+    const MediumSides around{shape.media.outside, shape.media.outside};
+    media_.at_lights.insert(media_.at_lights.end(), made.size(),
+                            index == kNone ? around : shape.media);
 }
 
 void Scene::finish_lights(SceneDescription& description) {
@@ -142,14 +146,11 @@ void Scene::find_darkness(const std::vector<double>& weights) {
 }
 
 /// @param media  as described; those at area lights are known already.
-void Scene::finish_media(Media media) {
+void Scene::join_media(Media media) {
     media.at_lights.resize(lights_.size() - media_.at_lights.size());
     media_.at_lights.insert(media_.at_lights.end(), media.at_lights.begin(), media.at_lights.end());
     media_.absorption = std::move(media.absorption);
     media_.at_camera = media.at_camera;
-    outer_medium_ = outer_medium_of(*this);
-    for (std::size_t i = 0; i < lights_.size(); ++i)
-        if (comes_from_afar(lights_[i])) media_.at_lights[i] = {outer_medium_, outer_medium_};
 }
 
 std::uint32_t Scene::light_of(const Hit& hit) const {

@@ -96,7 +96,7 @@ private:
     void add_area_lights(const ShapeDescription& shape, std::uint32_t index);
     void finish_lights(SceneDescription& description);
     void find_darkness(const std::vector<double>& weights);
-    void finish_media(Media media);
+    void join_media(Media media);
 
     Vec3d origin_;
     std::vector<Material> materials_;

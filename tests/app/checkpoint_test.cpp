@@ -104,11 +104,15 @@ TEST_F(Resume, another_scene_is_refused_by_file) {
 
 TEST_F(Resume, files_that_cannot_be_used) {
     keep("x.ckpt");
-    expect_refused({"--resume", "none.ckpt"}, "none.ckpt", {"no such file"});
+    expect_refused({"--resume", "none.ckpt"}, "none.ckpt", {"there is no file"});
     expect_refused({"--resume", "none.ckpt", "--checkpoint", "none.ckpt"}, "none.ckpt",
-                   {"no such"});
-    expect_refused({"--resume", "kept.exr"}, "kept.exr", {"no checkpoint, or is cut or damaged"});
-    expect_refused({"--resume", "."}, ".", {""});
+                   {"there is no file"});
+    expect_refused({"--resume", "kept.exr"}, "kept.exr", {"an OpenEXR picture", "a checkpoint"});
+    expect_refused({"--resume", "."}, ".", {"is a folder"});
+    write_text(path("lfs.ckpt"), "version https://git-lfs.github.com/spec/v1\nsize 9\n");
+    expect_refused({"--resume", "lfs.ckpt"}, "lfs.ckpt", {"Git LFS", "git lfs pull"});
+    write_text(path("page.ckpt"), "<html><body>Sign in</body></html>");
+    expect_refused({"--resume", "page.ckpt"}, "page.ckpt", {"a web page"});
     const std::string bytes = read_text(path("x.ckpt"));
     write_text(path("x.ckpt"), bytes.substr(0, bytes.size() - 8));
     expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"cut or damaged"});

@@ -1,6 +1,8 @@
 // `sunfleck merge`: parts of one render become the whole; parts of others are refused by name.
 #include "app/program.h"
 
+#include <filesystem>
+
 namespace sunfleck {
 namespace {
 
@@ -112,6 +114,20 @@ TEST_F(Merge, damaged_parts) {
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     write_text(path("b.film"), bytes);
     expect_refused({"cut or damaged"});
+}
+
+TEST_F(Merge, files_that_are_no_films_are_named) {
+    part("a.film", "0:2");
+    write_text(path("b.film"), "");
+    expect_refused({"empty", "film file"});
+    write_text(path("b.film"), "version https://git-lfs.github.com/spec/v1\nsize 9\n");
+    expect_refused({"Git LFS", "git lfs pull"});
+    std::filesystem::remove(path("b.film"));
+    expect_refused({"there is no file"});
+    write_text(path("B.film"), "");
+    expect_refused({"B.film", "capital letters"});
+    std::filesystem::create_directory(path("b.film"));
+    expect_refused({"is a folder"});
 }
 
 }  // namespace

@@ -20,6 +20,18 @@ TEST(FileContent, is_told_by_the_first_bytes) {
     const std::map<std::string, std::string> files = {
         {"", "empty"},
         {"version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n", "Git LFS"},
+        {"version https://hawser.github.com/spec/v1\n", "Git LFS"},
+        {"outs:\n- md5: a304afb96060aad90176268345e10355\n", "DVC"},
+        {"P6 2 2 255\n", "PPM"},
+        {"P3\r\n2 2", "PPM"},
+        {"\0\0\0\x1C"
+         "ftypavis"s,
+         "AVIF"},
+        {"\0\0\0\x18"
+         "ftypmp42"s,
+         "video"},
+        {"\xFF\x4F\xFF\x51\0\x29"s, "JPEG 2000"},
+        {"\0\5\x16\7\0\2"s, "macOS"},
         {"/annex/objects/SHA256E-s7--00.ply\n", "git-annex"},
         {"\x1F\x8B\x08\0"s, "gzip"},
         {"PK\x03\x04 and more", "ZIP"},
@@ -58,8 +70,9 @@ TEST(FileContent, is_told_by_the_first_bytes) {
 }
 
 TEST(FileContent, of_texts_and_numbers_is_left_to_their_readers) {
-    for (const char* text : {"LookAt 0 0 1", "# a comment\n", "400 0.5\n", "404: Not Found",
-                             "BM is no picture", "RIFFRAFF", "P", "\xEF\xBB\xBFLookAt"})
+    for (const char* text :
+         {"LookAt 0 0 1", "# a comment\n", "400 0.5\n", "404: Not Found", "BM is no picture",
+          "RIFFRAFF", "P", "P6", "P3D 1 2", "\xEF\xBB\xBFLookAt"})
         EXPECT_EQ(named(text), "") << text;
 }
 

@@ -66,7 +66,24 @@ TEST_F(InputFile, of_another_case_is_named) {
     expect_fault("tex/wall.png", "tex/Wall.PNG");
     expect_fault("Tex/wall.png", "tex/Wall.PNG");
     expect_fault("TEX/WALL.PNG", "mind capital letters");
-    EXPECT_EQ(fault("tex/wall.jpg").find("Wall"), std::string::npos);
+    EXPECT_EQ(fault("tex/walls.jpg").find("Wall"), std::string::npos);
+}
+
+TEST_F(InputFile, of_another_ending_is_named) {
+    std::ofstream(path("tex/wall.png")) << "x";
+    std::ofstream(path("tex/wall.tga")) << "x";
+    for (const char* name : {"tex/wall.jpg", "tex/wall", "tex/Wall.JPG", "tex/wall.png "})
+        expect_fault(name, "tex/wall.png\"");
+    EXPECT_EQ(fault("tex/walls.png").find("there is \""), std::string::npos);
+    EXPECT_EQ(fault("none/wall.jpg").find("there is \""), std::string::npos);
+}
+
+TEST_F(InputFile, of_another_machine_is_told) {
+    expect_fault("C:/art/wall.png", "drive of Windows");
+    expect_fault("https:/example.org/wall.png", "download the file");
+    expect_fault("file:/art/wall.png", "is an address");
+    for (const char* name : {"a:b.png", "1:/b.png", ":/b.png", "a b:/c.png"})
+        expect_fault(name, "check the name");
 }
 
 TEST_F(InputFile, is_named_on_one_line) {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <sstream>
 
 namespace sunfleck {
@@ -183,14 +184,34 @@ TEST_F(FilmFile, huge_claims_are_refused) {
 
 TEST_F(FilmFile, errors_are_one_clear_line) {
     std::string bytes = bytes_of(film_of(small_key(3, 2), numbers(0, 18)));
-    EXPECT_EQ(fault_of("ply\n"), std::string("fault.film") +
-                                     ": is no film file, or is cut or damaged; use another copy, "
-                                     "or render its passes again");
+    EXPECT_EQ(fault_of("anything"),
+              std::string("fault.film") +
+                  ": is no film file, or is cut or damaged; use another copy, "
+                  "or render its passes again");
     bytes[8] = 9;
     EXPECT_EQ(fault_of(bytes), std::string("fault.film") +
                                    ": is a film file of version 9; use the program that wrote "
                                    "it; this one reads version 5");
     EXPECT_THROW(read_film(path("none.film")), Error);
+}
+
+/// Whatever its length: most are no multiple of words, and some are shorter than one.
+TEST_F(FilmFile, another_kind_of_file_is_named) {
+    using std::string_literals::operator""s;
+    const std::map<std::string, std::string> files = {
+        {"", "is empty"},
+        {"version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n", "git lfs pull"},
+        {"<!DOCTYPE html><html><body>Not found</body></html>", "a web page"},
+        {"\x1F\x8B\x08\0\0\0\0\0\0\0"s, "compressed by gzip"},
+        {"PK\x03\x04", "a ZIP archive"},
+        {"\x28\xB5\x2F\xFD", "compressed by zstd"},
+        {"\x76\x2F\x31\x01\x02\0\0\0"s + std::string(1000, 'x'), "an OpenEXR picture"},
+        {"sunckpt\n"s + std::string(64, '\0'), "a checkpoint of Sunfleck"},
+        {"ply\n", "a PLY mesh"}};
+    for (const auto& [bytes, part] : files) {
+        EXPECT_NE(fault_of(bytes).find(part), std::string::npos) << part << ": " << fault_of(bytes);
+        EXPECT_NE(fault_of(bytes).find("film file"), std::string::npos) << fault_of(bytes);
+    }
 }
 
 /// Names that no picture could hold beside its other layers.

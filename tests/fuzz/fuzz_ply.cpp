@@ -1,10 +1,12 @@
-// Fuzz target: any bytes as a PLY file end in a mesh or in an Error, within bounds.
+// Fuzz target: any bytes as a PLY file end in a mesh or in an Error of one line,
+// within bounds.
 #include "core/error.h"
 #include "import/pbrt/ply.h"
 
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it by this name
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -19,8 +21,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) std::abort();
         if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) std::abort();
         if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.positions.size()) std::abort();
-    } catch (const sunfleck::Error&) {
-        return 0;
+        for (const sunfleck::Vec2& uv : mesh.uvs)
+            if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) std::abort();
+    } catch (const sunfleck::Error& error) {
+        if (std::string(error.what()).find('\n') != std::string::npos) std::abort();
     }
     return 0;
 }

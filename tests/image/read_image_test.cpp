@@ -138,6 +138,31 @@ TEST(ReadImage, hdr_plain_and_in_runs) {
     EXPECT_TRUE(std::holds_alternative<std::vector<float>>(runs.texels()));
 }
 
+/// Names of channels are any bytes; messages are one line, whatever these are.
+TEST(ReadImage, names_of_channels_are_told_on_one_line) {
+    const std::vector<std::vector<float>> values(3, std::vector<float>{1});
+    const auto named = [&](const std::vector<std::string>& names) {
+        return exr_file<float>({1, 1}, names, values);
+    };
+    const Image image = parse_image(named({"a\n.B", "a\n.G", "a\n.R"}), "a.exr");
+    EXPECT_EQ(image.remark(), "its channels a?.R, a?.G, a?.B are its colours");
+    std::string message;
+    try {
+        parse_image(named({"a\n", "b\x1B[1m", "c"}), "a.exr");
+    } catch (const Error& error) {
+        message = error.what();
+    }
+    EXPECT_NE(message.find("a?, b?[1m, c"), std::string::npos) << message;
+}
+
+/// The texels begin behind the whole line end, not between its two bytes.
+TEST(ReadImage, pfm_whose_lines_end_in_two_bytes) {
+    const Image image = parse_image(pfm_file("Pf\r\n2 1\r\n-1\r\n", {1, 2}, true), "a.pfm");
+    EXPECT_EQ(image.rgb(0, 0).x, 1);
+    EXPECT_EQ(image.rgb(1, 0).x, 2);
+    EXPECT_THROW(parse_image(pfm_file("PF4\n1 1\n-1\n", {1, 2, 3, 4}, true), "a.pfm"), Error);
+}
+
 TEST(ReadImage, pfm_of_both_byte_orders) {
     const std::vector<float> bottom_first = {1, 2, 3, 4, 5, 6};
     const Image big = parse_image(pfm_file("PF\n1 2\n2.0\n", bottom_first, false), "a.pfm");

@@ -31,9 +31,11 @@ Shape "curve" "point3 P" [-.4 -1 0 .4 -.3 .5 -.4 .3 -.5 .4 1 0] "string type" "c
 AttributeBegin Translate 7 0 0 Material "diffuse" "rgb reflectance" [.8 .8 .8]
 Shape "curve" "point3 P" [-.4 -1 0 .4 -.3 .5 -.4 .3 -.5 .4 1 0] "string type" "ribbon"
     "normal N" [0 0 1 0 1 1] "float width" .3 AttributeEnd
-AttributeBegin Translate 8 0 0 Material "diffuse" "rgb reflectance" [.9 .9 .9]
+AttributeBegin Translate 8 0 0 Material "diffusetransmission" "rgb reflectance" [.9 .9 .9]
+    "rgb transmittance" [.1 .1 .1]
 MediumInterface "tea" "" Shape "sphere" "float radius" .7 AttributeEnd
-AttributeBegin Translate 9 0 0 Material "diffuse" "rgb reflectance" [.95 .95 .95]
+AttributeBegin Translate 9 0 0 Material "diffusetransmission" "rgb reflectance" [.95 .95 .95]
+    "rgb transmittance" [.05 .05 .05]
 MediumInterface "" "tea" Shape "loopsubdiv" "integer levels" 2 "point3 P" [-1 -1 -1
     1.2 0 0 0 1.2 0 0 0 1.2] "integer indices" [0 2 1 0 1 3 0 3 2 1 2 3] AttributeEnd
 )";
@@ -67,7 +69,9 @@ Scene written_out() {
 /// What tells the shape of a hit: its grey, in tenths and halves of them.
 int kind_at(const PassScene& pass, const Hit& hit) {
     const auto& material = pass.scene.materials().at(pass.scene.material_of(hit));
-    const auto& grey = std::get<DiffuseMaterial>(material).reflectance;
+    const auto* through = std::get_if<DiffuseTransmissionMaterial>(&material);
+    const auto& grey =
+        through ? through->reflectance : std::get<DiffuseMaterial>(material).reflectance;
     return static_cast<int>(std::lround(grey.curve()(550) * 20));
 }
 

@@ -82,14 +82,17 @@ Estimate brightness_by(Integrator integrator, const Scene& scene) {
 
 class MediaOrientation : public testing::TestWithParam<Body> {};
 
-TEST_P(MediaOrientation, is_one_answer_for_all_estimators) {
-    const Scene scene = scene_with(GetParam().shape, "1.3");
+void expect_one_answer(const Scene& scene) {
     const Estimate expected = brightness_by(Integrator::path, scene);
     for (const Integrator integrator : {Integrator::sppm, Integrator::bdpt, Integrator::light}) {
         const Estimate seen = brightness_by(integrator, scene);
         EXPECT_LT(worst_ratio(seen, expected), 0.1)
             << static_cast<int>(integrator) << ": " << seen.mean / expected.mean;
     }
+}
+
+TEST_P(MediaOrientation, is_one_answer_for_all_estimators) {
+    expect_one_answer(scene_with(GetParam().shape, "1.3"));
 }
 
 /// Where nothing is refracted the normals tell nothing but where the medium is.
@@ -105,6 +108,30 @@ TEST_P(MediaOrientation, is_warned_of_by_shape) {
     for (const auto& entry : scene.warnings().entries()) lines += entry.line() + "\n";
     EXPECT_EQ(lines.find("point into it") != std::string::npos, GetParam().is_warned_of) << lines;
     EXPECT_EQ(lines.find("does not name") != std::string::npos, false) << lines;
+}
+
+/// In a hollow of tea, lit by a lamp that names it; the camera names nothing.
+TEST(MediaAround, a_camera_is_that_which_a_light_names) {
+    expect_one_answer(
+        scene_of(view("0 0 0  1 0 0  0 0 1", 90, 8) + medium_of("tea", "0.4") +
+                 "AttributeBegin\nMediumInterface \"\" \"tea\"\n"
+                 "LightSource \"point\" \"point3 from\" [0 .5 .2]\nMaterial \"interface\"\n"
+                 "ReverseOrientation\nShape \"sphere\" \"float radius\" 2\nAttributeEnd\n" +
+                 diffuse(".1 .1 .1") + "Shape \"sphere\" \"float radius\" 3\n"));
+}
+
+/// A lamp that names nothing, in a ball of tea above a floor.
+TEST(MediaAround, a_lamp_is_that_of_the_shape_around_it) {
+    for (const char* lamp :
+         {"LightSource \"point\" \"point3 from\" [.1 .2 1]\n",
+          "AttributeBegin\nTranslate 0 0 1\nAreaLightSource \"diffuse\" \"rgb L\" [9 9 9]\n"
+          "Shape \"sphere\" \"float radius\" .2\nAttributeEnd\n"})
+        expect_one_answer(
+            scene_of(view("3 0 1  .9 0 0  0 0 1", 20, 8) + medium_of("tea", "1.2") +
+                     diffuse(".5 .5 .5") + quad("-2 -2 0  2 -2 0  2 2 0  -2 2 0") + lamp +
+                     "AttributeBegin\nTranslate 0 0 1\nMaterial \"interface\"\n"
+                     "MediumInterface \"tea\" \"\"\nShape \"sphere\" \"float radius\" .8\n"
+                     "AttributeEnd\n"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, MediaOrientation, testing::ValuesIn(kBodies),

@@ -104,13 +104,26 @@ TEST(Media, that_absorb_nothing_are_none) {
     EXPECT_FLOAT_EQ(hit_below(scene, 4).position.z, 0);
 }
 
+/// No path enters what is behind them, whatever they name.
+TEST(Media, are_not_parted_by_what_lets_no_light_through) {
+    SceneDescription description = with_media(floor_of());
+    ShapeDescription wall = sheet(1, {1, 2});
+    wall.material = 0;
+    description.shapes.push_back(wall);
+    const Scene scene(description);
+    const Hit hit = hit_below(scene, 4);
+    EXPECT_FALSE(scene.parts_media(hit));
+    EXPECT_EQ(scene.medium_beyond(hit, {0, 0, 1}, 3), 3U);
+    EXPECT_EQ(scene.medium_beyond(hit, {0, 0, -1}, 3), 3U);
+}
+
 /// Lamps stand in the medium of their side; lights from afar in what surrounds everything.
 TEST(Media, around_lights) {
     SceneDescription description = with_media(floor_of());
     auto& camera = std::get<PerspectiveCamera>(description.camera);
     camera.camera_to_world.setTranslation(Vec3d(0, 0, 1));
     description.shapes.push_back(sheet(2, {2, 1}));
-    ShapeDescription lamp = testing_support::lamp(sheet(3, {2, 1}), 1);
+    ShapeDescription lamp = testing_support::lamp(sheet(-1, {2, 1}), 1);
     lamp.material = 0;
     description.shapes.push_back(lamp);
     description.lights = {PointLight{SpectralCurve::constant(1), {0, 0, 1}},

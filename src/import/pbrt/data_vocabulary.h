@@ -35,9 +35,13 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
     {"Directive", "MediumInterface", kExact,
      "the media inside (where the normal points away from) and outside of the shapes that follow; "
      "outside is also that of the `Camera` and of lights that follow. A surface with one medium on "
-     "both sides changes nothing (pbrt-v4). Where a closed shape's normals point into it "
-     "(ReverseOrientation, or triangles wound so) and its media do not agree with those around it, "
-     "the two are exchanged, with a warning; other surfaces that do not agree are warned of"},
+     "both sides changes nothing (pbrt-v4). Surfaces that let no light through part no media: "
+     "paths keep theirs. Where a closed shape's normals point into it (ReverseOrientation, or "
+     "triangles wound so) and its media do not agree with those around it, the two are "
+     "exchanged, with a warning. A camera or light for which no medium is named stands in the "
+     "one through which it is seen, with a warning; what names a medium decides. Other "
+     "surfaces that do not agree are warned of, such as open ones, around whose edge rays go "
+     "from one medium into the other"},
     {"Directive", "MakeNamedMedium", kExact, "see Media"},
     {"Directive", "Material MakeNamedMaterial NamedMaterial", kExact,
      "see Materials; a named one may be made after the shapes that use it"},
@@ -99,8 +103,9 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
      "in half of it, and `power` counts both; planar convex faces of more corners are cut "
      "likewise, with a warning, and others refused; left out, with a warning: faces of fewer than "
      "three corners, vertices of no face whose numbers are not finite, normals that are no "
-     "numbers; "
-     "its `displacement` is ignored with a warning"},
+     "numbers, texture coordinates of faces (`texcoord`); texture coordinates that are no numbers "
+     "are (0, 0), with a warning; strips of triangles (`tristrips`) are refused; its "
+     "`displacement` is ignored with a warning"},
     {"Shape", "sphere", kExact, "`radius zmin zmax phimax`; met exactly, in double"},
     {"Shape", "disk", kExact, "`height radius innerradius phimax`"},
     {"Shape", "cylinder", kExact, "`radius zmin zmax phimax`"},

@@ -129,7 +129,10 @@ const Parameter& parts_of_mix(const Statement& statement, int depth, Reading& re
         throw Error(statement.where, "a mix without two materials",
                     "add \"string materials\" [ \"one\" \"another\" ]");
     if (depth >= kDeepestMix)
-        throw Error(statement.where, "materials mix each other in a circle", "break it");
+        throw Error(statement.where,
+                    "materials mix each other in a circle, or more than " +
+                        std::to_string(kDeepestMix) + " deep",
+                    "break the circle, or mix fewer");
     for (const std::string& name : names->texts) {
         if (is_interface(name, names->where, reading)) continue;
         const Statement& part = reading.materials.named(name, names->where);

@@ -2,10 +2,12 @@
 #include "import/pbrt/ply.h"
 
 #include "core/file_content.h"
+#include "core/printable.h"
 #include "import/pbrt/ply_body.h"
 #include "import/pbrt/ply_gzip.h"
 #include "import/pbrt/ply_header.h"
 #include "import/pbrt/ply_source.h"
+#include "import/pbrt/words.h"
 
 #include <algorithm>
 #include <array>
@@ -71,8 +73,8 @@ public:
             if (element.properties.empty()) continue;
             if (!source_.room_for(element))
                 throw Error({name_},
-                            "the header claims " + std::to_string(element.count) + " of \"" +
-                                element.name + "\", more than the file can hold",
+                            "the header claims " + std::to_string(element.count) + " of " +
+                                in_quotes(element.name) + ", more than the file can hold",
                             "write the file again, it is cut or damaged");
             try {
                 read_element(element);
@@ -102,7 +104,7 @@ private:
     std::uint64_t list_length(const PlyProperty& property) {
         const double length = source_.number(*property.count_type);
         if (!(length >= 0 && length <= 0x1p32 && length == std::floor(length)))
-            fail("a list \"" + property.name + "\" of negative or broken length",
+            fail("a list " + in_quotes(property.name) + " of negative or broken length",
                  "write the file again, it is damaged");
         return static_cast<std::uint64_t>(length);
     }
@@ -125,26 +127,30 @@ private:
         }
     }
 
-    /// Normals may be what is no number: exporters write that where they found none. So may be all
-    /// of a vertex, if no face uses it.
+    /// Normals and texture coordinates may be what is no number: exporters write that where they
+    /// found none. So may be all of a vertex, if no face uses it.
     void add_vertex(const VertexRow& row, const VertexLayout& layout) {
-        bool is_broken = false;
-        const auto part = [&](std::size_t slot) {
-            const double value = row.at(slot);
-            is_broken =
-                is_broken || !(std::abs(value) <= double{std::numeric_limits<float>::max()});
-            return value;
+        const auto are_floats = [&](std::size_t first, std::size_t last) {
+            return std::all_of(row.begin() + first, row.begin() + last + 1, [](double value) {
+                return std::abs(value) <= double{std::numeric_limits<float>::max()};
+            });
         };
-        body_.points.emplace_back(part(slot_x), part(slot_x + 1), part(slot_x + 2));
+        body_.points.emplace_back(row[slot_x], row[slot_x + 1], row[slot_x + 2]);
+        if (!are_floats(slot_x, slot_x + 2)) body_.broken.push_back(row_);
         const auto any = [&](std::size_t slot) { return static_cast<float>(row.at(slot)); };
         if (layout.normals)
             mesh_.normals.emplace_back(any(slot_nx), any(slot_nx + 1), any(slot_nx + 2));
-        if (layout.uvs) mesh_.uvs.emplace_back(Vec2d(part(slot_u), part(slot_v)));
-        if (is_broken) body_.broken.push_back(row_);
+        if (!layout.uvs) return;
+        const bool has_uv = are_floats(slot_u, slot_v);
+        mesh_.uvs.emplace_back(has_uv ? Vec2d(row[slot_u], row[slot_v]) : Vec2d(0));
+        if (!has_uv) ++body_.broken_uvs;
     }
 
     void read_faces(const PlyElement& element) {
         mesh_.triangles.reserve(element.count);
+        body_.has_face_uvs =
+            mesh_.uvs.empty() && std::any_of(element.properties.begin(), element.properties.end(),
+                                             [](const auto& p) { return p.name == "texcoord"; });
         for (; row_ < element.count; ++row_) {
             for (const PlyProperty& property : element.properties) {
                 if (is_vertex_list(property))
@@ -176,7 +182,8 @@ private:
     }
 
     [[noreturn]] void fail(const std::string& what, const std::string& mend) {
-        throw Error({name_}, element_->name + " " + std::to_string(row_) + ": " + what, mend);
+        throw Error({name_},
+                    printable(element_->name, 40) + " " + std::to_string(row_) + ": " + what, mend);
     }
 
     const PlyHeader& header_;

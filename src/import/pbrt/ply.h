@@ -24,7 +24,8 @@ struct PlyFile {
 /// texture_s texture_t of "vertex"; vertex_indices (or vertex_index) of "face". A quad becomes the
 /// triangles 0 1 2 and 0 2 3. Planar convex faces of more corners are cut likewise; faces of fewer
 /// than three corners and vertices that are no finite numbers and belong to no face are left out,
-/// all with a remark. Everything else in the file is skipped.
+/// texture coordinates that are not finite become (0, 0), all with a remark. Everything else in the
+/// file is skipped.
 /// @param name  of the file, for errors.
 /// @throws Error with line and column for faults of the header; with the element and its number
 ///         (from 0) for faults of the body: cut files, counts that the file cannot hold, numbers

@@ -74,6 +74,10 @@ PlyFile finished_ply(PlyBody body, const std::string& name) {
     };
     remark(body.fans.size(), "faces of more than four corners are cut into triangles");
     remark(body.faces_left_out, "faces of fewer than three corners are left out");
+    remark(body.broken_uvs, "texture coordinates that are not finite are taken for (0, 0)");
+    if (body.has_face_uvs)
+        file.remarks.emplace_back(
+            "texture coordinates of faces (texcoord) are not read: give each vertex its own");
     remark(body.broken.size(), "vertices of no face whose numbers are not finite are left out");
     if (!body.broken.empty()) remove_broken(body);
     LocalPoints local = local_points(body.points, all_corners(body.mesh.triangles));

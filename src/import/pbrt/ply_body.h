@@ -23,6 +23,8 @@ struct PlyBody {
     std::vector<PlyFan> fans;
     std::vector<std::uint64_t> broken;  // vertices with a number that is no finite float, rising
     std::uint64_t faces_left_out = 0;   // of fewer than three corners
+    std::uint64_t broken_uvs = 0;       // that are no finite numbers, and (0, 0) in the mesh
+    bool has_face_uvs = false;          // texture coordinates of faces, which are not read
 };
 
 /// The mesh without what no face uses. @param name  of the file, for errors.

@@ -74,7 +74,7 @@ private:
         } else if (keyword == "property") {
             read_property();
         } else if (keyword != "comment" && keyword != "obj_info") {
-            fail(0, "unknown statement \"" + std::string(keyword) + "\"",
+            fail(0, "unknown statement " + quoted(0),
                  "use format, comment, element, property or end_header");
         }
         return true;
@@ -169,6 +169,9 @@ private:
 
     const PlyElement& needed_element(const std::string& name) {
         const PlyElement* element = header_.find(name);
+        if (const PlyElement* strips = header_.find("tristrips"); strips && name == "face")
+            fail_at_element(*strips, "its faces are strips of triangles, which are not read",
+                            "export single triangles");
         if (element == nullptr)
             fail(0, "the file has no element \"" + name + "\"", "export a triangle mesh");
         if (element->count == 0)
@@ -184,7 +187,7 @@ private:
         if (end == std::string_view::npos) return false;
         const std::string_view text = bytes_.substr(at_, end - at_);
         at_ = end + 1;
-        constexpr std::string_view kBlank = " \t\r";
+        constexpr std::string_view kBlank = " \t\r\n";
         for (std::size_t i = text.find_first_not_of(kBlank); i != std::string_view::npos;) {
             const std::size_t stop = std::min(text.find_first_of(kBlank, i), text.size());
             words_.push_back({text.substr(i, stop - i), static_cast<int>(i) + 1});

@@ -93,7 +93,10 @@ public:
         if (result.ec == std::errc() && result.ptr != end_ && *result.ptr == '#')
             return not_finite(result.ptr);
         if (result.ec != std::errc() || (result.ptr != end_ && !is_blank(*result.ptr)))
-            throw PlyFault("\"" + word() + "\" is no number");
+            throw PlyFault("\"" + word() + "\" is no number" +
+                           (word().find(',') == std::string::npos
+                                ? ""
+                                : ", which has a point in place of a comma"));
         at_ = result.ptr;
         return value;
     }

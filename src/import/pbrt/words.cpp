@@ -1,6 +1,8 @@
 // Words in messages: quoting, and similarity by edit distance.
 #include "import/pbrt/words.h"
 
+#include "core/printable.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -46,12 +48,7 @@ std::string_view nearest(std::span<const std::string_view> known, std::string_vi
 }  // namespace
 
 std::string in_quotes(std::string_view text, std::size_t most) {
-    std::string shown = "\"";
-    for (const char c : text.substr(0, most)) {
-        const auto code = static_cast<unsigned char>(c);
-        shown += code < 0x20 || code == 0x7F ? '?' : c;
-    }
-    return shown + (text.size() > most ? "...\"" : "\"");
+    return '"' + printable(text, most) + '"';
 }
 
 std::string use_one_of(std::span<const std::string_view> known, std::string_view instead_of) {

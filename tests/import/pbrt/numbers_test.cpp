@@ -30,5 +30,32 @@ TEST(Numbers, refuses_the_rest) {
         EXPECT_THROW(integer_of(word(text)), Error) << text;
 }
 
+TEST(Numbers, in_quotes_are_told_to_have_none) {
+    Token token = word("1");
+    token.kind = TokenKind::string;
+    const auto message = [&](const auto& read) -> std::string {
+        try {
+            read(token);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_NE(message(real_of).find("without quotes"), std::string::npos);
+    EXPECT_NE(message(integer_of).find("without quotes"), std::string::npos);
+}
+
+TEST(Numbers, with_a_comma_are_told_to_have_a_point) {
+    for (const char* text : {"0,5", ".5,", "400;0.5"}) {
+        std::string message;
+        try {
+            real_of(word(text));
+        } catch (const Error& error) {
+            message = error.what();
+        }
+        EXPECT_NE(message.find("with a point"), std::string::npos) << message;
+    }
+}
+
 }  // namespace
 }  // namespace sunfleck

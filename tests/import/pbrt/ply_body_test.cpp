@@ -52,6 +52,60 @@ TEST(PlyBody, broken_vertices_that_no_face_uses_are_left_out) {
                        "m.ply: vertex 1: \"1.#BAD\" is no");
 }
 
+/// Exporters write them where a mesh was not unfolded.
+TEST(PlyBody, texture_coordinates_that_are_not_finite_are_zero) {
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float s\nproperty float t\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n";
+    const PlyFile file =
+        parse_ply(head + "0 0 0 nan 1\n1 0 0 1 -nan(ind)\n0 1 0 .5 .25\n3 0 1 2\n", "m");
+    ASSERT_EQ(file.mesh.uvs.size(), 3U);
+    EXPECT_EQ(file.mesh.uvs[0], Vec2(0));
+    EXPECT_EQ(file.mesh.uvs[1], Vec2(0));
+    EXPECT_EQ(file.mesh.uvs[2], Vec2(.5F, .25F));
+    ASSERT_EQ(file.remarks.size(), 1U);
+    EXPECT_NE(file.remarks[0].find("texture coordinates"), std::string::npos);
+    EXPECT_NE(file.remarks[0].find("(2)"), std::string::npos);
+}
+
+TEST(PlyBody, texture_coordinates_of_faces_are_told) {
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+        "property list uchar float texcoord\nend_header\n";
+    const PlyFile file = parse_ply(head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0 1 1\n", "m");
+    EXPECT_EQ(file.mesh.triangles, (Triangles{{0, 1, 2}}));
+    ASSERT_EQ(file.remarks.size(), 1U);
+    EXPECT_NE(file.remarks[0].find("give each vertex its own"), std::string::npos);
+}
+
+TEST(PlyBody, decimals_with_a_comma_are_told) {
+    expect_ply_refusal(of_rows("0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+                       "m.ply: vertex 0: \"0,5\" is no number, which has a point");
+}
+
+TEST(PlyBody, strips_of_triangles_are_named) {
+    expect_ply_refusal(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+        "end_header\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2 -1\n",
+        "m.ply:7:1: its faces are strips of triangles");
+}
+
+/// A transfer as text may leave two carriage returns before each line end.
+TEST(PlyBody, lines_may_end_in_any_way) {
+    const std::string plain = of_rows("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for (const std::string end : {"\r", "\r\n", "\r\r\n", "\n\n"}) {
+        std::string text;
+        for (const char c : plain) text += c == '\n' ? end : std::string(1, c);
+        EXPECT_EQ(parse_ply(text, "m").mesh.triangles, (Triangles{{0, 1, 2}}));
+    }
+    std::string odd = of_rows("");
+    odd.replace(odd.find("element"), 7, "ele\rment");
+    expect_ply_refusal(odd, "m.ply:3:1: unknown statement \"ele\"");
+}
+
 TEST(PlyBody, planar_convex_polygons_are_cut_and_others_refused) {
     const std::string pentagon = "0 0 0\n2 0 0\n3 1 0\n1 2 0\n-1 1 0\n";
     const PlyFile file = parse_ply(of_rows(pentagon + "5 0 1 2 3 4\n3 2 1 0\n", "5", "2"), "m");

@@ -1,0 +1,217 @@
+// Steps of the walks, and what is heard and voted on their way.
+#include "scene/media_walks.h"
+
+#include "core/random.h"
+#include "scene/transmission.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::size_t kWalks = 2048;  // from the camera, and from all lights of a kind together
+constexpr int kMostSteps = 24;
+constexpr int kMostCrossings = 64;
+constexpr std::uint64_t kRandomKey = 0x6D656469615F6973;  // unlike a seed
+
+/// A direction on that side of a surface, any as likely as any other.
+Vec3 direction_above(const Vec3& normal, const Vec2d& numbers) {
+    const double z = 1 - 2 * numbers.x;
+    const double size = std::sqrt(std::max(0.0, 1 - z * z));
+    const double angle = 2 * std::numbers::pi * numbers.y;
+    const Vec3 any(Vec3d(size * std::cos(angle), size * std::sin(angle), z));
+    return any.dot(normal) < 0 ? -any : any;
+}
+
+/// Does the normal of a closed shape point into what it encloses? A ray that starts there leaves
+/// the shape one time more than it enters it.
+bool normal_points_in(const Scene& scene, const Hit& start) {
+    int crossings = 0;
+    Ray ray = ray_from(start, start.normal);
+    for (int i = 0; i < kMostCrossings; ++i) {
+        const auto hit = scene.geometry().intersect(ray);
+        if (!hit) break;
+        if (hit->shape == start.shape) ++crossings;
+        ray = ray_from(*hit, start.normal);
+    }
+    return crossings % 2 == 1;
+}
+
+/// The medium of a walk where it arrives at the end of a ray; nothing where it does not.
+std::optional<MediumNumber> medium_at_end(const Scene& scene, const std::set<std::uint32_t>& ends,
+                                          Ray ray, MediumNumber medium) {
+    for (int i = 0; i < kMostCrossings; ++i) {
+        const auto hit = scene.geometry().intersect(ray);
+        if (!hit) return medium;
+        if (!lets_light_through(scene.materials(), scene.material_of(*hit)) ||
+            ends.contains(hit->shape))
+            return {};
+        if (scene.medium_beyond(*hit, -ray.direction, medium) != medium) return {};
+        medium = scene.medium_beyond(*hit, ray.direction, medium);
+        const float left = ray.length - hit->distance;
+        if (!(left > 0)) return medium;
+        ray = ray_from(*hit, ray.direction);
+        ray.length = left;
+    }
+    return {};
+}
+
+Vec3 camera_position(const Scene& scene) {
+    const Vec2d middle = Vec2d(scene.film().resolution) * 0.5;
+    return Vec3(camera_ray(scene.camera(), middle, {0.5, 0.5}).origin);
+}
+
+/// The direction to a position, and the distance.
+std::optional<DirectSample> sample_towards(const Vec3& position, const Vec3& from) {
+    const Vec3 offset = position - from;
+    const float distance = offset.length();
+    if (!(distance > 0)) return {};
+    DirectSample sample;
+    sample.direction = offset * (1 / distance);
+    sample.distance = distance;
+    return sample;
+}
+
+MediaStart start_at(const Scene& scene, const std::vector<ShapeRecord>& shapes, const Media& stated,
+                    const LightRange& lights) {
+    MediaStart start{lights, stated.at_lights[lights.first]};
+    const auto* area = std::get_if<AreaLight>(&scene.lights()[lights.first]);
+    if (area != nullptr && area->shape != kNone && shapes[area->shape].media.parts())
+        start.sides = shapes[area->shape].media;  // they may have been exchanged
+    start.is_named = start.sides != MediumSides{};
+    return start;
+}
+
+MediumNumber most_heard(const std::map<MediumNumber, int>& heard) {
+    return std::max_element(heard.begin(), heard.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
+}
+
+}  // namespace
+
+Vec2d MediaWalks::next_two() {
+    const RandomBlock words = philox({drawn_++, 0, 0, 0}, kRandomKey);
+    const auto unit = [&](std::size_t i) {
+        return to_unit(std::uint64_t{words.at(i)} << 32U | words.at(i + 1));
+    };
+    return {unit(0), unit(2)};
+}
+
+MediaWalks::MediaWalks(const Scene& scene, const std::vector<ShapeRecord>& shapes,
+                       const Media& stated, const std::set<std::uint32_t>& ends)
+    : scene_(scene), ends_(ends) {
+    const MediumNumber at_camera = stated.at_camera;
+    starts_.push_back({{}, {at_camera, at_camera}, at_camera != 0});
+    for (const LightRange& source : scene.light_sources()) {
+        const Light& light = scene.lights()[source.first];
+        if (!comes_from_afar(light) && power(light, scene.sphere()) > 0)
+            starts_.push_back(start_at(scene, shapes, stated, source));
+    }
+}
+
+void MediaWalks::walk_all() {
+    std::vector<std::size_t> named;
+    std::vector<std::size_t> unnamed;
+    for (std::size_t i = 1; i < starts_.size(); ++i)
+        (starts_[i].is_named ? named : unnamed).push_back(i);
+    const auto take_heard = [this](std::size_t start) {
+        auto& [lights, sides, is_named, heard, wrong] = starts_[start];
+        if (!is_named && !heard.empty()) sides = {most_heard(heard), most_heard(heard)};
+    };
+    if (starts_[0].is_named) walk_from({0});
+    walk_from(named);
+    take_heard(0);
+    if (!starts_[0].is_named) walk_from({0});
+    for (const std::size_t start : unnamed) take_heard(start);
+    walk_from(unnamed);
+}
+
+void MediaWalks::walk_from(const std::vector<std::size_t>& starts) {
+    if (starts.empty()) return;
+    for (std::size_t i = 0; i < kWalks; ++i) {
+        const MediaStart& start = starts_[starts[i * starts.size() / kWalks]];
+        if (start.lights.count == 0)
+            walk(camera_walk(), start.is_named);
+        else if (const auto first = light_walk(start, i))
+            walk(*first, start.is_named);
+    }
+}
+
+MediaWalks::Walk MediaWalks::camera_walk() {
+    const Vec2d film = Vec2d(scene_.film().resolution) * next_two();
+    const CameraRay view = camera_ray(scene_.camera(), film, {0.5, 0.5});
+    return {{Vec3(view.origin), Vec3(view.direction)}, starts_[0].sides.outside};
+}
+
+std::optional<MediaWalks::Walk> MediaWalks::light_walk(const MediaStart& start, std::size_t i) {
+    const Light& light = scene_.lights()[start.lights.first + i % start.lights.count];
+    const Vec2d position = next_two();
+    const Vec2d direction_numbers = next_two();
+    const Emission first = sample_emission(
+        light, {position.x, position.y, direction_numbers.x, direction_numbers.y}, scene_.sphere());
+    if (!(first.factor > 0)) return {};
+    const Vec3 direction(first.direction);
+    return Walk{
+        {offset_origin(Vec3(first.origin), first.normal, first.error, direction), direction},
+        start.sides.towards(first.normal, direction)};
+}
+
+void MediaWalks::walk(Walk at, bool is_named) {
+    auto& [ray, medium] = at;
+    look_around(nullptr, ray, medium);
+    for (int i = 0; i < kMostSteps; ++i) {
+        const auto hit = scene_.geometry().intersect(ray);
+        if (!hit || ends_.contains(hit->shape)) return;
+        if (!agrees(*hit, at, is_named)) return;
+        if (lets_light_through(scene_.materials(), scene_.material_of(*hit))) {
+            medium = scene_.medium_beyond(*hit, ray.direction, medium);
+            ray = ray_from(*hit, ray.direction);
+        } else {
+            const bool above = hit->normal.dot(ray.direction) < 0;
+            ray = ray_from(*hit, direction_above(above ? hit->normal : -hit->normal, next_two()));
+            look_around(&*hit, ray, medium);
+        }
+    }
+}
+
+/// Does the surface name the medium from which the walk comes, or none at all?
+bool MediaWalks::agrees(const Hit& hit, const Walk& at, bool is_named) {
+    if (!scene_.parts_media(hit)) return true;
+    ShapeVotes& of_shape = votes_[hit.shape];
+    MediaVotes& votes = is_named ? of_shape.named : of_shape.assumed;
+    const bool right = scene_.medium_beyond(hit, -at.ray.direction, at.medium) == at.medium;
+    const bool exchanged = scene_.medium_beyond(hit, at.ray.direction, at.medium) == at.medium;
+    if (right)
+        ++votes.right;
+    else if (exchanged && normal_points_in(scene_, hit))
+        ++votes.inside_out;
+    else
+        ++votes.other;
+    return right;
+}
+
+/// Looks at one start, each in turn.
+/// @param hit  where the walk is, or null at its start. @param ray  on which it goes on.
+void MediaWalks::look_around(const Hit* hit, const Ray& ray, MediumNumber medium) {
+    MediaStart& start = starts_[next_looked_at_++ % starts_.size()];
+    const auto& [first, count] = start.lights;
+    const auto sample = count == 0 ? sample_towards(camera_position(scene_), ray.origin)
+                                   : sample_direct(scene_.lights()[first + next_looked_at_ % count],
+                                                   ray.origin, Vec2(next_two()), scene_.sphere());
+    if (!sample || !(sample->distance > 0) || !std::isfinite(sample->distance)) return;
+    const auto is_above = [&](const Vec3& direction) { return hit->normal.dot(direction) > 0; };
+    if (hit != nullptr && is_above(sample->direction) != is_above(ray.direction)) return;
+    const Ray look = hit != nullptr
+                         ? shadow_ray(*hit, sample->direction, sample->distance)
+                         : Ray{ray.origin, sample->direction, sample->distance * (1 - 1e-4F)};
+    const auto found = medium_at_end(scene_, ends_, look, medium);
+    if (!found) return;
+    ++start.heard[*found];
+    if (*found != start.sides.towards(sample->normal, -sample->direction)) ++start.wrong;
+}
+
+}  // namespace sunfleck
