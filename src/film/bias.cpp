@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "film/luminance.h"
+#include "math/wavelengths.h"
 #include "measurement/radius.h"
 
 #include <algorithm>
@@ -46,8 +47,8 @@ std::vector<RoundMeans> block_sums(const Film& film, const BlockGrid& grid) {
     const FilmSums& sums = film.sums();
     const double passes = film.complete_weight();
     std::vector<std::pair<double, const FixedPoints*>> open;  // area, sums
-    for (const auto& [number, round] : sums.open_rounds)
-        open.emplace_back(round_area(number, film.key().alpha), &round.photon_blocks);
+    for (const auto& [first, group] : sums.open_groups)
+        open.emplace_back(round_area(first / kRoundPasses, film.key().alpha), &group.photon_blocks);
     std::vector<RoundMeans> result(grid.count());
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum light;

@@ -9,10 +9,11 @@ namespace {
 
 /// A round, and those of its passes that a film holds.
 struct RoundAreas {
-    double share = 1;  // Film::share_of_round()
-    double mean = 0;   // over all passes of the round
-    double held = 0;   // sum over those that the film holds
+    double mean = 0;  // over all passes of the round
+    double held = 0;  // sum over those that the film holds
     double count = 0;
+    double shown = 0;  // these two as far as passes count in the picture
+    double shown_areas = 0;
     double weight = 1;  // how often each counts
 };
 
@@ -20,14 +21,16 @@ struct RoundAreas {
 RoundAreas next_round(const Film& film, std::uint64_t round, DiscAreaSequence& areas) {
     RoundAreas result;
     result.weight = film.weight_of_round(round);
-    result.share = film.share_of_round(round);
     const PassRange range = round_range(round);
     for (std::uint64_t p = range.begin; p < range.end; ++p) {
         const double area = areas.next();
         result.mean += area / kRoundPasses;
         if (film.passes().count_in({p, p + 1}) == 0) continue;
+        const double share = film.share_of_pass(p);
         result.held += area;
         result.count += 1;
+        result.shown += share;
+        result.shown_areas += share * area;
     }
     return result;
 }
@@ -48,8 +51,8 @@ struct Sums {
     void add(const RoundAreas& round) {
         passes += round.weight * round.count;
         held += round.weight * round.held;
-        shown += round.share * round.weight * round.count;
-        shown_areas += round.share * round.weight * round.held;
+        shown += round.weight * round.shown;
+        shown_areas += round.weight * round.shown_areas;
         means += round.weight * round.count * round.mean;
         means_by_held += round.weight * round.mean * round.held;
         if (round.count < kRoundPasses) return;

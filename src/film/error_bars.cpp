@@ -14,7 +14,7 @@ namespace {
 /// Exact sum of a pixel over the passes of complete rounds.
 RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
     RgbSum rgb = rgb_of(sums.layers[0], pixel);
-    for (const auto& [number, round] : sums.open_rounds) rgb -= rgb_of(round.layers[0], pixel);
+    for (const auto& [first, group] : sums.open_groups) rgb -= rgb_of(group.layers[0], pixel);
     return rgb;
 }
 
@@ -141,8 +141,8 @@ double image_mean(const Film& film) {
                                 [&](std::size_t pixel) { return rgb_of(rgb, pixel); }));
     };
     double sum = sum_of(film.sums().layers[0]);
-    for (const auto& [number, round] : film.sums().open_rounds)
-        sum -= (1 - film.share_of_round(number)) * sum_of(round.layers[0]);
+    for (const auto& [first, group] : film.sums().open_groups)
+        sum -= (1 - film.share_of_pass(first)) * sum_of(group.layers[0]);
     return sum / static_cast<double>(film.key().pixels());
 }
 

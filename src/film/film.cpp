@@ -2,6 +2,7 @@
 #include "film/film.h"
 
 #include "core/error.h"
+#include "film/pass_groups.h"
 #include "film/pass_terms.h"
 #include "math/wavelengths.h"
 #include "measurement/radius.h"
@@ -89,20 +90,6 @@ std::uint64_t complete_rounds(const PassSet& passes) {
     return rounds;
 }
 
-std::vector<std::uint64_t> open_rounds(const PassSet& passes) {
-    std::vector<std::uint64_t> open;
-    const auto add = [&](std::uint64_t round) {
-        const std::uint64_t held = passes.count_in(round_range(round));
-        const bool known = !open.empty() && open.back() == round;
-        if (held > 0 && held < kRoundPasses && !known) open.push_back(round);
-    };
-    for (const PassRange& range : passes.ranges()) {
-        add(range.begin / kRoundPasses);
-        add((range.end - 1) / kRoundPasses);
-    }
-    return open;
-}
-
 std::optional<std::uint64_t> uneven_round(const PassSet& passes, const HeavyPasses& heavy) {
     for (const auto& [times, of_weight] : heavy)
         for (const PassRange& range : of_weight.ranges()) {
@@ -142,19 +129,23 @@ std::uint32_t Film::weight_of_round(std::uint64_t round) const {
     return 1;
 }
 
-double Film::share_of_round(std::uint64_t round) const {
-    std::uint64_t most = rounds() > 0 ? kRoundPasses : 0;
-    for (const auto& [number, sums] : sums_.open_rounds)
-        most = std::max(most, sums_.passes.count_in(round_range(number)));
-    const std::uint64_t held = sums_.passes.count_in(round_range(round));
-    return static_cast<double>(held) / static_cast<double>(most);
+double Film::share_of_pass(std::uint64_t number) const {
+    const PassSet& passes = sums_.passes;
+    if (rounds() > 0) return share_of_group(passes, group_of(passes, number));
+    const auto held = [&](std::uint64_t pass) {
+        return passes.count_in(round_range(pass / kRoundPasses));
+    };
+    std::uint64_t most = 0;
+    for (const auto& [first, group] : sums_.open_groups) most = std::max(most, held(first));
+    return static_cast<double>(held(number)) / static_cast<double>(most);
 }
 
 double Film::picture_weight() const {
     double sum = weight();
-    for (const auto& [number, round] : sums_.open_rounds) {
-        const std::uint64_t held = sums_.passes.count_in(round_range(number));
-        sum -= (1 - share_of_round(number)) * weight_of_round(number) * static_cast<double>(held);
+    for (const auto& [first, group] : sums_.open_groups) {
+        const std::uint64_t held = sums_.passes.count_in(group_of(sums_.passes, first));
+        sum -= (1 - share_of_pass(first)) * weight_of_round(first / kRoundPasses) *
+               static_cast<double>(held);
     }
     return sum;
 }
@@ -193,28 +184,43 @@ void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t 
     sums_.passes.insert(range);
     if (weight > 1) sums_.heavy[weight].insert(range);
     if (key().sequential) return;
-    OpenRound& round = open_round(round_number);
-    add_layers(round, image, weight);
+    join_groups();
+    const auto [place, is_new] =
+        sums_.open_groups.try_emplace(group_of(sums_.passes, number).begin);
+    OpenGroup& group = place->second;
+    if (is_new) group = empty_group(key());
+    add_layers(group, image, weight);
     if (key().has_discs()) {
         const double area = round_area(round_number, key().alpha);
-        count("saturated", add_photons(sums_, image, {area, weight}, round));
+        count("saturated", add_photons(sums_, image, {area, weight}, group));
     }
     close_rounds();
 }
 
-OpenRound& Film::open_round(std::uint64_t number) {
-    const auto [round, is_new] = sums_.open_rounds.try_emplace(number);
-    if (is_new) round->second = empty_round(key());
-    return round->second;
+/// Adds sums of passes of one group. @param number  of any of its passes, or the first of a group
+/// of fewer passes.
+void Film::add_group(std::uint64_t number, OpenGroup group) {
+    const std::uint64_t first = group_of(sums_.passes, number).begin;
+    const auto [place, is_new] = sums_.open_groups.try_emplace(first, std::move(group));
+    if (is_new) return;
+    const auto sums = arrays(place->second);
+    const auto terms = arrays(std::as_const(group));
+    for (std::size_t i = 0; i < sums.size(); ++i) add_all(sums[i], terms[i]);
+}
+
+/// After passes have come.
+void Film::join_groups() {
+    for (auto& [first, group] : std::exchange(sums_.open_groups, {}))
+        add_group(first, std::move(group));
 }
 
 void Film::close_rounds() {
-    for (auto round = sums_.open_rounds.begin(); round != sums_.open_rounds.end();) {
-        const bool complete = sums_.passes.count_in(round_range(round->first)) == kRoundPasses;
+    for (auto group = sums_.open_groups.begin(); group != sums_.open_groups.end();) {
+        const std::uint64_t round = group->first / kRoundPasses;
+        const bool complete = sums_.passes.count_in(round_range(round)) == kRoundPasses;
         if (complete)
-            count("saturated_squares",
-                  add_squares(sums_, round->second, weight_of_round(round->first)));
-        round = complete ? sums_.open_rounds.erase(round) : std::next(round);
+            count("saturated_squares", add_squares(sums_, group->second, weight_of_round(round)));
+        group = complete ? sums_.open_groups.erase(group) : std::next(group);
     }
 }
 
@@ -233,13 +239,11 @@ void Film::merge(const Film& other, const std::string& other_name) {
     const auto sums = total_arrays(sums_);
     const auto terms = total_arrays(from);
     for (std::size_t i = 0; i < sums.size(); ++i) add_all(sums[i], terms[i]);
-    for (const auto& [number, other_round] : from.open_rounds) {
-        const auto round = arrays(open_round(number));
-        for (std::size_t i = 0; i < round.size(); ++i) add_all(round[i], arrays(other_round)[i]);
-    }
     for (const auto& [name, value] : from.statistics) sums_.statistics[name] += value;
     sums_.passes = std::move(passes);
     sums_.heavy = std::move(heavy);
+    join_groups();
+    for (const auto& [first, group] : from.open_groups) add_group(first, group);
     close_rounds();
 }
 

@@ -9,13 +9,12 @@
 // complete its mean luminance y is computed from its exact sums, of each pixel, each block and the
 // whole picture, and w y^2 is added to the sums of squares, w being how often its passes count:
 // floored to 2^-64, at most 2^47 (beyond: cut and counted). Until then the round's own RGB sums are
-// kept beside the totals. The same is done for the luminance that photons have brought, of blocks
-// and the picture, where there are discs.
+// kept beside the totals, by groups of passes. The same is done for the luminance that photons have
+// brought, of blocks and the picture, where there are discs.
 //
-// In the picture a round of which k passes are there counts k/16 as often as these passes do: the
-// wavelengths of a complete round are one fine lattice, those of a part of it are not, and where
-// lamps have lines the light of a part may be off as a whole (docs/method.md). So the sums of an
-// open round are kept for each layer.
+// In the picture passes of an open round count as far as the wavelengths of their group are spread
+// evenly (pass_groups.h): where lamps have lines the light of other passes may be off as a whole
+// (docs/method.md). So the sums of the groups of open rounds are kept for each layer.
 //
 // Passes that build on those before are no samples: a sequential film (film_key.h) has no rounds.
 #pragma once
@@ -72,14 +71,15 @@ public:
     /// How often the passes of complete rounds count together.
     double complete_weight() const;
     std::uint32_t weight_of_round(std::uint64_t round) const;
-    /// Factor on the weights of a round's passes in the picture: the passes that are there over the
-    /// most that are there of any round. One of complete rounds.
-    double share_of_round(std::uint64_t round) const;
+    /// Factor on a pass's weight in the picture: share_of_group(); one of complete rounds. Where no
+    /// round is complete, the passes that are there of its round over the most of any.
+    double share_of_pass(std::uint64_t number) const;
     /// How often all passes count in the picture together.
     double picture_weight() const;
 
 private:
-    OpenRound& open_round(std::uint64_t number);
+    void add_group(std::uint64_t number, OpenGroup group);
+    void join_groups();
     void close_rounds();
 
     FilmSums sums_;
@@ -98,8 +98,5 @@ std::uint64_t complete_rounds(const PassSet& passes);
 
 /// A round whose passes do not all count alike, if there is one. @param heavy  of the passes.
 std::optional<std::uint64_t> uneven_round(const PassSet& passes, const HeavyPasses& heavy);
-
-/// Rounds of which a set holds some passes and not all, ascending.
-std::vector<std::uint64_t> open_rounds(const PassSet& passes);
 
 }  // namespace sunfleck

@@ -13,7 +13,7 @@ constexpr WordFileKind kKind{kFilmMagic, "film file",
                              "use another copy, or render its passes again"};
 
 /// Do the sums fill the rest of the file? Asked before any room is made for them.
-bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_round_count) {
+bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_group_count) {
     const auto blocks = [](int pixels) {
         return static_cast<std::uint64_t>((pixels + kErrorBlock - 1) / kErrorBlock);
     };
@@ -21,9 +21,9 @@ bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_round
     std::uint64_t layers = 3 * key.light_layers.size();
     for (std::size_t i = 0; i < kLayerCount; ++i)
         if (key.has(i)) layers += kLayers.at(i).channels.size();
-    const std::uint64_t a_pixel = 1 + 6 * discs + (1 + open_round_count) * layers;
+    const std::uint64_t a_pixel = 1 + 6 * discs + (1 + open_group_count) * layers;
     if (a_pixel > words / key.pixels()) return false;  // so that the product cannot overflow
-    const std::uint64_t a_block = 1 + discs + 3 * open_round_count * discs;
+    const std::uint64_t a_block = 1 + discs + 3 * open_group_count * discs;
     return words == 2 * (a_pixel * key.pixels() + a_block * blocks(key.width) * blocks(key.height) +
                          1 + discs);
 }
@@ -43,7 +43,7 @@ void write_film(const std::string& path, const Film& film) {
 
 Film take_film(WordReader& in) {
     FilmHead head = take_head(in);
-    if (!sums_fill(in.left(), head.key, open_rounds(head).size())) in.damaged();
+    if (!sums_fill(in.left(), head.key, open_groups(head).size())) in.damaged();
     FilmSums sums = empty_sums(std::move(head));
     for (const auto& array : all_arrays(sums)) in.fill(array);
     return Film(std::move(sums));

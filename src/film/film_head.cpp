@@ -1,7 +1,7 @@
 // Heads of films, word by word.
 #include "film/film_head.h"
 
-#include "film/film.h"
+#include "film/pass_groups.h"
 
 #include <bit>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::uint64_t kVersion = 5;
+constexpr std::uint64_t kVersion = 6;
 constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
@@ -132,18 +132,18 @@ FilmHead take_head(WordReader& in) {
     return head;
 }
 
-std::vector<std::uint64_t> open_rounds(const FilmHead& head) {
+std::vector<PassRange> open_groups(const FilmHead& head) {
     if (head.key.sequential) return {};
-    return open_rounds(head.passes);
+    return open_groups(head.passes);
 }
 
 FilmSums empty_sums(FilmHead head) {
-    const std::vector<std::uint64_t> open = open_rounds(head);
+    const std::vector<PassRange> open = open_groups(head);
     FilmSums sums = empty_sums(std::move(head.key));
     sums.passes = std::move(head.passes);
     sums.heavy = std::move(head.heavy);
     sums.statistics = std::move(head.statistics);
-    for (const std::uint64_t number : open) sums.open_rounds[number] = empty_round(sums.key);
+    for (const PassRange& group : open) sums.open_groups[group.begin] = empty_group(sums.key);
     return sums;
 }
 

@@ -25,8 +25,8 @@ std::vector<std::uint64_t> head_words(const FilmSums& sums);
 /// The same back. @throws Error for what is none, or of another version.
 FilmHead take_head(WordReader& in);
 
-/// The numbers of the rounds whose sums stand in a film of that head.
-std::vector<std::uint64_t> open_rounds(const FilmHead& head);
+/// The groups of open rounds whose sums stand in a film of that head.
+std::vector<PassRange> open_groups(const FilmHead& head);
 
 /// A film of that head, all its sums zero.
 FilmSums empty_sums(FilmHead head);

@@ -10,30 +10,30 @@
 namespace sunfleck {
 namespace {
 
-/// A layer's sums, and those of open rounds with what of them does not count in the picture.
+/// A layer's sums, and those of open groups with what of them does not count in the picture.
 class LayerSums {
 public:
-    /// @param layer  of FilmSums or an OpenRound.
+    /// @param layer  of FilmSums or an OpenGroup.
     template <class LayerOf>
     LayerSums(const Film& film, const LayerOf& layer) : all_(layer(film.sums())) {
-        for (const auto& [number, round] : film.sums().open_rounds) {
-            const double left_out = 1 - film.share_of_round(number);
-            if (left_out > 0) parts_.push_back({layer(round), left_out});
+        for (const auto& [first, group] : film.sums().open_groups) {
+            const double left_out = 1 - film.share_of_pass(first);
+            if (left_out > 0) groups_.push_back({layer(group), left_out});
         }
     }
     double operator[](std::size_t i) const {
         double sum = all_[i].to_double();
-        for (const Part& part : parts_) sum -= part.left_out * part.sums[i].to_double();
+        for (const Group& group : groups_) sum -= group.left_out * group.sums[i].to_double();
         return sum;
     }
 
 private:
-    struct Part {
+    struct Group {
         std::span<const FixedPoint> sums;
         double left_out;
     };
     std::span<const FixedPoint> all_;
-    std::vector<Part> parts_;
+    std::vector<Group> groups_;
 };
 
 /// @param names  of the channels, a letter each.

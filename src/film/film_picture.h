@@ -1,5 +1,5 @@
 // The film as a picture: the mean over passes, layer by layer, and its error. Passes of open rounds
-// count less (film.h).
+// count less or not at all (film.h).
 #pragma once
 
 #include "film/film.h"

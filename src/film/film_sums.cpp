@@ -8,7 +8,7 @@
 namespace sunfleck {
 namespace {
 
-/// Those of all passes or of an open round.
+/// Those of all passes or of an open group.
 template <class Sum, class Sums>
 std::vector<std::span<Sum>> light_sums(Sums& sums) {
     std::vector<std::span<Sum>> all(sums.layers.begin(), sums.layers.end());
@@ -16,10 +16,10 @@ std::vector<std::span<Sum>> light_sums(Sums& sums) {
     return all;
 }
 
-template <class Sum, class Round>
-std::vector<std::span<Sum>> of_round(Round& round) {
-    std::vector<std::span<Sum>> all = light_sums<Sum>(round);
-    all.push_back(round.photon_blocks);
+template <class Sum, class Group>
+std::vector<std::span<Sum>> of_group(Group& group) {
+    std::vector<std::span<Sum>> all = light_sums<Sum>(group);
+    all.push_back(group.photon_blocks);
     return all;
 }
 
@@ -36,8 +36,8 @@ std::vector<std::span<Sum>> totals(Sums& sums) {
 template <class Sum, class Sums>
 std::vector<std::span<Sum>> everything(Sums& sums) {
     std::vector<std::span<Sum>> all = totals<Sum>(sums);
-    for (auto& [number, round] : sums.open_rounds)
-        for (const auto& array : of_round<Sum>(round)) all.push_back(array);
+    for (auto& [first, group] : sums.open_groups)
+        for (const auto& array : of_group<Sum>(group)) all.push_back(array);
     return all;
 }
 
@@ -68,19 +68,19 @@ FilmSums empty_sums(FilmKey key) {
     return sums;
 }
 
-OpenRound empty_round(const FilmKey& key) {
-    OpenRound round;
-    make_room(key, round);
-    if (key.has_discs()) round.photon_blocks.resize(3 * BlockGrid(key, kErrorBlock).count());
-    return round;
+OpenGroup empty_group(const FilmKey& key) {
+    OpenGroup group;
+    make_room(key, group);
+    if (key.has_discs()) group.photon_blocks.resize(3 * BlockGrid(key, kErrorBlock).count());
+    return group;
 }
 
-std::vector<std::span<FixedPoint>> arrays(OpenRound& round) {
-    return of_round<FixedPoint>(round);
+std::vector<std::span<FixedPoint>> arrays(OpenGroup& group) {
+    return of_group<FixedPoint>(group);
 }
 
-std::vector<std::span<const FixedPoint>> arrays(const OpenRound& round) {
-    return of_round<const FixedPoint>(round);
+std::vector<std::span<const FixedPoint>> arrays(const OpenGroup& group) {
+    return of_group<const FixedPoint>(group);
 }
 
 std::vector<std::span<FixedPoint>> total_arrays(FilmSums& sums) {

@@ -39,13 +39,13 @@ struct PhotonSums {
     friend bool operator==(const PhotonSums&, const PhotonSums&) = default;
 };
 
-/// A round of which some passes are there and not all: sums over those passes.
-struct OpenRound {
+/// Sums over the passes that are there of one group of an open round (pass_groups.h).
+struct OpenGroup {
     std::array<FixedPoints, kLayerCount> layers;  // as in FilmSums
     std::vector<FixedPoints> light_layers;
     FixedPoints photon_blocks;  // RGB of each block, over its pixels: what photons have brought
 
-    friend bool operator==(const OpenRound&, const OpenRound&) = default;
+    friend bool operator==(const OpenGroup&, const OpenGroup&) = default;
 };
 
 /// How often a pass may count (render/balance_rule.h).
@@ -66,7 +66,7 @@ struct FilmSums {
     FixedPoints block_squares;                    // row after row of blocks
     FixedPoint image_square;
     PhotonSums photons;
-    std::map<std::uint64_t, OpenRound> open_rounds;  // by number
+    std::map<std::uint64_t, OpenGroup> open_groups;  // of open rounds, by the group's first number
 
     friend bool operator==(const FilmSums&, const FilmSums&) = default;
 };
@@ -74,19 +74,19 @@ struct FilmSums {
 /// Sums of no pass, of the sizes that the key asks for. @param key  at least one pixel.
 FilmSums empty_sums(FilmKey key);
 
-/// A round with no pass.
-OpenRound empty_round(const FilmKey& key);
+/// A group with no pass.
+OpenGroup empty_group(const FilmKey& key);
 
-/// The arrays that grow with each pass or round, those of open rounds left out. Some are empty.
+/// The arrays that grow with each pass or round, those of open groups left out. Some are empty.
 std::vector<std::span<FixedPoint>> total_arrays(FilmSums& sums);
 std::vector<std::span<const FixedPoint>> total_arrays(const FilmSums& sums);
 
-/// These and the open rounds', round after round.
+/// These and the open groups', group after group.
 std::vector<std::span<FixedPoint>> all_arrays(FilmSums& sums);
 std::vector<std::span<const FixedPoint>> all_arrays(const FilmSums& sums);
 
-/// The arrays of an open round. Some are empty.
-std::vector<std::span<FixedPoint>> arrays(OpenRound& round);
-std::vector<std::span<const FixedPoint>> arrays(const OpenRound& round);
+/// The arrays of an open group. Some are empty.
+std::vector<std::span<FixedPoint>> arrays(OpenGroup& group);
+std::vector<std::span<const FixedPoint>> arrays(const OpenGroup& group);
 
 }  // namespace sunfleck

@@ -71,7 +71,7 @@ void add_light_layer(FixedPoints& sums, const PassImage& image, std::size_t ligh
 }
 
 std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const RoundTerms& terms,
-                          OpenRound& round) {
+                          OpenGroup& group) {
     const BlockGrid grid(sums.key, kErrorBlock);
     Terms term;
     const auto add_pixel = [&](std::size_t pixel, const RgbSum& light) {
@@ -90,12 +90,12 @@ std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const RoundTer
             add_pixel(pixel, light);
             block += light;
         });
-        for (std::size_t c = 0; c < 3; ++c) round.photon_blocks[3 * b + c] += block.channel[c];
+        for (std::size_t c = 0; c < 3; ++c) group.photon_blocks[3 * b + c] += block.channel[c];
     });
     return term.cut();
 }
 
-std::uint64_t add_squares(FilmSums& sums, const OpenRound& round, std::uint32_t weight) {
+std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group, std::uint32_t weight) {
     const BlockGrid grid(sums.key, kErrorBlock);
     std::vector<double> luminance(grid.count());  // over the block's pixels
     const double passes = kRoundPasses * static_cast<double>(weight);
@@ -104,7 +104,7 @@ std::uint64_t add_squares(FilmSums& sums, const OpenRound& round, std::uint32_t 
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum block;
         grid.for_pixels(b, [&](std::size_t pixel) {
-            const RgbSum rgb = rgb_of(round.layers[0], pixel);
+            const RgbSum rgb = rgb_of(group.layers[0], pixel);
             sums.pixel_squares[pixel] += square(rgb.mean_luminance(passes));
             block += rgb;
         });
@@ -114,7 +114,7 @@ std::uint64_t add_squares(FilmSums& sums, const OpenRound& round, std::uint32_t 
         grid, [&](std::size_t b) { return luminance[b]; }, square, sums.block_squares);
     if (!sums.key.has_discs()) return term.cut();
     sums.photons.image_square += add_block_squares(
-        grid, [&](std::size_t b) { return rgb_of(round.photon_blocks, b).mean_luminance(passes); },
+        grid, [&](std::size_t b) { return rgb_of(group.photon_blocks, b).mean_luminance(passes); },
         square, sums.photons.block_squares);
     return term.cut();
 }

@@ -28,11 +28,11 @@ struct RoundTerms {
 /// Adds what photons have brought in one pass of a round. The image holds it apart.
 /// @return terms beyond kLargestTerm, which were cut there.
 std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const RoundTerms& terms,
-                          OpenRound& round);
+                          OpenGroup& group);
 
 /// Adds the squares of a round's luminance: of pixels, blocks and the picture. The round is
 /// complete. @param weight  its.
 /// @return terms beyond kLargestTerm, which were cut there.
-std::uint64_t add_squares(FilmSums& sums, const OpenRound& round, std::uint32_t weight);
+std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group, std::uint32_t weight);
 
 }  // namespace sunfleck

@@ -24,6 +24,8 @@ struct Line {
     Vec3d direction;
 
     Line through(const Affine& map) const { return {map.point(origin), map.vector(direction)}; }
+    /// The same line, counted from a later point.
+    Line from(double t) const { return {origin + direction * t, direction}; }
 };
 
 /// One shape in the frame of its group. The input must stay where it is.
@@ -125,11 +127,11 @@ struct BuiltInstance {
 
 /// What a trace carries to the shapes that are intersected exactly.
 struct Query : RTCIntersectContext {
-    Line line;  // in the world
+    Line whole;  // the ray, in the world: the alpha test hashes it
+    Line line;   // what is traced of it
     const std::vector<BuiltInstance>* instances;
     std::uint32_t first_instance;  // Embree's number of instance 0
     double t = 0;                  // of the nearest point on such a shape so far
-    const Line* whole = nullptr;   // the ray of which `line` is the end, if it is
     AlphaTest alpha_test = AlphaTest::by_chance;
 
     /// @param number  Embree's, or RTC_INVALID_GEOMETRY_ID: then null.
@@ -138,9 +140,14 @@ struct Query : RTCIntersectContext {
         return &(*instances)[number - first_instance];
     }
 
-    Query(const Line& world_line, const std::vector<BuiltInstance>& all, std::uint32_t first)
-        : RTCIntersectContext(), instances(&all), first_instance(first) {
-        line = world_line;
+    /// @param walked  where the trace begins on the ray.
+    Query(const Line& ray, double walked, const std::vector<BuiltInstance>& all,
+          std::uint32_t first)
+        : RTCIntersectContext(),
+          whole(ray),
+          line(ray.from(walked)),
+          instances(&all),
+          first_instance(first) {
         rtcInitIntersectContext(this);
     }
 };

@@ -45,10 +45,9 @@ bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
     if (query.alpha_test == AlphaTest::off) return true;
     Hit hit;
     complete_hit(found, query.line, hit);
-    const Line& ray = query.whole == nullptr ? query.line : *query.whole;
     const auto instance = static_cast<std::uint32_t>(
         found.instance == nullptr ? 0 : found.instance - query.instances->data() + 1);
-    return passes_alpha_test(found.shape->cover()(hit), ray,
+    return passes_alpha_test(found.shape->cover()(hit), query.whole,
                              {geometry, found.primitive, instance, crossing});
 }
 

@@ -66,9 +66,9 @@ struct Geometry::Impl {
     void build_world();
     std::uint32_t first_instance() const { return static_cast<std::uint32_t>(world.shapes.size()); }
     std::size_t triangles_of(const std::vector<std::uint32_t>& list) const;
-    Meeting meet(const Line& line, float length, AlphaTest alpha_test,
-                 const Line* whole = nullptr) const;
+    Meeting meet(const Line& ray, double walked, float length, AlphaTest alpha_test) const;
     void complete(const Meeting& meeting, Hit& hit) const;
+    double empty_way(const Line& ray) const;
     bool is_far(double distance, const Vec3& position) const;
 };
 
@@ -136,19 +136,19 @@ std::size_t Geometry::Impl::triangles_of(const std::vector<std::uint32_t>& list)
     return sum;
 }
 
-/// @param whole  the ray of which `line` is the end, if it is.
-Meeting Geometry::Impl::meet(const Line& line, float length, AlphaTest alpha_test,
-                             const Line* whole) const {
+/// @param walked  where the trace begins on the ray. @param length  from there.
+Meeting Geometry::Impl::meet(const Line& ray, double walked, float length,
+                             AlphaTest alpha_test) const {
     Meeting meeting;
     meeting.alpha_test = alpha_test;
-    meeting.origin = line.origin;
-    meeting.direction = line.direction;
-    if (!is_traceable(line, length)) return meeting;
-    Query query(line, instances, first_instance());
-    query.whole = whole;
+    meeting.origin = ray.origin;
+    meeting.direction = ray.direction;
+    meeting.walked = walked;
+    if (!is_traceable(ray, length)) return meeting;
+    Query query(ray, walked, instances, first_instance());
     query.alpha_test = alpha_test;
     RTCRayHit met;
-    set_ray(met.ray, line, length);
+    set_ray(met.ray, query.line, length);
     met.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     met.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(world.scene.get(), &query, &met);
@@ -174,9 +174,19 @@ Meeting Geometry::Impl::meet(const Line& line, float length, AlphaTest alpha_tes
 void Geometry::Impl::complete(const Meeting& m, Hit& hit) const {
     const BuiltInstance* instance = m.instance == kNone ? nullptr : &instances[m.instance];
     complete_hit({&shapes[m.shape], instance, m.primitive, Vec2d(m.weights), m.t},
-                 {m.origin, m.direction}, hit);
+                 Line{m.origin, m.direction}.from(m.walked), hit);
     hit.shape = m.shape;
     hit.instance = m.instance;
+}
+
+/// How far a ray can walk before it may meet anything, if it starts so far from everything that
+/// floats along it are coarse: the boxes of what is there would look thicker than they are, and
+/// most of them would be opened. Zero for other rays, and never more than to the scene's sphere.
+double Geometry::Impl::empty_way(const Line& ray) const {
+    constexpr double kOutside = 0x1p10;
+    const double radius = bounds.radius();
+    const double to_middle = (bounds.center() - ray.origin).dot(ray.direction);
+    return to_middle > kOutside * radius ? to_middle * (1 - 0x1p-40) - 1.01 * radius : 0;
 }
 
 /// Far: floats at the hit would resolve more than is left of them after the way to it; but ways
@@ -193,12 +203,13 @@ Geometry::Geometry(Geometry&&) noexcept = default;
 Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 
 Meeting Geometry::meet(const Ray& ray, AlphaTest alpha_test) const {
-    return impl_->meet({Vec3d(ray.origin), Vec3d(ray.direction)}, ray.length, alpha_test);
+    return impl_->meet({Vec3d(ray.origin), Vec3d(ray.direction)}, 0, ray.length, alpha_test);
 }
 
 Meeting Geometry::meet_precise(const Vec3d& origin, const Vec3d& direction,
                                AlphaTest alpha_test) const {
-    Meeting meeting = impl_->meet({origin, direction}, kInfinity, alpha_test);
+    const Line ray{origin, direction};
+    Meeting meeting = impl_->meet(ray, impl_->empty_way(ray), kInfinity, alpha_test);
     meeting.precise = true;
     return meeting;
 }
@@ -216,16 +227,14 @@ bool Geometry::hit_of(const Meeting& meeting, Hit& hit) const {
     if (meeting.shape == kNone) return false;
     impl_->complete(meeting, hit);
     if (!meeting.precise) return true;
-    const Line whole{meeting.origin, meeting.direction};
-    double walked = 0;
+    const Line ray{meeting.origin, meeting.direction};
+    double walked = meeting.walked;
     for (int repetition = 0; repetition < kMostRepetitions; ++repetition) {
         const double left = hit.distance;
         hit.distance = static_cast<float>(walked + left);
         if (!impl_->is_far(left, hit.position)) return true;
         walked += left * kWalk;
-        const Vec3d start = meeting.origin + meeting.direction * walked;
-        const Meeting again =
-            impl_->meet({start, meeting.direction}, kInfinity, meeting.alpha_test, &whole);
+        const Meeting again = impl_->meet(ray, walked, kInfinity, meeting.alpha_test);
         if (again.shape == kNone) return false;
         impl_->complete(again, hit);
     }
@@ -260,7 +269,7 @@ SurfaceDerivatives Geometry::derivatives(const Hit& hit) const {
 bool Geometry::occluded(const Ray& ray) const {
     const Line line{Vec3d(ray.origin), Vec3d(ray.direction)};
     if (!is_traceable(line, ray.length)) return false;
-    Query query(line, impl_->instances, impl_->first_instance());
+    Query query(line, 0, impl_->instances, impl_->first_instance());
     RTCRay embree;
     set_ray(embree, line, ray.length);
     rtcOccluded1(impl_->world.scene.get(), &query, &embree);

@@ -60,13 +60,14 @@ struct GeometryInput {
 struct Meeting {
     Vec3d origin{0};  // of the ray
     Vec3d direction{0};
+    double walked = 0;            // from there to where the trace began
     std::uint32_t shape = kNone;  // none: the ray meets nothing
     std::uint32_t primitive = 0;
     std::uint32_t instance = kNone;
     bool precise = false;  // asked for by meet_precise()
     AlphaTest alpha_test = AlphaTest::by_chance;
     Vec2 weights{0};  // Embree's, of corners 1 and 2
-    double t = 0;     // of a shape that is intersected exactly
+    double t = 0;     // of a shape that is intersected exactly, from where the trace began
 };
 
 /// Left out, for nothing can be hit there: triangles without area, with a corner that is not
@@ -90,7 +91,8 @@ public:
     std::optional<Hit> intersect(const Ray& ray) const;
     /// The nearest surface for a ray that starts far away (a camera or a sun 10 km off), as if all
     /// were done in double: see the definition for the how. Costs up to four traces when the hit is
-    /// far compared with the precision that floats have at the hit, one otherwise.
+    /// far compared with the precision that floats have at the hit, one otherwise. A ray that
+    /// starts a thousand sizes of the scene away costs no more than one from near.
     /// @param direction  unit.
     std::optional<Hit> intersect_precise(const Vec3d& origin, const Vec3d& direction) const;
     /// intersect() and intersect_precise() in two halves, with time between them: the first asks

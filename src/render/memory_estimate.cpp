@@ -15,12 +15,12 @@ struct MemoryLaw {
 // Fitted to cornell, box, cognac-0 and iced-tea of 64 to 1024 pixels a side (docs/render.md);
 // photons are traced some at a time, so that more of them in a pass take no more memory.
 constexpr std::uint64_t kMebibyte = 1 << 20;
-constexpr MemoryLaw kReference{16 * kMebibyte, 170};
+constexpr MemoryLaw kReference{16 * kMebibyte, 220};
 constexpr MemoryLaw kPaper{48 * kMebibyte, 500};
-constexpr MemoryLaw kDefault{48 * kMebibyte, 1600};
+constexpr MemoryLaw kDefault{48 * kMebibyte, 1650};
 
 /// Of a layer's channel, in film, pass and picture.
-constexpr std::uint64_t kPerChannel = 32;
+constexpr std::uint64_t kPerChannel = 48;
 
 const MemoryLaw& law_of(const RenderSettings& settings) {
     if (settings.integrator != Integrator::sppm) return kReference;

@@ -11,24 +11,28 @@ namespace {
 
 using Shapes = std::vector<ShapeDescription>;
 
-std::vector<Bounds> boxes_of(const Shapes& shapes, bool emitting) {
+std::vector<Bounds> boxes_of(const Shapes& shapes) {
     std::vector<Bounds> boxes;
-    for (const ShapeDescription& shape : shapes)
-        if (shape.emission.has_value() == emitting) boxes.push_back(bounds_of(shape.placed));
+    boxes.reserve(shapes.size());
+    for (const ShapeDescription& shape : shapes) boxes.push_back(bounds_of(shape.placed));
     return boxes;
 }
 
-std::vector<Bounds> boxes_of_instances(const SceneDescription& scene) {
+/// Boxes in the world of all instances and of the shapes that do not emit (a sun or a dome says
+/// little about where things are); of the shapes that do, if there is nothing else.
+std::vector<Bounds> boxes_of_world(const SceneDescription& scene) {
+    const std::vector<Bounds> of_shapes = boxes_of(scene.shapes);
+    std::vector<Bounds> boxes;
+    for (std::size_t i = 0; i < of_shapes.size(); ++i)
+        if (!scene.shapes[i].emission) boxes.push_back(of_shapes[i]);
     std::vector<Bounds> objects;
     for (const Shapes& object : scene.objects) {
         Bounds& box = objects.emplace_back();
-        for (const ShapeDescription& shape : object) box.extend(bounds_of(shape.placed));
+        for (const Bounds& of_shape : boxes_of(object)) box.extend(of_shape);
     }
-    std::vector<Bounds> boxes;
-    boxes.reserve(scene.instances.size());
     for (const InstanceDescription& instance : scene.instances)
         boxes.push_back(image_of(objects[instance.object], Affine(instance.to_world)));
-    return boxes;
+    return boxes.empty() ? of_shapes : boxes;
 }
 
 void move(Matrix& to_world, const Vec3d& by) {
@@ -52,13 +56,11 @@ void move(Shapes& shapes, const Vec3d& by) {
     for (ShapeDescription& shape : shapes) move(shape.placed.to_world, by);
 }
 
-/// Shapes of an object are near the origin of its frame from then on; its instances make up for it.
+/// Moves the shapes of each object near the origin of its frame, and its instances back by as much.
 void move_objects(SceneDescription& scene) {
     std::vector<Vec3d> origins;
     for (Shapes& object : scene.objects) {
-        std::vector<Bounds> boxes;
-        for (const ShapeDescription& shape : object) boxes.push_back(bounds_of(shape.placed));
-        origins.push_back(origin_near(middle_of(boxes)));
+        origins.push_back(origin_near(middle_of(boxes_of(object))));
         move(object, -origins.back());
     }
     for (InstanceDescription& instance : scene.instances) {
@@ -75,17 +77,9 @@ void move_covers(Shapes& shapes, const Vec3d& origin) {
 
 }  // namespace
 
-Vec3d rendering_origin(const SceneDescription& scene) {
-    std::vector<Bounds> boxes = boxes_of(scene.shapes, false);
-    const std::vector<Bounds> placed = boxes_of_instances(scene);
-    boxes.insert(boxes.end(), placed.begin(), placed.end());
-    if (boxes.empty()) boxes = boxes_of(scene.shapes, true);
-    return origin_near(middle_of(boxes));
-}
-
 Vec3d move_to_rendering_space(SceneDescription& scene) {
     move_objects(scene);
-    const Vec3d origin = rendering_origin(scene);
+    const Vec3d origin = origin_near(middle_of(boxes_of_world(scene)));
     if (origin == Vec3d(0)) return origin;
     move(scene.shapes, -origin);
     for (InstanceDescription& instance : scene.instances) move(instance.to_world, -origin);

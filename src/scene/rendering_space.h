@@ -12,12 +12,9 @@
 
 namespace sunfleck {
 
-/// Where the world's middle is to be: origin_near() the shapes and instances that do not emit (a
-/// sun or a dome says little about where things are), or of all if all emit.
-Vec3d rendering_origin(const SceneDescription& scene);
-
-/// Moves all there is: shapes, instances, lights, the camera, the frames of objects.
-/// @return rendering_origin() before the move.
+/// Moves shapes, instances, lights, the camera and the frames of objects.
+/// @return where the origin of rendering space is in the world: origin_near() the middle of what
+/// does not emit, or of what does if there is nothing else.
 Vec3d move_to_rendering_space(SceneDescription& scene);
 
 }  // namespace sunfleck

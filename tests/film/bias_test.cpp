@@ -46,7 +46,7 @@ TEST(Bias, of_a_line_without_noise_is_found) {
     const Film film = line_film(line_key(9, 9, 1), passes, line);
     double area = 0;
     for (const std::uint32_t pass : passes)
-        area += film.share_of_round(pass / kRoundPasses) * weight_of_round(pass / kRoundPasses) *
+        area += film.share_of_pass(pass) * weight_of_round(pass / kRoundPasses) *
                 std::pow(radius_factor(pass, 2.0 / 3), 2) / film.picture_weight();
     const auto pixels = pixel_biases(film);
     ASSERT_EQ(pixels.size(), 81U);

@@ -22,7 +22,8 @@ double area(std::uint32_t pass) {
     return std::pow(radius_factor(pass, 2.0 / 3), 2);
 }
 
-/// Rounds 0, 1, 3 to 5, and of 2 and 7 six passes and one, which count less in the picture.
+/// Rounds 0, 1, 3 to 5, and of 2 and 7 six passes and one, which count less in the picture: four
+/// passes, two whose group is incomplete, and one.
 TEST(DiscAreas, are_sums_over_rounds_and_passes) {
     std::vector<std::uint32_t> passes = numbers(0, 36);
     for (const std::uint32_t pass : numbers(46, 96)) passes.push_back(pass);
@@ -41,7 +42,8 @@ TEST(DiscAreas, are_sums_over_rounds_and_passes) {
     double of_picture = 0;
     double count = 0;
     for (const std::uint32_t pass : passes) {
-        const double share = pass / 16 == 2 ? 6.0 / 16 : pass / 16 == 7 ? 1.0 / 16 : 1;
+        const double of_round_2 = pass < 36 ? 1.0 / 4 : 0;
+        const double share = pass / 16 == 2 ? of_round_2 : pass / 16 == 7 ? 1.0 / 64 : 1;
         of_picture += share * area(pass);
         count += share;
     }

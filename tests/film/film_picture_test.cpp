@@ -77,12 +77,12 @@ double wavelength_error(std::uint32_t passes, std::uint32_t late_weight) {
     return std::sqrt(squares);
 }
 
-/// A seventeenth pass that counted like the others, or four times, made 3.7 and 12.7%.
-TEST(FilmPicture, of_few_passes_beyond_a_round_is_hardly_off_by_their_wavelengths) {
+/// Passes that count like the others, or four times, made up to 3.7 and 12.7%.
+TEST(FilmPicture, of_passes_beyond_a_round_is_hardly_off_by_their_wavelengths) {
     EXPECT_LT(wavelength_error(16, 1), 0.004);
-    for (const std::uint32_t passes : {17U, 20U, 24U, 33U}) {
-        EXPECT_LT(wavelength_error(passes, 1), 0.005) << passes;
-        EXPECT_LT(wavelength_error(passes, 4), 0.014) << passes;
+    for (std::uint32_t passes = 17; passes < 32; ++passes) {
+        EXPECT_LT(wavelength_error(passes, 1), 0.008) << passes;
+        EXPECT_LT(wavelength_error(passes, 4), 0.015) << passes;
     }
 }
 

@@ -249,6 +249,23 @@ TEST(Geometry, small_things_are_right_from_ten_kilometres) {
     EXPECT_GT(coarse, 5000);  // what floats alone make of it
 }
 
+/// A float ray from there starts some tenth of the ball beside its mark, if not more.
+TEST(Geometry, rays_from_afar_meet_what_rays_from_near_meet) {
+    const Geometry geometry = of_one(test::bumpy_ball(40, 0.1, true));
+    Dice dice(25);
+    for (const double away : {1e4, 1e6, 1e9})
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3d towards = dice.direction();
+            const Vec3d aim = dice.direction() * 0.8;
+            const auto near_it = geometry.intersect_precise(aim - towards * 4, towards);
+            const auto afar = geometry.intersect_precise(aim - towards * away, towards);
+            ASSERT_TRUE(near_it && afar);
+            EXPECT_LT(distance(Vec3d(near_it->position), Vec3d(afar->position)),
+                      away * 0x1p-46 + 1e-5);
+            EXPECT_NEAR(afar->distance, away, 4 + away * 0x1p-23);
+        }
+}
+
 TEST(Geometry, precise_hits_of_near_things_are_the_plain_ones) {
     const Geometry geometry = of_one(test::bumpy_ball(10, 0.1, true));
     Dice dice(24);

@@ -59,10 +59,10 @@ TEST(Ranks, all_hear_the_text_of_the_lowest_that_has_one) {
 }
 
 TEST(FilmTransfer, a_film_arrives_as_it_is) {
-    std::vector<std::uint32_t> passes = numbers(3, 40);  // a round, and two that are open
+    std::vector<std::uint32_t> passes = numbers(3, 40);  // a round, and three that are open
     passes.push_back(70);
     const Film film = film_of(small_key(), passes);
-    ASSERT_EQ(film.sums().open_rounds.size(), 3U);
+    ASSERT_EQ(film.sums().open_groups.size(), 6U);
     on_ranks(2, [&](const Ranks& ranks) {
         if (!ranks.is_first()) return send_film(ranks, 0, film);
         const Film arrived = receive_film(ranks, 1);
@@ -70,8 +70,8 @@ TEST(FilmTransfer, a_film_arrives_as_it_is) {
     });
 }
 
-/// docs/clusters.md: 160.5 bytes a pixel, 48.75 for an open round, some hundreds for the
-/// head; 64.25 and 48 without discs; 48 for a layer of lights.
+/// docs/clusters.md: 160.5 bytes a pixel, 48.75 for each group of an open round, some hundreds for
+/// the head; 64.25 and 48 without discs; 48 for a layer of lights.
 TEST(FilmTransfer, sends_the_sums_and_little_more) {
     FilmKey key = small_key(64, 64);
     key.layers = {};
@@ -87,11 +87,11 @@ TEST(FilmTransfer, sends_the_sums_and_little_more) {
     };
     constexpr double kPixels = 64.0 * 64;
     EXPECT_NEAR(static_cast<double>(sent(0, 16)), 160.5 * kPixels + 300, 200);
-    EXPECT_NEAR(static_cast<double>(sent(5, 20)), (160.5 + 97.5) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(5, 20)), (160.5 + 4 * 48.75) * kPixels + 300, 200);
     key.alpha = 0;
     EXPECT_NEAR(static_cast<double>(sent(0, 16)), 64.25 * kPixels + 300, 200);
     EXPECT_NEAR(static_cast<double>(sent(0, 20)), (64.25 + 48) * kPixels + 300, 200);
-    EXPECT_NEAR(static_cast<double>(sent(5, 20)), (64.25 + 96) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(5, 20)), (64.25 + 4 * 48) * kPixels + 300, 200);
     key.light_layers = {"sun", "lamp"};
     EXPECT_NEAR(static_cast<double>(sent(0, 16)), (64.25 + 2 * 48) * kPixels + 300, 200);
 }

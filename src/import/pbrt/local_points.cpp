@@ -18,6 +18,20 @@ double float_step(double size) {
     return std::ldexp(1.0, exponent - 24);
 }
 
+/// Were the points rounded to floats? Then all of them are floats, and some of the coordinates that
+/// have that step are odd multiples of it; those of a mesh on whole numbers, say, are not.
+bool are_rounded(const LocalPoints& local, std::span<const std::uint32_t> used, double step) {
+    bool any_odd = false;
+    for (const std::uint32_t i : used) {
+        const Vec3d point = Vec3d(local.points[i]) + local.origin;
+        if (Vec3d(Vec3(point)) != point) return false;
+        for (int axis = 0; axis < 3; ++axis)
+            any_odd |=
+                float_step(point[axis]) == step && std::remainder(point[axis], 2 * step) != 0;
+    }
+    return any_odd;
+}
+
 }  // namespace
 
 LocalPoints local_points(const std::vector<Vec3d>& points, std::span<const std::uint32_t> used) {
@@ -40,15 +54,14 @@ std::string coarseness_of(const LocalPoints& local,
     for (const auto& corners : triangles)
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3d from(local.points[corners.at(k)]);
-            const Vec3d point = from + local.origin;
-            if (Vec3d(Vec3(point)) != point) return {};
-            size = std::max(size, largest_of(point));
+            size = std::max(size, largest_of(from + local.origin));
             const double edge = (Vec3d(local.points[corners.at((k + 1) % 3)]) - from).length();
             length += edge;
             count += edge > 0 ? 1 : 0;
         }
     const double step = float_step(size);
     if (count == 0 || !(step * 8 > length / static_cast<double>(count))) return {};
+    if (!are_rounded(local, all_corners(triangles), step)) return {};
     std::array<char, 64> numbers{};
     std::snprintf(numbers.data(), numbers.size(), "%.2g, edges some %.2g", step,
                   length / static_cast<double>(count));

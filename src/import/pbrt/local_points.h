@@ -33,9 +33,8 @@ std::span<const std::uint32_t> all_corners(const std::vector<std::array<std::uin
     return {faces.empty() ? nullptr : faces.front().data(), N * faces.size()};
 }
 
-/// What is wrong with points far from the origin that were written with too few digits: all of
-/// them are floats, whose steps there are no less than an eighth of the mean length of an edge.
-/// Empty if nothing is.
+/// What is wrong with points far from the origin that were rounded to floats, whose steps there are
+/// more than an eighth of the mean length of an edge. Empty if nothing is.
 std::string coarseness_of(const LocalPoints& local,
                           const std::vector<std::array<std::uint32_t, 3>>& triangles);
 

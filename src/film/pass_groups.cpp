@@ -1,0 +1,46 @@
+// Which passes are spread evenly, and what they are worth.
+#include "film/pass_groups.h"
+
+#include "math/wavelengths.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sunfleck {
+namespace {
+
+/// Passes of a round at which groups begin and end.
+constexpr std::array<std::uint64_t, 7> kEnds = {0, 1, 2, 4, 8, 12, kRoundPasses};
+
+}  // namespace
+
+PassRange group_of(const PassSet& passes, std::uint64_t pass) {
+    const std::uint64_t round = pass / kRoundPasses * kRoundPasses;
+    std::size_t next = 1;
+    while (next < kEnds.size() && passes.count_in({round, round + kEnds[next]}) == kEnds[next])
+        ++next;
+    if (pass < round + kEnds[next - 1]) return {round, round + kEnds[next - 1]};
+    while (pass >= round + kEnds[next]) ++next;
+    return {round + kEnds[next - 1], round + kEnds[next]};
+}
+
+std::vector<PassRange> open_groups(const PassSet& passes) {
+    std::vector<PassRange> groups;
+    for (const PassRange& range : passes.ranges())
+        for (std::uint64_t pass = range.begin; pass < range.end;) {
+            const PassRange group = group_of(passes, pass);
+            const bool known = !groups.empty() && groups.back() == group;
+            if (group.size() < kRoundPasses && !known) groups.push_back(group);
+            pass = group.end;
+        }
+    return groups;
+}
+
+double share_of_group(const PassSet& passes, const PassRange& group) {
+    constexpr double kEnough = 8;
+    if (passes.count_in(group) < group.size()) return 0;
+    const double part = std::min(1.0, static_cast<double>(group.size()) / kEnough);
+    return part * part;
+}
+
+}  // namespace sunfleck
