@@ -38,8 +38,7 @@ enum class AlphaTest : std::uint8_t {
 struct PlacedShape {
     Shape shape;
     Matrix to_world;        // object frame to world (or to the frame of the object that holds it)
-    bool flip = false;      // ReverseOrientation: the normal side is the other one (mirroring
-                            // matrices need nothing here: normals stay on the object-space side)
+    bool flip = false;      // the normal side is the other one of the object frame
     Cover cover = nullptr;  // null: all of it is there
 };
 

@@ -129,6 +129,15 @@ bool take_alpha(const Statement& statement, Reading& reading, ShapeDescription& 
     return true;
 }
 
+/// Quadrics and curves are met in their own frame, where pbrt turns the normal if the matrix
+/// mirrors: a mirrored sphere has its normal inside. Meshes and patches keep the side of their own
+/// frame, and so do emitters, whose light pbrt samples on that side.
+bool turns_where_mirrored(const PlacedShape& placed) {
+    return !std::holds_alternative<TriangleMesh>(placed.shape) &&
+           !std::holds_alternative<BilinearMesh>(placed.shape) &&
+           Affine(placed.to_world).determinant() < 0;
+}
+
 /// Hair comes as one statement a curve: what goes on from the shape before is added to that.
 bool joined(ShapeDescription& before, ShapeDescription& shape) {
     auto* first = std::get_if<Curves>(&before.placed.shape);
@@ -156,6 +165,8 @@ void add_shape(const Statement& statement, Reading& reading) {
                     translation(made.origin) * reading.still_matrix(statement.where),
                     state.reverse_orientation};
     shape.emission = emission_here(statement, shape.placed.shape, reading);
+    if (!shape.emission && turns_where_mirrored(shape.placed))
+        shape.placed.flip = !shape.placed.flip;
     shape.material = state.material;
     shape.where = statement.where;
     shape.media = {reading.media.number_of(state.inside_medium, statement.where),

@@ -71,6 +71,23 @@ TEST(Transforms, blocks_bring_matrix_and_orientation_back) {
     EXPECT_FALSE(scene.shapes[2].placed.flip);
 }
 
+/// As pbrt-v4 does: quadrics in their own frame, meshes by their corners in the world.
+TEST(Transforms, that_mirror_turn_the_normals_of_quadrics_and_curves_alone) {
+    const auto is_turned = [](const std::string& before, const std::string& shape) {
+        return read_world(before + " Shape " + shape).shapes[0].placed.flip;
+    };
+    const std::string mesh =
+        R"("trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0] "integer indices" [0 1 2])";
+    for (const std::string shape : {R"("sphere")", R"("disk")", R"("cylinder")"}) {
+        EXPECT_TRUE(is_turned("Scale 1 1 -1", shape)) << shape;
+        EXPECT_FALSE(is_turned("ReverseOrientation Scale 1 1 -1", shape)) << shape;
+        EXPECT_FALSE(is_turned("Scale -1 -1 1", shape)) << shape;
+        EXPECT_FALSE(is_turned("AreaLightSource \"diffuse\" Scale 1 1 -1", shape)) << shape;
+    }
+    EXPECT_FALSE(is_turned("Scale 1 1 -1", mesh));
+    EXPECT_TRUE(is_turned("ReverseOrientation Scale 1 1 -1", mesh));
+}
+
 TEST(Transforms, motion_stands_in_the_middle_and_says_so) {
     const SceneDescription scene = read_world(
         "ActiveTransform StartTime Translate 1 0 0 ActiveTransform EndTime "
