@@ -22,7 +22,7 @@ double end_of_grace(double seconds) {
 
 /// A pass of the sampler `uniform` takes 1.2 to 2.8 times as long as its camera paths (cornell,
 /// cognac-1, window-room, iced-tea, watch, statue-near; 256 and 1024 pixels a side).
-constexpr double kPassOfView = 1.6;
+constexpr double kPassOfView = 2;
 
 /// Share of photon paths that brought light.
 double share_bringing(const Film& film) {
