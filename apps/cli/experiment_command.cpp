@@ -15,6 +15,10 @@
 namespace sunfleck {
 namespace {
 
+constexpr InterruptAnswer kExperimentAnswer{
+    .first = "ending the render that runs; once more: quit at once",
+    .lost = "quit: the render that ran is lost"};
+
 std::vector<Figure> chosen(const std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), "all") != names.end()) return figures();
     std::vector<Figure> some;
@@ -48,8 +52,7 @@ int run_experiment(const ExperimentOptions& options) {
     RunSettings settings = options.run;
     settings.program = std::filesystem::read_symlink("/proc/self/exe").string();
     const CellStore store(settings);
-    const InterruptGuard guard({"ending the render that runs; once more: quit at once",
-                                "quit: the render that ran is lost"});
+    const InterruptGuard guard(kExperimentAnswer);
     try {
         run_figures(store, wanted, &InterruptGuard::interrupted(), say_progress);
     } catch (const Interrupted&) {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 namespace sunfleck {
@@ -70,6 +71,19 @@ void print_words(const std::vector<UsedWord>& words) {
     }
 }
 
+/// At default settings. Reading the scene may have taken more than rendering it will.
+void print_memory(const Scene& scene) {
+    const std::uint64_t of_scene = memory_in_use();
+    const MemoryEstimate render = render_bytes({scene, {}, {}});
+    const auto text = [&](std::uint64_t bytes) {
+        return memory_text(std::max(most_memory_in_use(), of_scene + bytes));
+    };
+    fmt::print(
+        "memory      about {} to render, {} of them for the scene; up to {} if noise asks for "
+        "many camera paths a pixel\n",
+        text(render.usual), memory_text(of_scene), text(render.most));
+}
+
 void print_vocabulary() {
     for (const std::string_view directive : vocabulary_directives())
         fmt::print("{}\n", vocabulary_table(directive));
@@ -108,9 +122,7 @@ int run_info(const InfoOptions& options) {
     const PixelWindow window = window_of(scene.film());
     fmt::print("film        {} x {}, rendered {} x {}\n", scene.film().resolution.x,
                scene.film().resolution.y, window.width(), window.height());
-    fmt::print("memory      about {} to render, {} of them for the scene\n",
-               memory_text(memory_in_use() + render_bytes({scene, {}, {}})),
-               memory_text(memory_in_use()));
+    print_memory(scene);
     if (scene.hints().integrator == "sppm")  // any other one is told by a warning
         fmt::print("integrator  \"sppm\", as here\n");
     print_words(words);

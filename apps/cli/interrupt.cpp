@@ -22,13 +22,12 @@ std::atomic<bool> interrupted_flag{false};
 std::atomic<std::int64_t> interrupted_at{0};  // of the first
 std::atomic<bool> busy_flag{false};           // ends after the task of finish_first()
 std::atomic<bool> ending_flag{false};         // asked twice while busy
-std::atomic<const char*> first_words{nullptr};
-std::atomic<const char*> lost_words{nullptr};
+std::atomic<const InterruptAnswer*> present_answer{nullptr};  // set while there is a guard
 
 // Or a signal handler may not use them.
 static_assert(std::atomic<bool>::is_always_lock_free);
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
-static_assert(std::atomic<const char*>::is_always_lock_free);
+static_assert(std::atomic<const InterruptAnswer*>::is_always_lock_free);
 
 std::int64_t nanoseconds() {
     timespec now{};
@@ -40,18 +39,23 @@ void say_if_any(const char* words) {
     if (words != nullptr) say(words);
 }
 
+[[noreturn]] void end_at_once() {
+    remove_own_temporaries();
+    _exit(kInterruptedExit);
+}
+
 void on_signal(int signal) {
     const std::int64_t now = nanoseconds();
+    const InterruptAnswer& answer = *present_answer.load();
     if (!interrupted_flag.exchange(true)) {
         interrupted_at = now;
-        say_if_any(first_words);
+        say_if_any(answer.first);
+        if (answer.ends) end_at_once();
         return;
     }
     if (signal == SIGHUP || now - interrupted_at < kApart) return;
-    if (!ending_flag.exchange(true)) say_if_any(lost_words);
-    if (busy_flag) return;
-    remove_own_temporaries();
-    _exit(kInterruptedExit);
+    if (!ending_flag.exchange(true)) say_if_any(answer.lost);
+    if (!busy_flag) end_at_once();
 }
 
 bool is_ignored(int signal) {
@@ -61,10 +65,10 @@ bool is_ignored(int signal) {
 
 }  // namespace
 
-InterruptGuard::InterruptGuard(const InterruptWords& words) {
+InterruptGuard::InterruptGuard(const InterruptAnswer& answer) {
     interrupted_flag = false;
     ending_flag = false;
-    set_words(words);
+    set_answer(answer);
     for (const int signal : kSignals)
         if (!is_ignored(signal)) std::signal(signal, on_signal);
 }
@@ -74,18 +78,15 @@ InterruptGuard::~InterruptGuard() {
         if (!is_ignored(signal)) std::signal(signal, SIG_DFL);
 }
 
-void InterruptGuard::set_words(const InterruptWords& words) {
-    first_words = words.first;
-    lost_words = words.lost;
+void InterruptGuard::set_answer(const InterruptAnswer& answer) {
+    present_answer = &answer;
 }
 
 void InterruptGuard::finish_first(const std::function<void()>& task) {
     busy_flag = true;
     task();
     busy_flag = false;
-    if (!ending_flag) return;
-    remove_own_temporaries();
-    _exit(kInterruptedExit);
+    if (ending_flag) end_at_once();
 }
 
 const std::atomic<bool>& InterruptGuard::interrupted() {

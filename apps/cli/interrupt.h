@@ -1,4 +1,5 @@
-// Signals that ask a command to end: the first ends it after the step that runs, the next at once.
+// Signals that ask a command to end: the first ends it after the step that runs, or at once where
+// nothing would be lost; the next ends it at once.
 #pragma once
 
 #include <atomic>
@@ -6,27 +7,29 @@
 
 namespace sunfleck {
 
-/// What is said when a signal comes; null: nothing. The texts outlive the guard.
-struct InterruptWords {
+/// How signals are answered. Null texts: nothing is said.
+struct InterruptAnswer {
     const char* first = nullptr;  // what is done before the end
-    const char* lost = nullptr;   // what a second one has lost
+    const char* lost = nullptr;   // what a second signal has lost
+    bool ends = false;            // the first one ends the program: there is nothing to finish
 };
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP set interrupted(). A second SIGINT or SIGTERM ends
-/// the program (130), if it comes at least a second after the first: a terminal that closes sends
-/// several, and impatient fingers do. Signals that were ignored before stay ignored, as `nohup` and
-/// shells want it.
+/// While it lives, SIGINT, SIGTERM and SIGHUP set interrupted(), or end the program (130) if the
+/// answer says so. A second SIGINT or SIGTERM ends it, if it comes at least a second after the
+/// first: a terminal that closes sends several, and impatient fingers do. Signals that were ignored
+/// before stay ignored, as `nohup` and shells want it.
 class InterruptGuard {
 public:
-    explicit InterruptGuard(const InterruptWords& words);
+    /// @param answer  outlives the guard, as those below do.
+    explicit InterruptGuard(const InterruptAnswer& answer);
     ~InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
     InterruptGuard(InterruptGuard&&) = delete;
     InterruptGuard& operator=(InterruptGuard&&) = delete;
 
-    /// What is to be said from now on.
-    static void set_words(const InterruptWords& words);
+    /// How signals are answered from now on.
+    static void set_answer(const InterruptAnswer& answer);
     static const std::atomic<bool>& interrupted();
     /// Calls task(), which a second signal does not cut short (so that it leaves no half of a
     /// file); the program ends after it.

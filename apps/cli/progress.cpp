@@ -42,9 +42,10 @@ void add_error(const Progress& p, std::vector<Part>& parts) {
                                             share_text(p.error->bias))});
     } else if (p.target) {
         parts.push_back(
-            {5, fmt::format("error known from pass {} on", kTargetRounds * kRoundPasses)});
+            {5, fmt::format("error known after {} passes", kTargetRounds * kRoundPasses)});
     }
-    if (p.target) parts.push_back({4, "target " + share_text(*p.target)});
+    if (p.target)
+        parts.push_back({4, (p.error ? "target " : "target error ") + share_text(*p.target)});
 }
 
 /// Until the error is known, nobody knows when it comes to its target.
@@ -63,13 +64,12 @@ std::vector<Part> parts_of(const Progress& p) {
     add_error(p, parts);
     if (p.seconds_left) parts.push_back({3, left_text(p)});
     if (p.is_learning) parts.push_back({4, learning});
-    if (p.bringing > 0) parts.push_back({5, share_text(p.bringing) + " of photons count"});
+    if (p.bringing > 0) parts.push_back({5, share_text(p.bringing) + " of photons are seen"});
     return parts;
 }
 
 /// As much as there is room for.
-std::string progress_text(const Progress& p, std::size_t width) {
-    const std::vector<Part> parts = parts_of(p);
+std::string joined(const std::vector<Part>& parts, std::size_t width) {
     for (int last = 6; last >= 0; --last) {
         std::string text;
         for (const Part& part : parts)
@@ -148,25 +148,26 @@ void ProgressLine::draw_until_over() {
     const bool is_live = has_terminal();
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, is_live ? kLive : kPlain, [this] { return is_over_; })) {
-        if (!shown_) continue;
-        const Progress now = at_present();
+        const std::string text = text_now(is_live ? terminal_width() : kWide);
         lock.unlock();  // writing may take any time
         if (!is_live)
-            say(progress_text(now, kWide));
+            say(text);
         else if (!is_in_background())
-            draw_live_line(progress_text(now, terminal_width()));
+            draw_live_line(text);
         lock.lock();
     }
     if (is_live && !is_in_background()) draw_live_line("");
 }
 
 /// What was shown, with the time that has gone since.
-Progress ProgressLine::at_present() const {
+std::string ProgressLine::text_now(std::size_t width) const {
+    if (!shown_)
+        return joined({{0, "reading the scene"}, {1, duration_text(reading_.seconds())}}, width);
     Progress now = shown_->progress;
     const double since = shown_->since.seconds();
     now.seconds += since;
     if (now.seconds_left) now.seconds_left = std::max(0.0, *now.seconds_left - since);
-    return now;
+    return joined(parts_of(now), width);
 }
 
 }  // namespace sunfleck

@@ -24,6 +24,7 @@ std::string state_text(std::uint64_t passes, double seconds, std::optional<Targe
 
 class ProgressLine {
 public:
+    /// Until show() is called, the scene is being read.
     /// @param wanted  if not, nothing is said, whatever the terminal.
     explicit ProgressLine(bool wanted);
     /// Takes the line away, so that what is said next stands on its own.
@@ -42,11 +43,12 @@ private:
     };
 
     void draw_until_over();
-    Progress at_present() const;
+    std::string text_now(std::size_t width) const;
 
     std::mutex mutex_;  // of what follows
     std::condition_variable changed_;
     std::optional<Shown> shown_;
+    Stopwatch reading_;
     bool is_over_ = false;
     std::thread thread_;
 };

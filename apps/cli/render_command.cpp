@@ -2,10 +2,10 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/darkness.h"
 #include "apps/cli/image_stats.h"
-#include "apps/cli/interrupt.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/render_answers.h"
 #include "apps/cli/render_setup.h"
 #include "apps/cli/snapshots.h"
 #include "apps/cli/stats.h"
@@ -87,19 +87,9 @@ void keep_snapshot(const RenderSetup& setup, const RenderState& so_far, LateFaul
     });
 }
 
-enum class Step { first_pass, passes, writing };
-
-/// What a signal is answered.
-InterruptWords words_while(Step step, const RenderOptions& options) {
-    if (options.log == LogLevel::quiet) return {};
-    if (step == Step::writing)
-        return {"writing; once more: quit without what is not written yet",
-                "quit: files that are not written yet are lost"};
-    return {step == Step::first_pass
-                ? "finishing the first pass, then writing; once more: quit without"
-                : "finishing this pass, then writing; once more: quit without",
-            options.checkpoint.empty() ? "quit: the picture is lost"
-                                       : "quit: the picture is lost, but for the checkpoint"};
+RenderStep step_of(const Progress& progress) {
+    if (progress.passes > 0) return RenderStep::later_pass;
+    return progress.is_learning ? RenderStep::learning : RenderStep::first_pass;
 }
 
 /// What rank 0 does while it renders: a progress line, snapshots and checkpoints if wanted.
@@ -108,7 +98,7 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, Beside& besid
     const RenderOptions& options = setup.options;
     RenderHooks hooks;
     hooks.report = [&](const Progress& p) {
-        if (p.passes > 0) InterruptGuard::set_words(words_while(Step::passes, options));
+        InterruptGuard::set_answer(answer_while(step_of(p), options));
         line.show(p);
     };
     hooks.interrupted = &InterruptGuard::interrupted();
@@ -133,10 +123,10 @@ std::vector<std::string> doubts_of(const RenderSetup& setup, const RenderResult&
         doubts.insert(doubts.end(), lines.begin(), lines.end());
     };
     if (result.is_unlearned)
-        add(
-            {fmt::format("--time {} was over before it was known where photons are needed: this is "
-                         "one pass of --photon-sampler uniform; give it more time",
-                         duration_text(*stop.seconds))});
+        add({fmt::format(
+            "--time {} is too short to learn where photons are needed and to use it: the picture "
+            "is that of --photon-sampler uniform, noisier; give it more time",
+            duration_text(*stop.seconds))});
     // A dark scene has a black picture for sure, and that has been said.
     if (setup.scene.is_dark()) return doubts;
     add(darkness_warnings(result.film,
@@ -151,7 +141,7 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
                std::optional<ProgressLine>& line) {
     const RenderOptions& options = setup.options;
     LateFault faults(LogLevel::quiet);  // thrown when all is tried
-    InterruptGuard::set_words(words_while(Step::writing, options));
+    InterruptGuard::set_answer(answer_while(RenderStep::writing, options));
     std::vector<std::string> written;
     InterruptGuard::finish_first([&] {
         written = write_outputs(setup.outputs, result.film,
@@ -188,18 +178,22 @@ int help_render(const RenderSetup& setup, const Ranks& ranks, LogLevel log) {
 
 int run_render(const RenderOptions& asked, const Ranks& ranks) {
     const Stopwatch clock;
+    const InterruptGuard guard(answer_while(RenderStep::reading, asked));
     const ThreadLimit limit(asked.threads);
     together(ranks, [&] {
         try_threads();
         return true;
     });
+    std::optional<ProgressLine> line(std::in_place,
+                                     ranks.is_first() && asked.log == LogLevel::info);
     const auto setup = together(ranks, [&] { return prepare(options_of(asked, ranks), ranks); });
     together(ranks, [&] {
         check_same_render(ranks, key_of(setup->job));
         return true;
     });
     const RenderOptions& options = setup->options;
-    const InterruptGuard guard(words_while(Step::first_pass, options));
+    const RenderStep begin = setup->checkpoint ? RenderStep::later_pass : RenderStep::first_pass;
+    InterruptGuard::set_answer(answer_while(begin, options));
     const auto claims =
         together(ranks, [&] { return std::make_unique<OutputClaims>(written_files(*setup)); });
     if (!ranks.is_first()) return help_render(*setup, ranks, asked.log);
@@ -214,7 +208,6 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     Beside beside(options);
     std::optional<RenderState> earlier;
     if (setup->checkpoint) earlier = std::move(setup->checkpoint->state);
-    std::optional<ProgressLine> line(std::in_place, options.log == LogLevel::info);
     const RenderResult result =
         render(setup->job, hooks_of(*setup, *line, beside, facts), std::move(earlier), ranks);
     write_all(*setup, result, facts, line);

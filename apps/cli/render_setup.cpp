@@ -66,7 +66,7 @@ CommandFiles files_of(const RenderOptions& options, std::vector<std::string> rea
 
 /// @throws Error if the render, its scene being in memory, would need more than there is.
 void check_memory(const RenderJob& job, const std::optional<std::uint64_t>& limit) {
-    const std::uint64_t needed = memory_in_use() + render_bytes(job);
+    const std::uint64_t needed = memory_in_use() + render_bytes(job).usual;
     const MemoryRoom room = limit ? MemoryRoom{*limit, "--memory-limit"} : memory_room();
     if (needed <= room.bytes) return;
     const PixelWindow window = window_of(job.scene.film());

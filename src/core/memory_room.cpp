@@ -112,6 +112,10 @@ std::uint64_t memory_in_use() {
     return own_sizes()[1];
 }
 
+std::uint64_t most_memory_in_use() {
+    return number_after("/proc/self/status", "VmHWM:").value_or(0) * 1024;
+}
+
 MemoryRoom memory_room(const std::string& root) {
     const fs::path top = root.empty() ? "/" : root;
     const auto [space, memory] = own_sizes();

@@ -9,6 +9,9 @@ namespace sunfleck {
 /// Bytes of memory that this process has; zero where the system does not say.
 std::uint64_t memory_in_use();
 
+/// The most that it has had at once.
+std::uint64_t most_memory_in_use();
+
 struct MemoryRoom {
     std::uint64_t bytes = 0;  // that this process may have in all; no limit is the largest number
     std::string limit;        // what sets it

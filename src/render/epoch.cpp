@@ -16,14 +16,6 @@
 namespace sunfleck {
 namespace {
 
-std::uint32_t paths_per_pass(const PhotonSettings& settings, std::size_t pixels) {
-    constexpr std::size_t kLeast = 200'000;
-    constexpr std::size_t kOfPixel = 2;
-    constexpr std::size_t kMost = std::size_t{1} << 30U;
-    const std::size_t usual = std::min(kMost, std::max(kLeast, kOfPixel * pixels));
-    return settings.paths_per_pass.value_or(static_cast<std::uint32_t>(usual));
-}
-
 /// The first epoch is too short for a balance to pay, and for trials as large as those of others;
 /// long ones can pay for more.
 DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual,
@@ -48,15 +40,24 @@ std::uint64_t worth_learning(std::uint32_t epoch) {
 
 }  // namespace
 
+std::uint32_t usual_paths(const PhotonSettings& settings, std::size_t pixels) {
+    constexpr std::size_t kLeast = 200'000;
+    constexpr std::size_t kOfPixel = 2;
+    constexpr std::size_t kMost = std::size_t{1} << 30U;
+    const std::size_t usual = std::min(kMost, std::max(kLeast, kOfPixel * pixels));
+    return settings.paths_per_pass.value_or(static_cast<std::uint32_t>(usual));
+}
+
 bool needs_learning(const Scene& scene, const RenderSettings& settings) {
     return !scene.is_dark() && settings.integrator == Integrator::sppm &&
            settings.photon.sampler == PhotonSampler::adaptive;
 }
 
-Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass) {
-    const Stopwatch watch;
+Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
+                  const std::function<void(double)>& view_traced) {
+    Stopwatch watch;
     const PixelWindow window = window_of(scene.film());
-    const std::uint32_t paths = paths_per_pass(settings.photon, window.pixels());
+    const std::uint32_t paths = usual_paths(settings.photon, window.pixels());
     Epoch epoch{epoch_of(pass), paths, 1, 1, {}, {}, 0};
     if (scene.is_dark() && settings.integrator == Integrator::sppm) {
         epoch.paths = 0;
@@ -72,7 +73,9 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const EyePass eye{
         at_wavelengths, settings.transport,         settings.eye,
         window,         name.round(kSeenViewRound), radius_factor(first, settings.alpha)};
+    watch.lap();
     const EyeView seen = view_of(eye);
+    if (view_traced) view_traced(watch.lap());
     const PhotonView view{at_wavelengths, settings.transport, seen.index};
     const std::uint64_t work = worth_learning(epoch.number) * (paths + window.pixels());
     LightPlanner planner(view, settings.photon, name, work);

@@ -12,6 +12,8 @@
 #include "photon/photon_group.h"
 #include "render/settings.h"
 
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace sunfleck {
@@ -38,10 +40,16 @@ struct Epoch {
     double seconds = 0;
 };
 
+/// Photon paths of a pass, unless learning finds others better.
+std::uint32_t usual_paths(const PhotonSettings& settings, std::size_t pixels);
+
 /// Is there anything to learn? If not, each epoch is the same but for its number.
 bool needs_learning(const Scene& scene, const RenderSettings& settings);
 
 /// The epoch that a pass belongs to.
-Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass);
+/// @param view_traced  told the seconds that a view took: the camera paths of a pass, and their
+///                     index. Long before the end of learning.
+Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
+                  const std::function<void(double)>& view_traced = {});
 
 }  // namespace sunfleck

@@ -1,31 +1,32 @@
-// Bytes per pixel, fitted to measured peaks.
+// Sizes of what a pass and the film hold, fitted to measured peaks.
 #include "render/memory_estimate.h"
 
+#include "render/epoch.h"
+#include "render/noisy_pixels.h"
 #include "render/pass.h"
+#include "sampler/path_range.h"
+
+#include <algorithm>
 
 namespace sunfleck {
 namespace {
 
-/// A linear law for one way of rendering.
-struct MemoryLaw {
-    std::uint64_t once;       // bytes, whatever the size
-    std::uint64_t per_pixel;  // film, pass, picture, and visible points where there are any
-};
-
-// Fitted to cornell, box, cognac-0 and iced-tea of 64 to 1024 pixels a side (docs/render.md);
-// photons are traced some at a time, so that more of them in a pass take no more memory.
-constexpr std::uint64_t kMebibyte = 1 << 20;
-constexpr MemoryLaw kReference{16 * kMebibyte, 220};
-constexpr MemoryLaw kPaper{48 * kMebibyte, 500};
-constexpr MemoryLaw kDefault{48 * kMebibyte, 1650};
-
-/// Of a layer's channel, in film, pass and picture.
-constexpr std::uint64_t kPerChannel = 48;
-
-const MemoryLaw& law_of(const RenderSettings& settings) {
-    if (settings.integrator != Integrator::sppm) return kReference;
-    return settings.photon.sampler == PhotonSampler::paper ? kPaper : kDefault;
-}
+// Bytes, fitted to the scenes and sizes of docs/render.md.
+constexpr std::uint64_t kOnce = std::uint64_t{3} << 20U;
+/// Film, pass and picture; of the film, 20 bytes for a second group of passes (film/pass_groups.h).
+constexpr std::uint64_t kReferencePixel = 224;
+/// The same without groups, and a visible point with its place in the index.
+constexpr std::uint64_t kPaperPixel = 580;
+/// The same with 50 bytes for a second group.
+constexpr std::uint64_t kPixel = 650;
+/// What learning holds beside these; photons are traced when it is over.
+constexpr std::uint64_t kLearningPixel = 650;
+/// A photon path and its photons, until they are deposited.
+constexpr std::uint64_t kPath = 180;
+/// One more visible point, with its place in the index.
+constexpr std::uint64_t kPoint = 400;
+/// A channel more, in film, pass and picture.
+constexpr std::uint64_t kChannel = 48;
 
 std::uint64_t channels_of(const RenderSettings& settings) {
     std::uint64_t channels = 3 * settings.transport.light_layers.names.size();
@@ -34,12 +35,35 @@ std::uint64_t channels_of(const RenderSettings& settings) {
     return channels;
 }
 
+/// Of the renderer's own samplers.
+MemoryEstimate sppm_bytes(const RenderJob& job, std::uint64_t pixels) {
+    const PhotonSettings& photon = job.settings.photon;
+    const std::uint64_t paths = usual_paths(photon, pixels);
+    const std::uint64_t photons = kPath * std::min(paths, paths_at_once(paths));
+    if (!needs_learning(job.scene, job.settings)) {
+        const std::uint64_t all = pixels * kPixel + photons;
+        return {all, all};
+    }
+    const std::uint64_t usual = pixels * kPixel + std::max(pixels * kLearningPixel, photons);
+    if (!photon.noisy_pixels) return {usual, usual};
+    return {usual, usual + kPoint * (most_camera_paths(pixels) - pixels)};
+}
+
+MemoryEstimate bytes_of_kind(const RenderJob& job, std::uint64_t pixels) {
+    if (job.settings.integrator != Integrator::sppm)
+        return {pixels * kReferencePixel, pixels * kReferencePixel};
+    if (job.settings.photon.sampler == PhotonSampler::paper)
+        return {pixels * kPaperPixel, pixels * kPaperPixel};
+    return sppm_bytes(job, pixels);
+}
+
 }  // namespace
 
-std::uint64_t render_bytes(const RenderJob& job) {
-    const MemoryLaw& law = law_of(job.settings);
+MemoryEstimate render_bytes(const RenderJob& job) {
     const std::uint64_t pixels = window_of(job.scene.film()).pixels();
-    return law.once + pixels * (law.per_pixel + kPerChannel * channels_of(job.settings));
+    const std::uint64_t more = kOnce + pixels * kChannel * channels_of(job.settings);
+    const MemoryEstimate of_kind = bytes_of_kind(job, pixels);
+    return {of_kind.usual + more, of_kind.most + more};
 }
 
 }  // namespace sunfleck

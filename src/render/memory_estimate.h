@@ -7,9 +7,14 @@
 
 namespace sunfleck {
 
-/// Bytes beside the scene: film, picture, visible points and photons of a pass. Measured peaks are
-/// .5 to 2 times as much (docs/render.md): how many camera paths noisy pixels get is learned
-/// later.
-std::uint64_t render_bytes(const RenderJob& job);
+/// Bytes beside the scene.
+struct MemoryEstimate {
+    std::uint64_t usual = 0;
+    std::uint64_t most = 0;  // where all that can be noisy is: learned later, while it renders
+};
+
+/// Film, picture, visible points and photons of a pass. How measured peaks compare is in
+/// docs/render.md.
+MemoryEstimate render_bytes(const RenderJob& job);
 
 }  // namespace sunfleck

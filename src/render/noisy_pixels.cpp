@@ -66,6 +66,11 @@ double mean_paths(const Doublings& doublings, const PixelValues& weights) {
     return weight > 0 ? paths / weight : 1;
 }
 
+std::uint64_t most_camera_paths(std::uint64_t pixels) {
+    const auto at_level = static_cast<std::uint64_t>(kLevels.back()) * pixels;
+    return std::max<std::uint64_t>(pixels, std::min<std::uint64_t>(at_level, kMostPaths));
+}
+
 bool may_be_shared(const PixelWindow& window) {
     return window.pixels() < kMostPaths;
 }

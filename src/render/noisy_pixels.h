@@ -9,6 +9,7 @@
 #include "render/pixel_trials.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace sunfleck {
@@ -27,6 +28,9 @@ struct CameraShares {
 
 /// The mean number of camera paths of a pixel, pixels weighed so; one if all weights are zero.
 double mean_paths(const Doublings& doublings, const PixelValues& weights);
+
+/// Camera paths of a draw, at most, all pixels together.
+std::uint64_t most_camera_paths(std::uint64_t pixels);
 
 /// Are there pixels enough for shares, and not so many that there is no memory for more paths?
 bool may_be_shared(const PixelWindow& window);

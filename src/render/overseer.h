@@ -16,8 +16,10 @@ public:
     /// Passes that are next; empty if the render is over.
     PassRange next_turn();
 
-    /// The next turn begins with learning.
-    void learning_begins();
+    /// Learning begins, or is over.
+    void report_learning(bool begins);
+    /// Learning has traced camera paths like those of a pass, in so many seconds.
+    void view_traced(double seconds) { view_seconds_ = seconds; }
     /// Is learning under way, or a pass, to be cut short, so that the render ends in time? Asked on
     /// any thread during a turn.
     bool cuts_learning() const;
@@ -39,7 +41,9 @@ private:
     void ask_error(std::uint64_t end);
     bool is_over() const;
     bool is_black() const;
-    bool is_late(double grace) const;
+    double seconds_now() const { return seconds_before_ + clock_.seconds(); }
+    bool is_late() const;
+    bool leaves_no_pass() const;
     bool has_room_for_pass() const;
     double seconds_of_turn() const;
     void count_time();
@@ -57,6 +61,7 @@ private:
     double turn_began_ = 0;
     double learned_before_ = 0;  // seconds of learning, up to the turn
     double pass_seconds_ = 0;    // a rank's, in the last turn
+    double view_seconds_ = 0;    // of camera paths while learning
     std::uint64_t turn_passes_ = 0;
     double saved_at_;
     bool interrupted_ = false;

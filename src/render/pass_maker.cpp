@@ -22,10 +22,12 @@ PassMaker::PassMaker(const RenderJob& job, RenderState& state, PassHooks hooks)
 /// @return false if it was cut short.
 bool PassMaker::learn(std::uint32_t number) {
     if (epoch_ && epoch_->number == epoch_of(number)) return true;
-    if (hooks_.before_learning && needs_learning(job_.scene, job_.settings))
-        hooks_.before_learning();
-    const bool is_learned = run_unless(
-        hooks_.cuts_learning, [&] { epoch_ = learn_epoch(job_.scene, job_.settings, number); });
+    const bool is_told = hooks_.learning && needs_learning(job_.scene, job_.settings);
+    if (is_told) hooks_.learning(true);
+    const bool is_learned = run_unless(hooks_.cuts_learning, [&] {
+        epoch_ = learn_epoch(job_.scene, job_.settings, number, hooks_.view_traced);
+    });
+    if (is_told) hooks_.learning(false);
     if (is_learned) state_.seconds.learn += epoch_->seconds;
     return is_learned;
 }

@@ -18,26 +18,33 @@ RenderResult begin_of(const RenderJob& job, std::optional<RenderState> earlier) 
     return {std::move(state), false, false};
 }
 
-/// The first pass of the sampler that needs no learning, in a film of its own.
-/// @return its radius factor.
-double unlearned_pass(const RenderJob& job, RenderResult& result) {
+/// The job with the sampler that needs no learning.
+RenderJob unlearned(const RenderJob& job) {
     RenderJob plain = job;
     plain.settings.photon.sampler = PhotonSampler::uniform;
-    result.film = Film(key_of(plain));
-    result.is_unlearned = true;
-    return *PassMaker(plain, result).make(job.stop.first_pass, result.film);
+    return plain;
 }
 
 /// A turn is a pass, and goes into the film at once.
 RenderResult render_alone(const RenderJob& job, const RenderHooks& hooks, RenderResult result) {
     Overseer overseer(job, hooks, result, 1);
-    PassMaker passes(job, result,
-                     {[&] { overseer.learning_begins(); }, [&] { return overseer.cuts_learning(); },
-                      [&] { return overseer.cuts_pass(); }});
+    const PassHooks asked{[&](bool begins) { overseer.report_learning(begins); },
+                          [&](double seconds) { overseer.view_traced(seconds); },
+                          [&] { return overseer.cuts_learning(); },
+                          [&] { return overseer.cuts_pass(); }};
+    const RenderJob plain = unlearned(job);
+    std::optional<PassMaker> passes(std::in_place, job, result, asked);
     for (PassRange turn = overseer.next_turn(); turn.size() > 0; turn = overseer.next_turn()) {
-        const auto radius_factor = passes.make(static_cast<std::uint32_t>(turn.begin), result.film);
-        if (!radius_factor && result.film.pass_count() > 0) break;
-        result.radius_factor = radius_factor ? *radius_factor : unlearned_pass(job, result);
+        const auto number = static_cast<std::uint32_t>(turn.begin);
+        auto radius_factor = passes->make(number, result.film);
+        if (!radius_factor && result.film.pass_count() == 0) {
+            passes.emplace(plain, result, asked);
+            result.film = Film(key_of(plain));
+            result.is_unlearned = true;
+            radius_factor = passes->make(number, result.film);
+        }
+        if (!radius_factor) break;
+        result.radius_factor = *radius_factor;
         overseer.reached_target(turn.end);
         overseer.turn_ended(0, false);
     }

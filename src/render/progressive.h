@@ -45,13 +45,13 @@ struct RenderState {
 
 struct RenderResult : RenderState {
     bool interrupted = false;
-    /// Time was over before it was known where photons are needed: in place of the job's passes
-    /// there is its first one with the sampler `uniform`, under the key of that.
+    /// Time was too short to learn where photons are needed: in place of the job's
+    /// passes there are those of the sampler `uniform`, under the key of that.
     bool is_unlearned = false;
 };
 
 struct RenderHooks {
-    /// After each pass, or turn of several ranks, and before an epoch is learned.
+    /// After each pass, or turn of several ranks, and before and after an epoch is learned.
     std::function<void(const Progress&)> report;
     /// After 1, 2, 4, 8 ... passes and at the end; its time does not count.
     std::function<void(const RenderResult&)> snapshot;

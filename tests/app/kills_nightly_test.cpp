@@ -7,7 +7,7 @@ namespace {
 using Kills = testing_support::KillTest;
 
 TEST_F(Kills, five_hundred_lose_nothing_but_time) {
-    expect_survives(500, 30000, {"0.000001", "0.02"});
+    expect_survives(500, 8000, {"0.000001", "0.02"});
 }
 
 }  // namespace

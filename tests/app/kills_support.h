@@ -39,6 +39,8 @@ protected:
             if (now > held) ++gained_;
             held = now;
         }
+        std::printf("%d kills: %d checkpoints held more than the one before, %ld of %d passes\n",
+                    kills, gained_, static_cast<long>(held), passes);
         const Ran ran = run(render + resume() + to);
         ASSERT_EQ(ran.code, 0) << ran.err;
         EXPECT_TRUE(read_text(path("x.exr")) == read_text(path("whole.exr")));

@@ -65,6 +65,7 @@ TEST_F(MachineLimits, of_threads_are_told_with_how_many_there_are) {
 TEST_F(MachineLimits, info_tells_how_much_memory_a_render_needs) {
     const Ran ran = run({"info", "room.pbrt"});
     EXPECT_NE(ran.out.find("memory      about "), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find(" MiB to render, "), std::string::npos) << ran.out;
 }
 
 }  // namespace

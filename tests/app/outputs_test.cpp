@@ -27,9 +27,10 @@ protected:
 /// A folder that goes away under a render: the other files are written, and the fault is told.
 TEST_F(Outputs, of_which_one_cannot_be_written_leave_the_others) {
     std::filesystem::create_directory(path("away"));
-    Process process(path(""), {"render", "room.pbrt", "--quiet", "-o", "away/x.png", "-o", "x.film",
-                               "--stats", "x.json", "--passes", "1000000"});
-    ASSERT_TRUE(process.wait_for_handler());
+    Process process(
+        path(""), {"render", "room.pbrt", "--quiet", "-o", "away/x.png", "-o", "x.film", "--stats",
+                   "x.json", "--passes", "1000000", "--photon-sampler", "uniform"});
+    ASSERT_TRUE(wait_for_render());
     std::filesystem::remove_all(path("away"));
     process.send(SIGINT);
     const Ran ran = process.wait();

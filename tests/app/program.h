@@ -53,6 +53,7 @@ public:
         argv.reserve(all.size() + 1);
         for (std::string& word : all) argv.push_back(word.data());
         argv.push_back(nullptr);
+        std::fflush(nullptr);  // or the child writes once more what is held back
         pid_ = ::fork();
         if (pid_ != 0) return;
         // Whoever runs the tests may ignore them.
@@ -67,14 +68,15 @@ public:
     void send(int signal) const { ::kill(pid_, signal); }
     ::pid_t id() const { return pid_; }
 
-    /// Waits until the process catches SIGINT: the render has begun. False when it never does.
+    /// Waits until the process catches SIGHUP, the last of the signals that it minds, as a render
+    /// does that reads its scene. False when it never does.
     bool wait_for_handler() const {
         using namespace std::chrono_literals;
         for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(10ms)) {
             std::istringstream status(read_text("/proc/" + std::to_string(pid_) + "/status"));
             for (std::string line; std::getline(status, line);)
                 if (line.starts_with("SigCgt:") &&
-                    (std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1U) & 1U) != 0)
+                    (std::stoull(line.substr(7), nullptr, 16) >> (SIGHUP - 1U) & 1U) != 0)
                     return true;
         }
         return false;
@@ -124,12 +126,17 @@ protected:
 
     /// Whether a file is half-written: the claims on outputs that stand beside it are empty.
     bool is_writing() const {
-        std::error_code code;
-        for (const auto& entry : std::filesystem::directory_iterator(path("")))
-            if (const auto size = entry.file_size(code);
-                !code && size > 0 && entry.path().extension() == ".part")
-                return true;
-        return false;
+        return any_part([](std::uintmax_t size) { return size > 0; });
+    }
+
+    /// Waits until a render has read its scene: from then on it claims its outputs. False when it
+    /// never does. (It tries them before, too, for an instant.)
+    bool wait_for_render() const {
+        using namespace std::chrono_literals;
+        int seen = 0;
+        for (int i = 0; i < 6000 && seen < 2; ++i, std::this_thread::sleep_for(10ms))
+            seen = any_part([](std::uintmax_t size) { return size == 0; }) ? seen + 1 : 0;
+        return seen == 2;
     }
 
     /// Names in the folder, but for the scene.
@@ -163,6 +170,17 @@ Translate 0.2 0.3 -0.6
 Material "dielectric" "float eta" 1.5
 Shape "sphere" "float radius" 0.3
 )";
+    }
+
+private:
+    /// Is there a temporary file of such a size?
+    bool any_part(bool (*is_size)(std::uintmax_t)) const {
+        std::error_code code;
+        for (const auto& entry : std::filesystem::directory_iterator(path("")))
+            if (const auto size = entry.file_size(code);
+                !code && entry.path().extension() == ".part" && is_size(size))
+                return true;
+        return false;
     }
 };
 

@@ -121,7 +121,7 @@ TEST_F(Terminal, of_a_kind_that_erases_nothing_gets_whole_lines) {
     OnTerminal program(path(""), 80, "dumb", endless("300"));
     const std::string all = program.read_to("");
     EXPECT_EQ(all.find('\033'), std::string::npos) << all;
-    EXPECT_TRUE(all.starts_with("x.exr: 300 passes, ")) << all;
+    EXPECT_NE(all.find("x.exr: 300 passes, "), std::string::npos) << all;
     EXPECT_EQ(program.wait(), 0);
 }
 

@@ -63,7 +63,7 @@ TEST_F(Deadlines, have_seconds_left_that_are_never_negative) {
         }
     };
     EXPECT_EQ(rendered(hooks).film.pass_count(), 1U);
-    EXPECT_EQ(reports, 2) << "before learning, and after the pass";
+    EXPECT_EQ(reports, 3) << "before and after learning, and after the pass";
 }
 
 /// Passes that cannot end in time are not begun.
