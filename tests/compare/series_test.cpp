@@ -71,9 +71,10 @@ TEST_F(Series, what_is_no_series_is_refused) {
     EXPECT_NE(refusal().find("holds no .exr"), std::string::npos);
     write("x.exr", "");
     EXPECT_NE(refusal().find("has no x.json"), std::string::npos);
-    for (const char* text :
-         {"", "[1, 2]", "{\"passes\": 3}", "{\"passes\": \"x\", \"seconds\": {}}",
-          "{\"passes\": 3, \"seconds\": {\"total\": null}}"}) {
+    write("x.json", "");
+    EXPECT_NE(refusal().find("is empty"), std::string::npos) << refusal();
+    for (const char* text : {"[1, 2]", "{\"passes\": 3}", "{\"passes\": \"x\", \"seconds\": {}}",
+                             "{\"passes\": 3, \"seconds\": {\"total\": null}}"}) {
         write("x.json", text);
         EXPECT_NE(refusal().find("holds no statistics"), std::string::npos) << text;
     }

@@ -59,11 +59,22 @@ Scene instanced() {
     return Scene(read_world(text));
 }
 
+bool is_met_in_its_own_frame(const Shape& shape) {
+    return !std::holds_alternative<TriangleMesh>(shape) &&
+           !std::holds_alternative<BilinearMesh>(shape);
+}
+
 Scene written_out() {
     std::string text = kBefore;
     for (const std::string& place : kPlaces)
         text += "AttributeBegin\n" + place + kObject + "AttributeEnd\n";
-    return Scene(read_world(text));
+    SceneDescription flat = read_world(text);
+    // A matrix that mirrors turns the normals of such shapes, and an instance does not.
+    for (ShapeDescription& shape : flat.shapes)
+        if (is_met_in_its_own_frame(shape.placed.shape) &&
+            Affine(shape.placed.to_world).determinant() < 0)
+            shape.placed.flip = !shape.placed.flip;
+    return Scene(std::move(flat));
 }
 
 /// What tells the shape of a hit: its grey, in tenths and halves of them.

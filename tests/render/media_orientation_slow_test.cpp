@@ -35,9 +35,9 @@ Shape "sphere" "float radius" 0.3)";
 constexpr std::array kBodies{
     Body{"reversed_sphere", kSphere, R"(ReverseOrientation Shape "sphere" "float radius" 0.5)",
          true},
-    Body{"mirrored_sphere", kSphere, R"(Scale -1 1 1 Shape "sphere" "float radius" 0.5)", false},
+    Body{"mirrored_sphere", kSphere, R"(Scale -1 1 1 Shape "sphere" "float radius" 0.5)", true},
     Body{"mirrored_and_reversed_sphere", kSphere,
-         R"(Scale -1 1 1 ReverseOrientation Shape "sphere" "float radius" 0.5)", true},
+         R"(Scale -1 1 1 ReverseOrientation Shape "sphere" "float radius" 0.5)", false},
     Body{"mesh_wound_inwards", kOctahedron,
          R"(Shape "trianglemesh" "point3 P" [.6 0 0  -.6 0 0  0 .6 0  0 -.6 0  0 0 .6  0 0 -.6]
 "integer indices" [4 2 0  4 1 2  4 3 1  4 0 3  5 0 2  5 2 1  5 1 3  5 3 0])",

@@ -1,5 +1,6 @@
 // Scenes with surfaces that are there in part: by a fractional alpha, as one component of a mix, or
-// where a texture says so. A ball of glass under a broad lamp throws a caustic on what is named.
+// where a texture says so. They are the floor of a white room below a shining ceiling, or lie below
+// a ball of glass that throws a caustic.
 #pragma once
 
 #include "support/renders.h"
@@ -24,22 +25,41 @@ inline std::ostream& operator<<(std::ostream& out, const PartialScene& s) {
 
 namespace partial_surfaces {
 
-inline constexpr int kSize = 64;
+inline constexpr int kSize = 60;
 
-/// Looks down at the middle of the floor, below the ball.
-inline std::string above() {
-    return view("0 -2.2 1.1  0 -.35 0  0 0 1", 26, kSize);
+inline std::string quads(const std::vector<std::string>& corners,
+                         const std::string& parameters = {}) {
+    std::string all;
+    for (const std::string& p : corners)
+        all += "Shape \"trianglemesh\" " + parameters +
+               " \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [" + p + "]\n";
+    return all;
 }
 
-inline std::string lamp() {
-    return "AttributeBegin\nTranslate 0 0 3.5\nRotate 180 1 0 0\n"
+/// Down from below the ceiling at most of the floor.
+inline std::string down() {
+    return view("0 -1.5 1.8  0 -.094 0  0 0 1", 44, kSize);
+}
+
+/// Four walls below a ceiling that shines. Half of the floor's light comes by way of the walls.
+inline std::string white_room() {
+    return "AttributeBegin\nMaterial \"diffuse\" \"rgb reflectance\" [.7 .7 .7]\n" +
+           quads({"-1.6 -1.6 0  1.6 -1.6 0  1.6 -1.6 2.4  -1.6 -1.6 2.4",
+                  "-1.6 1.6 0  1.6 1.6 0  1.6 1.6 2.4  -1.6 1.6 2.4",
+                  "-1.6 -1.6 0  -1.6 1.6 0  -1.6 1.6 2.4  -1.6 -1.6 2.4",
+                  "1.6 -1.6 0  1.6 1.6 0  1.6 1.6 2.4  1.6 -1.6 2.4"}) +
+           "AreaLightSource \"diffuse\" \"rgb L\" [.3 .3 .3]\n" +
+           quads({"-1.6 -1.6 2.4  -1.6 1.6 2.4  1.6 1.6 2.4  1.6 -1.6 2.4"}) + "AttributeEnd\n";
+}
+
+/// A ball of glass below a lamp that is as wide, and a view past both.
+inline std::string caustic() {
+    return view("0 -8.5 8.5  0 0 0  0 0 1", 9.5, kSize) +
+           "AttributeBegin\nTranslate 0 0 2.7\nRotate 180 1 0 0\n"
            "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\n"
-           "Shape \"disk\" \"float radius\" 3\nAttributeEnd\n";
-}
-
-inline std::string ball() {
-    return "AttributeBegin\nTranslate 0 0 1.6\nMaterial \"dielectric\" \"float eta\" 1.5\n"
-           "Shape \"sphere\" \"float radius\" .8\nAttributeEnd\n";
+           "Shape \"disk\" \"float radius\" .45\nAttributeEnd\n"
+           "AttributeBegin\nTranslate 0 0 2.15\nMaterial \"dielectric\" \"float eta\" 1.5\n"
+           "Shape \"sphere\" \"float radius\" .5\nAttributeEnd\n";
 }
 
 /// Materials that mixes are made of.
@@ -51,7 +71,7 @@ MakeNamedMaterial "glass" "string type" "dielectric" "float eta" 1.5
 MakeNamedMaterial "pane" "string type" "thindielectric" "float eta" 1.5
 MakeNamedMaterial "satin" "string type" "conductor" "float roughness" .5 "bool remaproughness" false
 MakeNamedMaterial "varnish" "string type" "coateddiffuse" "rgb reflectance" [.6 .6 .6] "float roughness" 0
-MakeNamedMaterial "lacquer" "string type" "coatedconductor" "float interface.roughness" 0 "float conductor.roughness" 0 "string conductor.eta" "metal-Cu-eta" "string conductor.k" "metal-Cu-k"
+MakeNamedMaterial "lacquer" "string type" "coatedconductor" "float interface.roughness" 0 "float conductor.roughness" 0 "spectrum conductor.eta" "metal-Cu-eta" "spectrum conductor.k" "metal-Cu-k"
 MakeNamedMaterial "leaf" "string type" "diffusetransmission" "rgb reflectance" [.3 .3 .3] "rgb transmittance" [.3 .3 .3]
 )";
 }
@@ -74,13 +94,11 @@ inline std::string checks(const std::string& name, const std::string& low,
            low + " \"float tex2\" " + high + "\n";
 }
 
-/// A square of the floor's plane. @param parameters  such as an alpha.
+/// A square of the floor's size. @param parameters  such as an alpha.
 inline std::string sheet(double z, const std::string& parameters = {}) {
-    const std::string h = std::to_string(z);
-    return "Shape \"trianglemesh\" " + parameters +
-           " \"integer indices\" [0 1 2 0 2 3] \"point2 uv\" [0 0 1 0 1 1 0 1] \"point3 P\" [-3 "
-           "-3 " +
-           h + " 3 -3 " + h + " 3 3 " + h + " -3 3 " + h + "]\n";
+    const std::string h = ' ' + std::to_string(z) + ' ';
+    return quads({"-1.6 -1.6" + h + "1.6 -1.6" + h + "1.6 1.6" + h + "-1.6 1.6" + h},
+                 parameters + " \"point2 uv\" [0 0 1 0 1 1 0 1]");
 }
 
 inline std::string alpha(const std::string& value) {
@@ -93,12 +111,11 @@ inline std::string named(const std::string& material) {
 
 /// A closed room of that material, with a lamp that hangs in it.
 inline std::string room(const std::string& material, const std::string& parameters = {}) {
-    std::string walls;
-    for (const char* p : {"-2 -2 -2  2 -2 -2  2 2 -2  -2 2 -2", "-2 -2 2  2 -2 2  2 2 2  -2 2 2",
-                          "-2 -2 -2  2 -2 -2  2 -2 2  -2 -2 2", "2 -2 -2  2 2 -2  2 2 2  2 -2 2",
-                          "-2 -2 -2  -2 2 -2  -2 2 2  -2 -2 2", "-2 2 -2  2 2 -2  2 2 2  -2 2 2"})
-        walls += "Shape \"trianglemesh\" " + parameters +
-                 " \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [" + p + "]\n";
+    const std::string walls =
+        quads({"-2 -2 -2  2 -2 -2  2 2 -2  -2 2 -2", "-2 -2 2  2 -2 2  2 2 2  -2 2 2",
+               "-2 -2 -2  2 -2 -2  2 -2 2  -2 -2 2", "2 -2 -2  2 2 -2  2 2 2  2 -2 2",
+               "-2 -2 -2  -2 2 -2  -2 2 2  -2 -2 2", "-2 2 -2  2 2 -2  2 2 2  -2 2 2"},
+              parameters);
     return view("0 -.5 -.2  0 2 -1  0 0 1", 40, kSize) + materials() +
            "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [6 6 6]\nTranslate 0 0 1.6\n"
            "Rotate 180 1 0 0\nShape \"disk\" \"float radius\" .8\nAttributeEnd\n" +
@@ -113,7 +130,15 @@ inline std::string mixed_floor(const std::string& first, const std::string& seco
 
 inline PartialScene on_floor(const std::string& name, const std::string& statements,
                              bool has_mirror = false) {
-    return {name, above() + materials() + lamp() + ball() + statements, has_mirror};
+    return {name, down() + materials() + white_room() + statements, has_mirror};
+}
+
+inline std::vector<PartialScene> caustics() {
+    const auto below_a_ball = [](const std::string& floor) {
+        return caustic() + materials() + floor;
+    };
+    return {{"alpha_in_a_caustic", below_a_ball(named("white") + sheet(0, alpha(".5")))},
+            {"mix_in_a_caustic", below_a_ball(mixed_floor("white", "mirror", number(".5"))), true}};
 }
 
 inline std::vector<PartialScene> alphas() {
@@ -122,7 +147,7 @@ inline std::vector<PartialScene> alphas() {
         rows.push_back(on_floor(std::string("alpha_") + a, named("white") + sheet(0, alpha(a))));
     rows.push_back(
         on_floor("alpha_of_a_disk",
-                 named("white") + "Shape \"disk\" \"float radius\" 3 " + alpha(".5") + "\n"));
+                 named("white") + "Shape \"disk\" \"float radius\" 1.6 " + alpha(".5") + "\n"));
     rows.push_back(on_floor("alpha_under_an_instance",
                             "ObjectBegin \"o\"\n" + named("white") + sheet(0, alpha(".5")) +
                                 "ObjectEnd\nAttributeBegin\nRotate 30 0 0 1\n"
@@ -138,10 +163,9 @@ inline std::vector<PartialScene> alphas() {
                             named("pane") + sheet(.4) + named("white") + sheet(0, alpha(".5")),
                             true));
     rows.push_back({"alpha_seen_in_a_mirror",
-                    view("0 2.2 2  0 -.6 1.6  0 0 1", 20, kSize) + materials() + lamp() + ball() +
+                    view("0 -.7 1.3  0 -1.6 .74  0 0 1", 24, kSize) + materials() + white_room() +
                         named("white") + sheet(0, alpha(".5")) + named("mirror") +
-                        "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
-                        "\"point3 P\" [-3 -2 0 3 -2 0 3 -2 4 -3 -2 4]\n",
+                        quads({"-1.6 -1.59 0  1.6 -1.59 0  1.6 -1.59 2.4  -1.6 -1.59 2.4"}),
                     true});
     rows.push_back({"alpha_of_a_room", room(named("white"), alpha(".5"))});
     return rows;
@@ -195,7 +219,8 @@ inline std::vector<PartialScene> masks() {
 
 inline std::vector<PartialScene> partial_scenes() {
     std::vector<PartialScene> all = partial_surfaces::alphas();
-    for (auto&& rows : {partial_surfaces::mixes(), partial_surfaces::masks()})
+    for (auto&& rows :
+         {partial_surfaces::mixes(), partial_surfaces::masks(), partial_surfaces::caustics()})
         all.insert(all.end(), rows.begin(), rows.end());
     return all;
 }

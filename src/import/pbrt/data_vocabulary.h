@@ -21,7 +21,11 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
     {"Directive", "ActiveTransform TransformTimes", kApproximated,
      "motion is not simulated: things stand where they are in the middle of the exposure "
      "(`shutteropen`, `shutterclose`, `TransformTimes`), with a warning where something moves"},
-    {"Directive", "ReverseOrientation", kExact, "turns the normal side"},
+    {"Directive", "ReverseOrientation", kExact,
+     "turns the normal side. A matrix that mirrors turns it, too, for spheres, disks, cylinders "
+     "and "
+     "curves that do not emit, and not for meshes and patches, as in pbrt-v4: a sphere that is "
+     "mirrored and reversed has it outside again"},
     {"Directive", "AttributeBegin AttributeEnd TransformBegin TransformEnd", kExact,
      "save and bring back the whole graphics state, both of them, as in pbrt-v4"},
     {"Directive", "Attribute", kExact,
