@@ -16,7 +16,7 @@ namespace sunfleck::testing_support {
 struct PartialScene {
     std::string name;
     std::string text;
-    bool has_mirror = false;  // in view: light tracing cannot bring what is seen in it
+    bool has_mirror = false;  // or a smooth coat, in view: light tracing cannot bring what it shows
 };
 
 inline std::ostream& operator<<(std::ostream& out, const PartialScene& s) {
@@ -181,7 +181,8 @@ inline std::vector<PartialScene> mixes() {
     for (std::size_t i = 0; i < gather.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             rows.push_back(on_floor(gather[i] + "_and_" + gather[j],
-                                    mixed_floor(gather[i], gather[j], number(".5"))));
+                                    mixed_floor(gather[i], gather[j], number(".5")),
+                                    gather[i] == "varnish" || gather[j] == "varnish"));
     rows.push_back(on_floor("mirror_and_a_tenth_of_white",
                             mixed_floor("mirror", "white", number(".1")), true));
     rows.push_back(on_floor(
