@@ -2,8 +2,7 @@
 #include "compare/series.h"
 
 #include "core/error.h"
-#include "core/file_content.h"
-#include "image/read_file.h"
+#include "core/statistics_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,8 +22,7 @@ Snapshot read_snapshot(const fs::path& picture) {
         throw Error({picture.string()},
                     "has no " + fs::path(stats).filename().string() + " beside it",
                     "write both by sunfleck render --snapshots");
-    const std::string text = read_file(stats);
-    if (!text.starts_with("{")) refuse_other_content(text, stats, "the statistics of a render");
+    const std::string text = read_statistics_file(stats);
     try {
         const auto json = nlohmann::json::parse(text);
         Snapshot snapshot{picture.string(), json.at("passes").get<std::uint64_t>(),

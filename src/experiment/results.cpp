@@ -2,12 +2,11 @@
 #include "experiment/results.h"
 
 #include "core/error.h"
-#include "core/file_content.h"
+#include "core/statistics_file.h"
 #include "experiment/methods.h"
 #include "experiment/numbers.h"
 #include "film/luminance.h"
 #include "image/exr.h"
-#include "image/read_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,9 +26,7 @@ double number(const nlohmann::json& json, const char* name) {
 
 CellFacts read_facts(const fs::path& picture) {
     const auto path = fs::path(picture).replace_extension(".json").string();
-    const std::string text = read_file(path);
-    if (!text.starts_with("{")) refuse_other_content(text, path, "the statistics of a render");
-    const auto json = nlohmann::json::parse(text, nullptr, false);
+    const auto json = nlohmann::json::parse(read_statistics_file(path), nullptr, false);
     if (!json.is_object())
         throw Error({path}, "holds no statistics of a render",
                     "remove its folder, to render again");
