@@ -5,7 +5,7 @@
 #pragma once
 
 #include "camera/filter.h"
-#include "eye/direct_light.h"
+#include "eye/emitter_hits.h"
 #include "eye/eye_pass.h"
 #include "sampler/round_points.h"
 

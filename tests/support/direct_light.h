@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/random.h"
-#include "eye/light_sample.h"
+#include "eye/next_event_estimation.h"
 
 #include <array>
 #include <cmath>

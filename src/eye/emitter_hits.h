@@ -1,6 +1,6 @@
 // Light that comes straight from an emitter to a vertex of a camera path: what emitters send along
-// a ray, and bsdf sampling, joined with light samples (light_sample.h) by multiple importance
-// sampling.
+// a ray, and bsdf sampling, joined with light samples (next_event_estimation.h) by multiple
+// importance sampling.
 //
 // Source: Veach 1997, chapter 9 (power heuristic, exponent 2).
 #pragma once

@@ -1,5 +1,5 @@
 // Light samples and their candidates.
-#include "eye/light_sample.h"
+#include "eye/next_event_estimation.h"
 
 #include "support/direct_light_cases.h"
 

@@ -1,5 +1,5 @@
 // Candidates, and which of them is picked.
-#include "eye/light_sample.h"
+#include "eye/next_event_estimation.h"
 
 #include "sampler/sobol.h"
 

@@ -8,7 +8,7 @@
 // Source: Talbot, Cline and Egbert, Importance resampling for global illumination (EGSR 2005).
 #pragma once
 
-#include "eye/direct_light.h"
+#include "eye/emitter_hits.h"
 
 #include <array>
 

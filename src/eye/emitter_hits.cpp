@@ -1,7 +1,7 @@
 // Emitters that are met, and bsdf samples that meet them.
-#include "eye/direct_light.h"
+#include "eye/emitter_hits.h"
 
-#include "eye/light_sample.h"
+#include "eye/next_event_estimation.h"
 
 namespace sunfleck {
 void note(LightParts* parts, std::size_t light, const Spectrum& radiance) {
