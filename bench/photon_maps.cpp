@@ -5,6 +5,7 @@
 // random, paper, adaptive; and DIR/SCENE-ladder.png: the states of each set but the last, and the
 // sets themselves.
 #include "core/error.h"
+#include "eye/trace_eye_paths.h"
 #include "image/png.h"
 #include "import/load.h"
 #include "photon/paper_chain.h"

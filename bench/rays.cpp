@@ -6,6 +6,7 @@
 // measured in turn, several times, and medians are printed. docs/performance.md says how to read
 // the figures.
 #include "core/parallel.h"
+#include "eye/trace_eye_paths.h"
 #include "import/load.h"
 #include "program.h"
 #include "raw_embree.h"

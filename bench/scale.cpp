@@ -5,6 +5,7 @@
 // Each row is one variable changed, all else as in the row of the same table that is marked; times
 // are medians. docs/performance.md says how to read the figures.
 #include "core/parallel.h"
+#include "eye/trace_eye_paths.h"
 #include "measurement/visible_point_index.h"
 #include "program.h"
 #include "render/pass.h"

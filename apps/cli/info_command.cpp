@@ -5,7 +5,6 @@
 #include "import/load.h"
 #include "import/pbrt/vocabulary.h"
 #include "render/memory_estimate.h"
-#include "render/pass.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/stopwatch.h"
-#include "render/progressive.h"
+#include "render/render_hooks.h"
 
 #include <condition_variable>
 #include <mutex>

@@ -15,6 +15,7 @@
 #include "core/thread_trial.h"
 #include "image/atomic_file.h"
 #include "render/missing_light.h"
+#include "render/progressive.h"
 #include "render/shared_turn.h"
 
 #include <fmt/format.h>

@@ -9,7 +9,6 @@
 #include "image/read_file.h"
 #include "import/load.h"
 #include "render/memory_estimate.h"
-#include "render/pass.h"
 #include "scene/adjust.h"
 
 #include <fmt/format.h>

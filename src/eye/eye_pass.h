@@ -1,16 +1,9 @@
-// The eye pass: camera paths end in visible points, and in light that needs no photon.
-//
-// In:  the scene at a pass's wavelengths. Out: visible points; emission and direct light are added
-// to the pass's image.
-// Owners of light: docs/method.md has the table; measurement/visible_point.h what photons bring.
+// What the camera paths of a pass share: scene, settings, pixels and radii.
 #pragma once
 
 #include "camera/pixel_window.h"
 #include "eye/settings.h"
-#include "measurement/pass_image.h"
-#include "measurement/statistics.h"
 #include "measurement/transport.h"
-#include "measurement/visible_point.h"
 #include "sampler/round_points.h"
 #include "scene/pass_scene.h"
 
@@ -41,8 +34,5 @@ struct EyePass {
     DrawOfPass draw = {};
     int cells = 1;  // one pixel of each PixelCells of that side has paths
 };
-
-/// All camera paths of all pixels. The order of the points, list after list, is that of the pixels.
-VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics);
 
 }  // namespace sunfleck

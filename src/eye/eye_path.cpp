@@ -1,8 +1,6 @@
 // Follows one camera path; who brings which light is decided here (docs/method.md, owners).
 #include "eye/eye_path.h"
 
-#include "eye/next_event_estimation.h"
-
 #include <algorithm>
 #include <cmath>
 

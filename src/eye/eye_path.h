@@ -5,8 +5,10 @@
 #pragma once
 
 #include "camera/filter.h"
-#include "eye/emitter_hits.h"
 #include "eye/eye_pass.h"
+#include "eye/next_event_estimation.h"
+#include "measurement/pass_image.h"
+#include "measurement/visible_point.h"
 #include "sampler/round_points.h"
 
 #include <optional>

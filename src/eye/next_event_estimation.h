@@ -1,18 +1,34 @@
-// Next-event estimation: light samples from a vertex of a camera path.
+// Next event estimation: direct light at a vertex of a camera path, by light samples and a bsdf
+// sample that multiple importance sampling joins.
 //
 // At a glossy surface one of several candidates, picked by what each would bring were nothing in
 // the way: so the product of bsdf and light is sampled, whatever light and wherever on it, for the
 // price of a ray. At a diffuse one each of two has its ray: of a pick it is not the lobe that makes
 // the noise but what is in the way, most where something bright and hidden lies beside something
 // dim and seen.
-// Source: Talbot, Cline and Egbert, Importance resampling for global illumination (EGSR 2005).
+// Source: Veach 1997, chapter 9 (power heuristic, exponent 2); Talbot, Cline and Egbert,
+// Importance resampling for global illumination (EGSR 2005).
 #pragma once
 
 #include "eye/emitter_hits.h"
+#include "measurement/statistics.h"
 
 #include <array>
 
 namespace sunfleck {
+
+/// A vertex of a camera path where a rough surface scatters.
+struct EyeVertex {
+    Hit hit;
+    Frame frame;                   // shading
+    Vec3 w_from;                   // local, unit
+    const Bsdf& bsdf;              // one lane only where the path has dispersed
+    MediumNumber medium = 0;       // from which the path came
+    bool light_candidates = true;  // EyeSettings
+};
+
+/// Where light is wanted: what cannot come through the surface is not chosen from the tree.
+Receiver receiver_at(const Scene& scene, const EyeVertex& vertex);
 
 /// Numbers in [0,1) of a vertex's light samples.
 struct LightNumbers {
@@ -43,5 +59,17 @@ LightCandidates candidates_at(const PassScene& pass, const EyeVertex& vertex,
 /// What is seen of all candidates, or of the one that is picked over its probability.
 Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,
                        Statistics& statistics, LightParts* parts = nullptr);
+
+/// Light found by following one bsdf sample from a vertex to the first thing it meets: weighted
+/// for MIS with the light candidates, the sample's weight included.
+Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
+                            Statistics& statistics, LightParts* parts = nullptr);
+
+/// Weight of the strategy with density `mine` against one with density `other`, not both zero.
+/// (By their ratio, for squares of densities need not fit into a float.)
+inline float mis_weight(float mine, float other) {
+    const float ratio = other / mine;
+    return 1 / (1 + ratio * ratio);
+}
 
 }  // namespace sunfleck

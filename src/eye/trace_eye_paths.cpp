@@ -1,5 +1,5 @@
 // All pixels of a pass, in blocks.
-#include "eye/eye_pass.h"
+#include "eye/trace_eye_paths.h"
 
 #include "core/parallel.h"
 #include "eye/eye_path.h"

@@ -11,7 +11,8 @@
 // any moment either is there, whole.
 #pragma once
 
-#include "render/progressive.h"
+#include "render/render_state.h"
+#include "render/settings.h"
 
 #include <istream>
 #include <string>

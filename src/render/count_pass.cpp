@@ -1,6 +1,8 @@
 // Names of statistics, and what they are sums of.
 #include "render/count_pass.h"
 
+#include "render/epoch.h"
+
 #include <string>
 
 namespace sunfleck {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "film/film.h"
-#include "render/pass.h"
+#include "render/pass_result.h"
 
 namespace sunfleck {
 

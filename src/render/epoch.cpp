@@ -7,7 +7,6 @@
 #include "measurement/radius.h"
 #include "photon/light_groups.h"
 #include "render/balance.h"
-#include "render/pass.h"
 #include "render/trial_rounds.h"
 
 #include <algorithm>

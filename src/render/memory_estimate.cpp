@@ -3,7 +3,6 @@
 
 #include "render/epoch.h"
 #include "render/noisy_pixels.h"
-#include "render/pass.h"
 #include "sampler/path_range.h"
 
 #include <algorithm>

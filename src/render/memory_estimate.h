@@ -1,7 +1,7 @@
 // Memory that a render needs, estimated before it begins.
 #pragma once
 
-#include "render/progressive.h"
+#include "render/render_job.h"
 
 #include <cstdint>
 

@@ -2,7 +2,6 @@
 #include "render/missing_light.h"
 
 #include "photon/view_walks.h"
-#include "render/pass.h"
 #include "render/photon_trials.h"
 #include "render/trial_rounds.h"
 

@@ -3,7 +3,10 @@
 #pragma once
 
 #include "core/stopwatch.h"
-#include "render/progressive.h"
+#include "film/pass_set.h"
+#include "render/render_hooks.h"
+#include "render/render_job.h"
+#include "render/render_state.h"
 
 namespace sunfleck {
 

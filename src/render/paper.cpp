@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 #include "core/stopwatch.h"
 #include "estimate/deposit.h"
+#include "eye/trace_eye_paths.h"
 #include "photon/paper_paths.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "render/paper_memory.h"
-#include "render/pass.h"
+#include "render/pass_result.h"
 
 #include <atomic>
 

@@ -2,6 +2,7 @@
 #include "render/pass.h"
 
 #include "core/stopwatch.h"
+#include "eye/trace_eye_paths.h"
 #include "measurement/radius.h"
 #include "reference/bidirectional_integrator.h"
 #include "reference/light_integrator.h"
@@ -47,12 +48,6 @@ void render_sppm(const RenderSettings& settings, EyePass eye, const Epoch& epoch
 }
 
 }  // namespace
-
-PixelWindow window_of(const FilmDescription& film) {
-    if (!film.crop) return {0, 0, film.resolution.x, film.resolution.y};
-    const auto& c = *film.crop;
-    return {c[0], c[2], c[1], c[3]};
-}
 
 PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::uint32_t number,
                        const Epoch& epoch) {

@@ -3,14 +3,11 @@
 
 #include "core/parallel.h"
 #include "render/count_pass.h"
+#include "render/pass.h"
 
 #include <utility>
 
 namespace sunfleck {
-bool is_sequential(const RenderSettings& settings) {
-    return settings.integrator == Integrator::sppm &&
-           settings.photon.sampler == PhotonSampler::paper;
-}
 
 PassMaker::PassMaker(const RenderJob& job, RenderState& state, PassHooks hooks)
     : job_(job), state_(state), hooks_(std::move(hooks)) {

@@ -1,16 +1,15 @@
 // Passes one after the other, each added to a film.
 #pragma once
 
+#include "render/epoch.h"
 #include "render/paper.h"
-#include "render/progressive.h"
+#include "render/render_job.h"
+#include "render/render_state.h"
 
 #include <functional>
 #include <optional>
 
 namespace sunfleck {
-
-/// Does each pass build on those before?
-bool is_sequential(const RenderSettings& settings);
 
 /// What is asked and told while a pass is made. Each may be absent.
 struct PassHooks {

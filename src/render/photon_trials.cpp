@@ -1,6 +1,7 @@
 // Both views' points in one index: photons meet them as those of one pass.
 #include "render/photon_trials.h"
 
+#include "eye/trace_eye_paths.h"
 #include "render/trial_rounds.h"
 
 #include <algorithm>

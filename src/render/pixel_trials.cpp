@@ -1,6 +1,7 @@
 // Views by nets of four, and their spread within nets and between them.
 #include "render/pixel_trials.h"
 
+#include "eye/trace_eye_paths.h"
 #include "film/luminance.h"
 #include "render/trial_rounds.h"
 

@@ -83,21 +83,6 @@ RenderResult render_among(const Ranks& ranks, const RenderJob& job, const Render
 
 }  // namespace
 
-FilmKey key_of(const RenderJob& job) {
-    const PixelWindow window = window_of(job.scene.film());
-    const Vec2i whole = job.scene.film().resolution;
-    FilmKey key{window.width(),    window.height(), job.settings.layers,
-                job.settings.seed, job.scene_hash,  job.settings.text()};
-    key.settings += "resolution=" + std::to_string(whole.x) + "x" + std::to_string(whole.y) +
-                    "\nwindow=" + std::to_string(window.x0) + "," + std::to_string(window.y0) +
-                    "\n";
-    key.light_layers = job.settings.transport.light_layers.names;
-    key.sequential = is_sequential(job.settings);
-    if (job.settings.integrator == Integrator::sppm && !key.sequential)
-        key.alpha = job.settings.alpha;
-    return key;
-}
-
 void check_shareable(const RenderSettings& settings, const Ranks& ranks) {
     if (ranks.is_alone() || !is_sequential(settings)) return;
     throw Error({"--photon-sampler"},

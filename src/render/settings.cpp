@@ -13,6 +13,11 @@ void use_paper_mode(RenderSettings& settings) {
     if (!settings.eye.radius_pixels) settings.eye.radius_pixels = 2;
 }
 
+bool is_sequential(const RenderSettings& settings) {
+    return settings.integrator == Integrator::sppm &&
+           settings.photon.sampler == PhotonSampler::paper;
+}
+
 std::string RenderSettings::text() const {
     const auto optional_number = [](const auto& value) {
         return value ? fmt::format("{}", *value) : std::string("default");

@@ -63,6 +63,9 @@ struct RenderSettings {
 /// of photons (paper, section 7), of two pixels unless the user has set it.
 void use_paper_mode(RenderSettings& settings);
 
+/// Does each pass build on those before?
+bool is_sequential(const RenderSettings& settings);
+
 /// When a render ends: whichever comes first. Passes are always finished.
 struct StopSettings {
     std::uint32_t first_pass = 0;

@@ -3,6 +3,7 @@
 
 #include "camera/camera.h"
 #include "camera/filter.h"
+#include "camera/pixel_window.h"
 #include "core/warnings.h"
 #include "geometry/geometry.h"
 #include "light/light.h"
@@ -69,6 +70,13 @@ struct FilmDescription {
     std::optional<double> white;
     std::string filename;  // as the scene names it; empty when it does not
 };
+
+/// The pixels that the film renders.
+inline PixelWindow window_of(const FilmDescription& film) {
+    if (!film.crop) return {0, 0, film.resolution.x, film.resolution.y};
+    const auto& c = *film.crop;
+    return {c[0], c[2], c[1], c[3]};
+}
 
 /// What the scene asks of the renderer; the command line wins.
 struct RenderHints {

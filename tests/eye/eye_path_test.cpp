@@ -1,6 +1,7 @@
 // Where camera paths end, and with which discs.
 #include "eye/eye_path.h"
 
+#include "eye/trace_eye_paths.h"
 #include "support/visible_points.h"
 
 #include <gtest/gtest.h>

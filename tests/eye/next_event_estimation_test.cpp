@@ -148,5 +148,23 @@ TEST(LightSample, candidates_fill_the_lights_evenly) {
     }
 }
 
+TEST(MisWeight, power_heuristic_of_two) {
+    EXPECT_FLOAT_EQ(mis_weight(1, 1), 0.5F);
+    EXPECT_FLOAT_EQ(mis_weight(3, 1), 0.9F);
+    EXPECT_FLOAT_EQ(mis_weight(1, 3), 0.1F);
+    EXPECT_EQ(mis_weight(2, 0), 1);
+    EXPECT_EQ(mis_weight(0, 2), 0);
+}
+
+/// Densities run over all of float: a lamp far away is small. Squares of them do not fit.
+TEST(MisWeight, densities_of_any_size) {
+    EXPECT_EQ(mis_weight(1e30F, 1), 1);
+    EXPECT_EQ(mis_weight(1, 1e30F), 0);
+    EXPECT_FLOAT_EQ(mis_weight(3e30F, 1e30F), 0.9F);
+    EXPECT_FLOAT_EQ(mis_weight(3e-30F, 1e-30F), 0.9F);
+    EXPECT_EQ(mis_weight(1e38F, 1e-38F), 1);
+    EXPECT_EQ(mis_weight(1e-38F, 1e38F), 0);
+}
+
 }  // namespace
 }  // namespace sunfleck

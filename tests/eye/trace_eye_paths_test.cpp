@@ -1,5 +1,5 @@
 // The layers that an eye pass brings, under a limit of depth.
-#include "eye/eye_pass.h"
+#include "eye/trace_eye_paths.h"
 
 #include "support/direct_light_cases.h"
 

@@ -7,6 +7,7 @@
 #include "film/word_hash.h"
 #include "image/read_file.h"
 #include "image/temporary_folder.h"
+#include "render/progressive.h"
 #include "support/renders.h"
 
 #include <sys/resource.h>

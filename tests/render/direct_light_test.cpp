@@ -1,5 +1,4 @@
-// Direct light at a point against closed forms, for each kind of light; what hides it; the
-// weights of the two ways to find it.
+// Direct light at a point against closed forms, for each kind of light; what hides it.
 #include "math/warp.h"
 #include "support/direct_light_cases.h"
 
@@ -134,24 +133,6 @@ TEST(DirectLight, the_side_that_is_looked_at) {
     expect_irradiance(LitPoint(scene, from_below), kRadiance / 2 * of_quad(kCeiling));
 }
 
-TEST(MisWeight, power_heuristic_of_two) {
-    EXPECT_FLOAT_EQ(mis_weight(1, 1), 0.5F);
-    EXPECT_FLOAT_EQ(mis_weight(3, 1), 0.9F);
-    EXPECT_FLOAT_EQ(mis_weight(1, 3), 0.1F);
-    EXPECT_EQ(mis_weight(2, 0), 1);
-    EXPECT_EQ(mis_weight(0, 2), 0);
-}
-
-/// Densities run over all of float: a lamp far away is small. Squares of them do not fit.
-TEST(MisWeight, densities_of_any_size) {
-    EXPECT_EQ(mis_weight(1e30F, 1), 1);
-    EXPECT_EQ(mis_weight(1, 1e30F), 0);
-    EXPECT_FLOAT_EQ(mis_weight(3e30F, 1e30F), 0.9F);
-    EXPECT_FLOAT_EQ(mis_weight(3e-30F, 1e-30F), 0.9F);
-    EXPECT_EQ(mis_weight(1e38F, 1e-38F), 1);
-    EXPECT_EQ(mis_weight(1e-38F, 1e38F), 0);
-}
-
 TEST(DirectLight, lamp_on_rough_metal) {
     SceneDescription scene = floor_of(1);
     scene.shapes.push_back(lamp(quad(kCeiling), 2));
@@ -180,41 +161,6 @@ TEST(DirectLight, no_ray_to_what_the_surface_turns_away_from) {
     Statistics statistics;
     EXPECT_TRUE(point.by_light({0.5, {0.5, 0.5}, 0.5}, statistics).is_zero());
     EXPECT_EQ(statistics[Count::eye_rays], 0U);
-}
-
-/// What emitter_at() says: the side that shines, the lamp's own radiance and density.
-TEST(DirectLight, emitter_at_a_hit) {
-    SceneDescription description = floor_of();
-    description.shapes.push_back(lamp(quad(kCeiling), 2));
-    const LitPoint point(std::move(description));
-    const Scene& scene = point.scene();
-    const Vec3 from(kPoint);
-    const auto met = [&](const Vec3& origin, const Vec3& direction) {
-        const auto hit = scene.geometry().intersect({origin, direction, kInfinity});
-        const Receiver at{origin, Vec3(0)};
-        return emitter_at(point.pass(), hit.value(), &at, direction);
-    };
-    const EmitterMet front = met(from + Vec3(0, 0, 0.5F), {0, 0, 1});
-    EXPECT_EQ(front.radiance, Spectrum(2));
-    // Two triangles of area 2 and equal power: distance^2 / (cos * 2) / 2.
-    EXPECT_NEAR(front.pdf, 1.5 * 1.5 / 2 / 2, 1e-5);
-    EXPECT_TRUE(met(from + Vec3(0, 0, 3), {0, 0, -1}).radiance.is_zero());
-    EXPECT_TRUE(met(from + Vec3(5, 0, 1), {0, 0, -1}).radiance.is_zero());
-}
-
-/// All infinite lights at once, with the density of light samples of any of them.
-TEST(DirectLight, emitters_beyond) {
-    SceneDescription scene = floor_of();
-    scene.shapes.push_back(lamp(quad(kCeiling), 2));
-    for (const float radiance : {0.1F, 0.3F, 0.2F})
-        scene.lights.emplace_back(InfiniteLight{SpectralCurve::constant(radiance)});
-    const LitPoint point(std::move(scene));
-    const LightTree& tree = point.scene().light_tree();
-    const double skies =
-        tree.probability({}, 2) + tree.probability({}, 3) + tree.probability({}, 4);
-    const EmitterMet met = emitter_beyond(point.pass(), Vec3(kPoint), {0, 0, 1});
-    EXPECT_FLOAT_EQ(met.radiance[0], 0.6F);
-    EXPECT_NEAR(met.pdf, skies / (4 * kPiDouble), 1e-7);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Query and deposit agree: the index says "visible" of a photon if and only if some visible point
 // takes it, on whole passes, and it misses none.
+#include "eye/trace_eye_paths.h"
 #include "measurement/visible_point_index.h"
 #include "photon/tracer.h"
 #include "sampler/emission_points.h"

@@ -1,0 +1,30 @@
+// A render so far: its film, and all else that goes from one pass to the next.
+#pragma once
+
+#include "film/film.h"
+#include "render/paper_memory.h"
+#include "render/pass_result.h"
+
+#include <optional>
+
+namespace sunfleck {
+
+/// All that goes from one pass to the next. What adaptive sampling has learned is no part of it: an
+/// epoch's plan is learned again, to the same bits, from the number of the pass (render/epoch.h).
+struct RenderState {
+    Film film;
+    PassTimes seconds;
+    double total_seconds = 0;          // of rendering, on the wall
+    double cpu_seconds = 0;            // the same of all threads together
+    double radius_factor = 1;          // of the last pass
+    std::optional<PaperMemory> paper;  // of the sampler `paper` alone
+};
+
+struct RenderResult : RenderState {
+    bool interrupted = false;
+    /// Time was too short to learn where photons are needed: in place of the job's
+    /// passes there are those of the sampler `uniform`, under the key of that.
+    bool is_unlearned = false;
+};
+
+}  // namespace sunfleck
