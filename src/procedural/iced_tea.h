@@ -1,7 +1,7 @@
 // The scene iced-tea: a tumbler of tea with ice under a clear sky, and its light on the table.
 #pragma once
 
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <vector>
 

@@ -11,7 +11,7 @@
 
 #include "math/vector.h"
 #include "procedural/mesh.h"
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <array>
 #include <string_view>
