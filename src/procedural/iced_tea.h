@@ -7,11 +7,6 @@
 
 namespace sunfleck {
 
-/// Indices of refraction, the same at all wavelengths: soda-lime glass, water, ice.
-inline constexpr double kTumblerIndex = 1.52;
-inline constexpr double kTeaIndex = 1.333;
-inline constexpr double kIceIndex = 1.31;
-
 /// The scene's file, five meshes and the sky. Centimetres, z up.
 std::vector<SceneFile> iced_tea_scene();
 
