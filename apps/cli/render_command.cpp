@@ -11,6 +11,7 @@
 #include "apps/cli/stats.h"
 #include "apps/cli/together.h"
 #include "core/parallel.h"
+#include "core/processor.h"
 #include "core/stopwatch.h"
 #include "core/thread_trial.h"
 #include "image/atomic_file.h"

@@ -149,15 +149,11 @@ void add_render(const Film& film, const RunFacts& facts, Json& json) {
     json["rounds"] = film.rounds();
 }
 
-/// Deposits are made while tracing: "estimate" is part of "photon".
+/// Deposits are made while tracing: they are part of "photon".
 Json seconds_json(const RunFacts& facts) {
-    return {{"load", facts.load_seconds},
-            {"build", facts.seconds.build},
-            {"eye", facts.seconds.eye},
-            {"index", facts.seconds.index},
-            {"photon", facts.seconds.photon},
-            {"learn", facts.seconds.learn},
-            {"estimate", 0.0},
+    return {{"load", facts.load_seconds},     {"build", facts.seconds.build},
+            {"eye", facts.seconds.eye},       {"index", facts.seconds.index},
+            {"photon", facts.seconds.photon}, {"learn", facts.seconds.learn},
             {"total", facts.total_seconds}};
 }
 

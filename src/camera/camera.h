@@ -1,6 +1,7 @@
 // Cameras: from a point of the film, and one of the lens, to the first segment of a camera path.
 #pragma once
 
+#include "camera/screen_camera.h"
 #include "math/vector.h"
 
 #include <array>
@@ -25,18 +26,6 @@ struct CameraRay {
         constexpr double kFine = 0x1p-14;
         return footprint_angle < kFine && footprint <= kFine * origin.length();
     }
-};
-
-/// What cameras with a flat film share. Left-handed camera frame: looks along +z, x right, y up.
-struct ScreenCamera {
-    Matrix camera_to_world;
-    Vec2i resolution{1280, 720};  // of the whole film
-    /// What the film spans in camera space, at z = 1 if it is seen in perspective: x from
-    /// screen_min.x to screen_max.x.
-    Vec2d screen_min{-1.777777, -1};
-    Vec2d screen_max{1.777777, 1};
-    double lens_radius = 0;       // camera frame; 0 is a pinhole
-    double focal_distance = 1e6;  // z of the plane that is sharp, camera frame
 };
 
 /// pbrt-v4's "perspective": rays through the middle of a thin lens.

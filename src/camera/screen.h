@@ -1,7 +1,8 @@
-// What rays through a screen and their inverse share: lens, screen, and the frame of a camera.
+// Places on the film, the screen and the lens of a camera with a flat film: what rays and their
+// inverse both need.
 #pragma once
 
-#include "camera/camera.h"
+#include "camera/screen_camera.h"
 #include "math/warp.h"
 
 #include <cmath>

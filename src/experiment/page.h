@@ -3,17 +3,11 @@
 // cell.
 #pragma once
 
-#include "experiment/figure.h"
+#include "experiment/finished_figure.h"
 
 #include <vector>
 
 namespace sunfleck {
-
-struct FinishedFigure {
-    const Figure* figure = nullptr;
-    Section section;
-    std::string html;
-};
 
 /// Makes what the page shows of a figure, and writes its tables, charts and rows of pictures to the
 /// folder of the run: once, however often the page is written.

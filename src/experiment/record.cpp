@@ -1,8 +1,8 @@
 // The record of a run as JSON.
 #include "experiment/record.h"
 
+#include "experiment/figure_cells.h"
 #include "experiment/machine.h"
-#include "experiment/run.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,10 @@
 // results.json: everything that the page shows, and every cell, for programs.
 #pragma once
 
-#include "experiment/page.h"
+#include "experiment/finished_figure.h"
 
 #include <string>
+#include <vector>
 
 namespace sunfleck {
 

@@ -1,31 +1,10 @@
 // The loop over figures and cells.
 #include "experiment/run.h"
 
-#include "experiment/methods.h"
+#include "experiment/figure_cells.h"
 #include "experiment/page.h"
 
-#include <set>
-
 namespace sunfleck {
-namespace {
-
-std::vector<Cell> cells_of_one(const Figure& figure, const RunSettings& settings) {
-    std::vector<Cell> cells;
-    for (const std::string& scene : figure.scenes) cells.push_back(reference_cell(scene, settings));
-    for (Cell& cell : figure.cells(settings)) cells.push_back(std::move(cell));
-    return cells;
-}
-
-}  // namespace
-
-std::vector<Cell> cells_of(const std::vector<Figure>& figures, const RunSettings& settings) {
-    std::vector<Cell> cells;
-    std::set<std::string> seen;
-    for (const Figure& figure : figures)
-        for (Cell& cell : cells_of_one(figure, settings))
-            if (seen.insert(cell.key()).second) cells.push_back(std::move(cell));
-    return cells;
-}
 
 void run_figures(const CellStore& store, const std::vector<Figure>& figures,
                  const std::atomic<bool>* interrupted,
@@ -42,7 +21,7 @@ void run_figures(const CellStore& store, const std::vector<Figure>& figures,
     const Results results(store);
     std::vector<FinishedFigure> finished;
     for (const Figure& figure : figures) {
-        for (const Cell& cell : cells_of_one(figure, store.settings())) {
+        for (const Cell& cell : cells_of(figure, store.settings())) {
             if (store.has(cell)) continue;
             progress.cell = cell.key();
             say(progress);

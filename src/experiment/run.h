@@ -18,9 +18,6 @@ struct RunProgress {
     double cpu_seconds_left = 0;  // of those that are not; zero when the budget is in passes
 };
 
-/// Cells of these figures and references of their scenes, each once, in the order of rendering.
-std::vector<Cell> cells_of(const std::vector<Figure>& figures, const RunSettings& settings);
-
 /// Renders the cells that are missing, and after each figure the page of all figures so far.
 /// @param say  before the first cell, with its name empty, and then before each.
 /// @throws Error; Interrupted: what was finished is kept.

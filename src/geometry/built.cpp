@@ -1,7 +1,6 @@
 // Building: vertices into the group's frame, what cannot be hit left out, groups and instances.
 #include "geometry/built.h"
 
-#include "geometry/cover.h"
 #include "geometry/measure.h"
 
 #include <algorithm>
@@ -121,22 +120,6 @@ void BuiltShape::build_mesh(RTCDevice device, const std::vector<Corners>& counti
                                sizeof(Corners), count);
     rtcCommitGeometry(g);
     embree::check(device);
-}
-
-void ShapeGroup::attach(RTCDevice device, std::uint32_t exact_number) {
-    scene = embree::new_scene(device);
-    for (std::uint32_t k = 0; k < shapes.size(); ++k) {
-        const BuiltShape& shape = (*built)[shapes[k]];
-        if (shape.is_empty()) continue;
-        bounds.extend(shape.bounds());
-        if (shape.mesh() != nullptr) {
-            if (shape.cover()) attach_cover(shape);
-            rtcAttachGeometryByID(scene.get(), shape.geometry(), k);
-        }
-        for (std::uint32_t i = 0; i < shape.exact_count(); ++i)
-            if (!shape.bounds_of(i).is_empty()) exact.push_back({shapes[k], i});
-    }
-    if (!exact.empty()) attach_exact_shapes(*this, device, exact_number);
 }
 
 BuiltInstance::BuiltInstance(const Matrix& to_world, const ShapeGroup& what, RTCDevice device)

@@ -7,9 +7,9 @@
 
 #include "core/huge_pages.h"
 #include "geometry/affine.h"
-#include "geometry/derivatives.h"
+#include "geometry/bounds.h"
 #include "geometry/embree.h"
-#include "geometry/geometry.h"
+#include "geometry/geometry_input.h"
 #include "geometry/triangle.h"
 
 #include <array>
@@ -17,16 +17,6 @@
 #include <vector>
 
 namespace sunfleck {
-
-/// A line origin + t * direction.
-struct Line {
-    Vec3d origin;
-    Vec3d direction;
-
-    Line through(const Affine& map) const { return {map.point(origin), map.vector(direction)}; }
-    /// The same line, counted from a later point.
-    Line from(double t) const { return {origin + direction * t, direction}; }
-};
 
 /// One shape in the frame of its group. The input must stay where it is.
 class BuiltShape {
@@ -90,7 +80,7 @@ struct ExactPrimitive {
     std::uint32_t element = 0;  // of the shape: what Hit::primitive says
 };
 
-/// Shapes that one Embree scene holds. Must stay where it is once build() was called.
+/// Shapes that one Embree scene holds; attach_shapes() fills it, and then it must stay where it is.
 struct ShapeGroup {
     const std::vector<BuiltShape>* built = nullptr;
     std::vector<std::uint32_t> shapes;  // indices into `built`
@@ -98,9 +88,6 @@ struct ShapeGroup {
     embree::Scene scene;
     Bounds bounds;
 
-    /// Makes the scene and attaches the shapes; what remains is more geometry, and commit().
-    /// @param exact_number  Embree's number for the shapes that are intersected exactly.
-    void attach(RTCDevice device, std::uint32_t exact_number);
     /// The shape that Embree's numbers name, and which triangle or surface of it.
     ExactPrimitive named(std::uint32_t geometry, std::uint32_t primitive) const {
         if (geometry < shapes.size()) return {shapes[geometry], primitive};
@@ -124,52 +111,5 @@ struct BuiltInstance {
     /// @param local  a point in the group's frame; `world` the same in the world.
     double ray_uncertainty(const Vec3d& normal, const Vec3d& local, const Vec3d& world) const;
 };
-
-/// What a trace carries to the shapes that are intersected exactly.
-struct Query : RTCIntersectContext {
-    Line whole;  // the ray, in the world: the alpha test hashes it
-    Line line;   // what is traced of it
-    const std::vector<BuiltInstance>* instances;
-    std::uint32_t first_instance;  // Embree's number of instance 0
-    double t = 0;                  // of the nearest point on such a shape so far
-    AlphaTest alpha_test = AlphaTest::by_chance;
-
-    /// @param number  Embree's, or RTC_INVALID_GEOMETRY_ID: then null.
-    const BuiltInstance* instance_of(unsigned number) const {
-        if (number == RTC_INVALID_GEOMETRY_ID) return nullptr;
-        return &(*instances)[number - first_instance];
-    }
-
-    /// @param walked  where the trace begins on the ray.
-    Query(const Line& ray, double walked, const std::vector<BuiltInstance>& all,
-          std::uint32_t first)
-        : RTCIntersectContext(),
-          whole(ray),
-          line(ray.from(walked)),
-          instances(&all),
-          first_instance(first) {
-        rtcInitIntersectContext(this);
-    }
-};
-
-/// Lets Embree call the exact shapes of a group; attach() uses it.
-void attach_exact_shapes(ShapeGroup& group, RTCDevice device, std::uint32_t number);
-
-/// What Embree found, by the numbers of the input.
-struct Found {
-    const BuiltShape* shape = nullptr;
-    const BuiltInstance* instance = nullptr;  // or null
-    std::uint32_t primitive = 0;
-    Vec2d weights;  // Embree's, of corners 1 and 2
-    double t = 0;   // of an exact shape
-};
-
-/// Sets all of the hit but the numbers of shape and instance.
-/// @param line  in the world, direction unit.
-void complete_hit(const Found& found, const Line& line, Hit& hit);
-
-/// @param instance  that the hit is on, or null.
-SurfaceDerivatives derivatives_at(const BuiltShape& shape, const BuiltInstance* instance,
-                                  const Hit& hit);
 
 }  // namespace sunfleck

@@ -1,8 +1,5 @@
-// From the primitive that Embree names to a hit: place, normals, tangent and error, in double.
-//
-// In:  the primitive and the ray. Out: values that depend on these alone, not on Embree's float
-// barycentrics (whose last bits differ between processors, through the approximate reciprocal).
-#include "geometry/built.h"
+// Hits on meshes by the triangle in double, on exact shapes by the shape itself.
+#include "geometry/complete_hit.h"
 
 #include <algorithm>
 #include <cmath>

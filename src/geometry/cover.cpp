@@ -1,21 +1,10 @@
-// Filters for Embree, and the hash that decides.
+// Filters for Embree: each hit is completed, and its cover asked.
 #include "geometry/cover.h"
-
-#include "core/hash.h"
 
 #include <embree3/rtcore_ray.h>
 
-#include <bit>
-
 namespace sunfleck {
 namespace {
-
-std::uint64_t hash_of(const Line& line) {
-    std::uint64_t hash = 0;
-    for (const Vec3d& v : {line.origin, line.direction})
-        for (int i = 0; i < 3; ++i) hash = hash_joined(hash, std::bit_cast<std::uint64_t>(v[i]));
-    return hash;
-}
 
 void filter(const RTCFilterFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
@@ -30,15 +19,6 @@ void filter(const RTCFilterFunctionNArguments* args) {
 }
 
 }  // namespace
-
-bool passes_alpha_test(float cover, const Line& ray, const CrossingName& name) {
-    if (cover >= 1) return true;
-    if (!(cover > 0)) return false;
-    std::uint64_t hash =
-        hash_joined(hash_of(ray), std::uint64_t{name.shape} << 32U | name.primitive);
-    hash = hash_joined(hash, std::uint64_t{name.instance} << 32U | name.crossing);
-    return hash_to_unit(hash) < cover;
-}
 
 bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
               std::uint32_t crossing) {

@@ -1,23 +1,13 @@
 // Opening of devices and checking of errors.
 #include "geometry/embree.h"
 
-#include "geometry/geometry.h"
+#include "core/processor.h"
 
 #include <map>
 #include <mutex>
 #include <stdexcept>
 
-namespace sunfleck {
-
-bool cpu_has_avx2() {
-    const bool vectors = static_cast<bool>(__builtin_cpu_supports("avx2"));
-    const bool fused = static_cast<bool>(__builtin_cpu_supports("fma"));
-    const bool bits = static_cast<bool>(__builtin_cpu_supports("bmi"));
-    const bool more_bits = static_cast<bool>(__builtin_cpu_supports("bmi2"));
-    return vectors && fused && bits && more_bits;
-}
-
-namespace embree {
+namespace sunfleck::embree {
 namespace {
 
 const char* describe(RTCError code) {
@@ -83,5 +73,4 @@ void commit(RTCScene scene) {
     check(device.get());
 }
 
-}  // namespace embree
-}  // namespace sunfleck
+}  // namespace sunfleck::embree

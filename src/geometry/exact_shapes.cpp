@@ -1,8 +1,7 @@
-// Quadrics, bilinear patches and curves inside Embree: its boxes, our intersection in double.
-//
 // The callbacks use the world's line in double, not the float ray that Embree carries into an
 // instance: t is the same in all frames, and the place on the surface is exact everywhere.
-#include "geometry/built.h"
+#include "geometry/exact_shapes.h"
+
 #include "geometry/cover.h"
 
 #include <embree3/rtcore_ray.h>

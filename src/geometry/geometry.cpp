@@ -1,9 +1,11 @@
 // Building a geometry, and tracing rays through it.
 #include "geometry/geometry.h"
 
-#include "core/parallel.h"
+#include "geometry/attach.h"
 #include "geometry/built.h"
-#include "geometry/cover.h"
+#include "geometry/complete_hit.h"
+#include "geometry/derivatives_at.h"
+#include "geometry/query.h"
 
 #include <embree3/rtcore_ray.h>
 
@@ -105,7 +107,7 @@ void Geometry::Impl::build_objects() {
         if (!is_new) continue;
         object.built = &shapes;
         object.shapes = instance.shapes;
-        object.attach(device.get(), static_cast<std::uint32_t>(object.shapes.size()));
+        attach_shapes(object, device.get(), static_cast<std::uint32_t>(object.shapes.size()));
         embree::commit(object.scene.get());
     }
 }
@@ -114,7 +116,7 @@ void Geometry::Impl::build_world() {
     world.built = &shapes;
     world.shapes = input.in_world;
     const std::size_t exact_number = input.in_world.size() + input.instances.size();
-    world.attach(device.get(), static_cast<std::uint32_t>(exact_number));
+    attach_shapes(world, device.get(), static_cast<std::uint32_t>(exact_number));
     bounds = world.bounds;
     instances.reserve(input.instances.size());
     for (const PlacedInstance& placed : input.instances) {

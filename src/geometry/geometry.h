@@ -7,53 +7,18 @@
 // worked out again in double.
 #pragma once
 
+#include "geometry/alpha_test.h"
 #include "geometry/bounds.h"
 #include "geometry/derivatives.h"
+#include "geometry/geometry_input.h"
 #include "geometry/ray.h"
-#include "geometry/shape.h"
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace sunfleck {
-
-/// Has this processor what Embree's AVX2 kernels need? If not, bytes may differ from other
-/// machines' (Geometry then takes the kernels that Embree picks).
-bool cpu_has_avx2();
-
-/// The part of a surface that is there at a hit: 1 all, 0 nothing; in between, a ray meets it with
-/// that probability. Called by any number of threads; shape and instance of the hit are not set.
-using Cover = std::function<float(const Hit&)>;
-
-/// Where a surface is there in part: do rays meet it by chance, or always?
-enum class AlphaTest : std::uint8_t {
-    by_chance,  // as often as its cover says, by a hash of the ray
-    off         // always: who asks decides with Geometry::is_there() whether it stops the ray
-};
-
-/// One shape in the world or in an object.
-struct PlacedShape {
-    Shape shape;
-    Matrix to_world;        // object frame to world (or to the frame of the object that holds it)
-    bool flip = false;      // the normal side is the other one of the object frame
-    Cover cover = nullptr;  // null: all of it is there
-};
-
-/// Shapes, once, under many matrices.
-struct PlacedInstance {
-    std::vector<std::uint32_t> shapes;  // indices into GeometryInput::shapes
-    Matrix to_world;
-    std::uint32_t object = 0;  // instances of one object share one Embree scene
-};
-
-struct GeometryInput {
-    std::vector<PlacedShape> shapes;
-    std::vector<std::uint32_t> in_world;  // indices of the shapes that stand in the world
-    std::vector<PlacedInstance> instances;
-};
 
 /// What a ray meets, by name alone: where on it, is to be worked out.
 struct Meeting {

@@ -3,7 +3,7 @@
 
 #include "geometry/affine.h"
 #include "geometry/bounds.h"
-#include "geometry/geometry.h"
+#include "geometry/geometry_input.h"
 #include "geometry/triangle.h"
 
 namespace sunfleck {

@@ -5,6 +5,8 @@
 // Source: CIE 15:2004; sRGB: IEC 61966-2-1.
 #pragma once
 
+#include "math/triple.h"
+
 #include <array>
 #include <cstddef>
 
@@ -16,9 +18,6 @@ inline constexpr int kLastNm = 830;
 inline constexpr std::size_t kVisibleCount = 471;
 /// Integral of the observer's y over wavelength, as pbrt-v4 rounds it, in nm.
 inline constexpr double kYIntegral = 106.856895;
-
-/// Three numbers in double: XYZ or linear sRGB, as said where used.
-using Triple = std::array<double, 3>;
 
 /// Luminance of linear sRGB: IEC 61966-2-1, the row of its matrix to XYZ, as printed.
 inline constexpr Triple kLuminanceWeights = {0.2126, 0.7152, 0.0722};

@@ -1,7 +1,7 @@
 // 3 x 3 matrices of colour, in double: products, inverses, and those of primaries.
 #pragma once
 
-#include "math/colour.h"
+#include "math/triple.h"
 
 namespace sunfleck {
 

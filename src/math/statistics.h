@@ -35,7 +35,6 @@ public:
     double mean() const { return mean_; }
     /// Unbiased, of one number; zero with fewer than two numbers.
     double variance() const { return count_ < 2 ? 0 : squares_ / static_cast<double>(count_ - 1); }
-    double standard_deviation() const { return std::sqrt(variance()); }
     /// Standard deviation of the mean; zero with fewer than two numbers.
     double standard_error() const {
         return count_ < 2 ? 0 : std::sqrt(variance() / static_cast<double>(count_));

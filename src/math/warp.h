@@ -90,13 +90,6 @@ inline Vec3d around_pole(const DiscPoint& disc, double versine) {
     return {disc.position.x * stretch, disc.position.y * stretch, 1 - versine};
 }
 
-/// Uniform in the cone around +z. @param versine  1 - cos of its half angle, in (0,2]; given so
-/// that narrow cones keep their digits. Steep near -z where versine is near 2.
-inline Vec3d uniform_cone(const Vec2d& u, double versine) {
-    const DiscPoint disc = concentric_disc_point(u);
-    return around_pole(disc, disc.radius2 * versine);
-}
-
 /// Around +z with density cos / pi. Steep at the horizon: height^2 is gentle there, not height.
 inline Vec3d cosine_hemisphere(const Vec2d& u) {
     const DiscPoint disc = concentric_disc_point(u);

@@ -1,6 +1,7 @@
 // Chromaticities of daylight, and the matrix that makes one of them white.
 #include "math/white_balance.h"
 
+#include "math/colour.h"
 #include "math/colour_matrix.h"
 #include "math/spectral_curve.h"
 

@@ -23,8 +23,6 @@ public:
 
     std::size_t size() const { return photons_.size(); }
     const Photon& operator[](std::size_t i) const { return photons_[i]; }
-    /// Photons from this one on are deep caustics, and no others.
-    std::size_t first_deep() const { return first_deep_; }
     /// A kind whose boxes hold photons 0 .. end - 1. @param end  may be beyond the last.
     PhotonKind widest_before(std::size_t end) const {
         return first_deep_ < std::min(end, size()) ? PhotonKind::deep_caustic : PhotonKind::direct;
@@ -47,7 +45,7 @@ private:
     UnfilledVector<Photon> photons_;
     UnfilledVector<PhotonLeaf> leaves_;
     BoxTree tree_;
-    std::size_t first_deep_ = 0;
+    std::size_t first_deep_ = 0;  // photons from this one on are deep caustics, and no others
 };
 
 }  // namespace sunfleck

@@ -1,7 +1,7 @@
 // The scene box: mirrored and glass balls in a coloured box.
 #pragma once
 
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // caustic.
 #pragma once
 
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <array>
 #include <string_view>

@@ -20,10 +20,6 @@ namespace sunfleck {
 /// (Hachisuka and Jensen, Robust Adaptive Photon Tracing using Photon Path Visibility, 2011).
 inline constexpr std::size_t kCognacSegments = 136;
 
-/// Refractive indices, the same at all wavelengths: soda-lime glass; ethanol at 40% in water.
-inline constexpr double kGlassIndex = 1.5;
-inline constexpr double kBrandyIndex = 1.36;
-
 /// Height of the rim, in cm.
 inline constexpr double kSnifterHeight = 12.06;
 

@@ -1,7 +1,7 @@
 // The scene cornell: the Cornell box as published, 36 triangles.
 #pragma once
 
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // The scene cornell-door: a Cornell box that gets its light through a door ajar.
 #pragma once
 
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <vector>
 

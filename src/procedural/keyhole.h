@@ -6,12 +6,12 @@
 // roof, 4 m from the pane along its way, falls on the pane within its edges, and shines through it
 // on the floor. The pane throws nothing back and all else is black, so all light in view has been
 // scattered twice, whatever depth is allowed, and how bright the picture is is known:
-// procedural/keyhole_truth.h.
+// tests/support/keyhole_truth.h.
 #pragma once
 
 #include "math/vector.h"
 #include "procedural/mesh.h"
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <array>
 #include <string_view>

@@ -1,7 +1,7 @@
 // The scenes useful-light and useless-light: a room lit by a hidden lamp, by night and by day.
 #pragma once
 
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <vector>
 

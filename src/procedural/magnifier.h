@@ -1,7 +1,7 @@
 // The scene magnifier: a printed page under a reading glass, lit by a lamp in a globe of glass.
 #pragma once
 
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // The scene room: a furnished room lit by the sun through glazed windows.
 #pragma once
 
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <vector>
 

@@ -1,25 +1,17 @@
-// Sunfleck's own scenes, made by rule: pbrt-v4 files that pbrt-v4 itself can render.
+// The catalogue of procedural scenes: pbrt-v4 files that pbrt-v4 itself can render.
 //
 // In:  a name. Out: the bytes of the files, the same on every machine.
 #pragma once
+
+#include "procedural/scene_file.h"
 
 #include <string>
 #include <vector>
 
 namespace sunfleck {
 
-struct ProceduralScene {
-    std::string name;
-    std::string what;  // one line
-};
-
 /// All of them, in the order of listing.
 std::vector<ProceduralScene> procedural_scenes();
-
-struct SceneFile {
-    std::string name;  // relative to the folder of the scene, with '/'
-    std::string bytes;
-};
 
 /// The files of one scene. The first is NAME.pbrt; it names the others relative to itself
 /// (geometry/*.ply, binary). Files of one name have the same bytes in all scenes: one folder can

@@ -1,7 +1,7 @@
 // The scene two-windows: patches of sun far apart, each from a window of its own.
 #pragma once
 
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <vector>
 

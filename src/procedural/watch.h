@@ -1,7 +1,7 @@
 // The scene watch: a pocket watch with an open lid, lit by sun and sky.
 #pragma once
 
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <vector>
 

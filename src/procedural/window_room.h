@@ -3,7 +3,7 @@
 #pragma once
 
 #include "procedural/mesh.h"
-#include "procedural/scenes.h"
+#include "procedural/scene_file.h"
 
 #include <vector>
 

@@ -1,28 +1,21 @@
-// Every kind of texture there is, with the meaning that pbrt-v4 gives it. To add one: its struct
-// here, its name in a variant below, its value in texture.cpp, a row in import/pbrt/textures.cpp.
+// Every kind of texture there is but images, with the meaning that pbrt-v4 gives it.
 #pragma once
 
-#include "image/lookup.h"
+#include "math/vector.h"
+#include "texture/mapping.h"
 #include "texture/noise.h"
-#include "texture/texture.h"
 
-#include <memory>
 #include <variant>
 
 namespace sunfleck {
 
-/// What a spectrum stands for: it says what the colour of a texel means.
-enum class ColourUse {
-    albedo,     // brought into [0,1]
-    unbounded,  // any non-negative quantity
-    illuminant  // likewise, under D65
-};
-
-/// texture * factor. @tparam T  FloatTexture or SpectrumTexture, here and below.
+/// texture * factor.
+/// @tparam T  the texture: FloatTexture or SpectrumTexture, here and below. T::Number is the
+///            texture of numbers.
 template <class T>
 struct ScaledKind {
     T texture;
-    FloatTexture factor;
+    typename T::Number factor;
 };
 
 /// first * (1 - amount) + second * amount.
@@ -30,7 +23,7 @@ template <class T>
 struct MixKind {
     T first;
     T second;
-    FloatTexture amount;
+    typename T::Number amount;
 };
 
 /// `first` where the surface faces along `direction` (unit, world), `second` across.
@@ -67,23 +60,6 @@ struct BilerpKind {
     T v11;
 };
 
-/// An image, its first row at the top (v = 1).
-struct ImageKind {
-    Mapping mapping;
-    std::shared_ptr<const Image> image;
-    Wrap wrap = Wrap::repeat;
-    bool nearest = false;
-    float scale = 1;
-    bool invert = false;  // one minus the scaled value, not below zero
-};
-
-/// As a number: a grey itself, alpha where the image has one, else the mean of R, G, B.
-struct FloatImageKind : ImageKind {};
-
-struct SpectrumImageKind : ImageKind {
-    ColourUse use = ColourUse::albedo;
-};
-
 struct FbmKind {
     PointMapping mapping;
     Octaves octaves;
@@ -107,24 +83,5 @@ struct MarbleKind {
     float scale = 1;
     float variation = 0.2F;
 };
-
-struct FloatKind {
-    std::variant<ScaledKind<FloatTexture>, MixKind<FloatTexture>, DirectionMixKind<FloatTexture>,
-                 CheckerboardKind<FloatTexture>, DotsKind<FloatTexture>, BilerpKind<FloatTexture>,
-                 FloatImageKind, FbmKind, WrinkledKind, WindyKind>
-        kind;
-};
-
-struct SpectrumKind {
-    std::variant<ScaledKind<SpectrumTexture>, MixKind<SpectrumTexture>,
-                 DirectionMixKind<SpectrumTexture>, CheckerboardKind<SpectrumTexture>,
-                 DotsKind<SpectrumTexture>, BilerpKind<SpectrumTexture>, SpectrumImageKind,
-                 MarbleKind>
-        kind;
-};
-
-/// Linear RGB of an image at a place, scaled and inverted, not below zero: what an image light or a
-/// normal map asks for.
-Vec3 image_rgb(const ImageKind& image, const TexturePoint& point);
 
 }  // namespace sunfleck

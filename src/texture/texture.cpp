@@ -2,7 +2,6 @@
 #include "texture/texture.h"
 
 #include "math/sigmoid_table.h"
-#include "texture/kinds.h"
 
 #include <algorithm>
 
@@ -37,17 +36,6 @@ bool is_in_dot(const Vec2& st) {
     if (!(noise_at(0.5F, 0.5F) > 0)) return false;
     const Vec2 center = cell + Vec2(noise_at(1.5F, 2.8F), noise_at(4.5F, 9.8F)) * kMostShift;
     return (st - center).length2() < kRadius * kRadius;
-}
-
-std::array<float, 4> texel(const ImageKind& m, const TexturePoint& point) {
-    const Vec2 st = place(m.mapping, point);
-    const Vec2 from_top(st.x, 1 - st.y);
-    return m.nearest ? nearest(*m.image, from_top, m.wrap) : bilinear(*m.image, from_top, m.wrap);
-}
-
-float scaled(const ImageKind& m, float value) {
-    const float v = m.scale * value;
-    return m.invert ? std::max(0.0F, 1 - v) : v;
 }
 
 /// What all kinds of both sorts have in common. @tparam At  gives a texture's value at the point.
@@ -102,12 +90,7 @@ struct FloatValue : ValueOf<At> {
     using ValueOf<At>::ValueOf;
     using ValueOf<At>::operator();
 
-    float operator()(const FloatImageKind& m) const {
-        const std::array<float, 4> v = texel(m, this->point_);
-        if (m.image->channels() == 1) return scaled(m, v[0]);
-        if (m.image->channels() == 4) return scaled(m, v[3]);
-        return scaled(m, (v[0] + v[1] + v[2]) / 3);
-    }
+    float operator()(const FloatImageKind& m) const { return image_number(m, this->point_); }
     float operator()(const FbmKind& m) const { return fbm(m.mapping.at(this->point_), m.octaves); }
     float operator()(const WrinkledKind& m) const {
         return turbulence(m.mapping.at(this->point_), m.octaves);
@@ -178,16 +161,6 @@ SpectrumTexture::SpectrumTexture(SpectrumKind kind)
 Spectrum SpectrumTexture::varied(const TexturePoint& point, const Wavelengths& wavelengths) const {
     const auto at = [&](const SpectrumTexture& texture) { return texture.at(point, wavelengths); };
     return std::visit(SpectrumValue<decltype(at)>(point, at, wavelengths), kind_->kind);
-}
-
-Vec3 image_rgb(const ImageKind& m, const TexturePoint& point) {
-    const std::array<float, 4> v = texel(m, point);
-    const bool grey = m.image->channels() == 1;
-    const auto channel = [&](std::size_t c) {
-        const float value = scaled(m, v.at(grey ? 0 : c));
-        return value > 0 ? value : 0;  // NaN, too
-    };
-    return {channel(0), channel(1), channel(2)};
 }
 
 }  // namespace sunfleck

@@ -1,13 +1,19 @@
-// Quantities that vary over surfaces: numbers and spectra, as trees of the kinds of kinds.h.
+// Quantities that vary over surfaces: numbers and spectra, as trees of the kinds of texture there
+// are.
 //
 // Values: cheap to copy, immutable once made, usable by any number of threads. No filtering: a
 // texture is asked at a point (docs/scenes.md).
+// To add a kind: its struct in kinds.h, its name in a variant below, its value in texture.cpp, a
+// row in import/pbrt/textures.cpp.
 #pragma once
 
 #include "math/spectral_curve.h"
+#include "texture/image_kind.h"
+#include "texture/kinds.h"
 #include "texture/mapping.h"
 
 #include <memory>
+#include <variant>
 
 namespace sunfleck {
 
@@ -16,6 +22,8 @@ struct SpectrumKind;
 
 class FloatTexture {
 public:
+    using Number = FloatTexture;
+
     FloatTexture(float constant = 0) : constant_(constant) {}  // NOLINT: a number is a texture
     explicit FloatTexture(FloatKind kind);
 
@@ -33,6 +41,8 @@ private:
 
 class SpectrumTexture {
 public:
+    using Number = FloatTexture;
+
     SpectrumTexture() = default;
     SpectrumTexture(SpectralCurve curve) : curve_(std::move(curve)) {}  // NOLINT: likewise
     explicit SpectrumTexture(SpectrumKind kind);
@@ -49,6 +59,21 @@ private:
 
     SpectralCurve curve_;
     std::shared_ptr<const SpectrumKind> kind_;
+};
+
+struct FloatKind {
+    std::variant<ScaledKind<FloatTexture>, MixKind<FloatTexture>, DirectionMixKind<FloatTexture>,
+                 CheckerboardKind<FloatTexture>, DotsKind<FloatTexture>, BilerpKind<FloatTexture>,
+                 FloatImageKind, FbmKind, WrinkledKind, WindyKind>
+        kind;
+};
+
+struct SpectrumKind {
+    std::variant<ScaledKind<SpectrumTexture>, MixKind<SpectrumTexture>,
+                 DirectionMixKind<SpectrumTexture>, CheckerboardKind<SpectrumTexture>,
+                 DotsKind<SpectrumTexture>, BilerpKind<SpectrumTexture>, SpectrumImageKind,
+                 MarbleKind>
+        kind;
 };
 
 }  // namespace sunfleck

@@ -1,7 +1,7 @@
 // The list of figures and their cells.
 #include "core/error.h"
+#include "experiment/figure_cells.h"
 #include "experiment/methods.h"
-#include "experiment/run.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(Figures, have_cells_of_all_seeds_and_a_reference_for_each_scene) {
     settings.seeds = 3;
     for (const Figure& figure : figures()) {
         EXPECT_FALSE(figure.claim.empty());
-        const std::vector<Cell> cells = cells_of({figure}, settings);
+        const std::vector<Cell> cells = cells_of(figure, settings);
         for (const std::string& scene : figure.scenes) {
             const auto references = std::count_if(cells.begin(), cells.end(), [&](const Cell& c) {
                 return c.scene == scene && c.method.name.starts_with("reference-");

@@ -1,5 +1,6 @@
 // Fuzz target: any bytes as a scene file end in a scene or in an Error, without touching the disk.
 #include "import/pbrt/reader.h"
+#include "support/no_access.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -31,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters
         const std::string text(reinterpret_cast<const char*>(data), size);
-        check(sunfleck::read_pbrt_text(text, "fuzz.pbrt", sunfleck::no_access()));
+        check(sunfleck::read_pbrt_text(text, "fuzz.pbrt", sunfleck::testing_support::no_access()));
     } catch (const sunfleck::Error& error) {
         if (std::string(error.what()).find('\n') != std::string::npos) std::abort();
     }

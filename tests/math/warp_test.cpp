@@ -82,10 +82,16 @@ TEST(Warp, cosine_hemisphere_has_density_cosine) {
               1e-3);
 }
 
-TEST(Warp, uniform_cone_is_uniform) {
+/// Uniform in the cone around +z whose 1 - cos of the half angle is `versine`.
+Vec3d in_cone(const Vec2d& u, double versine) {
+    const DiscPoint disc = concentric_disc_point(u);
+    return around_pole(disc, disc.radius2 * versine);
+}
+
+TEST(Warp, directions_around_the_pole_are_uniform_in_a_cone) {
     for (const double versine : {1e-12, 0.3, 1.0, 2.0})
         EXPECT_GT(uniformity([=](const Vec2d& u) {
-                      const Vec3d p = uniform_cone(u, versine);
+                      const Vec3d p = in_cone(u, versine);
                       const double flat2 = p.x * p.x + p.y * p.y;
                       const double own = p.z > 0 ? flat2 / (1 + p.z) : 1 - p.z;  // 1 - cos
                       return Vec2d(own / versine, azimuth(p.x, p.y));
@@ -118,7 +124,7 @@ TEST(Warp, no_map_jumps_or_is_steep) {
     const std::vector<Map> maps = {
         {"disc", [=](const Vec2d& u) { return flat(concentric_disc(u)); }, 2.8},
         {"sphere", [](const Vec2d& u) { return uniform_sphere(u); }, 6.2},
-        {"cone", [](const Vec2d& u) { return uniform_cone(u, 1); }, 4.4},
+        {"cone", [](const Vec2d& u) { return in_cone(u, 1); }, 4.4},
         {"cosine", [=](const Vec2d& u) { return height2(cosine_hemisphere(u)); }, 4.8},
         {"triangle", [=](const Vec2d& u) { return flat(uniform_triangle(u)); }, 1.2}};
     constexpr double kStep = 1e-6;
@@ -142,7 +148,7 @@ TEST(Warp, corners_and_middle_stay_on_target) {
             EXPECT_LE(concentric_disc({x, y}).length(), 1 + 1e-15);
             EXPECT_NEAR(uniform_sphere({x, y}).length(), 1, 1e-14) << x << " " << y;
             EXPECT_NEAR(cosine_hemisphere({x, y}).length(), 1, 1e-14);
-            EXPECT_NEAR(uniform_cone({x, y}, 0.5).length(), 1, 1e-14);
+            EXPECT_NEAR(in_cone({x, y}, 0.5).length(), 1, 1e-14);
         }
 }
 

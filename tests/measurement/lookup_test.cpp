@@ -102,7 +102,7 @@ TEST_P(Lookup, finds_what_takes_accepts) {
         ASSERT_EQ(found, one_by_one(index, photons)) << count;
         for (std::size_t i = 0; i < photons.size(); ++i) {
             const bool is_deep = photons[i].kind == PhotonKind::deep_caustic;
-            ASSERT_EQ(is_deep, i >= photons.first_deep());
+            ASSERT_EQ(is_deep, photons.widest_before(i + 1) == PhotonKind::deep_caustic);
             const bool taken = std::any_of(found.begin(), found.end(), [&](const Pair& pair) {
                 return std::get<0>(pair) == i;
             });

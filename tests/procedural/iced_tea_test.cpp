@@ -116,9 +116,12 @@ TEST(IcedTea, media_agree_along_any_line) {
     EXPECT_GT(through_ice, 30);
 }
 
-/// The number after the last "float eta" before a file's name.
+/// Soda-lime glass, water and ice.
 TEST(IcedTea, each_surface_has_the_ratio_of_its_two_media) {
     const std::vector<std::string> words = pbrt_words(iced_tea_scene().at(0).bytes);
+    constexpr double kTumblerIndex = 1.52;
+    constexpr double kTeaIndex = 1.333;
+    constexpr double kIceIndex = 1.31;
     EXPECT_NEAR(eta_of(words, "geometry/tumbler-air.ply"), kTumblerIndex, 1e-7);
     EXPECT_NEAR(eta_of(words, "geometry/tea-glass.ply"), kTeaIndex / kTumblerIndex, 1e-7);
     EXPECT_NEAR(eta_of(words, "geometry/tea-air.ply"), kTeaIndex, 1e-7);

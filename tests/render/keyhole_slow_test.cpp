@@ -1,5 +1,5 @@
 // Pictures of light through a keyhole: each sampler brings the light that is known by construction.
-#include "procedural/keyhole_truth.h"
+#include "support/keyhole_truth.h"
 #include "support/procedural.h"
 #include "support/renders.h"
 

@@ -1,6 +1,6 @@
 // Light through a keyhole, by photon paths that start around the hole: as rare, and as bright, as
 // is known by construction.
-#include "procedural/keyhole_truth.h"
+#include "support/keyhole_truth.h"
 #include "support/keyhole_window.h"
 #include "support/procedural.h"
 #include "support/renders.h"

@@ -3,14 +3,11 @@
 
 #include "core/input_file.h"
 #include "import/pbrt/ply_gzip.h"
-#include "import/pbrt/words.h"
 
 #include <filesystem>
 
 namespace sunfleck {
 namespace {
-
-constexpr std::size_t kLongestPath = 4096;
 
 /// Each backslash as a slash. One before n, r, t, b or f was read as the escape of a control
 /// character, which no file's name has.
@@ -39,13 +36,6 @@ std::string unpacked(std::string bytes, const std::string& name) {
 FileAccess disk_access() {
     return [](const std::string& path, const SourceLocation& from) {
         return unpacked(read_input_file(path, from), path);
-    };
-}
-
-FileAccess no_access() {
-    return [](const std::string& path, const SourceLocation& from) -> std::string {
-        throw Error(from, "other files are not read here: " + in_quotes(path, kLongestPath),
-                    "leave them out");
     };
 }
 

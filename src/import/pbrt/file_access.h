@@ -19,9 +19,6 @@ std::string unpacked(std::string bytes, const std::string& name);
 /// Reads from the disk.
 FileAccess disk_access();
 
-/// Refuses every file: for text that is not trusted.
-FileAccess no_access();
-
 /// The name of standard input, as messages tell it.
 inline constexpr std::string_view kStandardInput = "standard input";
 

@@ -2,6 +2,7 @@
 #include "import/pbrt/reader.h"
 
 #include "import/pbrt/scene_text.h"
+#include "support/no_access.h"
 
 #include <filesystem>
 #include <fstream>
@@ -80,8 +81,9 @@ TEST(Reader, refuses_circles_of_files) {
 
 TEST(Reader, without_file_access_reads_text_alone) {
     const std::string text = "WorldBegin Shape \"sphere\"";
-    EXPECT_EQ(read_pbrt_text(text, "a.pbrt", no_access()).shapes.size(), 1U);
-    EXPECT_THROW(read_pbrt_text(text + " Include \"/dev/null\"", "a.pbrt", no_access()), Error);
+    const FileAccess none = testing_support::no_access();
+    EXPECT_EQ(read_pbrt_text(text, "a.pbrt", none).shapes.size(), 1U);
+    EXPECT_THROW(read_pbrt_text(text + " Include \"/dev/null\"", "a.pbrt", none), Error);
 }
 
 TEST(Reader, unpacks_gzip_by_content) {

@@ -1,5 +1,5 @@
 // What is known of the keyhole scenes, worked out again by plain sums.
-#include "procedural/keyhole_truth.h"
+#include "support/keyhole_truth.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,9 @@
 
 namespace sunfleck {
 namespace {
+
+using testing_support::keyhole_truth;
+using testing_support::KeyholeTruth;
 
 /// The middle of cell i of n of an interval around zero.
 double cell(int i, int n, double width) {

@@ -1,9 +1,7 @@
 // Derivatives by the triangle's own plane and normals, or by the exact shape.
 //
 // Source: Pharr, Jakob, Humphreys, Physically Based Rendering, 4th edition, section 6.5.3.
-#include "geometry/derivatives.h"
-
-#include "geometry/built.h"
+#include "geometry/derivatives_at.h"
 
 #include <cmath>
 

@@ -1,0 +1,16 @@
+// A figure whose cells are rendered, with what the page shows of it.
+#pragma once
+
+#include "experiment/figure.h"
+
+#include <string>
+
+namespace sunfleck {
+
+struct FinishedFigure {
+    const Figure* figure = nullptr;
+    Section section;
+    std::string html;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,17 @@
+// Reading of scenes without other files.
+#pragma once
+
+#include "core/error.h"
+#include "import/pbrt/file_access.h"
+#include "import/pbrt/words.h"
+
+namespace sunfleck::testing_support {
+
+/// Refuses every file.
+inline FileAccess no_access() {
+    return [](const std::string& path, const SourceLocation& from) -> std::string {
+        throw Error(from, "other files are not read here: " + in_quotes(path), "leave them out");
+    };
+}
+
+}  // namespace sunfleck::testing_support
