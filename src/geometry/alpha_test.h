@@ -5,7 +5,6 @@
 // passes through several sheets independently.
 #pragma once
 
-#include "geometry/line.h"
 #include "geometry/ray.h"
 
 #include <cstdint>
@@ -32,6 +31,8 @@ struct CrossingName {
 };
 
 /// The alpha test: true with probability `cover`, by a hash of the ray and of the crossing.
-bool passes_alpha_test(float cover, const Line& ray, const CrossingName& name);
+/// @param origin, direction  of the ray, in the world.
+bool passes_alpha_test(float cover, const Vec3d& origin, const Vec3d& direction,
+                       const CrossingName& name);
 
 }  // namespace sunfleck

@@ -27,7 +27,7 @@ bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
     complete_hit(found, query.line, hit);
     const auto instance = static_cast<std::uint32_t>(
         found.instance == nullptr ? 0 : found.instance - query.instances->data() + 1);
-    return passes_alpha_test(found.shape->cover()(hit), query.whole,
+    return passes_alpha_test(found.shape->cover()(hit), query.whole.origin, query.whole.direction,
                              {geometry, found.primitive, instance, crossing});
 }
 

@@ -246,7 +246,7 @@ bool Geometry::hit_of(const Meeting& meeting, Hit& hit) const {
 
 bool Geometry::is_there(const Hit& hit, const Vec3d& origin, const Vec3& direction) const {
     const Cover& cover = impl_->shapes[hit.shape].cover();
-    return !cover || passes_alpha_test(cover(hit), {origin, Vec3d(direction)},
+    return !cover || passes_alpha_test(cover(hit), origin, Vec3d(direction),
                                        {hit.shape, hit.primitive, hit.instance});
 }
 
