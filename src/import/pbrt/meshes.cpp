@@ -89,7 +89,7 @@ void warn_of_coarseness(const LocalPoints& local,
                         const std::vector<std::array<std::uint32_t, 3>>& triangles,
                         const Statement& statement, Reading& reading) {
     const std::string fault = coarseness_of(local, triangles);
-    if (!fault.empty()) reading.warn(statement.where, fault);
+    if (!fault.empty()) reading.log.warn(statement.where, fault);
 }
 
 /// Sets the mesh's positions; warns where the file has too few digits. @return their origin.
@@ -180,19 +180,20 @@ LocalShape ply_mesh(const Statement& statement, Reading& reading) {
     const auto name = statement.text("filename");
     if (!name) throw Error(statement.where, "a plymesh without a file", "add \"string filename\"");
     if (statement.find("displacement"))
-        reading.warn(statement.where, "displacement is not simulated: meshes stay as they are");
+        reading.log.warn(statement.where, "displacement is not simulated: meshes stay as they are");
     statement.ignore({"edgelength"});
-    PlyFile ply = reading.read_data(*name, statement.where, [](const NamedFile& file) {
+    PlyFile ply = reading.assets.files.read_as(*name, statement.where, [](const NamedFile& file) {
         return parse_ply(file.bytes, file.path);
     });
     for (const std::string& remark : ply.remarks)
-        reading.warn(statement.where, in_quotes(*name) + ": " + remark);
+        reading.log.warn(statement.where, in_quotes(*name) + ": " + remark);
     TriangleMesh mesh = std::move(ply.mesh);
     warn_of_coarseness({mesh.positions, ply.origin}, mesh.triangles, statement, reading);
     const std::size_t broken = drop_broken_normals(mesh);
     if (broken > 0)
-        reading.warn(statement.where, std::to_string(broken) + " normals in " + in_quotes(*name) +
-                                          " are no numbers: triangles are flat there");
+        reading.log.warn(statement.where, std::to_string(broken) + " normals in " +
+                                              in_quotes(*name) +
+                                              " are no numbers: triangles are flat there");
     return {std::move(mesh), ply.origin};
 }
 
