@@ -1,7 +1,7 @@
 // Fuzz target: any bytes as a PLY file end in a mesh or in an Error of one line,
 // within bounds.
 #include "core/error.h"
-#include "import/pbrt/ply.h"
+#include "import/ply/reader.h"
 
 #include <cmath>
 #include <cstdint>

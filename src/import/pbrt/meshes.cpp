@@ -2,9 +2,9 @@
 #include "import/pbrt/meshes.h"
 
 #include "geometry/loop_subdivision.h"
-#include "import/pbrt/ply.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
+#include "import/ply/reader.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // The mesh that becomes of the rows of a PLY file: checks and repairs that need all of them.
 #pragma once
 
-#include "import/pbrt/ply_rows.h"
+#include "import/ply/rows.h"
 
 #include <string>
 

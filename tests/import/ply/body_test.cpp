@@ -1,7 +1,7 @@
 // What of a PLY file's body becomes a mesh, and what is left out.
-#include "import/pbrt/ply_body.h"
+#include "import/ply/body.h"
 
-#include "import/pbrt/ply.h"
+#include "import/ply/reader.h"
 
 #include <gtest/gtest.h>
 

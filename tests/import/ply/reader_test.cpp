@@ -1,5 +1,5 @@
 // PLY files: every way to store the same mesh reads alike, and every fault is an Error.
-#include "import/pbrt/ply.h"
+#include "import/ply/reader.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

@@ -1,11 +1,11 @@
 // PLY files from their first byte to the mesh.
-#include "import/pbrt/ply.h"
+#include "import/ply/reader.h"
 
 #include "core/file_content.h"
-#include "import/pbrt/ply_body.h"
-#include "import/pbrt/ply_gzip.h"
-#include "import/pbrt/ply_header.h"
-#include "import/pbrt/ply_rows.h"
+#include "core/gzip.h"
+#include "import/ply/body.h"
+#include "import/ply/header.h"
+#include "import/ply/rows.h"
 
 namespace sunfleck {
 namespace {

@@ -1,8 +1,8 @@
 // The body of a PLY file as it stands there, row by row.
 #pragma once
 
-#include "import/pbrt/ply_header.h"
-#include "import/pbrt/ply_mesh.h"
+#include "import/ply/header.h"
+#include "import/ply/mesh.h"
 
 #include <cstdint>
 #include <string>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/error.h"
-#include "import/pbrt/ply_mesh.h"
+#include "import/ply/mesh.h"
 
 #include <string>
 #include <string_view>

@@ -1,9 +1,9 @@
 // The rows of a PLY body, number by number.
-#include "import/pbrt/ply_rows.h"
+#include "import/ply/rows.h"
 
 #include "core/error.h"
 #include "core/printable.h"
-#include "import/pbrt/ply_source.h"
+#include "import/ply/number_source.h"
 
 #include <algorithm>
 #include <array>

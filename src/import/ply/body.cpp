@@ -1,8 +1,8 @@
 // Polygons, vertices without a face, and remarks.
-#include "import/pbrt/ply_body.h"
+#include "import/ply/body.h"
 
 #include "core/error.h"
-#include "import/pbrt/ply_polygons.h"
+#include "import/ply/polygons.h"
 
 #include <algorithm>
 
