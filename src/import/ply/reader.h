@@ -1,4 +1,4 @@
-// PLY files: triangle meshes with normals and texture coordinates, as pbrt-v4 reads them.
+// PLY files: reads triangle meshes with normals and texture coordinates.
 //
 // In:  ASCII or binary, of either byte order, plain or packed by gzip. Out: a PlyMesh.
 // Source: Turk, The PLY Polygon File Format (1994); names of properties as in pbrt-v4.
