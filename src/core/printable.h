@@ -14,4 +14,9 @@ inline std::string printable(std::string_view text, std::size_t most) {
     return text.size() > most ? shown + "..." : shown;
 }
 
+/// The same in quotes.
+inline std::string in_quotes(std::string_view text, std::size_t most = 60) {
+    return '"' + printable(text, most) + '"';
+}
+
 }  // namespace sunfleck

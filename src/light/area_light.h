@@ -1,6 +1,5 @@
-// A surface that emits the same radiance in all directions of one side, or of both: one emitting
-// triangle, bilinear patch, sphere, cylinder or disk, in the world's frame. A picture may vary it
-// from place to place.
+// A light that emits from a surface (light/emitting_surface.h), the same radiance in all directions
+// of one side, or of both. A picture may vary it from place to place.
 //
 // Curve: radiance, W/(sr m^2); with a picture, where that is one.
 // Emission: with a picture, from where that is bright; else uniform by area (spheres and cylinders
@@ -11,45 +10,13 @@
 // point sees (by area from inside), all else by area.
 #pragma once
 
-#include "geometry/bilinear.h"
-#include "geometry/cylinder.h"
-#include "geometry/disk.h"
-#include "geometry/sphere.h"
+#include "light/emitting_surface.h"
 #include "light/light_picture.h"
 #include "light/model.h"
 
 #include <memory>
-#include <variant>
 
 namespace sunfleck {
-
-/// A triangle in the world's frame. Emits on the side of `normal` (unit, geometric).
-struct EmittingTriangle {
-    Vec3d p0;
-    Vec3d edge1;  // p1 - p0
-    Vec3d edge2;  // p2 - p0
-    Vec3d normal;
-};
-
-/// A bilinear patch in the world's frame. Emits on the side of dP/du x dP/dv, or on the other.
-struct EmittingPatch {
-    Bilinear surface;
-    bool flip = false;
-    /// Of the corners, on the side that emits, any length: they decide the side of each point.
-    std::array<Vec3d, 4> normals{Vec3d(0), Vec3d(0), Vec3d(0), Vec3d(0)};  // zeros: none
-};
-
-/// A sphere, cylinder or disk of its own frame, placed in the world by any affine matrix (area and
-/// density are those of the world). `flip` emits on the other side.
-template <class Quadric>
-struct EmittingQuadric {
-    Quadric shape;
-    Matrix to_world;
-    bool flip = false;
-};
-
-using EmittingSurface = std::variant<EmittingTriangle, EmittingPatch, EmittingQuadric<Sphere>,
-                                     EmittingQuadric<Cylinder>, EmittingQuadric<Disk>>;
 
 class LaidPicture;     // light/surface_picture.h
 class PartialEmitter;  // light/partial_emitter.h

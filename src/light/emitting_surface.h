@@ -1,4 +1,5 @@
-// The surfaces of area lights: points spread over them, and how densely.
+// The surfaces of area lights, one emitting triangle, bilinear patch, sphere, cylinder or disk
+// each: points spread over them, and how densely.
 //
 // In:  u in (0,1)^2, in double. Out: world positions, normals, areas. Triangles, disks, flat
 // patches, similar images of spheres and cylinders are covered uniformly by area. A sphere or
@@ -8,11 +9,44 @@
 // none.
 #pragma once
 
-#include "light/area_light.h"
+#include "geometry/bilinear.h"
+#include "geometry/cylinder.h"
+#include "geometry/disk.h"
+#include "geometry/sphere.h"
 
+#include <array>
 #include <optional>
+#include <variant>
 
 namespace sunfleck {
+
+/// A triangle in the world's frame. Emits on the side of `normal` (unit, geometric).
+struct EmittingTriangle {
+    Vec3d p0;
+    Vec3d edge1;  // p1 - p0
+    Vec3d edge2;  // p2 - p0
+    Vec3d normal;
+};
+
+/// A bilinear patch in the world's frame. Emits on the side of dP/du x dP/dv, or on the other.
+struct EmittingPatch {
+    Bilinear surface;
+    bool flip = false;
+    /// Of the corners, on the side that emits, any length: they decide the side of each point.
+    std::array<Vec3d, 4> normals{Vec3d(0), Vec3d(0), Vec3d(0), Vec3d(0)};  // zeros: none
+};
+
+/// A sphere, cylinder or disk of its own frame, placed in the world by any affine matrix (area and
+/// density are those of the world). `flip` emits on the other side.
+template <class Quadric>
+struct EmittingQuadric {
+    Quadric shape;
+    Matrix to_world;
+    bool flip = false;
+};
+
+using EmittingSurface = std::variant<EmittingTriangle, EmittingPatch, EmittingQuadric<Sphere>,
+                                     EmittingQuadric<Cylinder>, EmittingQuadric<Disk>>;
 
 struct SurfaceSample {
     Vec3d position;

@@ -59,16 +59,16 @@ bool is_fault(const MediaStart& start) {
 }
 
 /// Where the scene's file speaks of a start.
-SourceLocation location_of(const MediaStart& start, const Scene& scene) {
-    if (start.lights.count == 0) return {scene.path()};
-    const std::uint32_t statement = scene.stated_in()[start.lights.first];
-    return statement == kNone ? SourceLocation{scene.path()}
-                              : scene.light_statements()[statement].where;
+SourceLocation location_of(const MediaStart& start, const SceneLights& lights,
+                           const std::string& path) {
+    if (start.lights.count == 0) return {path};
+    const std::uint32_t statement = lights.stated_in()[start.lights.first];
+    return statement == kNone ? SourceLocation{path} : lights.statements()[statement].where;
 }
 
-void tell(const MediaStart& start, const Scene& scene, Warnings& warnings) {
+/// @param where  the scene's file speaks of the start.
+void tell(const MediaStart& start, const SourceLocation& where, Warnings& warnings) {
     const std::string what = start.lights.count == 0 ? "the camera" : "this light";
-    const SourceLocation where = location_of(start, scene);
     if (is_fault(start))
         warnings.add(where, what +
                                 " is seen through other media than the one in which it stands, so "
@@ -90,18 +90,18 @@ void take_starts(const MediaWalks& walks, Media& media) {
 
 }  // namespace
 
-void mend_media(const Scene& scene, const std::vector<SourceLocation>& places,
-                std::vector<ShapeRecord>& shapes, Media& media, Warnings& warnings) {
+void mend_media(Surfaces& surfaces, Media& media, const SceneLights& lights, const CameraView& view,
+                const ScenePlaces& places, Warnings& warnings) {
     const Media stated = media;
     std::set<std::uint32_t> at_odds;
     for (int i = 0; i < kMostNested; ++i) {
-        MediaWalks walks(scene, shapes, stated, at_odds);
+        MediaWalks walks(surfaces, lights, view, stated, at_odds);
         walks.walk_all();
         const bool is_last = i + 1 == kMostNested;
         const auto inside_out = shapes_inside_out(walks);
         for (const std::uint32_t shape : inside_out) {
-            std::swap(shapes[shape].media.inside, shapes[shape].media.outside);
-            warnings.add(places[shape],
+            surfaces.exchange_media(shape);
+            warnings.add(places.shapes[shape],
                          "the normals of this shape point into it, so that its MediumInterface "
                          "names the medium within as the one around it; the two are exchanged; "
                          "leave out ReverseOrientation, or turn its triangles (glass refracts by "
@@ -112,11 +112,12 @@ void mend_media(const Scene& scene, const std::vector<SourceLocation>& places,
         at_odds.insert(worst.begin(), worst.end());
         if (!worst.empty() && !is_last) continue;
         take_starts(walks, media);
-        for (const MediaStart& start : walks.starts()) tell(start, scene, warnings);
+        for (const MediaStart& start : walks.starts())
+            tell(start, location_of(start, lights, places.path), warnings);
         break;
     }
     for (const std::uint32_t shape : at_odds)
-        warnings.add(places[shape],
+        warnings.add(places.shapes[shape],
                      "its MediumInterface does not name the medium through which it is seen, so "
                      "that light and camera paths may cross different media; name the same medium "
                      "for the sides of surfaces, and the camera, that face each other, and close "

@@ -7,19 +7,29 @@
 // they pointed out of it.
 #pragma once
 
-#include "scene/scene.h"
+#include "core/warnings.h"
+#include "scene/camera_view.h"
+#include "scene/media.h"
+#include "scene/scene_lights.h"
+#include "scene/surfaces.h"
 
+#include <string>
 #include <vector>
 
 namespace sunfleck {
+
+/// Where the scene's file speaks of its shapes.
+struct ScenePlaces {
+    std::string path;                    // of the file
+    std::vector<SourceLocation> shapes;  // by shape of the surfaces
+};
 
 /// Exchanges the media of closed shapes whose normals point inwards, where that makes them agree
 /// with what is around them. Puts the camera and lights for which the scene names no medium into
 /// the one through which they are seen. Warns of these, and of all that do not agree. A camera or
 /// light for which the scene names a medium decides what is right; where there is none, the camera
 /// stands in empty space. Found by walks (scene/media_walks.h); depends on the scene alone.
-/// @param places  in the file, by shape of the scene. @param shapes, media  the scene's own.
-void mend_media(const Scene& scene, const std::vector<SourceLocation>& places,
-                std::vector<ShapeRecord>& shapes, Media& media, Warnings& warnings);
+void mend_media(Surfaces& surfaces, Media& media, const SceneLights& lights, const CameraView& view,
+                const ScenePlaces& places, Warnings& warnings);
 
 }  // namespace sunfleck

@@ -2,7 +2,6 @@
 #include "scene/media_walks.h"
 
 #include "core/random.h"
-#include "scene/transmission.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +27,11 @@ Vec3 direction_above(const Vec3& normal, const Vec2d& numbers) {
 
 /// Does the normal of a closed shape point into what it encloses? A ray that starts there leaves
 /// the shape one time more than it enters it.
-bool normal_points_in(const Scene& scene, const Hit& start) {
+bool normal_points_in(const Geometry& geometry, const Hit& start) {
     int crossings = 0;
     Ray ray = ray_from(start, start.normal);
     for (int i = 0; i < kMostCrossings; ++i) {
-        const auto hit = scene.geometry().intersect(ray);
+        const auto hit = geometry.intersect(ray);
         if (!hit) break;
         if (hit->shape == start.shape) ++crossings;
         ray = ray_from(*hit, start.normal);
@@ -41,27 +40,21 @@ bool normal_points_in(const Scene& scene, const Hit& start) {
 }
 
 /// The medium of a walk where it arrives at the end of a ray; nothing where it does not.
-std::optional<MediumNumber> medium_at_end(const Scene& scene, const std::set<std::uint32_t>& ends,
-                                          Ray ray, MediumNumber medium) {
+std::optional<MediumNumber> medium_at_end(const Surfaces& surfaces,
+                                          const std::set<std::uint32_t>& ends, Ray ray,
+                                          MediumNumber medium) {
     for (int i = 0; i < kMostCrossings; ++i) {
-        const auto hit = scene.geometry().intersect(ray);
+        const auto hit = surfaces.geometry().intersect(ray);
         if (!hit) return medium;
-        if (!lets_light_through(scene.materials(), scene.material_of(*hit)) ||
-            ends.contains(hit->shape))
-            return {};
-        if (scene.medium_beyond(*hit, -ray.direction, medium) != medium) return {};
-        medium = scene.medium_beyond(*hit, ray.direction, medium);
+        if (!surfaces.lets_light_through(*hit) || ends.contains(hit->shape)) return {};
+        if (surfaces.medium_beyond(*hit, -ray.direction, medium) != medium) return {};
+        medium = surfaces.medium_beyond(*hit, ray.direction, medium);
         const float left = ray.length - hit->distance;
         if (!(left > 0)) return medium;
         ray = ray_from(*hit, ray.direction);
         ray.length = left;
     }
     return {};
-}
-
-Vec3 camera_position(const Scene& scene) {
-    const Vec2d middle = Vec2d(scene.film().resolution) * 0.5;
-    return Vec3(camera_ray(scene.camera(), middle, {0.5, 0.5}).origin);
 }
 
 /// The direction to a position, and the distance.
@@ -75,12 +68,13 @@ std::optional<DirectSample> sample_towards(const Vec3& position, const Vec3& fro
     return sample;
 }
 
-MediaStart start_at(const Scene& scene, const std::vector<ShapeRecord>& shapes, const Media& stated,
-                    const LightRange& lights) {
-    MediaStart start{lights, stated.at_lights[lights.first]};
-    const auto* area = std::get_if<AreaLight>(&scene.lights()[lights.first]);
-    if (area != nullptr && area->shape != kNone && shapes[area->shape].media.parts())
-        start.sides = shapes[area->shape].media;  // they may have been exchanged
+/// @param first  the light of the source that comes first.
+MediaStart start_at(const LightRange& source, const Light& first, const Surfaces& surfaces,
+                    const Media& stated) {
+    MediaStart start{source, stated.at_lights[source.first]};
+    const auto* area = std::get_if<AreaLight>(&first);
+    if (area != nullptr && area->shape != kNone && surfaces.media_of(area->shape).parts())
+        start.sides = surfaces.media_of(area->shape);  // they may have been exchanged
     start.is_named = start.sides != MediumSides{};
     return start;
 }
@@ -101,15 +95,15 @@ Vec2d MediaWalks::next_two() {
     return {unit(0), unit(2)};
 }
 
-MediaWalks::MediaWalks(const Scene& scene, const std::vector<ShapeRecord>& shapes,
+MediaWalks::MediaWalks(const Surfaces& surfaces, const SceneLights& lights, const CameraView& view,
                        const Media& stated, const std::set<std::uint32_t>& ends)
-    : scene_(scene), ends_(ends) {
+    : surfaces_(surfaces), lights_(lights), view_(view), ends_(ends) {
     const MediumNumber at_camera = stated.at_camera;
     starts_.push_back({{}, {at_camera, at_camera}, at_camera != 0});
-    for (const LightRange& source : scene.light_sources()) {
-        const Light& light = scene.lights()[source.first];
-        if (!comes_from_afar(light) && power(light, scene.sphere()) > 0)
-            starts_.push_back(start_at(scene, shapes, stated, source));
+    for (const LightRange& source : lights.sources()) {
+        const Light& light = lights.all()[source.first];
+        if (!comes_from_afar(light) && power(light, lights.sphere()) > 0)
+            starts_.push_back(start_at(source, light, surfaces, stated));
     }
 }
 
@@ -142,17 +136,17 @@ void MediaWalks::walk_from(const std::vector<std::size_t>& starts) {
 }
 
 MediaWalks::Walk MediaWalks::camera_walk() {
-    const Vec2d film = Vec2d(scene_.film().resolution) * next_two();
-    const CameraRay view = camera_ray(scene_.camera(), film, {0.5, 0.5});
-    return {{Vec3(view.origin), Vec3(view.direction)}, starts_[0].sides.outside};
+    const CameraRay ray = view_.ray_at(next_two());
+    return {{Vec3(ray.origin), Vec3(ray.direction)}, starts_[0].sides.outside};
 }
 
 std::optional<MediaWalks::Walk> MediaWalks::light_walk(const MediaStart& start, std::size_t i) {
-    const Light& light = scene_.lights()[start.lights.first + i % start.lights.count];
+    const Light& light = lights_.all()[start.lights.first + i % start.lights.count];
     const Vec2d position = next_two();
     const Vec2d direction_numbers = next_two();
-    const Emission first = sample_emission(
-        light, {position.x, position.y, direction_numbers.x, direction_numbers.y}, scene_.sphere());
+    const Emission first =
+        sample_emission(light, {position.x, position.y, direction_numbers.x, direction_numbers.y},
+                        lights_.sphere());
     if (!(first.factor > 0)) return {};
     const Vec3 direction(first.direction);
     return Walk{
@@ -164,11 +158,11 @@ void MediaWalks::walk(Walk at, bool is_named) {
     auto& [ray, medium] = at;
     look_around(nullptr, ray, medium);
     for (int i = 0; i < kMostSteps; ++i) {
-        const auto hit = scene_.geometry().intersect(ray);
+        const auto hit = surfaces_.geometry().intersect(ray);
         if (!hit || ends_.contains(hit->shape)) return;
         if (!agrees(*hit, at, is_named)) return;
-        if (lets_light_through(scene_.materials(), scene_.material_of(*hit))) {
-            medium = scene_.medium_beyond(*hit, ray.direction, medium);
+        if (surfaces_.lets_light_through(*hit)) {
+            medium = surfaces_.medium_beyond(*hit, ray.direction, medium);
             ray = ray_from(*hit, ray.direction);
         } else {
             const bool above = hit->normal.dot(ray.direction) < 0;
@@ -180,14 +174,14 @@ void MediaWalks::walk(Walk at, bool is_named) {
 
 /// Does the surface name the medium from which the walk comes, or none at all?
 bool MediaWalks::agrees(const Hit& hit, const Walk& at, bool is_named) {
-    if (!scene_.parts_media(hit)) return true;
+    if (!surfaces_.parts_media(hit)) return true;
     ShapeVotes& of_shape = votes_[hit.shape];
     MediaVotes& votes = is_named ? of_shape.named : of_shape.assumed;
-    const bool right = scene_.medium_beyond(hit, -at.ray.direction, at.medium) == at.medium;
-    const bool exchanged = scene_.medium_beyond(hit, at.ray.direction, at.medium) == at.medium;
+    const bool right = surfaces_.medium_beyond(hit, -at.ray.direction, at.medium) == at.medium;
+    const bool exchanged = surfaces_.medium_beyond(hit, at.ray.direction, at.medium) == at.medium;
     if (right)
         ++votes.right;
-    else if (exchanged && normal_points_in(scene_, hit))
+    else if (exchanged && normal_points_in(surfaces_.geometry(), hit))
         ++votes.inside_out;
     else
         ++votes.other;
@@ -199,16 +193,16 @@ bool MediaWalks::agrees(const Hit& hit, const Walk& at, bool is_named) {
 void MediaWalks::look_around(const Hit* hit, const Ray& ray, MediumNumber medium) {
     MediaStart& start = starts_[next_looked_at_++ % starts_.size()];
     const auto& [first, count] = start.lights;
-    const auto sample = count == 0 ? sample_towards(camera_position(scene_), ray.origin)
-                                   : sample_direct(scene_.lights()[first + next_looked_at_ % count],
-                                                   ray.origin, Vec2(next_two()), scene_.sphere());
+    const auto sample = count == 0 ? sample_towards(Vec3(view_.middle_ray().origin), ray.origin)
+                                   : sample_direct(lights_.all()[first + next_looked_at_ % count],
+                                                   ray.origin, Vec2(next_two()), lights_.sphere());
     if (!sample || !(sample->distance > 0) || !std::isfinite(sample->distance)) return;
     const auto is_above = [&](const Vec3& direction) { return hit->normal.dot(direction) > 0; };
     if (hit != nullptr && is_above(sample->direction) != is_above(ray.direction)) return;
     const Ray look = hit != nullptr
                          ? shadow_ray(*hit, sample->direction, sample->distance)
                          : Ray{ray.origin, sample->direction, sample->distance * (1 - 1e-4F)};
-    const auto found = medium_at_end(scene_, ends_, look, medium);
+    const auto found = medium_at_end(surfaces_, ends_, look, medium);
     if (!found) return;
     ++start.heard[*found];
     if (*found != start.sides.towards(sample->normal, -sample->direction)) ++start.wrong;

@@ -6,7 +6,10 @@
 // hear its medium.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/camera_view.h"
+#include "scene/media.h"
+#include "scene/scene_lights.h"
+#include "scene/surfaces.h"
 
 #include <map>
 #include <optional>
@@ -41,10 +44,10 @@ struct MediaStart {
 
 class MediaWalks {
 public:
-    /// @param shapes  the scene's own. @param stated  the scene's media as the file has them.
+    /// @param stated  the scene's media as the file has them.
     /// @param ends  shapes that are known to be at odds: walks end there.
-    MediaWalks(const Scene& scene, const std::vector<ShapeRecord>& shapes, const Media& stated,
-               const std::set<std::uint32_t>& ends);
+    MediaWalks(const Surfaces& surfaces, const SceneLights& lights, const CameraView& view,
+               const Media& stated, const std::set<std::uint32_t>& ends);
 
     /// Walks from all starts: first from those that name a medium, then from the camera, then from
     /// the other lights. Before its walks, a start that names none takes the medium it heard most.
@@ -70,7 +73,9 @@ private:
     bool agrees(const Hit& hit, const Walk& at, bool is_named);
     void look_around(const Hit* hit, const Ray& ray, MediumNumber medium);
 
-    const Scene& scene_;
+    const Surfaces& surfaces_;
+    const SceneLights& lights_;
+    CameraView view_;
     const std::set<std::uint32_t>& ends_;
     std::vector<MediaStart> starts_;
     std::size_t next_looked_at_ = 0;

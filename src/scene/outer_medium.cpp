@@ -1,8 +1,6 @@
 // Looks for the way out.
 #include "scene/outer_medium.h"
 
-#include "scene/transmission.h"
-
 #include <array>
 #include <optional>
 #include <vector>
@@ -12,13 +10,13 @@ namespace {
 
 constexpr int kMostSurfaces = 1000;
 
-std::optional<MediumNumber> far_along(const Scene& scene, Ray ray) {
-    MediumNumber medium = scene.media().at_camera;
+/// @param medium  in which the ray starts.
+std::optional<MediumNumber> far_along(const Surfaces& surfaces, Ray ray, MediumNumber medium) {
     for (int i = 0; i < kMostSurfaces; ++i) {
-        const auto hit = scene.geometry().intersect(ray);
+        const auto hit = surfaces.geometry().intersect(ray);
         if (!hit) return medium;
-        if (!lets_light_through(scene.materials(), scene.material_of(*hit))) return {};
-        medium = scene.medium_beyond(*hit, ray.direction, medium);
+        if (!surfaces.lets_light_through(*hit)) return {};
+        medium = surfaces.medium_beyond(*hit, ray.direction, medium);
         ray = ray_from(*hit, ray.direction);
     }
     return {};
@@ -26,17 +24,18 @@ std::optional<MediumNumber> far_along(const Scene& scene, Ray ray) {
 
 }  // namespace
 
-MediumNumber outer_medium_of(const Scene& scene) {
-    const Vec2d middle = Vec2d(scene.film().resolution) * 0.5;
-    const CameraRay view = camera_ray(scene.camera(), middle, {0.5, 0.5});
-    std::vector<Vec3> directions = {-Vec3(view.direction), Vec3(view.direction)};
+MediumNumber outer_medium_of(const Surfaces& surfaces, const CameraView& view,
+                             MediumNumber at_camera) {
+    const CameraRay middle = view.middle_ray();
+    std::vector<Vec3> directions = {-Vec3(middle.direction), Vec3(middle.direction)};
     constexpr std::array<float, 3> kSteps = {-1, 0, 1};
     for (const float x : kSteps)
         for (const float y : kSteps)
             for (const float z : kSteps)
                 if (Vec3(x, y, z) != Vec3(0)) directions.push_back(Vec3(x, y, z).normalized());
     for (const Vec3& direction : directions)
-        if (const auto found = far_along(scene, {Vec3(view.origin), direction})) return *found;
+        if (const auto found = far_along(surfaces, {Vec3(middle.origin), direction}, at_camera))
+            return *found;
     return 0;
 }
 

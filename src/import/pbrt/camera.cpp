@@ -87,10 +87,10 @@ void finish_camera(Reading& reading) {
     const Statement& camera = reading.options.camera ? *reading.options.camera : none;
     const Motion& motion = reading.options.camera_from_world;
     const Matrix to_world = reading.still({motion[0].inverse(), motion[1].inverse()}, camera.where);
-    if (reading.options.camera) reading.count_word(camera.keyword, camera.type);
+    if (reading.options.camera) reading.log.count_word(camera.keyword, camera.type);
     reading.scene.camera = camera_of(camera, to_world, reading.scene.film.resolution);
     camera.ignore({"shutteropen", "shutterclose"});
-    reading.warn_unused(camera);
+    reading.log.warn_unused(camera);
 }
 
 }  // namespace sunfleck

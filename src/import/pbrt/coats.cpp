@@ -2,16 +2,13 @@
 #include "import/pbrt/coats.h"
 
 #include "import/pbrt/even_textures.h"
-#include "import/pbrt/reading.h"
-#include "import/pbrt/spectra.h"
-#include "import/pbrt/textures.h"
 #include "import/pbrt/words.h"
 
 namespace sunfleck {
 namespace {
 
 /// The index of a coat: one for all wavelengths, the mean as the eye weighs them.
-float coat_index(const Statement& statement, const CoatWords& words, Reading& reading) {
+float coat_index(const Statement& statement, const CoatWords& words, Assets& assets) {
     const std::string name = words.prefix + "eta";
     const Parameter* found = statement.find(name);
     if (!found) return words.eta;
@@ -19,8 +16,8 @@ float coat_index(const Statement& statement, const CoatWords& words, Reading& re
     if (found->type == ParameterType::real) {
         eta = static_cast<float>(statement.real(name, 1.5));
     } else {
-        eta = curve_of(*found, SpectrumUse::index, reading).luminance();  // its mean
-        reading.warn(found->where, "a coat bends all wavelengths alike, by their mean index");
+        eta = assets.spectra.curve(*found, SpectrumUse::index).luminance();  // its mean
+        assets.log.warn(found->where, "a coat bends all wavelengths alike, by their mean index");
     }
     if (eta > 0) return eta;
     throw Error(found->where, "an index of refraction that is not positive",
@@ -30,10 +27,10 @@ float coat_index(const Statement& statement, const CoatWords& words, Reading& re
 }  // namespace
 
 std::shared_ptr<const Coat> coat_of(const Statement& statement, const CoatWords& words,
-                                    Reading& reading) {
+                                    Assets& assets) {
     const auto length = [&](const std::string& name, double fallback) {
         const float value =
-            even_number(statement, name, reading).value_or(static_cast<float>(fallback));
+            even_number(statement, name, assets).value_or(static_cast<float>(fallback));
         if (value >= 0) return value;
         throw Error(statement.find(name)->where, in_quotes(name) + " is negative", "use 0 or more");
     };
@@ -47,12 +44,12 @@ std::shared_ptr<const Coat> coat_of(const Statement& statement, const CoatWords&
     if (std::max(alphas.x, alphas.y) >= kSmoothAlpha)
         facets = Ggx{std::max(alphas.x, 1e-4F), std::max(alphas.y, 1e-4F)};
     const auto albedo =
-        find_spectrum_texture(statement, "albedo", SpectrumUse::reflectance, reading);
+        assets.textures.find_spectrum(statement, "albedo", SpectrumUse::reflectance);
     if (albedo && !(albedo->is_constant() && albedo->curve().luminance() <= 0))
-        reading.warn(statement.find("albedo")->where,
-                     "a coat scatters no light within it: its \"albedo\" is ignored");
+        assets.log.warn(statement.find("albedo")->where,
+                        "a coat scatters no light within it: its \"albedo\" is ignored");
     statement.ignore({"g", "maxdepth", "nsamples"});
-    return std::make_shared<Coat>(coat_index(statement, words, reading), facets,
+    return std::make_shared<Coat>(coat_index(statement, words, assets), facets,
                                   length(prefix + "thickness", words.thickness));
 }
 

@@ -2,14 +2,13 @@
 #pragma once
 
 #include "bsdf/coat.h"
+#include "import/pbrt/assets.h"
 #include "import/pbrt/parameters.h"
 
 #include <memory>
 #include <string>
 
 namespace sunfleck {
-
-struct Reading;
 
 /// How a material names its coat, and what it is when nothing is said.
 struct CoatWords {
@@ -20,6 +19,6 @@ struct CoatWords {
 
 /// @throws Error for parameters that cannot be used.
 std::shared_ptr<const Coat> coat_of(const Statement& statement, const CoatWords& words,
-                                    Reading& reading);
+                                    Assets& assets);
 
 }  // namespace sunfleck

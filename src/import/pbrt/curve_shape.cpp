@@ -82,7 +82,8 @@ std::vector<Vec3> normals_of(const Statement& statement, bool ribbon, std::size_
                              Reading& reading) {
     const Parameter* given = statement.find("N", ParameterType::normal);
     if (!ribbon) {
-        if (given) reading.warn(given->where, "normals of a curve that is no ribbon are ignored");
+        if (given)
+            reading.log.warn(given->where, "normals of a curve that is no ribbon are ignored");
         return {};
     }
     std::vector<Vec3> normals = float_triples(given);

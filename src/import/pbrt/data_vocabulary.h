@@ -1,7 +1,7 @@
 // The rows of vocabulary(): what docs/scenes.md says of each word.
 #pragma once
 
-#include "import/pbrt/vocabulary.h"
+#include "import/pbrt/vocabulary_row.h"
 
 #include <array>
 

@@ -57,11 +57,11 @@ void read_statements(Reading& reading, TokenStream& tokens) {
             token->kind == TokenKind::word ? table().find(token->text) : table().end();
         if (found == table().end()) unknown(*token);
         check_place(found->second, reading, *token);
-        reading.count_word("Directive", token->text);
+        reading.log.count_word("Directive", token->text);
         try {
             found->second.handler(reading, tokens, *token);
         } catch (const MissingFile& missing) {  // the statement is read to its end
-            reading.note_missing(missing);
+            reading.assets.files.note_missing(missing);
         }
         tokens.release();
     }

@@ -1,18 +1,16 @@
 // Means over a grid of 16 x 16 points.
 #include "import/pbrt/even_textures.h"
 
-#include "import/pbrt/reading.h"
-#include "import/pbrt/textures.h"
 #include "import/pbrt/words.h"
 
 namespace sunfleck {
 namespace {
 
 /// Images are wanted now, not only when all is read.
-void prepare(const Statement& statement, const std::string& name, Reading& reading) {
-    reading.warn(statement.find(name)->where,
-                 "the texture of " + in_quotes(name) + " counts as its mean over its square");
-    reading.images.load(reading);
+void prepare(const Statement& statement, const std::string& name, Assets& assets) {
+    assets.log.warn(statement.find(name)->where,
+                    "the texture of " + in_quotes(name) + " counts as its mean over its square");
+    assets.images.load();
 }
 
 /// @param value  at a point.
@@ -32,20 +30,20 @@ float mean_over_square(const Value& value) {
 }  // namespace
 
 std::optional<float> even_number(const Statement& statement, const std::string& name,
-                                 Reading& reading) {
-    const auto texture = find_float_texture(statement, name, reading);
+                                 Assets& assets) {
+    const auto texture = assets.textures.find_number(statement, name);
     if (!texture) return {};
     if (texture->is_constant()) return texture->constant();
-    prepare(statement, name, reading);
+    prepare(statement, name, assets);
     return mean_over_square([&](const TexturePoint& point) { return texture->at(point); });
 }
 
 std::optional<SpectralCurve> even_curve(const Statement& statement, const std::string& name,
-                                        SpectrumUse use, Reading& reading) {
-    const auto texture = find_spectrum_texture(statement, name, use, reading);
+                                        SpectrumUse use, Assets& assets) {
+    const auto texture = assets.textures.find_spectrum(statement, name, use);
     if (!texture) return {};
     if (texture->is_constant()) return texture->curve();
-    prepare(statement, name, reading);
+    prepare(statement, name, assets);
     return tabulated([&](float nm) {
         Wavelengths one;
         one.nm.fill(nm);

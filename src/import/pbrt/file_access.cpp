@@ -1,8 +1,8 @@
 // Files that a scene names: found beside the main file, unpacked by content.
 #include "import/pbrt/file_access.h"
 
+#include "core/gzip.h"
 #include "core/input_file.h"
-#include "import/pbrt/ply_gzip.h"
 
 #include <filesystem>
 

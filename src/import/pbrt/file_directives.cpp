@@ -14,12 +14,12 @@ namespace {
 void open(Reading& reading, TokenStream& tokens, const Token& keyword, TokenStream& to) {
     const std::string name = tokens.require_string("the name of a file");
     const SourceLocation from = keyword.where();
-    to.check_opening(resolved(name, reading.folder), from);
-    NamedFile file = reading.read_file(name, from);
+    to.check_opening(reading.assets.files.path_of(name), from);
+    NamedFile file = reading.assets.files.read(name, from);
     if (!file.bytes.empty()) refuse_other_content(file.bytes, file.path, "a scene of pbrt-v4");
     reading.inclusions.add(file.path, from, to.root(),
                            [&](const std::string& other, const SourceLocation& where) {
-                               return find_file(other, reading.folder, where, reading.files);
+                               return reading.assets.files.find(other, where);
                            });
     to.push(std::move(file.bytes), file.path, from);
 }

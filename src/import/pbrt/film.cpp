@@ -57,11 +57,11 @@ std::optional<std::array<int, 4>> crop_of(const Statement& film, const Vec2i& si
 
 void warn_approximations(const Statement& film, Reading& reading) {
     if (film.type != "rgb")
-        reading.warn(film.where, "film " + in_quotes(film.type) + " is read as \"rgb\"");
+        reading.log.warn(film.where, "film " + in_quotes(film.type) + " is read as \"rgb\"");
     if (film.find("scale"))
-        reading.warn(film.where, "\"scale\" of Film is ignored, as in pbrt-v4: use \"iso\"");
+        reading.log.warn(film.where, "\"scale\" of Film is ignored, as in pbrt-v4: use \"iso\"");
     if (film.find("maxcomponentvalue"))
-        reading.warn(film.where, "\"maxcomponentvalue\" is ignored: nothing is clamped");
+        reading.log.warn(film.where, "\"maxcomponentvalue\" is ignored: nothing is clamped");
     film.ignore({"diagonal", "savefp16", "nbuckets", "lambdamin", "lambdamax", "coordinatesystem"});
 }
 
@@ -82,8 +82,9 @@ std::optional<double> white_of(const Statement& film, Reading& reading) {
     const bool is_camera = sensor != "cie1931";
     const double white = film.real("whitebalance", 0);
     if (is_camera)
-        reading.warn(film.where, "sensor " + in_quotes(sensor) +
-                                     " sees colours as the observer cie1931 does, white-balanced");
+        reading.log.warn(film.where,
+                         "sensor " + in_quotes(sensor) +
+                             " sees colours as the observer cie1931 does, white-balanced");
     if (white > 0) return std::max(white, 1000.0);
     if (is_camera) return 6500;
     return std::nullopt;
@@ -95,7 +96,7 @@ double exposure_of(Reading& reading) {
     const double open = camera.real("shutteropen", 0);
     const double close = camera.real("shutterclose", 1);
     if (close < open)
-        reading.warn(camera.where, "the shutter closes before it opens: the times are swapped");
+        reading.log.warn(camera.where, "the shutter closes before it opens: the times are swapped");
     if (close != open) return std::abs(close - open);
     throw Error(camera.where, "the shutter closes when it opens",
                 "make \"shutterclose\" later than \"shutteropen\"");
@@ -103,36 +104,36 @@ double exposure_of(Reading& reading) {
 
 void read_integrator(const Statement& integrator, Reading& reading) {
     RenderHints& hints = reading.scene.hints;
-    reading.count_word(integrator.keyword, integrator.type);
+    reading.log.count_word(integrator.keyword, integrator.type);
     hints.integrator = integrator.type;
     hints.max_depth = integrator.integer("maxdepth");
     if (hints.max_depth && *hints.max_depth < 0)
         throw Error(integrator.where, "\"maxdepth\" is negative", "use 0 or more");
     if (integrator.type != "sppm") {
-        reading.warn(integrator.where, "only \"maxdepth\" of integrator " +
-                                           in_quotes(integrator.type) +
-                                           " is read: photons render the scene, unless the command "
-                                           "line says otherwise");
+        reading.log.warn(integrator.where,
+                         "only \"maxdepth\" of integrator " + in_quotes(integrator.type) +
+                             " is read: photons render the scene, unless the command "
+                             "line says otherwise");
         integrator.ignore_all();
         return;
     }
     if (const Parameter* radius = integrator.find("radius"))
-        reading.warn(radius->where,
-                     "\"radius\" of Integrator is ignored: the first radius is one or two "
-                     "pixels, by the picture's size, or what --radius says");
+        reading.log.warn(radius->where,
+                         "\"radius\" of Integrator is ignored: the first radius is one or two "
+                         "pixels, by the picture's size, or what --radius says");
     if (const Parameter* paths = integrator.find("photonsperiteration"))
-        reading.warn(paths->where,
-                     "\"photonsperiteration\" is ignored: photon paths a pass are "
-                     "chosen, or what --photons-per-pass says");
+        reading.log.warn(paths->where,
+                         "\"photonsperiteration\" is ignored: photon paths a pass are "
+                         "chosen, or what --photons-per-pass says");
     integrator.ignore({"seed", "regularize"});
-    reading.warn_unused(integrator);
+    reading.log.warn_unused(integrator);
 }
 
 /// Where a sampler's points lie and how many it has says nothing here.
 void read_sampler(const Statement& sampler, Reading& reading) {
-    reading.count_word(sampler.keyword, sampler.type);
+    reading.log.count_word(sampler.keyword, sampler.type);
     sampler.ignore({"pixelsamples", "xsamples", "ysamples", "jitter", "randomization", "seed"});
-    reading.warn_unused(sampler);
+    reading.log.warn_unused(sampler);
 }
 
 }  // namespace
@@ -145,7 +146,7 @@ void finish_film(Reading& reading) {
     if (std::find(kTypes.begin(), kTypes.end(), film.type) == kTypes.end())
         throw Error(film.where, "unknown film " + in_quotes(film.type),
                     use_one_of(kTypes, film.type));
-    if (reading.options.film) reading.count_word(film.keyword, film.type);
+    if (reading.options.film) reading.log.count_word(film.keyword, film.type);
     result.resolution = resolution_of(film);
     result.crop = crop_of(film, result.resolution);
     result.filename = film.text("filename").value_or("");
@@ -154,7 +155,7 @@ void finish_film(Reading& reading) {
     result.imaging_ratio = static_cast<float>(exposure_of(reading) * iso / 100);
     result.white = white_of(film, reading);
     warn_approximations(film, reading);
-    reading.warn_unused(film);
+    reading.log.warn_unused(film);
 }
 
 void finish_filter(Reading& reading) {
@@ -176,7 +177,7 @@ void finish_filter(Reading& reading) {
         throw Error(filter.where, "unknown filter " + in_quotes(filter.type),
                     use_one_of(words_of(kRows), filter.type));
     }
-    reading.count_word(filter.keyword, filter.type);
+    reading.log.count_word(filter.keyword, filter.type);
     FilterSettings& settings = reading.scene.filter;
     settings.kind = row->kind;
     settings.radius = {filter.real("xradius", row->radius), filter.real("yradius", row->radius)};
@@ -192,7 +193,7 @@ void finish_filter(Reading& reading) {
     if (!(least > 0 && most <= 1000))
         throw Error(filter.where, "a filter whose radius, sigma or tau is out of range",
                     "use positive ones, radii of at most 1000 pixels");
-    reading.warn_unused(filter);
+    reading.log.warn_unused(filter);
 }
 
 void finish_hints(Reading& reading) {

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "image/image.h"
-#include "import/pbrt/file_access.h"
+#include "import/pbrt/import_log.h"
+#include "import/pbrt/scene_files.h"
 
 #include <map>
 #include <memory>
@@ -13,22 +14,23 @@
 
 namespace sunfleck {
 
-struct Reading;
-
 /// Warns of what the picture's file has and the image has not: other primaries than sRGB's,
 /// channels that were chosen or left out, texels that are no finite numbers.
 void warn_of_image(const Image& image, const std::string& path, const SourceLocation& from,
-                   Reading& reading);
+                   ImportLog& log);
 
 class ImageTable {
 public:
+    /// Both must outlive this.
+    ImageTable(SceneFiles& files, ImportLog& log) : files_(files), log_(log) {}
+
     /// The image of a file, empty until load(). @param encoding  of a PNG.
     std::shared_ptr<const Image> enter(const std::string& name, const Encoding& encoding,
-                                       const SourceLocation& from, Reading& reading);
+                                       const SourceLocation& from);
 
     /// Reads all files that were not read before, and warns of what is in them. Missing ones are
-    /// noted in the reading. @throws Error, that of the first one which cannot be read.
-    void load(Reading& reading);
+    /// noted in the list of files. @throws Error, that of the first one which cannot be read.
+    void load();
 
 private:
     struct Slot {
@@ -44,8 +46,10 @@ private:
         std::optional<Error> fault;
     };
 
-    static void load(const Slot& slot, const Reading& reading, Loaded& loaded);
+    void load(const Slot& slot, Loaded& loaded) const;
 
+    SceneFiles& files_;
+    ImportLog& log_;
     std::map<std::pair<std::string, Encoding>, std::size_t> numbers_;
     std::vector<Slot> slots_;
     std::size_t loaded_ = 0;  // the first of them

@@ -15,10 +15,10 @@ Image light_image(const Statement& statement, Reading& reading) {
     if (!name || name->empty())
         throw Error(statement.where, "a light without its picture", "add \"string filename\"");
     const SourceLocation& where = statement.find("filename")->where;
-    return reading.read_data(*name, where, [&](const NamedFile& file) {
+    return reading.assets.files.read_as(*name, where, [&](const NamedFile& file) {
         Image image = parse_image(file.bytes, file.path);
         image.mend_broken();
-        warn_of_image(image, file.path, where, reading);
+        warn_of_image(image, file.path, where, reading.log);
         return image;
     });
 }
@@ -57,8 +57,8 @@ Affine turn_of(const Statement& statement, Reading& reading) {
     if (!given.is_invertible())
         throw Error(statement.where, "the matrix of the light is singular", "scale by no zero");
     if (!is_similarity(given))
-        reading.warn(statement.where,
-                     "a light with a picture is turned by its matrix, not stretched");
+        reading.log.warn(statement.where,
+                         "a light with a picture is turned by its matrix, not stretched");
     Affine turn;
     turn.x = given.x.normalized();
     turn.y = (given.y - turn.x * turn.x.dot(given.y)).normalized();

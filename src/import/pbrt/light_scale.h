@@ -1,12 +1,19 @@
-// What the numbers of a light statement do to its emission.
+// The emission of a light statement, and the numbers that scale it.
 #pragma once
 
 #include "import/pbrt/parameters.h"
+#include "import/pbrt/reading.h"
 #include "math/spectral_curve.h"
 
 #include <algorithm>
 
 namespace sunfleck {
+
+/// The spectrum of that name, or the white of the present colour space.
+inline SpectralCurve emission_of(const Statement& statement, std::string_view name,
+                                 Reading& reading) {
+    return reading.assets.spectra.emission(statement, name, reading.state.colour_space);
+}
 
 /// "scale". @throws Error for a negative one.
 inline double scale_of(const Statement& statement) {

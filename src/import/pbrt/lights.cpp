@@ -6,7 +6,6 @@
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/portals.h"
 #include "import/pbrt/reading.h"
-#include "import/pbrt/spectra.h"
 #include "import/pbrt/words.h"
 #include "math/trigonometry.h"
 
@@ -41,7 +40,7 @@ Light point_light(const Statement& statement, Reading& reading) {
 /// Over all directions, z and y exchanged as in pbrt-v4.
 Light goniometric_light(const Statement& statement, Reading& reading) {
     if (!statement.find("filename")) {
-        reading.warn(statement.where, "a goniometric light without a picture is a point");
+        reading.log.warn(statement.where, "a goniometric light without a picture is a point");
         return point_light(statement, reading);
     }
     const auto picture = intensity_picture(statement, reading);
@@ -147,20 +146,20 @@ void add_light(const Statement& statement, Reading& reading) {
                     statement.type == "diffuse" ? "use AreaLightSource \"diffuse\""
                                                 : use_one_of(words_of(kRows), statement.type));
     }
-    reading.count_word(statement.keyword, statement.type);
+    reading.log.count_word(statement.keyword, statement.type);
     reading.scene.lights.push_back(row->maker(statement, reading));
     reading.scene.stated_in.push_back(note(statement, reading));
     const MediumNumber around =
         reading.media.number_of(reading.state.outside_medium, statement.where);
     reading.scene.media.at_lights.push_back({around, around});
-    reading.warn_unused(statement);
+    reading.log.warn_unused(statement);
 }
 
 AreaEmission area_emission(const Statement& statement, Reading& reading) {
     if (statement.type != "diffuse")
         throw Error(statement.where, "unknown area light " + in_quotes(statement.type),
                     "use \"diffuse\"");
-    reading.count_word(statement.keyword, statement.type);
+    reading.log.count_word(statement.keyword, statement.type);
     AreaEmission emission;
     if (statement.find("filename")) {
         if (const Parameter* both = statement.find("L"))
@@ -172,7 +171,7 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
     emission.two_sided = statement.flag("twosided", false);
     emission.power = std::max(statement.real("power", 0), 0.0);
     emission.statement = note(statement, reading);
-    reading.warn_unused(statement);
+    reading.log.warn_unused(statement);
     return emission;
 }
 

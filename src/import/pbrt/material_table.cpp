@@ -2,7 +2,6 @@
 #include "import/pbrt/material_table.h"
 
 #include "import/pbrt/materials.h"
-#include "import/pbrt/reading.h"
 #include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
@@ -60,33 +59,6 @@ const Statement& MaterialTable::named(const std::string& name, const SourceLocat
     for (const auto& [word, statement] : named_) known.push_back(word);
     throw Error(from, "there is no material " + in_quotes(name),
                 "make it by MakeNamedMaterial; " + did_you_mean(known, name));
-}
-
-void MaterialTable::finish(Reading& reading) {
-    std::vector<Material>& materials = reading.scene.materials;
-    std::vector<Relief>& reliefs = reading.scene.reliefs;
-    // NOLINTNEXTLINE(modernize-loop-convert): mixes add slots of their parts
-    for (std::size_t i = 0; i < slots_.size(); ++i) {
-        const Slot slot = slots_[i];
-        if (!slot.statement && !slot.used && !named_.contains(slot.name)) {
-            reading.warn(slot.from,
-                         "there is no material " + in_quotes(slot.name) + ", but no shape uses it");
-            materials.emplace_back(DiffuseMaterial{});
-            reliefs.emplace_back();
-            continue;
-        }
-        const Statement& statement = slot.statement ? *slot.statement : named(slot.name, slot.from);
-        reading.count_word("Material", statement.type);
-        materials.emplace_back(DiffuseMaterial{});
-        reliefs.emplace_back();
-        try {
-            materials.back() = material_of(statement, reading);
-            reliefs.back() = relief_of(statement, reading);
-            reading.warn_unused(statement);
-        } catch (const MissingFile& missing) {
-            reading.note_missing(missing);
-        }
-    }
 }
 
 }  // namespace sunfleck

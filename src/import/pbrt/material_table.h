@@ -1,4 +1,4 @@
-// Materials of a scene file: slots that shapes refer to, filled in when all files have ended.
+// Material statements of a scene file, by the slots and the names that shapes and mixes refer to.
 #pragma once
 
 #include "import/pbrt/parameters.h"
@@ -8,8 +8,6 @@
 #include <vector>
 
 namespace sunfleck {
-
-struct Reading;
 
 /// Slot 0 is pbrt-v4's default, diffuse 0.5.
 class MaterialTable {
@@ -23,23 +21,22 @@ public:
     /// MakeNamedMaterial. @throws Error for a name made before, or an unknown type.
     void make(const std::string& name, Statement statement);
 
-    /// All slots as materials of the scene. @throws Error for names that were never made, though a
-    /// shape uses them, and for parameters that cannot be used.
-    void finish(Reading& reading);
-
     /// Marks a slot as that of a shape: its name must be made before the end.
     void use(std::uint32_t slot) { slots_[slot].used = true; }
     /// The statement that made the name. @throws Error when there is none.
     const Statement& named(const std::string& name, const SourceLocation& from) const;
+    /// Has a statement made the name?
+    bool is_made(const std::string& name) const { return named_.contains(name); }
 
-private:
     struct Slot {
-        std::optional<Statement> statement;
+        std::optional<Statement> statement;  // nothing: the slot is that of the name
         std::string name;
         SourceLocation from;
         bool used = false;
     };
+    const std::vector<Slot>& slots() const { return slots_; }
 
+private:
     std::vector<Slot> slots_;
     std::map<std::string, std::uint32_t> slot_by_name_;
     std::map<std::string, Statement> named_;

@@ -2,10 +2,7 @@
 #include "import/pbrt/materials.h"
 
 #include "import/pbrt/coats.h"
-#include "import/pbrt/reading.h"
-#include "import/pbrt/spectra.h"
 #include "import/pbrt/stand_ins.h"
-#include "import/pbrt/textures.h"
 #include "import/pbrt/words.h"
 #include "texture/kinds.h"
 
@@ -16,85 +13,84 @@ namespace sunfleck {
 namespace {
 
 constexpr float kGrey = 0.5F;  // pbrt-v4's default
-constexpr int kDeepestMix = 32;
 
 FloatTexture checked_roughness(const Statement& statement, const std::string& name,
-                               const FloatTexture& fallback, Reading& reading) {
-    FloatTexture value = find_float_texture(statement, name, reading).value_or(fallback);
+                               const FloatTexture& fallback, Assets& assets) {
+    FloatTexture value = assets.textures.find_number(statement, name).value_or(fallback);
     if (!value.is_constant() || value.constant() >= 0) return value;
     throw Error(statement.find(name)->where, in_quotes(name) + " is negative", "use 0 or more");
 }
 
 /// @param prefix  of the names of the parameters: "" or "conductor.".
-Roughness roughness_of(const Statement& statement, const std::string& prefix, Reading& reading) {
-    const FloatTexture both = checked_roughness(statement, prefix + "roughness", 0, reading);
-    return {checked_roughness(statement, prefix + "uroughness", both, reading),
-            checked_roughness(statement, prefix + "vroughness", both, reading),
+Roughness roughness_of(const Statement& statement, const std::string& prefix, Assets& assets) {
+    const FloatTexture both = checked_roughness(statement, prefix + "roughness", 0, assets);
+    return {checked_roughness(statement, prefix + "uroughness", both, assets),
+            checked_roughness(statement, prefix + "vroughness", both, assets),
             statement.flag("remaproughness", true)};
 }
 
 /// An index of refraction: "float eta" or a spectrum.
-SpectralCurve eta_of(const Statement& statement, Reading& reading) {
+SpectralCurve eta_of(const Statement& statement, Assets& assets) {
     const Parameter* found = statement.find("eta");
     if (!found) return SpectralCurve::constant(1.5F);
-    if (found->type != ParameterType::real) return curve_of(*found, SpectrumUse::index, reading);
+    if (found->type != ParameterType::real) return assets.spectra.curve(*found, SpectrumUse::index);
     const auto eta = static_cast<float>(*statement.real("eta"));
     if (eta > 0) return SpectralCurve::constant(eta);
     throw Error(found->where, "an index of refraction that is not positive",
                 "use 1.5 for glass, or another number above 0");
 }
 
-DiffuseMaterial diffuse_by(const Statement& statement, std::string_view name, Reading& reading) {
-    const auto colour = find_spectrum_texture(statement, name, SpectrumUse::reflectance, reading);
+DiffuseMaterial diffuse_by(const Statement& statement, std::string_view name, Assets& assets) {
+    const auto colour = assets.textures.find_spectrum(statement, name, SpectrumUse::reflectance);
     return {colour.value_or(SpectralCurve::constant(kGrey))};
 }
 
-Material diffuse(const Statement& statement, Reading& reading) {
-    return diffuse_by(statement, "reflectance", reading);
+Material diffuse(const Statement& statement, Assets& assets) {
+    return diffuse_by(statement, "reflectance", assets);
 }
 
-Material dielectric(const Statement& statement, Reading& reading) {
-    return DielectricMaterial{eta_of(statement, reading), roughness_of(statement, "", reading)};
+Material dielectric(const Statement& statement, Assets& assets) {
+    return DielectricMaterial{eta_of(statement, assets), roughness_of(statement, "", assets)};
 }
 
-Material thin_dielectric(const Statement& statement, Reading& reading) {
-    return ThinDielectricMaterial{eta_of(statement, reading)};
+Material thin_dielectric(const Statement& statement, Assets& assets) {
+    return ThinDielectricMaterial{eta_of(statement, assets)};
 }
 
 ConductorMaterial conductor_by(const Statement& statement, const std::string& prefix,
-                               Reading& reading) {
-    const auto eta = find_spectrum_texture(statement, prefix + "eta", SpectrumUse::index, reading);
-    const auto k = find_spectrum_texture(statement, prefix + "k", SpectrumUse::index, reading);
+                               Assets& assets) {
+    const auto eta = assets.textures.find_spectrum(statement, prefix + "eta", SpectrumUse::index);
+    const auto k = assets.textures.find_spectrum(statement, prefix + "k", SpectrumUse::index);
     ConductorMaterial metal;
     metal.eta = eta ? *eta : SpectrumTexture(*named_spectrum("metal-Cu-eta"));
     metal.k = k ? *k : SpectrumTexture(*named_spectrum("metal-Cu-k"));
     metal.reflectance =
-        find_spectrum_texture(statement, "reflectance", SpectrumUse::reflectance, reading);
+        assets.textures.find_spectrum(statement, "reflectance", SpectrumUse::reflectance);
     if (metal.reflectance && (eta || k))
         throw Error(statement.find("reflectance")->where,
                     "a conductor with \"reflectance\" beside \"eta\" or \"k\"",
                     "give one or the other");
-    metal.roughness = roughness_of(statement, prefix, reading);
+    metal.roughness = roughness_of(statement, prefix, assets);
     return metal;
 }
 
-Material conductor(const Statement& statement, Reading& reading) {
-    return conductor_by(statement, "", reading);
+Material conductor(const Statement& statement, Assets& assets) {
+    return conductor_by(statement, "", assets);
 }
 
-Material interface(const Statement& statement, Reading&) {
+Material interface(const Statement& statement, Assets&) {
     statement.ignore_all();
     return InterfaceMaterial{};
 }
 
-Material coated_diffuse(const Statement& statement, Reading& reading) {
-    return CoatedDiffuseMaterial{diffuse_by(statement, "reflectance", reading).reflectance,
-                                 coat_of(statement, {}, reading)};
+Material coated_diffuse(const Statement& statement, Assets& assets) {
+    return CoatedDiffuseMaterial{diffuse_by(statement, "reflectance", assets).reflectance,
+                                 coat_of(statement, {}, assets)};
 }
 
-Material coated_conductor(const Statement& statement, Reading& reading) {
-    return CoatedConductorMaterial{conductor_by(statement, "conductor.", reading),
-                                   coat_of(statement, {"interface."}, reading)};
+Material coated_conductor(const Statement& statement, Assets& assets) {
+    return CoatedConductorMaterial{conductor_by(statement, "conductor.", assets),
+                                   coat_of(statement, {"interface."}, assets)};
 }
 
 SpectrumTexture scaled(const SpectrumTexture& texture, float factor) {
@@ -103,67 +99,24 @@ SpectrumTexture scaled(const SpectrumTexture& texture, float factor) {
     return SpectrumTexture(SpectrumKind{ScaledKind<SpectrumTexture>{texture, factor}});
 }
 
-Material diffuse_transmission(const Statement& statement, Reading& reading) {
+Material diffuse_transmission(const Statement& statement, Assets& assets) {
     const double scale = statement.real("scale", 1);
     if (scale < 0)
         throw Error(statement.find("scale")->where, "\"scale\" is negative", "use 0 or more");
     const auto part = [&](std::string_view name) {
-        const auto given =
-            find_spectrum_texture(statement, name, SpectrumUse::reflectance, reading);
+        const auto given = assets.textures.find_spectrum(statement, name, SpectrumUse::reflectance);
         return scaled(given.value_or(SpectralCurve::constant(0.25F)), static_cast<float>(scale));
     };
     return DiffuseTransmissionMaterial{part("reflectance"), part("transmittance")};
 }
 
-bool is_interface(const std::string& name, const SourceLocation& where, Reading& reading) {
-    if (name == "interface" || name == "none" || name.empty()) return true;
-    const std::string& type = reading.materials.named(name, where).type;
-    return type == "interface" || type == "none" || type.empty();
-}
-
-/// The names of both parts; what is below is looked at once. @throws Error when they mix each other
-/// in a circle.
-const Parameter& parts_of_mix(const Statement& statement, int depth, Reading& reading) {
-    const Parameter* names = statement.find("materials", ParameterType::text);
-    if (!names || names->texts.size() != 2)
-        throw Error(statement.where, "a mix without two materials",
-                    "add \"string materials\" [ \"one\" \"another\" ]");
-    if (depth >= kDeepestMix)
-        throw Error(statement.where,
-                    "materials mix each other in a circle, or more than " +
-                        std::to_string(kDeepestMix) + " deep",
-                    "break the circle, or mix fewer");
-    for (const std::string& name : names->texts) {
-        if (is_interface(name, names->where, reading)) continue;
-        const Statement& part = reading.materials.named(name, names->where);
-        if (part.type != "mix" || reading.sound_mixes.contains(&part)) continue;
-        parts_of_mix(part, depth + 1, reading);
-        reading.sound_mixes.insert(&part);
-    }
-    return *names;
-}
-
-/// Where nothing is mixed in, the other part is everywhere.
-Material mix(const Statement& statement, Reading& reading) {
-    const Parameter& names = parts_of_mix(statement, 0, reading);
+Material mix(const Statement& statement, Assets& assets) {
     MixMaterial result;
-    result.amount = find_float_texture(statement, "amount", reading).value_or(0.5F);
-    std::vector<std::string> there;
-    for (const std::string& name : names.texts)
-        if (!is_interface(name, names.where, reading)) there.push_back(name);
-    if (there.size() < 2)
-        reading.warn(statement.where,
-                     "a mix with nothing in it is not simulated: it is the other part everywhere");
-    if (there.empty()) return InterfaceMaterial{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        result.parts.at(i) =
-            reading.materials.slot_of(there.at(std::min(i, there.size() - 1)), names.where);
-        reading.materials.use(result.parts.at(i));
-    }
+    result.amount = assets.textures.find_number(statement, "amount").value_or(0.5F);
     return result;
 }
 
-using Maker = Material (*)(const Statement&, Reading&);
+using Maker = Material (*)(const Statement&, Assets&);
 
 struct Row {
     std::string_view word;
@@ -192,19 +145,18 @@ std::span<const std::string_view> material_types() {
     return kWords;
 }
 
-Material material_of(const Statement& statement, Reading& reading) {
+Material material_of(const Statement& statement, Assets& assets) {
     const Row& row = *std::find_if(kRows.begin(), kRows.end(),
                                    [&](const Row& r) { return r.word == statement.type; });
-    return row.maker(statement, reading);
+    return row.maker(statement, assets);
 }
 
-Relief relief_of(const Statement& statement, Reading& reading) {
-    const auto displacement = find_float_texture(statement, "displacement", reading);
+Relief relief_of(const Statement& statement, Assets& assets) {
+    const auto displacement = assets.textures.find_number(statement, "displacement");
     const auto map = statement.text("normalmap");
     if (map && !map->empty()) {
         const Encoding linear{Encoding::Kind::linear, 1};
-        return NormalMap{
-            reading.images.enter(*map, linear, statement.find("normalmap")->where, reading)};
+        return NormalMap{assets.images.enter(*map, linear, statement.find("normalmap")->where)};
     }
     if (displacement && !displacement->is_constant()) return Bumps{*displacement};
     return {};

@@ -2,8 +2,6 @@
 #include "import/pbrt/medium_table.h"
 
 #include "import/pbrt/data_substances.h"
-#include "import/pbrt/reading.h"
-#include "import/pbrt/spectra.h"
 #include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
@@ -22,14 +20,14 @@ struct Coefficients {
     SpectralCurve scattering;
 };
 
-Coefficients coefficients_of(const Statement& medium, Reading& reading) {
+Coefficients coefficients_of(const Statement& medium, SpectrumReader& spectra) {
     if (const auto preset = medium.text("preset"); preset && !preset->empty()) {
         const Substance& substance = substance_of(*preset, medium.find("preset")->where);
         return {SpectralCurve::rgb_unbounded(substance.absorption),
                 SpectralCurve::rgb_unbounded(substance.scattering)};
     }
     const auto curve = [&](std::string_view name) {
-        return find_curve(medium, name, SpectrumUse::unbounded, reading)
+        return spectra.find(medium, name, SpectrumUse::unbounded)
             .value_or(SpectralCurve::constant(1));  // pbrt-v4's default
     };
     return {curve("sigma_a"), curve("sigma_s")};
@@ -40,24 +38,25 @@ bool is_dark(const SpectralCurve& curve) {
 }
 
 /// What is not simulated is told.
-SpectralCurve absorption_of(const std::string& name, const Statement& medium, Reading& reading) {
+SpectralCurve absorption_of(const std::string& name, const Statement& medium,
+                            SpectrumReader& spectra, ImportLog& log) {
     const auto warn = [&](const std::string& what) {
-        reading.warn(medium.where, "medium " + in_quotes(name) + " " + what);
+        log.warn(medium.where, "medium " + in_quotes(name) + " " + what);
     };
     const std::string type = *medium.text("type");
-    reading.count_word(medium.keyword, type);
+    log.count_word(medium.keyword, type);
     if (type != "homogeneous") {
         medium.ignore_all();
         warn("of type " + in_quotes(type) + " is not simulated: light passes it unchanged");
         return {};
     }
-    const Coefficients medium_is = coefficients_of(medium, reading);
+    const Coefficients medium_is = coefficients_of(medium, spectra);
     const double scale = medium.real("scale", 1);
     if (!(scale >= 0))
         throw Error(medium.find("scale")->where, "\"scale\" is negative", "use 0 or more");
-    const auto glow = find_curve(medium, "Le", SpectrumUse::unbounded, reading);
+    const auto glow = spectra.find(medium, "Le", SpectrumUse::unbounded);
     medium.ignore({"g", "Lescale"});
-    reading.warn_unused(medium);
+    log.warn_unused(medium);
     if (scale > 0 && !is_dark(medium_is.scattering))
         warn("scatters, which is not simulated: it takes what it absorbs, the rest goes straight");
     if (glow && !is_dark(*glow)) warn("glows, which is not simulated: \"Le\" is ignored");
@@ -98,7 +97,7 @@ MediumNumber MediumTable::number_of(const std::string& name, const SourceLocatio
     return place->second;
 }
 
-void MediumTable::finish(Reading& reading) {
+void MediumTable::finish(SpectrumReader& spectra, ImportLog& log, Media& media) const {
     for (const Use& use : uses_) {
         const auto found = made_.find(use.name);
         if (found == made_.end()) {
@@ -107,7 +106,7 @@ void MediumTable::finish(Reading& reading) {
             throw Error(use.from, "there is no medium " + in_quotes(use.name),
                         "make it by MakeNamedMedium; " + did_you_mean(known, use.name));
         }
-        reading.scene.media.absorption.push_back(absorption_of(use.name, found->second, reading));
+        media.absorption.push_back(absorption_of(use.name, found->second, spectra, log));
     }
 }
 

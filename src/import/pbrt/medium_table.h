@@ -3,6 +3,7 @@
 #pragma once
 
 #include "import/pbrt/parameters.h"
+#include "import/pbrt/spectra.h"
 #include "scene/media.h"
 
 #include <map>
@@ -11,8 +12,6 @@
 
 namespace sunfleck {
 
-struct Reading;
-
 class MediumTable {
 public:
     /// MakeNamedMedium. @throws Error for a name made before, or an unknown type.
@@ -20,9 +19,9 @@ public:
     /// The number of a medium, which may be made later; empty space for an empty name.
     /// @param from  the statement that uses it.
     MediumNumber number_of(const std::string& name, const SourceLocation& from);
-    /// All that are used, as the scene's. Tells what is not simulated of them.
+    /// Adds all that are used to the scene's media. The log is told what is not simulated of them.
     /// @throws Error for names that were never made, and for parameters that cannot be used.
-    void finish(Reading& reading);
+    void finish(SpectrumReader& spectra, ImportLog& log, Media& media) const;
 
 private:
     struct Use {

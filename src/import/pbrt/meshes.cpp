@@ -2,9 +2,9 @@
 #include "import/pbrt/meshes.h"
 
 #include "geometry/loop_subdivision.h"
-#include "import/pbrt/ply.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
+#include "import/ply/reader.h"
 
 #include <cmath>
 
@@ -85,18 +85,12 @@ void read_attributes(const Statement& statement, Mesh& mesh) {
     statement.ignore({"faceIndices"});
 }
 
-void warn_of_coarseness(const LocalPoints& local,
-                        const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                        const Statement& statement, Reading& reading) {
-    const std::string fault = coarseness_of(local, triangles);
-    if (!fault.empty()) reading.warn(statement.where, fault);
-}
-
 /// Sets the mesh's positions; warns where the file has too few digits. @return their origin.
 Vec3d place_triangles(TriangleMesh& mesh, const std::vector<Vec3d>& positions,
                       const Statement& statement, Reading& reading) {
     LocalPoints local = local_points(positions, all_corners(mesh.triangles));
-    warn_of_coarseness(local, mesh.triangles, statement, reading);
+    const std::string fault = coarseness_of(local, mesh.triangles);
+    if (!fault.empty()) reading.log.warn(statement.where, fault);
     mesh.positions = std::move(local.points);
     return local.origin;
 }
@@ -180,20 +174,24 @@ LocalShape ply_mesh(const Statement& statement, Reading& reading) {
     const auto name = statement.text("filename");
     if (!name) throw Error(statement.where, "a plymesh without a file", "add \"string filename\"");
     if (statement.find("displacement"))
-        reading.warn(statement.where, "displacement is not simulated: meshes stay as they are");
+        reading.log.warn(statement.where, "displacement is not simulated: meshes stay as they are");
     statement.ignore({"edgelength"});
-    PlyFile ply = reading.read_data(*name, statement.where, [](const NamedFile& file) {
+    PlyMesh ply = reading.assets.files.read_as(*name, statement.where, [](const NamedFile& file) {
         return parse_ply(file.bytes, file.path);
     });
     for (const std::string& remark : ply.remarks)
-        reading.warn(statement.where, in_quotes(*name) + ": " + remark);
-    TriangleMesh mesh = std::move(ply.mesh);
-    warn_of_coarseness({mesh.positions, ply.origin}, mesh.triangles, statement, reading);
+        reading.log.warn(statement.where, in_quotes(*name) + ": " + remark);
+    TriangleMesh mesh;
+    mesh.triangles = std::move(ply.triangles);
+    mesh.normals = std::move(ply.normals);
+    mesh.uvs = std::move(ply.uvs);
+    const Vec3d origin = place_triangles(mesh, ply.positions, statement, reading);
     const std::size_t broken = drop_broken_normals(mesh);
     if (broken > 0)
-        reading.warn(statement.where, std::to_string(broken) + " normals in " + in_quotes(*name) +
-                                          " are no numbers: triangles are flat there");
-    return {std::move(mesh), ply.origin};
+        reading.log.warn(statement.where, std::to_string(broken) + " normals in " +
+                                              in_quotes(*name) +
+                                              " are no numbers: triangles are flat there");
+    return {std::move(mesh), origin};
 }
 
 }  // namespace sunfleck

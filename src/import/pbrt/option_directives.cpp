@@ -23,8 +23,9 @@ void camera(Reading& reading, TokenStream& tokens, const Token& keyword) {
 void film(Reading& reading, TokenStream& tokens, const Token& keyword) {
     reading.options.film = read_statement(tokens, keyword);
     if (reading.state.colour_space != ColourSpace::srgb)
-        reading.warn(keyword.where(),
-                     "the picture is written in linear sRGB, not in the colour space given before");
+        reading.log.warn(
+            keyword.where(),
+            "the picture is written in linear sRGB, not in the colour space given before");
 }
 
 void filter(Reading& reading, TokenStream& tokens, const Token& keyword) {
@@ -43,7 +44,7 @@ void accelerator(Reading& reading, TokenStream& tokens, const Token& keyword) {
     const Statement statement = read_statement(tokens, keyword);  // ours is Embree's
     statement.ignore({"maxnodeprims", "splitmethod", "intersectcost", "traversalcost", "emptybonus",
                       "maxprims", "maxdepth"});
-    reading.warn_unused(statement);
+    reading.log.warn_unused(statement);
 }
 
 void color_space(Reading& reading, TokenStream& tokens, const Token& keyword) {
@@ -96,10 +97,10 @@ void option(Reading& reading, TokenStream& tokens, const Token& keyword) {
         kOptions.begin(), kOptions.end(),
         [&](const KnownOption& o) { return o.name == plain(name.substr(name.rfind(' ') + 1)); });
     if (known == kOptions.end())
-        reading.warn(keyword.where(), "unknown Option " + in_quotes(name) + " is ignored");
+        reading.log.warn(keyword.where(), "unknown Option " + in_quotes(name) + " is ignored");
     else if (!known->instead.empty() && value.text != "false")
-        reading.warn(keyword.where(),
-                     "Option " + in_quotes(name) + " is ignored: " + std::string(known->instead));
+        reading.log.warn(keyword.where(), "Option " + in_quotes(name) +
+                                              " is ignored: " + std::string(known->instead));
 }
 
 constexpr std::array<Directive, 8> kDirectives = {

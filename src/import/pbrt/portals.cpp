@@ -5,7 +5,6 @@
 #include "import/pbrt/light_pictures.h"
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/reading.h"
-#include "import/pbrt/spectra.h"
 #include "math/warp.h"
 
 namespace sunfleck {

@@ -7,6 +7,7 @@
 #include "import/pbrt/directives.h"
 #include "import/pbrt/film.h"
 #include "import/pbrt/reading.h"
+#include "import/pbrt/scene_materials.h"
 #include "import/pbrt/words.h"
 
 #include <algorithm>
@@ -32,9 +33,9 @@ void finish_instances(Reading& reading) {
             throw Error(use.where, "there is no object " + in_quotes(use.name),
                         "make it by ObjectBegin and ObjectEnd");
         if (is_extreme(use.to_world))
-            reading.warn(use.where,
-                         "an instance whose size is less than 10^-10 or more than 10^10 "
-                         "of its object's is left out");
+            reading.log.warn(use.where,
+                             "an instance whose size is less than 10^-10 or more than 10^10 "
+                             "of its object's is left out");
         else
             reading.scene.instances.push_back({found->second, use.to_world});
     }
@@ -47,7 +48,7 @@ void finish_emission(Reading& reading) {
         const bool straight = std::holds_alternative<InterfaceMaterial>(material);
         if (!shape.emission || !straight || shape.unseen) continue;
         shape.emission.reset();
-        reading.warn(shape.where, "area lights on interfaces are ignored, as in pbrt-v4");
+        reading.log.warn(shape.where, "area lights on interfaces are ignored, as in pbrt-v4");
     }
 }
 
@@ -61,35 +62,30 @@ void finish(Reading& reading) {
     finish_camera(reading);
     finish_filter(reading);
     finish_hints(reading);
-    reading.materials.finish(reading);
+    finish_materials(reading.materials, reading.assets, reading.scene);
     finish_emission(reading);
-    reading.media.finish(reading);
+    reading.media.finish(reading.assets.spectra, reading.log, reading.scene.media);
     finish_instances(reading);
-    reading.images.load(reading);
+    reading.assets.images.load();
     reading.warn_unused_defaults();
-    for (const auto& [word, count] : reading.words)
-        reading.scene.words.push_back({word.first, word.second, count});
+    reading.scene.warnings = reading.log.warnings();
+    reading.scene.words = reading.log.words();
+    reading.scene.files = reading.assets.files.paths();
 }
 
 SceneDescription read_all(std::string text, const std::string& path, const FileAccess& files) {
     refuse_other_content(text, path, "a scene of pbrt-v4");
-    Reading reading;
-    reading.files = files;
-    reading.folder = std::filesystem::path(path).parent_path().string();
-    reading.scene.path = path;
-    reading.scene.files.push_back(path);
-    reading.files_read.insert(path);
-
+    Reading reading(path, files);
     TokenStream tokens;
     tokens.push(std::move(text), std::filesystem::path(path).lexically_normal().string(), {path});
     try {
         read_statements(reading, tokens);
         finish(reading);
     } catch (const Error&) {
-        reading.check_missing();  // this fault may come of what is missing
+        reading.assets.files.check_missing();  // this fault may come of what is missing
         throw;
     }
-    reading.check_missing();
+    reading.assets.files.check_missing();
     return std::move(reading.scene);
 }
 

@@ -107,17 +107,17 @@ std::optional<AreaEmission> emission_here(const Statement& statement, const Shap
                                           Reading& reading) {
     if (!reading.state.emission) return std::nullopt;
     if (std::holds_alternative<Curves>(shape)) {
-        reading.warn(statement.where, "curves emit no light");
+        reading.log.warn(statement.where, "curves emit no light");
         return std::nullopt;
     }
     if (!reading.open_object) return *reading.state.emission;
-    reading.warn(statement.where, "area lights in objects are ignored, as in pbrt-v4");
+    reading.log.warn(statement.where, "area lights in objects are ignored, as in pbrt-v4");
     return std::nullopt;
 }
 
 /// "alpha" of the shape, a number or a texture. @return whether there is anything to add.
 bool take_alpha(const Statement& statement, Reading& reading, ShapeDescription& shape) {
-    const FloatTexture alpha = find_float_texture(statement, "alpha", reading).value_or(1);
+    const FloatTexture alpha = reading.assets.textures.find_number(statement, "alpha").value_or(1);
     if (alpha.is_constant() && alpha.constant() >= 1) return true;
     const bool invisible = alpha.is_constant() && !(alpha.constant() > 0);
     if (invisible) {
@@ -157,7 +157,7 @@ bool joined(ShapeDescription& before, ShapeDescription& shape) {
 
 void add_shape(const Statement& statement, Reading& reading) {
     const Row& row = row_of(statement);
-    reading.count_word(statement.keyword, statement.type);
+    reading.log.count_word(statement.keyword, statement.type);
     const GraphicsState& state = reading.state;
     ShapeDescription shape;
     LocalShape made = row.maker(statement, reading);
@@ -172,7 +172,7 @@ void add_shape(const Statement& statement, Reading& reading) {
     shape.media = {reading.media.number_of(state.inside_medium, statement.where),
                    reading.media.number_of(state.outside_medium, statement.where)};
     const bool is_there = take_alpha(statement, reading, shape);
-    reading.warn_unused(statement);
+    reading.log.warn_unused(statement);
     if (!is_there) return;
     reading.materials.use(shape.material);
     auto& scene = reading.scene;

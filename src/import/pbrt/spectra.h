@@ -1,12 +1,12 @@
 // Parameters that are spectra: rgb, blackbody, sampled, named, or in a file.
 #pragma once
 
+#include "import/pbrt/import_log.h"
 #include "import/pbrt/parameters.h"
+#include "import/pbrt/scene_files.h"
 #include "math/spectral_curve.h"
 
 namespace sunfleck {
-
-struct Reading;
 
 /// What the spectrum is for: it says what an rgb stands for (pbrt-v4).
 enum class SpectrumUse {
@@ -16,15 +16,30 @@ enum class SpectrumUse {
     emission      // rgb under D65; all other spectra are divided by their luminance
 };
 
-/// @throws Error for numbers that no such spectrum can have, unknown names, missing files.
-SpectralCurve curve_of(const Parameter& parameter, SpectrumUse use, Reading& reading);
+/// Reads spectra out of parameters, and out of the files that these name.
+class SpectrumReader {
+public:
+    /// Both must outlive this.
+    SpectrumReader(SceneFiles& files, ImportLog& log) : files_(files), log_(log) {}
 
-/// The spectrum of that name, or nothing. A "texture" is an Error here.
-std::optional<SpectralCurve> find_curve(const Statement& statement, std::string_view name,
-                                        SpectrumUse use, Reading& reading);
+    /// @throws Error for numbers that no such spectrum can have, unknown names, missing files.
+    SpectralCurve curve(const Parameter& parameter, SpectrumUse use);
 
-/// Emission by a parameter; where there is none, the white of the present colour space, of
-/// luminance one.
-SpectralCurve emission_of(const Statement& statement, std::string_view name, Reading& reading);
+    /// The spectrum of that name, or nothing. A "texture" is an Error here.
+    std::optional<SpectralCurve> find(const Statement& statement, std::string_view name,
+                                      SpectrumUse use);
+
+    /// Emission by a parameter; where there is none, the white of the present colour space, of
+    /// luminance one. @param present  that space.
+    SpectralCurve emission(const Statement& statement, std::string_view name, ColourSpace present);
+
+private:
+    SpectralCurve raw_curve(const Parameter& parameter, SpectrumUse use);
+    SpectralCurve by_name(const Parameter& parameter, SpectrumUse use);
+    SpectralCurve from_file(const std::string& name, const Parameter& parameter, SpectrumUse use);
+
+    SceneFiles& files_;
+    ImportLog& log_;
+};
 
 }  // namespace sunfleck

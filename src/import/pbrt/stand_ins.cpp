@@ -6,9 +6,6 @@
 #include "import/pbrt/data_substances.h"
 #include "import/pbrt/even_textures.h"
 #include "import/pbrt/measured.h"
-#include "import/pbrt/reading.h"
-#include "import/pbrt/spectra.h"
-#include "import/pbrt/textures.h"
 #include "import/pbrt/words.h"
 #include "material/fibre_albedo.h"
 #include "material/subsurface_albedo.h"
@@ -21,19 +18,19 @@ namespace {
 
 constexpr float kGlossyAlpha = 0.5F;  // rougher measured materials are diffuse
 
-void warn_stand_in(const Statement& statement, const std::string& instead, Reading& reading) {
-    reading.warn(statement.where,
-                 "material " + in_quotes(statement.type) + " is not simulated: " + instead);
+void warn_stand_in(const Statement& statement, const std::string& instead, Assets& assets) {
+    assets.log.warn(statement.where,
+                    "material " + in_quotes(statement.type) + " is not simulated: " + instead);
 }
 
 /// Per radius. Eumelanin and pheomelanin: d'Eon et al., An Energy-Conserving Hair Reflectance Model
 /// (2011), in the numbers of pbrt-v4; of brown hair where nothing is said.
-SpectralCurve hair_absorption(const Statement& statement, float beta, Reading& reading) {
-    const auto given = even_curve(statement, "sigma_a", SpectrumUse::unbounded, reading);
-    auto colour = even_curve(statement, "reflectance", SpectrumUse::reflectance, reading);
-    if (!colour) colour = even_curve(statement, "color", SpectrumUse::reflectance, reading);
-    const auto dark = even_number(statement, "eumelanin", reading);
-    const auto red = even_number(statement, "pheomelanin", reading);
+SpectralCurve hair_absorption(const Statement& statement, float beta, Assets& assets) {
+    const auto given = even_curve(statement, "sigma_a", SpectrumUse::unbounded, assets);
+    auto colour = even_curve(statement, "reflectance", SpectrumUse::reflectance, assets);
+    if (!colour) colour = even_curve(statement, "color", SpectrumUse::reflectance, assets);
+    const auto dark = even_number(statement, "eumelanin", assets);
+    const auto red = even_number(statement, "pheomelanin", assets);
     if (given) return *given;
     if (colour)
         return tabulated([&](float nm) {
@@ -45,8 +42,8 @@ SpectralCurve hair_absorption(const Statement& statement, float beta, Reading& r
         Vec3(0.187F, 0.4F, 1.05F) * std::max(0.0F, red.value_or(0)));
 }
 
-float positive_eta(const Statement& statement, float fallback, Reading& reading) {
-    const float eta = even_number(statement, "eta", reading).value_or(fallback);
+float positive_eta(const Statement& statement, float fallback, Assets& assets) {
+    const float eta = even_number(statement, "eta", assets).value_or(fallback);
     if (eta > 0) return eta;
     throw Error(statement.find("eta")->where, "an index of refraction that is not positive",
                 "use 1.55 for hair, 1.33 for skin, or another number above 0");
@@ -64,9 +61,9 @@ struct Cloudiness {
     }
 };
 
-Cloudiness cloudiness_of(const Statement& statement, Reading& reading) {
-    const auto absorption = even_curve(statement, "sigma_a", SpectrumUse::unbounded, reading);
-    const auto scattering = even_curve(statement, "sigma_s", SpectrumUse::unbounded, reading);
+Cloudiness cloudiness_of(const Statement& statement, Assets& assets) {
+    const auto absorption = even_curve(statement, "sigma_a", SpectrumUse::unbounded, assets);
+    const auto scattering = even_curve(statement, "sigma_s", SpectrumUse::unbounded, assets);
     if (const auto name = statement.text("name"); name && !name->empty()) {
         const Substance& substance = substance_of(*name, statement.find("name")->where);
         return {SpectralCurve::rgb_unbounded(substance.scattering),
@@ -83,46 +80,46 @@ Cloudiness cloudiness_of(const Statement& statement, Reading& reading) {
 
 }  // namespace
 
-Material hair_stand_in(const Statement& statement, Reading& reading) {
+Material hair_stand_in(const Statement& statement, Assets& assets) {
     warn_stand_in(statement, "each fibre spreads evenly what it reflects, and what it lets through",
-                  reading);
-    const float eta = positive_eta(statement, 1.55F, reading);
-    const float beta = even_number(statement, "beta_n", reading).value_or(0.3F);
+                  assets);
+    const float eta = positive_eta(statement, 1.55F, assets);
+    const float beta = even_number(statement, "beta_n", assets).value_or(0.3F);
     statement.ignore({"beta_m", "alpha"});
     const SpectralCurve absorption =
-        hair_absorption(statement, std::clamp(beta, 0.01F, 1.0F), reading);
+        hair_absorption(statement, std::clamp(beta, 0.01F, 1.0F), assets);
     const auto fibre = [&](float nm) { return fibre_albedo(std::max(0.0F, absorption(nm)), eta); };
     return DiffuseTransmissionMaterial{tabulated([&](float nm) { return fibre(nm).back; }),
                                        tabulated([&](float nm) { return fibre(nm).through; })};
 }
 
-Material subsurface_stand_in(const Statement& statement, Reading& reading) {
-    warn_stand_in(statement, "light comes out where it went in, as much as should", reading);
+Material subsurface_stand_in(const Statement& statement, Assets& assets) {
+    warn_stand_in(statement, "light comes out where it went in, as much as should", assets);
     const double g = statement.real("g", 0);
     if (!(g > -1 && g < 1))
         throw Error(statement.find("g")->where, "\"g\" is not in (-1, 1)",
                     "use 0 for even scattering");
     statement.ignore({"mfp", "scale"});
-    const auto coat = coat_of(statement, {"", 1.33F, 0}, reading);
+    const auto coat = coat_of(statement, {"", 1.33F, 0}, assets);
     const auto reflectance =
-        find_spectrum_texture(statement, "reflectance", SpectrumUse::reflectance, reading);
+        assets.textures.find_spectrum(statement, "reflectance", SpectrumUse::reflectance);
     const bool by_name = statement.find("name") != nullptr;
     const bool by_sigmas = statement.find("sigma_a") != nullptr;
     if (reflectance && !by_name && !by_sigmas)
         return CoatedDiffuseMaterial{*reflectance, coat, true};
-    const Cloudiness cloud = cloudiness_of(statement, reading);
+    const Cloudiness cloud = cloudiness_of(statement, assets);
     const SubsurfaceAlbedo whole(coat->eta(), by_name ? 0 : static_cast<float>(g));
     return CoatedDiffuseMaterial{tabulated([&](float nm) { return whole(cloud.albedo(nm)); }), coat,
                                  true};
 }
 
-Material measured_stand_in(const Statement& statement, Reading& reading) {
+Material measured_stand_in(const Statement& statement, Assets& assets) {
     const Parameter* file = statement.find("filename", ParameterType::text);
     if (!file || file->texts.size() != 1)
         throw Error(statement.where, "a measured material without a file",
                     "add \"string filename\" \"name.bsdf\"");
     const auto measured =
-        reading.read_data(file->texts[0], file->where, [&](const NamedFile& data) {
+        assets.files.read_as(file->texts[0], file->where, [&](const NamedFile& data) {
             if (!data.bytes.starts_with("tensor_file"))
                 refuse_other_content(data.bytes, data.path, "a file of measurements (.bsdf)");
             return summary_of_measured(data.bytes, file->where);
@@ -131,7 +128,7 @@ Material measured_stand_in(const Statement& statement, Reading& reading) {
     warn_stand_in(statement,
                   glossy ? "it is metal of its mean colour and about its roughness"
                          : "it is diffuse, with its mean reflectance",
-                  reading);
+                  assets);
     if (!glossy) return DiffuseMaterial{measured.albedo};
     ConductorMaterial metal;
     metal.reflectance = measured.albedo;

@@ -1,8 +1,6 @@
 // The table of named textures, each made when something asks for it.
 #include "import/pbrt/textures.h"
 
-#include "import/pbrt/reading.h"
-#include "import/pbrt/texture_kinds.h"
 #include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
@@ -51,9 +49,28 @@ TextureTable::Entry& TextureTable::entry_of(const std::string& kind, const Param
                 "make it by Texture before, or check the name");
 }
 
+/// Of parts that are not given, pbrt-v4's constants.
+template <class T>
+TextureParts<T> TextureTable::parts_of(const Statement& statement, SpectrumUse use) {
+    TextureParts<T> parts;
+    for (const TexturePart& part : texture_parts(statement.type)) {
+        const auto number = [&] {
+            return find_number(statement, part.name).value_or(part.fallback);
+        };
+        if (part.is_number)
+            parts.numbers.emplace(part.name, number());
+        else if constexpr (std::is_same_v<T, FloatTexture>)
+            parts.own.emplace(part.name, number());
+        else
+            parts.own.emplace(part.name, find_spectrum(statement, part.name, use)
+                                             .value_or(SpectralCurve::constant(part.fallback)));
+    }
+    return parts;
+}
+
 /// Notes how deep the tree below the texture is, and how deep that makes the one above.
 template <class T>
-T TextureTable::make(Entry& entry, SpectrumUse use, Reading& reading) {
+T TextureTable::make(Entry& entry, SpectrumUse use) {
     const auto check = [&](int depth) {
         if (depth > kDeepest)
             throw Error(entry.statement.where, "textures are nested more than 100 deep",
@@ -62,7 +79,8 @@ T TextureTable::make(Entry& entry, SpectrumUse use, Reading& reading) {
     check(++open_);
     const std::size_t limit_above = std::exchange(limit_, entry.order);
     const Tree above = std::exchange(below_, {});
-    T texture = texture_of<T>(entry.statement, entry.to_world, use, reading);
+    T texture = texture_of<T>({entry.statement, entry.to_world, use},
+                              parts_of<T>(entry.statement, use), images_, log_);
     limit_ = limit_above;
     const Tree below = std::exchange(below_, above);
     entry.tree = {below.depth + 1, below.lookups + 1};
@@ -75,40 +93,37 @@ T TextureTable::make(Entry& entry, SpectrumUse use, Reading& reading) {
     return texture;
 }
 
-FloatTexture TextureTable::number(const Parameter& parameter, Reading& reading) {
+FloatTexture TextureTable::number(const Parameter& parameter) {
     Entry& entry = entry_of("float", parameter);
-    if (!entry.number) entry.number = make<FloatTexture>(entry, SpectrumUse::reflectance, reading);
+    if (!entry.number) entry.number = make<FloatTexture>(entry, SpectrumUse::reflectance);
     below_.add(entry.tree);
     return *entry.number;
 }
 
-SpectrumTexture TextureTable::spectrum(const Parameter& parameter, SpectrumUse use,
-                                       Reading& reading) {
+SpectrumTexture TextureTable::spectrum(const Parameter& parameter, SpectrumUse use) {
     Entry& entry = entry_of("spectrum", parameter);
     const auto known = entry.spectra.find(use);
     SpectrumTexture texture =
-        known != entry.spectra.end() ? known->second : make<SpectrumTexture>(entry, use, reading);
+        known != entry.spectra.end() ? known->second : make<SpectrumTexture>(entry, use);
     entry.spectra.try_emplace(use, texture);
     below_.add(entry.tree);
     return texture;
 }
 
-std::optional<SpectrumTexture> find_spectrum_texture(const Statement& statement,
-                                                     std::string_view name, SpectrumUse use,
-                                                     Reading& reading) {
+std::optional<FloatTexture> TextureTable::find_number(const Statement& statement,
+                                                      std::string_view name) {
     const Parameter* found = statement.find(name);
     if (!found) return std::nullopt;
-    if (found->type == ParameterType::texture)
-        return reading.textures.spectrum(*found, use, reading);
-    return SpectrumTexture(curve_of(*found, use, reading));
+    if (found->type == ParameterType::texture) return number(*found);
+    return static_cast<float>(*statement.real(name));
 }
 
-std::optional<FloatTexture> find_float_texture(const Statement& statement, std::string_view name,
-                                               Reading& reading) {
+std::optional<SpectrumTexture> TextureTable::find_spectrum(const Statement& statement,
+                                                           std::string_view name, SpectrumUse use) {
     const Parameter* found = statement.find(name);
     if (!found) return std::nullopt;
-    if (found->type == ParameterType::texture) return reading.textures.number(*found, reading);
-    return static_cast<float>(*statement.real(name));
+    if (found->type == ParameterType::texture) return spectrum(*found, use);
+    return SpectrumTexture(spectra_.curve(*found, use));
 }
 
 }  // namespace sunfleck

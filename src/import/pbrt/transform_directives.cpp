@@ -97,8 +97,8 @@ void coord_sys_transform(Reading& reading, TokenStream& tokens, const Token& key
     if (found != reading.coordinate_systems.end())
         reading.state.matrix = found->second;
     else
-        reading.warn(keyword.where(), "there is no coordinate system " + in_quotes(name) +
-                                          ": the matrix stays, as in pbrt-v4");
+        reading.log.warn(keyword.where(), "there is no coordinate system " + in_quotes(name) +
+                                              ": the matrix stays, as in pbrt-v4");
 }
 
 void active_transform(Reading& reading, TokenStream& tokens, const Token&) {

@@ -1,6 +1,8 @@
 // What each word of the language means to us: the table behind `sunfleck info` and docs/scenes.md.
 #pragma once
 
+#include "import/pbrt/vocabulary_row.h"
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,22 +10,8 @@
 
 namespace sunfleck {
 
-enum class Treatment {
-    exact,         // as pbrt-v4 means it
-    approximated,  // something else stands in for it; a warning says so
-    ignored,       // read, and without effect; a warning says so where the picture would differ
-    refused        // an error
-};
-
 /// As info and the documentation say it.
 std::string_view name_of(Treatment treatment);
-
-struct WordRow {
-    std::string_view directive;  // "Shape"
-    std::string_view word;       // "plymesh"; of "Directive" itself, several with blanks between
-    Treatment treatment = Treatment::exact;
-    std::string_view read_as;  // Markdown, within a table's cell
-};
 
 /// All of them, by directive, in the order of the documentation.
 std::span<const WordRow> vocabulary();

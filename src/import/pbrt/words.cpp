@@ -1,7 +1,5 @@
-// Words in messages: quoting, and similarity by edit distance.
+// Words in messages: similarity by edit distance.
 #include "import/pbrt/words.h"
-
-#include "core/printable.h"
 
 #include <algorithm>
 #include <vector>
@@ -46,10 +44,6 @@ std::string_view nearest(std::span<const std::string_view> known, std::string_vi
 }
 
 }  // namespace
-
-std::string in_quotes(std::string_view text, std::size_t most) {
-    return '"' + printable(text, most) + '"';
-}
 
 std::string use_one_of(std::span<const std::string_view> known, std::string_view instead_of) {
     std::vector<std::string_view> words(known.begin(), known.end());

@@ -1,5 +1,7 @@
-// Words of a scene file as messages show them, and the known word that an unknown one may mean.
+// Words of a scene file in messages, and the known word that an unknown one may mean.
 #pragma once
+
+#include "core/printable.h"
 
 #include <array>
 #include <cstddef>
@@ -8,10 +10,6 @@
 #include <string_view>
 
 namespace sunfleck {
-
-/// In quotes, on one line: other than printable ASCII and UTF-8 becomes '?', long texts are cut.
-/// @param most  bytes that are shown.
-std::string in_quotes(std::string_view text, std::size_t most = 60);
 
 /// `use "a", "b" or "c"`: the remedy for an unknown word, the most similar one first where one is
 /// close. @param known  not empty.

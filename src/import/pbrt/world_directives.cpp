@@ -32,8 +32,9 @@ void texture(Reading& reading, TokenStream& tokens, const Token& keyword) {
     const std::string kind = tokens.require_string("\"float\" or \"spectrum\"");
     Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.texture_defaults;
-    reading.count_word(keyword.text, statement.type);
-    reading.textures.add(kind, name, std::move(statement), reading.still_matrix(keyword.where()));
+    reading.log.count_word(keyword.text, statement.type);
+    reading.assets.textures.add(kind, name, std::move(statement),
+                                reading.still_matrix(keyword.where()));
 }
 
 void make_named_medium(Reading& reading, TokenStream& tokens, const Token& keyword) {

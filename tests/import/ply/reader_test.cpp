@@ -1,5 +1,5 @@
 // PLY files: every way to store the same mesh reads alike, and every fault is an Error.
-#include "import/pbrt/ply.h"
+#include "import/ply/reader.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -80,14 +80,14 @@ std::string sample(const Storage& s, const std::string& list = "vertex_indices")
     return text;
 }
 
-void expect_sample(const TriangleMesh& mesh) {
+void expect_sample(const PlyMesh& mesh) {
     ASSERT_EQ(mesh.positions.size(), 5U);
     ASSERT_EQ(mesh.normals.size(), 5U);
     ASSERT_EQ(mesh.uvs.size(), 5U);
     for (int v = 0; v < 5; ++v) {
         const auto i = static_cast<std::size_t>(v);
         const auto base = static_cast<float>(10 * v);
-        EXPECT_EQ(mesh.positions[i], Vec3(base, base + 1, base + 3));
+        EXPECT_EQ(mesh.positions[i], Vec3d(Vec3(base, base + 1, base + 3)));
         EXPECT_EQ(mesh.normals[i], Vec3(base + 4, base + 5, base + 6));
         EXPECT_EQ(mesh.uvs[i], Vec2(base + 7, base + 8));
     }
@@ -105,8 +105,8 @@ std::string fault_of(const std::string& bytes) {
     return "";
 }
 
-TriangleMesh mesh_of(const std::string& bytes) {
-    return parse_ply(bytes, "m.ply").mesh;
+PlyMesh mesh_of(const std::string& bytes) {
+    return parse_ply(bytes, "m.ply");
 }
 
 void expect_fault(const std::string& bytes, const std::string& begin) {
@@ -171,7 +171,7 @@ TEST(Ply, gzip_is_known_by_content_and_members_are_joined) {
 TEST(Ply, all_names_of_texture_coordinates) {
     for (const std::string name : {"u v", "s t", "texture_u texture_v", "texture_s texture_t"}) {
         const std::size_t blank = name.find(' ');
-        const TriangleMesh mesh = mesh_of(
+        const PlyMesh mesh = mesh_of(
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float " + name.substr(blank + 1) +
             "\nproperty float x\nproperty float y\nproperty float z\nproperty float " +
             name.substr(0, blank) + "\nelement face 1\n" +
@@ -180,7 +180,7 @@ TEST(Ply, all_names_of_texture_coordinates) {
         ASSERT_EQ(mesh.uvs.size(), 3U) << name;
         EXPECT_EQ(mesh.uvs[0], Vec2(5, 1));
         EXPECT_EQ(mesh.uvs[2], Vec2(0, 0.5F));
-        EXPECT_EQ(mesh.positions[1], Vec3(-2, -3, -4));
+        EXPECT_EQ(mesh.positions[1], Vec3d(-2, -3, -4));
         EXPECT_TRUE(mesh.normals.empty());
     }
 }

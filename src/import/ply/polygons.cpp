@@ -1,5 +1,5 @@
 // Planarity by the distance from the mean plane, convexity by the turn at each corner.
-#include "import/pbrt/ply_polygons.h"
+#include "import/ply/polygons.h"
 
 #include <algorithm>
 #include <cmath>

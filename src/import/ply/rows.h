@@ -1,10 +1,12 @@
-// The body of a PLY file as it stands there, and the mesh that becomes of it.
+// The body of a PLY file as it stands there, row by row.
 #pragma once
 
-#include "import/pbrt/ply.h"
+#include "import/ply/header.h"
+#include "import/ply/mesh.h"
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sunfleck {
@@ -18,8 +20,7 @@ struct PlyFan {
 
 /// All rows of the file, before any is checked against others.
 struct PlyBody {
-    TriangleMesh mesh;          // without positions
-    std::vector<Vec3d> points;  // these, as the file has them
+    PlyMesh mesh;  // without remarks
     std::vector<PlyFan> fans;
     std::vector<std::uint64_t> broken;  // vertices with a number that is no finite float, rising
     std::uint64_t faces_left_out = 0;   // of fewer than three corners
@@ -27,9 +28,9 @@ struct PlyBody {
     bool has_face_uvs = false;          // texture coordinates of faces, which are not read
 };
 
-/// The mesh without what no face uses. @param name  of the file, for errors.
-/// @throws Error  for polygons that a fan does not cover, broken vertices that a face uses, and for
-///         a body without triangles.
-PlyFile finished_ply(PlyBody body, const std::string& name);
+/// @param body  the bytes after the header. @param name  of the file, for errors.
+/// @throws Error with the element and its number: cut files, counts that the file cannot hold, what
+/// is no number, indices that name no vertex.
+PlyBody read_rows(const PlyHeader& header, std::string_view body, const std::string& name);
 
 }  // namespace sunfleck

@@ -4,7 +4,7 @@
 // type). room_for() says whether that many rows can be there at all, before anything is allocated.
 #pragma once
 
-#include "import/pbrt/ply_header.h"
+#include "import/ply/header.h"
 
 #include <algorithm>
 #include <array>

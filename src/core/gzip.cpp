@@ -1,5 +1,5 @@
 // gzip by way of zlib: the output comes in pieces, so that a file's claim is never believed.
-#include "import/pbrt/ply_gzip.h"
+#include "core/gzip.h"
 
 #include "core/error.h"
 #include "core/memory_room.h"

@@ -1,18 +1,13 @@
-// PLY files: the body, row by row, into a TriangleMesh.
-#include "import/pbrt/ply.h"
+// The rows of a PLY body, number by number.
+#include "import/ply/rows.h"
 
-#include "core/file_content.h"
+#include "core/error.h"
 #include "core/printable.h"
-#include "import/pbrt/ply_body.h"
-#include "import/pbrt/ply_gzip.h"
-#include "import/pbrt/ply_header.h"
-#include "import/pbrt/ply_source.h"
-#include "import/pbrt/words.h"
+#include "import/ply/number_source.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace sunfleck {
@@ -111,7 +106,7 @@ private:
 
     void read_vertices(const PlyElement& element) {
         const VertexLayout layout = layout_of(element);
-        body_.points.reserve(element.count);
+        mesh_.positions.reserve(element.count);
         if (layout.normals) mesh_.normals.reserve(element.count);
         if (layout.uvs) mesh_.uvs.reserve(element.count);
         for (; row_ < element.count; ++row_) {
@@ -135,7 +130,7 @@ private:
                 return std::abs(value) <= double{std::numeric_limits<float>::max()};
             });
         };
-        body_.points.emplace_back(row[slot_x], row[slot_x + 1], row[slot_x + 2]);
+        mesh_.positions.emplace_back(row[slot_x], row[slot_x + 1], row[slot_x + 2]);
         if (!are_floats(slot_x, slot_x + 2)) body_.broken.push_back(row_);
         const auto any = [&](std::size_t slot) { return static_cast<float>(row.at(slot)); };
         if (layout.normals)
@@ -192,27 +187,18 @@ private:
     const PlyElement* element_ = nullptr;
     std::uint64_t row_ = 0;
     PlyBody body_;
-    TriangleMesh& mesh_ = body_.mesh;
+    PlyMesh& mesh_ = body_.mesh;
     std::vector<std::uint32_t> corners_;  // of the present face
 };
 
-PlyBody parse_plain_ply(std::string_view bytes, const std::string& name) {
-    bytes = without_mark(bytes);
-    if (!bytes.starts_with("ply")) refuse_other_content(bytes, name, "a PLY mesh");
-    const PlyHeader header = parse_ply_header(bytes, name);
-    const std::string_view body = bytes.substr(header.size);
+}  // namespace
+
+PlyBody read_rows(const PlyHeader& header, std::string_view body, const std::string& name) {
     if (header.format == PlyFormat::ascii)
         return BodyReader<PlyTextSource>(header, body, name).read();
     if (header.format == PlyFormat::little_endian)
         return BodyReader<PlyBinarySource<std::endian::little>>(header, body, name).read();
     return BodyReader<PlyBinarySource<std::endian::big>>(header, body, name).read();
-}
-
-}  // namespace
-
-PlyFile parse_ply(std::string_view bytes, const std::string& name) {
-    if (!is_gzip(bytes)) return finished_ply(parse_plain_ply(bytes, name), name);
-    return finished_ply(parse_plain_ply(gunzip(bytes, name), name), name);
 }
 
 }  // namespace sunfleck

@@ -1,5 +1,5 @@
 // Which polygons a fan of triangles covers.
-#include "import/pbrt/ply_polygons.h"
+#include "import/ply/polygons.h"
 
 #include <gtest/gtest.h>
 

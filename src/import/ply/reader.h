@@ -1,24 +1,16 @@
-// PLY files: triangle meshes with normals and texture coordinates, as pbrt-v4 reads them.
+// PLY files: reads triangle meshes with normals and texture coordinates.
 //
-// In:  ASCII or binary, of either byte order, plain or packed by gzip. Out: a TriangleMesh.
+// In:  ASCII or binary, of either byte order, plain or packed by gzip. Out: a PlyMesh.
 // Source: Turk, The PLY Polygon File Format (1994); names of properties as in pbrt-v4.
 #pragma once
 
 #include "core/error.h"
-#include "geometry/triangle_mesh.h"
+#include "import/ply/mesh.h"
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace sunfleck {
-
-/// A mesh, and what of its file it has not.
-struct PlyFile {
-    TriangleMesh mesh;
-    Vec3d origin{0};  // that its positions are relative to; zero, unless they are far from it
-    std::vector<std::string> remarks;  // follow the file's name and a colon
-};
 
 /// Reads x y z, and where present nx ny nz and one pair of u v, s t, texture_u texture_v,
 /// texture_s texture_t of "vertex"; vertex_indices (or vertex_index) of "face". A quad becomes the
@@ -31,6 +23,6 @@ struct PlyFile {
 ///         (from 0) for faults of the body: cut files, counts that the file cannot hold, numbers
 ///         that are not finite floats, indices that name no vertex, other faces of more than four
 ///         corners. For what is no PLY file, it says what the file is.
-PlyFile parse_ply(std::string_view bytes, const std::string& name);
+PlyMesh parse_ply(std::string_view bytes, const std::string& name);
 
 }  // namespace sunfleck

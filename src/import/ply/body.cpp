@@ -1,8 +1,8 @@
-// Checks of a PLY body that need all of its rows.
-#include "import/pbrt/ply_body.h"
+// Polygons, vertices without a face, and remarks.
+#include "import/ply/body.h"
 
-#include "import/pbrt/local_points.h"
-#include "import/pbrt/ply_polygons.h"
+#include "core/error.h"
+#include "import/ply/polygons.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace {
 std::vector<Vec3d> corners_of(const PlyFan& fan, const PlyBody& body) {
     std::vector<Vec3d> corners;
     const auto add = [&](std::size_t triangle, std::size_t corner) {
-        corners.push_back(body.points[body.mesh.triangles[triangle].at(corner)]);
+        corners.push_back(body.mesh.positions[body.mesh.triangles[triangle].at(corner)]);
     };
     add(fan.first, 0);
     add(fan.first, 1);
@@ -30,7 +30,7 @@ void check_fans(const PlyBody& body, const std::string& name) {
 }
 
 void check_broken(const PlyBody& body, const std::string& name) {
-    std::vector<bool> is_used(body.points.size());
+    std::vector<bool> is_used(body.mesh.positions.size());
     for (const auto& triangle : body.mesh.triangles)
         for (const std::uint32_t corner : triangle) is_used[corner] = true;
     for (const std::uint64_t vertex : body.broken)
@@ -43,18 +43,18 @@ void check_broken(const PlyBody& body, const std::string& name) {
 
 /// Of vertices that no triangle has: those that are broken.
 void remove_broken(PlyBody& body) {
-    TriangleMesh& mesh = body.mesh;
-    std::vector<std::uint32_t> moved(body.points.size());
+    PlyMesh& mesh = body.mesh;
+    std::vector<std::uint32_t> moved(mesh.positions.size());
     std::uint32_t kept = 0;
     for (std::size_t i = 0; i < moved.size(); ++i) {
         if (std::binary_search(body.broken.begin(), body.broken.end(), i)) continue;
         moved[i] = kept;
-        body.points[kept] = body.points[i];
+        mesh.positions[kept] = mesh.positions[i];
         if (!mesh.normals.empty()) mesh.normals[kept] = mesh.normals[i];
         if (!mesh.uvs.empty()) mesh.uvs[kept] = mesh.uvs[i];
         ++kept;
     }
-    body.points.resize(kept);
+    mesh.positions.resize(kept);
     if (!mesh.normals.empty()) mesh.normals.resize(kept);
     if (!mesh.uvs.empty()) mesh.uvs.resize(kept);
     for (auto& triangle : mesh.triangles)
@@ -63,28 +63,23 @@ void remove_broken(PlyBody& body) {
 
 }  // namespace
 
-PlyFile finished_ply(PlyBody body, const std::string& name) {
+PlyMesh finished_ply(PlyBody body, const std::string& name) {
     if (body.mesh.triangles.empty())
         throw Error({name}, "no face has three corners", "export a triangle mesh");
     if (!body.broken.empty()) check_broken(body, name);
     check_fans(body, name);
-    PlyFile file;
     const auto remark = [&](std::size_t count, const std::string& what) {
-        if (count > 0) file.remarks.push_back(what + " (" + std::to_string(count) + ")");
+        if (count > 0) body.mesh.remarks.push_back(what + " (" + std::to_string(count) + ")");
     };
     remark(body.fans.size(), "faces of more than four corners are cut into triangles");
     remark(body.faces_left_out, "faces of fewer than three corners are left out");
     remark(body.broken_uvs, "texture coordinates that are not finite are taken for (0, 0)");
     if (body.has_face_uvs)
-        file.remarks.emplace_back(
+        body.mesh.remarks.emplace_back(
             "texture coordinates of faces (texcoord) are not read: give each vertex its own");
     remark(body.broken.size(), "vertices of no face whose numbers are not finite are left out");
     if (!body.broken.empty()) remove_broken(body);
-    LocalPoints local = local_points(body.points, all_corners(body.mesh.triangles));
-    file.mesh = std::move(body.mesh);
-    file.mesh.positions = std::move(local.points);
-    file.origin = local.origin;
-    return file;
+    return std::move(body.mesh);
 }
 
 }  // namespace sunfleck

@@ -1,5 +1,5 @@
 // Header of a PLY file, line by line, each fault with its line and column.
-#include "import/pbrt/ply_header.h"
+#include "import/ply/header.h"
 
 #include "core/error.h"
 

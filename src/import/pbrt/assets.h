@@ -1,0 +1,30 @@
+// What the parameters of a scene refer to: its files, spectra, images and textures. Whoever makes
+// a material of a statement needs these and the log, and no other state of the import.
+#pragma once
+
+#include "import/pbrt/images.h"
+#include "import/pbrt/import_log.h"
+#include "import/pbrt/scene_files.h"
+#include "import/pbrt/spectra.h"
+#include "import/pbrt/textures.h"
+
+#include <string>
+#include <utility>
+
+namespace sunfleck {
+
+struct Assets {
+    /// @param log  must outlive this.
+    Assets(const std::string& main_file, FileAccess access, ImportLog& its_log)
+        : log(its_log), files(main_file, std::move(access), log) {}
+    Assets(const Assets&) = delete;  // its parts refer to each other
+    Assets& operator=(const Assets&) = delete;
+
+    ImportLog& log;
+    SceneFiles files;
+    SpectrumReader spectra{files, log};
+    ImageTable images{files, log};
+    TextureTable textures{spectra, images, log};
+};
+
+}  // namespace sunfleck

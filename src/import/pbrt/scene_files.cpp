@@ -1,0 +1,53 @@
+// The list of files, and that of the missing ones.
+#include "import/pbrt/scene_files.h"
+
+#include "import/pbrt/words.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace sunfleck {
+
+SceneFiles::SceneFiles(const std::string& main_file, FileAccess access, ImportLog& log)
+    : folder_(std::filesystem::path(main_file).parent_path().string()),
+      access_(std::move(access)),
+      log_(log),
+      paths_{main_file},
+      known_paths_{main_file} {}
+
+void SceneFiles::note(const NamedFile& file, const SourceLocation& from) {
+    constexpr std::size_t kLongestPath = 4096;
+    if (known_paths_.insert(file.path).second) paths_.push_back(file.path);
+    if (file.by_slashes)
+        log_.warn(from, "backslashes in a file's name are read as slashes: " +
+                            in_quotes(file.path, kLongestPath));
+}
+
+NamedFile SceneFiles::read(const std::string& name, const SourceLocation& from) {
+    NamedFile file = find(name, from);
+    note(file, from);
+    return file;
+}
+
+void SceneFiles::note_missing(const MissingFile& fault) {
+    const bool known = std::any_of(missing_.begin(), missing_.end(), [&](const MissingFile& other) {
+        return other.path() == fault.path();
+    });
+    if (!known) missing_.push_back(fault);
+}
+
+void SceneFiles::check_missing() const {
+    constexpr std::size_t kMostListed = 20;
+    if (missing_.empty()) return;
+    if (missing_.size() == 1) throw MissingFile(missing_[0]);
+    std::string list;
+    for (std::size_t i = 0; i < std::min(missing_.size(), kMostListed); ++i)
+        list += "\n  " + missing_[i].line();
+    if (missing_.size() > kMostListed)
+        list += "\n  and " + std::to_string(missing_.size() - kMostListed) + " more";
+    throw Error(missing_[0].where(), std::to_string(missing_.size()) + " files are missing",
+                "check their names:" + list);
+}
+
+}  // namespace sunfleck
