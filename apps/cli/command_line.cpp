@@ -1,9 +1,10 @@
 // The commands and their flags: each command's rows are here, or in a file of their own.
-#include "apps/cli/options.h"
+#include "apps/cli/command_line.h"
 
 #include "apps/cli/experiment_options.h"
 #include "apps/cli/number_check.h"
 #include "apps/cli/render_options.h"
+#include "apps/cli/values.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>

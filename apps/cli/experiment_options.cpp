@@ -2,6 +2,7 @@
 #include "apps/cli/experiment_options.h"
 
 #include "apps/cli/number_check.h"
+#include "apps/cli/values.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>

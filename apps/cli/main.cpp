@@ -2,6 +2,7 @@
 //
 // 0 done; 1 a fault of ours or of the machine; 2 bad input or usage; 130 interrupted (with the
 // picture so far written). Of several ranks rank 0 has the code of all; others that go well 0.
+#include "apps/cli/command_line.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/together.h"

@@ -1,5 +1,4 @@
-// The command line, read: every flag has its place here and its row in options.cpp or
-// *_options.cpp.
+// What the commands are asked to do: every flag has its place here.
 #pragma once
 
 #include "apps/cli/light_layers.h"
@@ -93,30 +92,5 @@ struct Options {
     std::optional<ExperimentOptions> experiment;
     std::optional<CompareOptions> compare;
 };
-
-/// Reads the command line. @return nothing when all has been said (--help, --version): exit 0.
-/// @throws Error with place "sunfleck" or the flag for anything that cannot be used.
-std::optional<Options> read_options(int count, const char* const* words);
-
-/// "60s", "5m", "2h", "90" (seconds). @throws Error naming the flag.
-double read_duration(const std::string& text, const std::string& flag);
-/// "2%" or "0.02". @throws Error naming the flag.
-double read_share(const std::string& text, const std::string& flag);
-/// "4G", "512MiB": bytes, in powers of 1024. @throws Error naming the flag.
-std::uint64_t read_bytes(const std::string& text, const std::string& flag);
-/// A number in (0, most). @throws Error naming the flag.
-double read_positive(const std::string& text, const std::string& flag, int most);
-/// "42": 0 to 2^64 - 1. @throws Error naming the flag.
-std::uint64_t read_seed(const std::string& text, const std::string& flag);
-/// "640x480". @throws Error naming the flag.
-Vec2i read_size(const std::string& text, const std::string& flag);
-/// NAME=FACTOR or NAME=R,G,B. @throws Error naming the text.
-LayerFactor read_factor(const std::string& text);
-/// "a,b,c,d". @throws Error naming the flag.
-std::array<int, 4> read_crop(const std::string& text, const std::string& flag);
-/// "caustic,depth"; empty: none. @throws Error naming the flag.
-LayerSet read_layers(const std::string& text, const std::string& flag);
-/// "a:b", into first and end pass. @throws Error naming the flag.
-void read_pass_range(const std::string& text, const std::string& flag, StopSettings& stop);
 
 }  // namespace sunfleck

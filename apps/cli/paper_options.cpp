@@ -1,6 +1,7 @@
 // Reading the paper's flags, and refusing what cannot go together.
 #include "apps/cli/paper_options.h"
 
+#include "apps/cli/values.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>

@@ -2,6 +2,7 @@
 #include "apps/cli/render_options.h"
 
 #include "apps/cli/number_check.h"
+#include "apps/cli/values.h"
 #include "core/error.h"
 #include "image/picture_file.h"
 

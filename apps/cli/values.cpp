@@ -1,5 +1,6 @@
 // Values of flags that are more than a number: durations, shares, sizes, rectangles, ranges.
-#include "apps/cli/options.h"
+#include "apps/cli/values.h"
+
 #include "core/error.h"
 
 #include <charconv>
