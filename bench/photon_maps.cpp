@@ -4,16 +4,16 @@
 // usage: bench_photon_maps SCENE -o DIR [--centre x y] [--width w]. Writes DIR/SCENE-photons.png:
 // random, paper, adaptive; and DIR/SCENE-ladder.png: the states of each set but the last, and the
 // sets themselves.
+#include "camera_paths/trace_camera_paths.h"
 #include "core/error.h"
-#include "eye/trace_eye_paths.h"
 #include "image/png.h"
 #include "import/load.h"
 #include "photon/paper_chain.h"
 #include "photon/photon_space.h"
+#include "planning/epoch.h"
 #include "program.h"
-#include "render/epoch.h"
+#include "random_numbers/emission_points.h"
 #include "render/pass.h"
-#include "sampler/emission_points.h"
 
 #include <fmt/format.h>
 

@@ -5,15 +5,15 @@
 // Without a scene: a bumpy room of --triangles N. Only ratios within one run mean something: all is
 // measured in turn, several times, and medians are printed. docs/performance.md says how to read
 // the figures.
+#include "camera_paths/trace_camera_paths.h"
 #include "core/parallel.h"
-#include "eye/trace_eye_paths.h"
 #include "import/load.h"
 #include "program.h"
 #include "raw_embree.h"
 #include "render/pass.h"
-#include "render/photon_stage.h"
 #include "room.h"
 #include "scene/adjust.h"
+#include "stages/photon_stage.h"
 #include "timing.h"
 
 #include <fmt/format.h>

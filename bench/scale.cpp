@@ -4,13 +4,13 @@
 // usage: bench_scale [--large] [--repeats N]
 // Each row is one variable changed, all else as in the row of the same table that is marked; times
 // are medians. docs/performance.md says how to read the figures.
+#include "camera_paths/trace_camera_paths.h"
 #include "core/parallel.h"
-#include "eye/trace_eye_paths.h"
-#include "measurement/visible_point_index.h"
 #include "program.h"
 #include "render/pass.h"
 #include "room.h"
 #include "timing.h"
+#include "visible_points/visible_point_index.h"
 
 #include <fmt/format.h>
 

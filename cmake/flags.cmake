@@ -24,7 +24,7 @@ find_program(SUNFLECK_CCACHE ccache)
 if(SUNFLECK_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${SUNFLECK_CCACHE})
 endif()
-# Headers are read once a room or once a program (cmake/rooms.cmake, tests/CMakeLists.txt), and files
+# Headers are read once a module or once a program (cmake/modules.cmake, tests/CMakeLists.txt), and files
 # compiled together, but not with ccache, which knows files one by one: such a build shows whether
 # each includes what it uses.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)

@@ -66,9 +66,9 @@ def check(root):
     for test in sorted((root / "tests").rglob("*_test.cpp")):
         if str(test.parent.relative_to(root)) in UNMIRRORED:
             continue
-        room = root / "src" / test.parent.relative_to(root / "tests")
+        module = root / "src" / test.parent.relative_to(root / "tests")
         subject = test.name.removesuffix("_test.cpp").removesuffix("_slow")
-        if room.is_dir() and not any((room / (subject + s)).exists() for s in SUFFIXES):
+        if module.is_dir() and not any((module / (subject + s)).exists() for s in SUFFIXES):
             faults.append(f"{test.relative_to(root)}: tests nothing that src/ has by that name")
     return faults
 

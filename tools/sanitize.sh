@@ -20,7 +20,7 @@ run_asan() {
         ctest --test-dir build/asan -j "$jobs" "${tests[@]}"
 }
 
-# What threads share: the loops, the sums, and every room that runs loops. The run time of g++ 12
+# What threads share: the loops, the sums, and every module that runs loops. The run time of g++ 12
 # wants memory laid out without chance. See core/parallel.cpp for what runs the loops here.
 threaded=(core measurement estimate eye photon film render)
 run_tsan() {

@@ -1,7 +1,7 @@
 // Checkpoints of `sunfleck render`: tried before the work, written while it goes on.
 #pragma once
 
-#include "apps/cli/late_fault.h"
+#include "apps/cli/deferred_error.h"
 #include "render/checkpoint.h"
 
 namespace sunfleck {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/cli/options.h"
-#include "render/ranks.h"
+#include "ranks/ranks.h"
 
 namespace sunfleck {
 

@@ -11,7 +11,7 @@ namespace sunfleck {
 
 /// A line for each doubt.
 /// @param share_lit  asked where no pass has brought any photon: the share of the picture that
-///                   should have light by photons (render/missing_light.h). None: nobody knows.
+///                   should have light by photons (planning/missing_light.h). None: nobody knows.
 std::vector<std::string> darkness_warnings(const Film& film,
                                            const std::function<double()>& share_lit = {});
 

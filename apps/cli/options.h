@@ -1,10 +1,10 @@
 // What the commands are asked to do: every flag has its place here.
 #pragma once
 
-#include "apps/cli/light_layers.h"
+#include "apps/cli/light_groups.h"
 #include "experiment/cell.h"
 #include "film/relight.h"
-#include "render/settings.h"
+#include "stages/settings.h"
 
 #include <array>
 #include <optional>

@@ -1,7 +1,7 @@
 // Output files of render and merge: tried before the work, written whole or not at all.
 #pragma once
 
-#include "apps/cli/late_fault.h"
+#include "apps/cli/deferred_error.h"
 #include "film/film.h"
 #include "image/atomic_file.h"
 

@@ -15,9 +15,9 @@
 #include "core/stopwatch.h"
 #include "core/thread_trial.h"
 #include "image/atomic_file.h"
-#include "render/missing_light.h"
+#include "planning/missing_light.h"
 #include "render/progressive.h"
-#include "render/shared_turn.h"
+#include "render/shared_interval.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

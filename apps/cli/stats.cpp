@@ -4,8 +4,8 @@
 #include "apps/cli/image_stats.h"
 #include "film/error_bars.h"
 #include "math/wavelengths.h"
+#include "planning/epoch.h"
 #include "render/count_pass.h"
-#include "render/epoch.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

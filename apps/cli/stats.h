@@ -2,7 +2,7 @@
 #pragma once
 
 #include "film/target_error.h"
-#include "render/pass_result.h"
+#include "stages/pass_result.h"
 
 #include <string>
 #include <vector>

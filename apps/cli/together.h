@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/machine_fault.h"
-#include "render/ranks.h"
+#include "ranks/ranks.h"
 
 #include <optional>
 #include <stdexcept>

@@ -2,9 +2,9 @@
 // the flag.
 #pragma once
 
+#include "aovs/channels.h"
 #include "film/relight.h"
-#include "measurement/channels.h"
-#include "render/settings.h"
+#include "stages/settings.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // This process as one of a job of ranks: job_alone.cpp, or with -DSUNFLECK_MPI=ON job_mpi.cpp.
 #pragma once
 
-#include "render/ranks.h"
+#include "ranks/ranks.h"
 
 namespace sunfleck {
 

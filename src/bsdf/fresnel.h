@@ -4,7 +4,7 @@
 // polarisations.
 #pragma once
 
-#include "math/spectrum.h"
+#include "math/sampled_spectrum.h"
 
 #include <algorithm>
 #include <cmath>

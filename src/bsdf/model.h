@@ -4,7 +4,7 @@
 // from the surface: w_from back to where the path came from, w_to on to where it goes.
 #pragma once
 
-#include "math/spectrum.h"
+#include "math/sampled_spectrum.h"
 #include "math/vector.h"
 
 #include <concepts>

@@ -5,11 +5,11 @@
 // Source: Walter et al. 2007, eq. 20; visible normals, Heitz 2018 (bsdf/ggx.h).
 #pragma once
 
+#include "bsdf/energy_compensation.h"
 #include "bsdf/fresnel.h"
 #include "bsdf/ggx.h"
 #include "bsdf/lambert.h"
 #include "bsdf/model.h"
-#include "bsdf/regained_light.h"
 
 namespace sunfleck {
 

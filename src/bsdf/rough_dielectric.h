@@ -4,12 +4,12 @@
 // and wide ones where losses are given back.
 // Source: Walter et al., Microfacet Models for Refraction through Rough Surfaces (EGSR 2007),
 // eq. 16, 17, 20, 21; visible normals, Heitz 2018 (bsdf/ggx.h). Light that leaves a facet towards
-// another is lost, or given back by bsdf/regained_light.h.
+// another is lost, or given back by bsdf/energy_compensation.h.
 #pragma once
 
+#include "bsdf/energy_compensation.h"
 #include "bsdf/ggx.h"
 #include "bsdf/model.h"
-#include "bsdf/regained_light.h"
 
 namespace sunfleck {
 

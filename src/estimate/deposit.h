@@ -3,12 +3,12 @@
 // In:  photons, an index of visible points. Out: the sums of photon_terms.h in the pass's image.
 #pragma once
 
+#include "aovs/pass_image.h"
+#include "aovs/statistics.h"
 #include "estimate/photon_counts.h"
-#include "measurement/pass_image.h"
-#include "measurement/photon_batch.h"
-#include "measurement/statistics.h"
-#include "measurement/visible_point_index.h"
 #include "scene/pass_scene.h"
+#include "visible_points/photon_chunk.h"
+#include "visible_points/visible_point_index.h"
 
 namespace sunfleck {
 

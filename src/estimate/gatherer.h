@@ -5,13 +5,13 @@
 // and what the sums will read is called into the cache; then all sum up.
 #pragma once
 
+#include "aovs/pass_image.h"
 #include "estimate/photon_counts.h"
 #include "estimate/photon_terms.h"
 #include "estimate/shared_terms.h"
-#include "measurement/flux_sums.h"
-#include "measurement/lookup.h"
-#include "measurement/pass_image.h"
-#include "measurement/visible_point_index.h"
+#include "visible_points/flux_sums.h"
+#include "visible_points/lookup.h"
+#include "visible_points/visible_point_index.h"
 
 #include <algorithm>
 #include <atomic>

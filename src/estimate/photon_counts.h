@@ -4,7 +4,7 @@
 // of integers: the same for any number of threads.
 #pragma once
 
-#include "measurement/pass_image.h"
+#include "aovs/pass_image.h"
 
 #include <atomic>
 #include <cstdint>

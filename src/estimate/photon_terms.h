@@ -8,9 +8,9 @@
 // bright as on this side.
 #pragma once
 
-#include "measurement/photon_batch.h"
-#include "measurement/visible_point.h"
 #include "scene/pass_scene.h"
+#include "visible_points/photon_chunk.h"
+#include "visible_points/visible_point.h"
 
 namespace sunfleck {
 

@@ -5,7 +5,7 @@
 // of a stripe.
 #pragma once
 
-#include "measurement/pass_image.h"
+#include "aovs/pass_image.h"
 
 #include <array>
 #include <mutex>

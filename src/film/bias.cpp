@@ -4,7 +4,7 @@
 #include "core/parallel.h"
 #include "film/luminance.h"
 #include "math/wavelengths.h"
-#include "measurement/radius.h"
+#include "visible_points/radius.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "film/disc_areas.h"
 
 #include "math/wavelengths.h"
-#include "measurement/radius.h"
+#include "visible_points/radius.h"
 
 namespace sunfleck {
 namespace {

@@ -5,7 +5,7 @@
 #include "film/pass_groups.h"
 #include "film/pass_terms.h"
 #include "math/wavelengths.h"
-#include "measurement/radius.h"
+#include "visible_points/radius.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 // What two films must have in common to be parts of one render.
 #pragma once
 
-#include "measurement/pass_image.h"
+#include "aovs/pass_image.h"
 
 #include <cstdint>
 #include <optional>
@@ -19,9 +19,9 @@ struct FilmKey {
     std::uint64_t scene_hash = 0;  // of all that the scene file and its parts hold
     std::string settings;          // one "name=value" a line: all that a pass depends on
     bool sequential = false;       // a pass builds on those before: no error bars, no merging
-    double alpha = 0;  // of the radii of discs (measurement/radius.h), which bias the picture;
+    double alpha = 0;  // of the radii of discs (visible_points/radius.h), which bias the picture;
                        // zero: there are none, or they follow no such sequence
-    std::vector<std::string> light_layers{};  // their names: measurement/light_layers.h
+    std::vector<std::string> light_layers{};  // their names: aovs/light_groups.h
 
     friend bool operator==(const FilmKey&, const FilmKey&) = default;
 

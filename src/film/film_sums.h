@@ -1,9 +1,9 @@
 // All that a film is, as plain sums; and these as a list of arrays, in the order of film files.
 //
 // What photons have brought is summed apart where their discs shrink from pass to pass: each pass
-// once as it is, once times its round's area (measurement/radius.h). From both bias.h has how the
-// light depends on the area of the discs. The second needs no sums of open rounds: the factor is
-// that of the round, complete or not.
+// once as it is, once times its round's area (visible_points/radius.h). From both bias.h has how
+// the light depends on the area of the discs. The second needs no sums of open rounds: the factor
+// is that of the round, complete or not.
 //
 // A pass that counts w times, as all of its round do, is in the sums with w times its light, and
 // its round with w times its square.
@@ -48,7 +48,7 @@ struct OpenGroup {
     friend bool operator==(const OpenGroup&, const OpenGroup&) = default;
 };
 
-/// How often a pass may count (render/balance_rule.h).
+/// How often a pass may count (planning/budget_allocation.h).
 inline constexpr std::uint32_t kMostWeight = 4;
 
 /// Passes that count more than once, by how often.

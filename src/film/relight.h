@@ -1,5 +1,5 @@
 // Light changed after the render: a picture whose layers hold the light of some lights apart
-// (measurement/light_layers.h), with other brightness for these.
+// (aovs/light_groups.h), with other brightness for these.
 #pragma once
 
 #include "image/picture.h"

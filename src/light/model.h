@@ -8,7 +8,7 @@
 #pragma once
 
 #include "geometry/ray.h"
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 #include "math/vector.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 #include "math/data_glass.h"
 #include "math/data_illuminants.h"
 #include "math/data_metals.h"
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 
 #include <map>
 #include <span>

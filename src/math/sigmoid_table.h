@@ -7,7 +7,7 @@
 // it.
 #pragma once
 
-#include "math/spectrum.h"
+#include "math/sampled_spectrum.h"
 #include "math/vector.h"
 #include "math/wavelengths.h"
 

@@ -1,102 +1,90 @@
-// Eight wavelengths of a pass, side by side: a plain array that compilers turn into vectors.
+// A spectrum as a scene gives it: a function of the wavelength, evaluated once a pass.
+//
+// A closed set of kinds, each a small value; tables are shared, not copied.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include "math/sampled_spectrum.h"
+#include "math/vector.h"
+#include "math/wavelengths.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace sunfleck {
 
-inline constexpr std::size_t kLanes = 8;
-
-/// One value per wavelength lane of the pass.
-struct alignas(16) Spectrum {
-    std::array<float, kLanes> lane{};
-
-    Spectrum() = default;
-    explicit Spectrum(float all) { lane.fill(all); }
-
-    float operator[](std::size_t i) const { return lane[i]; }
-    float& operator[](std::size_t i) { return lane[i]; }
-
-    Spectrum& operator+=(const Spectrum& b) {
-        for (std::size_t i = 0; i < kLanes; ++i) lane[i] += b.lane[i];
-        return *this;
-    }
-    Spectrum& operator-=(const Spectrum& b) {
-        for (std::size_t i = 0; i < kLanes; ++i) lane[i] -= b.lane[i];
-        return *this;
-    }
-    Spectrum& operator*=(const Spectrum& b) {
-        for (std::size_t i = 0; i < kLanes; ++i) lane[i] *= b.lane[i];
-        return *this;
-    }
-    Spectrum& operator/=(const Spectrum& b) {
-        for (std::size_t i = 0; i < kLanes; ++i) lane[i] /= b.lane[i];
-        return *this;
-    }
-    Spectrum& operator*=(float b) {
-        for (std::size_t i = 0; i < kLanes; ++i) lane[i] *= b;
-        return *this;
-    }
-    Spectrum& operator/=(float b) { return *this *= 1 / b; }
-
-    friend Spectrum operator+(Spectrum a, const Spectrum& b) { return a += b; }
-    friend Spectrum operator-(Spectrum a, const Spectrum& b) { return a -= b; }
-    friend Spectrum operator*(Spectrum a, const Spectrum& b) { return a *= b; }
-    friend Spectrum operator/(Spectrum a, const Spectrum& b) { return a /= b; }
-    friend Spectrum operator*(Spectrum a, float b) { return a *= b; }
-    friend Spectrum operator*(float a, Spectrum b) { return b *= a; }
-    friend Spectrum operator/(Spectrum a, float b) { return a /= b; }
-    friend bool operator==(const Spectrum&, const Spectrum&) = default;
-
-    float max() const { return *std::max_element(lane.begin(), lane.end()); }
-    float min() const { return *std::min_element(lane.begin(), lane.end()); }
-    /// Lanes far apart first: four sums side by side.
-    float sum() const {
-        constexpr std::size_t kHalf = kLanes / 2;
-        std::array<float, kHalf> pairs;
-        for (std::size_t i = 0; i < kHalf; ++i) pairs[i] = lane[i] + lane[i + kHalf];
-        return (pairs[0] + pairs[2]) + (pairs[1] + pairs[3]);
-    }
-    float mean() const { return sum() / static_cast<float>(kLanes); }
-    bool is_zero() const { return *this == Spectrum(); }
-    bool is_finite() const {
-        return std::all_of(lane.begin(), lane.end(), [](float v) { return std::isfinite(v); });
-    }
-    /// All lanes zero but `i`.
-    static Spectrum only(std::size_t i, float value) {
-        Spectrum s;
-        s.lane[i] = value;
-        return s;
-    }
+struct ConstantCurve {
+    float value = 0;
 };
 
-inline Spectrum sqrt(const Spectrum& a) {
-    Spectrum r;
-    for (std::size_t i = 0; i < kLanes; ++i) r[i] = std::sqrt(a[i]);
-    return r;
-}
-
-/// The dispersion state of one path: which lane a dispersive refraction would keep (chosen by the
-/// path's own slot, uniform over lanes), and whether one has.
-struct LaneChoice {
-    std::size_t chosen = 0;  // below kLanes
-    bool single = false;     // the other lanes of the throughput are zero already
+/// Linear between the points, zero outside (pbrt-v4). Points sorted by wavelength.
+struct TableCurve {
+    struct Point {
+        float nm = 0;
+        float value = 0;
+    };
+    std::shared_ptr<const std::vector<Point>> points;
 };
 
-/// The lane that a number of (0,1) stands for, all alike.
-inline std::size_t lane_of(double u) {
-    return std::min(kLanes - 1, static_cast<std::size_t>(u * static_cast<double>(kLanes)));
-}
+/// Planck's law at `kelvin`, normalised to a maximum of one (pbrt-v4).
+struct BlackbodyCurve {
+    float kelvin = 6500;
+};
 
-/// Keeps the chosen lane of a throughput, times their number; does nothing if that was done before.
-inline void keep_lane(Spectrum& throughput, LaneChoice& lanes) {
-    if (lanes.single) return;
-    throughput =
-        Spectrum::only(lanes.chosen, throughput[lanes.chosen] * static_cast<float>(kLanes));
-    lanes.single = true;
-}
+/// scale * sigmoid(c0 x^2 + c1 x + c2), x in nm: the smooth spectra of Jakob and Hanika (2019);
+/// with `times_d65` multiplied by the D65 illuminant scaled to luminance one.
+struct SigmoidCurve {
+    std::array<float, 3> coefficients{};
+    float scale = 1;
+    bool times_d65 = false;
+};
+
+class SpectralCurve {
+public:
+    using Kind = std::variant<ConstantCurve, TableCurve, BlackbodyCurve, SigmoidCurve>;
+
+    SpectralCurve() = default;
+    explicit SpectralCurve(Kind kind, float factor = 1) : kind_(std::move(kind)), factor_(factor) {}
+    static SpectralCurve constant(float value) { return SpectralCurve(ConstantCurve{value}); }
+    /// @throws Error  when there is no point, or wavelengths do not rise (whoever knows the place
+    /// in a file checks first).
+    static SpectralCurve table(std::vector<TableCurve::Point> points);
+    /// Reflectance: the smooth spectrum in [0,1] that looks like rgb under D65.
+    /// A grey is a ConstantCurve, exactly; another colour takes a fit of about 0.1 ms, and then
+    /// looks as asked to 2e-5.
+    /// @param rgb  linear sRGB; brought into [0,1], as are negative numbers below.
+    static SpectralCurve rgb_albedo(const Vec3& rgb);
+    /// Any non-negative quantity without an illuminant (eta, k): scale * smooth spectrum.
+    static SpectralCurve rgb_unbounded(const Vec3& rgb);
+    /// Emission: rgb_unbounded times D65 of luminance one, so that a pixel that sees it shows rgb.
+    static SpectralCurve rgb_illuminant(const Vec3& rgb);
+    /// The colour space's white, D65 of luminance one.
+    static SpectralCurve d65();
+
+    float operator()(float nm) const;
+    Spectrum at(const Wavelengths& wavelengths) const;
+    /// The same curve times a number.
+    SpectralCurve scaled(float by) const { return SpectralCurve(kind_, factor_ * by); }
+    bool is_constant() const { return std::holds_alternative<ConstantCurve>(kind_); }
+    const Kind& kind() const { return kind_; }
+
+    /// Integral of the curve against CIE Y over 360..830 nm, divided by that of Y (106.857 nm):
+    /// the luminance of a radiance, one for SpectralCurve::constant(1) and d65().
+    float luminance() const;
+    /// Linear sRGB in the same scale.
+    Vec3 to_rgb() const;
+
+private:
+    Kind kind_ = ConstantCurve{};
+    float factor_ = 1;
+};
+
+/// Spectra by pbrt-v4's names: "metal-Au-eta", "glass-BK7", "stdillum-D65", ...
+/// @return nothing when there is none of that name.
+std::optional<SpectralCurve> named_spectrum(const std::string& name);
+/// All the names, sorted: for messages.
+std::vector<std::string> named_spectra();
 
 }  // namespace sunfleck

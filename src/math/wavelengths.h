@@ -7,7 +7,7 @@
 
 #include "core/random.h"
 #include "math/colour_matrix.h"
-#include "math/spectrum.h"
+#include "math/sampled_spectrum.h"
 #include "math/vector.h"
 
 namespace sunfleck {

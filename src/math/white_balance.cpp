@@ -3,7 +3,7 @@
 
 #include "math/colour.h"
 #include "math/colour_matrix.h"
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "photon/adaptive_paths.h"
 
 #include "photon/photon_space.h"
-#include "sampler/emission_points.h"
+#include "random_numbers/emission_points.h"
 
 namespace sunfleck {
 namespace {

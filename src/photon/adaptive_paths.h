@@ -4,8 +4,8 @@
 // so that their sum is the group's light in this pass: the estimate's N is one.
 #pragma once
 
-#include "measurement/photon_batch.h"
-#include "photon/photon_group.h"
+#include "photon/light_stratum.h"
+#include "visible_points/photon_chunk.h"
 
 #include <functional>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "core/parallel.h"
 #include "geometry/affine.h"
 #include "math/warp.h"
-#include "photon/light_hints.h"
+#include "photon/initial_guide_samples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,12 +3,12 @@
 // In:  the scene's surfaces, some lights. Out: emission of light that arrives at points by edges of
 // triangles and patches, and goes on from there. A hole in a wall has edges, and so have a door
 // that is ajar and the slats of a blind: however narrow a gap is, and however far from what is
-// seen, points by its edges find it. Which of it is visible, paths must tell (sampler/pilot.h).
+// seen, points by its edges find it. Which of it is visible, paths must tell (chains/pilot.h).
 #pragma once
 
-#include "photon/photon_group.h"
-#include "sampler/emission_point.h"
-#include "sampler/path_range.h"
+#include "photon/light_stratum.h"
+#include "random_numbers/emission_point.h"
+#include "random_numbers/path_range.h"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "photon/tracer.h"
-#include "sampler/path_range.h"
+#include "random_numbers/path_range.h"
 
 #include <array>
 #include <new>

@@ -6,9 +6,9 @@
 // change between passes: counts, theta and the current path stay, as printed. That is biased.
 #pragma once
 
+#include "chains/path_space.h"
+#include "chains/stored_sample.h"
 #include "photon/settings.h"
-#include "sampler/path_space.h"
-#include "sampler/stored_sample.h"
 
 #include <cmath>
 #include <utility>

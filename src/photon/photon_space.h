@@ -4,10 +4,10 @@
 // to the view any of its photons came, or that one of them is taken.
 #pragma once
 
-#include "measurement/view_octree.h"
-#include "measurement/visible_point_index.h"
+#include "chains/path_space.h"
 #include "photon/tracer.h"
-#include "sampler/path_space.h"
+#include "visible_points/visible_point_index.h"
+#include "visible_points/visible_point_octree.h"
 
 #include <algorithm>
 #include <vector>

@@ -6,9 +6,9 @@
 // throughput keeps it about constant, as the paper's binary target assumes (docs/method.md).
 #pragma once
 
-#include "measurement/statistics.h"
-#include "measurement/transport.h"
-#include "photon/turn.h"
+#include "aovs/statistics.h"
+#include "aovs/transport.h"
+#include "photon/scattering_event.h"
 #include "scene/pass_scene.h"
 
 #include <concepts>

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "core/parallel.h"
-#include "measurement/photon_batch.h"
 #include "photon/interleaved.h"
-#include "sampler/emission_points.h"
+#include "random_numbers/emission_points.h"
+#include "visible_points/photon_chunk.h"
 
 #include <algorithm>
 #include <numeric>

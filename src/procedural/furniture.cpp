@@ -6,8 +6,8 @@
 #include "procedural/extrusion.h"
 #include "procedural/placement.h"
 #include "procedural/revolution.h"
+#include "procedural/scene_random.h"
 #include "procedural/surfaces.h"
-#include "procedural/whim.h"
 
 #include <cmath>
 

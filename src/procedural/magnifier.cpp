@@ -7,8 +7,8 @@
 #include "procedural/placement.h"
 #include "procedural/revolution.h"
 #include "procedural/scene_folder.h"
+#include "procedural/scene_random.h"
 #include "procedural/surfaces.h"
-#include "procedural/whim.h"
 
 #include <cmath>
 

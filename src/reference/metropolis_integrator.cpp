@@ -2,8 +2,8 @@
 #include "reference/metropolis_integrator.h"
 
 #include "core/parallel.h"
+#include "random_numbers/sobol.h"
 #include "reference/path_pair.h"
-#include "sampler/sobol.h"
 
 #include <cmath>
 #include <mutex>

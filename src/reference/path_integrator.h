@@ -6,10 +6,10 @@
 // Source: Kajiya 1986; multiple importance sampling by the balance heuristic, Veach 1997, ch. 9.
 #pragma once
 
+#include "aovs/pass_image.h"
+#include "aovs/statistics.h"
+#include "aovs/transport.h"
 #include "camera/pixel_window.h"
-#include "measurement/pass_image.h"
-#include "measurement/statistics.h"
-#include "measurement/transport.h"
 #include "scene/pass_scene.h"
 
 namespace sunfleck {

@@ -2,7 +2,7 @@
 //
 // In:  a point of the film, streams of numbers. Out: light for that point, and light for other
 // points of the film, which the camera sees of the light's subpath. All strategies are weighted
-// (reference/weighing.h), so their sums are without bias.
+// (reference/mis_weights.h), so their sums are without bias.
 #pragma once
 
 #include "reference/splatter.h"

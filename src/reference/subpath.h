@@ -3,9 +3,9 @@
 #pragma once
 
 #include "camera/projection.h"
+#include "reference/mis_weights.h"
 #include "reference/path_integrator.h"
 #include "reference/path_numbers.h"
-#include "reference/weighing.h"
 
 #include <vector>
 

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "render/render_state.h"
-#include "render/settings.h"
+#include "stages/settings.h"
 
 #include <istream>
 #include <string>

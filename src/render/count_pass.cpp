@@ -1,7 +1,7 @@
 // Names of statistics, and what they are sums of.
 #include "render/count_pass.h"
 
-#include "render/epoch.h"
+#include "planning/epoch.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "film/film.h"
-#include "render/pass_result.h"
+#include "stages/pass_result.h"
 
 namespace sunfleck {
 

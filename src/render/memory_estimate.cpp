@@ -1,9 +1,9 @@
 // Sizes of what a pass and the film hold, fitted to measured peaks.
 #include "render/memory_estimate.h"
 
-#include "render/epoch.h"
-#include "render/noisy_pixels.h"
-#include "sampler/path_range.h"
+#include "planning/adaptive_pixels.h"
+#include "planning/epoch.h"
+#include "random_numbers/path_range.h"
 
 #include <algorithm>
 

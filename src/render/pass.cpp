@@ -1,13 +1,13 @@
 // The stages of one pass, in the order of the data flow. Only this room calls them.
 #include "render/pass.h"
 
+#include "camera_paths/trace_camera_paths.h"
 #include "core/stopwatch.h"
-#include "eye/trace_eye_paths.h"
-#include "measurement/radius.h"
 #include "reference/bidirectional_integrator.h"
 #include "reference/light_integrator.h"
 #include "reference/metropolis_integrator.h"
-#include "render/photon_stage.h"
+#include "stages/photon_stage.h"
+#include "visible_points/radius.h"
 
 #include <utility>
 

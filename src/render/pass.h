@@ -5,8 +5,8 @@
 // the film only adds them up.
 #pragma once
 
-#include "render/epoch.h"
-#include "render/pass_result.h"
+#include "planning/epoch.h"
+#include "stages/pass_result.h"
 
 namespace sunfleck {
 

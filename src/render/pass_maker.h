@@ -1,8 +1,8 @@
 // Passes one after the other, each added to a film.
 #pragma once
 
-#include "render/epoch.h"
-#include "render/paper.h"
+#include "paper/paper_render.h"
+#include "planning/epoch.h"
 #include "render/render_job.h"
 #include "render/render_state.h"
 

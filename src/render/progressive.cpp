@@ -2,9 +2,9 @@
 #include "render/progressive.h"
 
 #include "core/error.h"
-#include "render/overseer.h"
 #include "render/pass_maker.h"
-#include "render/shared_turn.h"
+#include "render/render_scheduler.h"
+#include "render/shared_interval.h"
 
 #include <array>
 #include <utility>

@@ -3,10 +3,10 @@
 // In:  scene, settings, limits, and earlier passes to go on from. Out: the film. Only whole passes
 // go into it, and never what depends on the clock: a limit of time cuts the last pass short, or the
 // learning before it, and leaves it out. Several ranks render it together, to the same bytes
-// (ranks.h, turns.h).
+// (ranks.h, reduction_interval.h).
 #pragma once
 
-#include "render/ranks.h"
+#include "ranks/ranks.h"
 #include "render/render_hooks.h"
 #include "render/render_job.h"
 #include "render/render_state.h"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "film/film_key.h"
-#include "render/settings.h"
 #include "scene/scene.h"
+#include "stages/settings.h"
 
 namespace sunfleck {
 

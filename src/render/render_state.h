@@ -2,15 +2,15 @@
 #pragma once
 
 #include "film/film.h"
-#include "render/paper_memory.h"
-#include "render/pass_result.h"
+#include "paper/paper_memory.h"
+#include "stages/pass_result.h"
 
 #include <optional>
 
 namespace sunfleck {
 
 /// All that goes from one pass to the next. What adaptive sampling has learned is no part of it: an
-/// epoch's plan is learned again, to the same bits, from the number of the pass (render/epoch.h).
+/// epoch's plan is learned again, to the same bits, from the number of the pass (planning/epoch.h).
 struct RenderState {
     Film film;
     PassTimes seconds;

@@ -8,8 +8,8 @@
 #include "geometry/geometry.h"
 #include "light/light.h"
 #include "light/surface_picture.h"
+#include "material/bump_map.h"
 #include "material/material.h"
-#include "material/relief.h"
 #include "scene/media.h"
 
 #include <optional>

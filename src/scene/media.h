@@ -3,7 +3,7 @@
 // A path keeps its medium until it leaves a surface with different media on its sides (pbrt-v4).
 #pragma once
 
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 #include "math/vector.h"
 
 #include <cmath>

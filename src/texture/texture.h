@@ -7,7 +7,7 @@
 // row in import/pbrt/textures.cpp.
 #pragma once
 
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 #include "texture/image_kind.h"
 #include "texture/kinds.h"
 #include "texture/mapping.h"

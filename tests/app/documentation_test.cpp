@@ -1,6 +1,6 @@
 // Pages that list what the program offers list all of it.
+#include "aovs/channels.h"
 #include "app/program.h"
-#include "measurement/channels.h"
 
 #include <regex>
 

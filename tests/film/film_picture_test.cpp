@@ -3,7 +3,7 @@
 
 #include "film/bias.h"
 #include "film/luminance.h"
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 #include "synthetic.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 #include "film/film.h"
 
 #include "core/error.h"
-#include "measurement/radius.h"
 #include "synthetic.h"
+#include "visible_points/radius.h"
 
 #include <gtest/gtest.h>
 

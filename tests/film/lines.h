@@ -4,7 +4,7 @@
 #include "core/random.h"
 #include "film/film.h"
 #include "math/wavelengths.h"
-#include "measurement/radius.h"
+#include "visible_points/radius.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Fresnel's equations as textbooks have them, in complex double: the truth for the tests.
 #pragma once
 
-#include "math/spectrum.h"
+#include "math/sampled_spectrum.h"
 
 #include <cmath>
 #include <complex>

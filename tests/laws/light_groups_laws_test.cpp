@@ -1,8 +1,8 @@
 // Laws of lights in groups, over toys: two "lights" of which one can hardly be seen. What all
 // groups bring has the expectation of the whole, and their random numbers have nothing in common.
+#include "chains/pilot.h"
 #include "laws/sampler_laws.h"
-#include "photon/group_rules.h"
-#include "sampler/pilot.h"
+#include "photon/stratum_rules.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::vector<ToyGroup> lamp_and_sun() {
             {50.0 / 51, {"sun", {0, 6}, {{0.3, 0.02, 0.5, 1}, {0.7, 0.012, 0.5, 4}}}, {}}};
 }
 
-/// As photon/light_groups.cpp does it, but that pilots have numbers of their own: a pilot each,
+/// As photon/light_strata.cpp does it, but that pilots have numbers of their own: a pilot each,
 /// then paths by what they found.
 void learn(std::vector<ToyGroup>& groups, std::uint64_t seed, std::uint32_t paths) {
     std::vector<Pilot<Islands, EmissionPoints>> pilots;

@@ -3,10 +3,10 @@
 // In:  an example and a pass. Out: the sums that the laws speak of.
 #pragma once
 
+#include "chains/splitting.h"
 #include "laws/toy_paths.h"
 #include "math/statistics.h"
-#include "sampler/emission_points.h"
-#include "sampler/ladder.h"
+#include "random_numbers/emission_points.h"
 
 #include <bit>
 #include <ostream>

@@ -1,7 +1,7 @@
 // Spaces of paths with sets of known measure and flux: what samplers are tested on.
 #pragma once
 
-#include "sampler/path_space.h"
+#include "chains/path_space.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Named spectra against printed chromaticities, refractive indices and reflectances.
 #include "math/colour.h"
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 
 #include <gtest/gtest.h>
 

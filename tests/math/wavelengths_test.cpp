@@ -2,7 +2,7 @@
 #include "math/wavelengths.h"
 
 #include "math/colour.h"
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 #include "math/statistics.h"
 #include "support/statistics.h"
 

@@ -1,7 +1,7 @@
 // White balance: daylights, and what they become.
 #include "math/white_balance.h"
 
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A number does not silently become a spectrum that has it in every lane.
 // Refused with: conversion from|could not convert|no viable conversion
-#include "math/spectrum.h"
+#include "math/sampled_spectrum.h"
 
 namespace sunfleck {
 

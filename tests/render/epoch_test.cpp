@@ -1,5 +1,5 @@
 // Epochs: which pass belongs to which, as docs/method.md says.
-#include "render/epoch.h"
+#include "planning/epoch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A hole of one millimetre over a plain of ten kilometres in the sun: photons and eye paths both
 // find it where it is, as bright as it should be.
 #include "photon/tracer.h"
-#include "sampler/emission_points.h"
+#include "random_numbers/emission_points.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Groups of lights in a real scene: two lamps, of which little of the stronger one is seen.
-#include "core/parallel.h"
-#include "support/two_lamps.h"
+// Layers of lights: each light's emission, direct light and photons are in its layer, whoever
+// brings them; asking for layers changes nothing else.
+#include "support/renders.h"
 
 #include <gtest/gtest.h>
 
@@ -9,115 +9,177 @@ namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
-RenderSettings settings(std::uint64_t seed, std::uint32_t paths = 20'000) {
+constexpr int kSide = 12;
+
+/// The lights of the scene, by number of their statement.
+const std::array<std::string, 5> kLights = {
+    "AreaLightSource \"diffuse\" \"rgb L\" [9 8 7]\n",
+    "LightSource \"infinite\" \"rgb L\" [0.9 0.2 0.1]\n",
+    "LightSource \"point\" \"point3 from\" [0.3 -2 1.7] \"rgb I\" [2 2 2]\n",
+    "LightSource \"infinite\" \"rgb L\" [0.1 0.2 0.9]\n",
+    "LightSource \"distant\" \"point3 from\" [1 -1 2] \"rgb L\" [0.7 0.7 0.6]\n"};
+
+/// Two panels in one attribute block; the first light, where it is, is theirs.
+std::string panels(bool shine) {
+    return "AttributeBegin\n" + (shine ? kLights[0] : std::string()) +
+           quad("-.8 .2 1.4  .2 .2 1.4  .2 -.8 1.4  -.8 -.8 1.4") +
+           quad("-.8 .9 .6  .2 .9 .6  .2 .9 .3  -.8 .9 .3") + "AttributeEnd\n";
+}
+
+/// A floor, a wall, a ball of glass, a mirror and a plate of rough metal under some of the lights.
+Scene lit_by(const std::vector<std::size_t>& lights) {
+    std::string text = view("0 -3.8 1  0 0 0.5  0 0 1", 34, kSide);
+    const bool shine = !lights.empty() && lights[0] == 0;
+    text += panels(shine);
+    for (const std::size_t light : lights)
+        if (light > 0) text += kLights.at(light);
+    return scene_of(text + diffuse("0.6 0.6 0.6") + quad("-2 -2 0  2 -2 0  2 2 0  -2 2 0") +
+                    quad("-2 1 0  2 1 0  2 1 1  -2 1 1") +
+                    "AttributeBegin\nMaterial \"dielectric\"\nTranslate 0.5 -0.3 0.45\n"
+                    "Shape \"sphere\" \"float radius\" 0.4\nAttributeEnd\n"
+                    "Material \"conductor\" \"float roughness\" 0.2\n" +
+                    quad("-.9 .5 .1  -.3 .8 .1  -.3 .8 .9  -.9 .5 .9") +
+                    "Material \"conductor\"\n" +
+                    quad("-.9 -.8 .01  -.2 -.8 .01  -.2 -.2 .01  -.9 -.2 .01"));
+}
+
+const std::vector<std::size_t> kAll = {0, 1, 2, 3, 4};
+
+/// Layers 0 to 2: lights {0}, {1, 4} and {3}; light 2 is in none, or in a fourth.
+LightLayers layers_of(const Scene& scene, bool with_fourth) {
+    LightLayers layers{{"area", "far", "blue"}, "as the test says", {}};
+    if (with_fourth) layers.names.emplace_back("point");
+    const std::array<std::uint8_t, 5> layer_of = {
+        0, 1, with_fourth ? std::uint8_t{3} : kNoLightLayer, 2, 1};
+    for (const std::uint32_t statement : scene.stated_in())
+        layers.of_light.push_back(layer_of.at(statement));
+    return layers;
+}
+
+struct Way {
+    PhotonSampler sampler;
+    DirectLight direct;
+};
+
+RenderSettings settings_for(const Way& way) {
     RenderSettings settings;
-    settings.seed = seed;
-    settings.photon.paths_per_pass = paths;
+    settings.photon.sampler = way.sampler;
+    settings.transport.direct = way.direct;
+    settings.transport.max_depth = 8;
+    settings.photon.paths_per_pass = 10'000;
+    settings.eye.radius_pixels = 0.5;
+    settings.seed = 5;
     return settings;
 }
 
-std::vector<PhotonGroup> learned(const Scene& scene, std::uint64_t seed, std::uint32_t pass = 0) {
-    return learn_epoch(scene, settings(seed), pass).groups;
+double light_value(const PassImage& image, std::size_t layer, std::size_t i, std::size_t c) {
+    return image.light_value(layer, i, c).to_double();
 }
 
-bool are_equal(const std::vector<PhotonGroup>& a, const std::vector<PhotonGroup>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-        return x.plan == y.plan && x.power_share == y.power_share && x.part == y.part &&
-               x.lights.total() == y.lights.total();
-    });
+class LightLayersOf : public ::testing::TestWithParam<Way> {};
+
+TEST_P(LightLayersOf, add_up_to_the_picture) {
+    const Scene scene = lit_by(kAll);
+    RenderSettings settings = settings_for(GetParam());
+    settings.transport.light_layers = layers_of(scene, true);
+    const PassResult pass = render_pass(scene, settings, 3);
+    std::array<double, 4> seen{};
+    for (std::size_t i = 0; i < pass.image.pixels(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            double sum = 0;
+            double size = 0;
+            for (std::size_t layer = 0; layer < seen.size(); ++layer) {
+                const double value = light_value(pass.image, layer, i, c);
+                seen.at(layer) += value;
+                sum += value;
+                size += std::abs(value);
+            }
+            const double total = pass.image.value(Layer::total, i, c).to_double();
+            EXPECT_NEAR(sum, total, 1e-5 * size) << i;
+        }
+    for (const double light : seen) EXPECT_GT(light, 1);
 }
 
-bool are_equal(const PassResult& a, const PassResult& b) {
-    for (std::size_t i = 0; i < a.image.pixels(); ++i)
-        if (pixel_value(a.image, i) != pixel_value(b.image, i)) return false;
-    return a.statistics == b.statistics && a.visible_fraction == b.visible_fraction;
+TEST_P(LightLayersOf, change_nothing_else) {
+    const Scene scene = lit_by(kAll);
+    RenderSettings settings = settings_for(GetParam());
+    const PassResult plain = render_pass(scene, settings, 1);
+    settings.transport.light_layers = layers_of(scene, false);
+    const PassResult layered = render_pass(scene, settings, 1);
+    EXPECT_EQ(layered.image.light_layers(), 3U);
+    EXPECT_EQ(plain.image.light_layers(), 0U);
+    EXPECT_EQ(plain.statistics, layered.statistics);
+    for (std::size_t i = 0; i < plain.image.pixels(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_EQ(plain.image.value(Layer::total, i, c),
+                      layered.image.value(Layer::total, i, c));
+            EXPECT_EQ(plain.image.by_photons(i, c), layered.image.by_photons(i, c));
+        }
 }
 
-TEST(LightGroups, part_a_lamp_that_is_hardly_seen) {
-    const Scene scene = two_lamps(16);
-    const std::vector<PhotonGroup> groups = learned(scene, 1);
-    ASSERT_EQ(groups.size(), 2U);
-    EXPECT_EQ(groups[0].part, 0U);
-    EXPECT_EQ(groups[1].part, 1U);
-    // Radiances 20 and 400, areas 1 and 100: shares 1/2001 and 2000/2001.
-    EXPECT_NEAR(groups[0].power_share, 1.0 / 2001, 1e-6);
-    EXPECT_NEAR(groups[1].power_share, 2000.0 / 2001, 1e-6);
-    std::uint64_t paths = 0;
-    for (const PhotonGroup& group : groups) paths += group.paths();
-    EXPECT_EQ(paths, 20'000U);
-    EXPECT_TRUE(groups[0].plan.levels.empty());
-    EXPECT_FALSE(groups[1].plan.levels.empty());
-    // Two triangles a lamp; those of the other are never chosen.
-    for (std::size_t light = 0; light < 4; ++light) {
-        EXPECT_NEAR(groups[0].lights.probability(light), light < 2 ? 0.5 : 0, 1e-9);
-        EXPECT_NEAR(groups[1].lights.probability(light), light < 2 ? 0 : 0.5, 1e-9);
+INSTANTIATE_TEST_SUITE_P(All, LightLayersOf,
+                         ::testing::Values(Way{PhotonSampler::random, DirectLight::sampled},
+                                           Way{PhotonSampler::uniform, DirectLight::photons},
+                                           Way{PhotonSampler::adaptive, DirectLight::sampled}),
+                         [](const auto& way) { return std::string(name_of(way.param.sampler)); });
+
+/// Of so many passes a piece, the mean luminance of a layer; or of the picture.
+std::vector<double> luminances(const Scene& scene, const RenderSettings& settings,
+                               std::optional<std::size_t> layer) {
+    constexpr std::uint32_t kPieces = 16;
+    constexpr std::uint32_t kPasses = 48;
+    std::vector<double> values;
+    for (std::uint32_t piece = 0; piece < kPieces; ++piece) {
+        double sum = 0;
+        for (std::uint32_t p = piece * kPasses; p < (piece + 1) * kPasses; ++p) {
+            const PassResult pass = render_pass(scene, settings, p);
+            for (std::size_t i = 0; i < pass.image.pixels(); ++i)
+                sum += layer ? luminance({light_value(pass.image, *layer, i, 0),
+                                          light_value(pass.image, *layer, i, 1),
+                                          light_value(pass.image, *layer, i, 2)})
+                             : luminance(pixel_value(pass.image, i));
+        }
+        values.push_back(sum / (kPasses * kSide * kSide));
+    }
+    return values;
+}
+
+/// A layer holds what its lights bring where there are no others, as a bidirectional path tracer
+/// finds it.
+TEST(LightLayers, hold_what_their_lights_bring_alone) {
+    const Scene scene = lit_by({0, 1, 3});
+    RenderSettings settings = settings_for({PhotonSampler::uniform, DirectLight::sampled});
+    settings.eye.radius_pixels = 0.3;
+    const std::vector<std::uint32_t>& stated = scene.stated_in();
+    RenderSettings reference = settings;
+    reference.integrator = Integrator::bdpt;
+    for (const std::size_t light : {0U, 1U, 2U}) {
+        settings.transport.light_layers = {{"it"}, "", {}};
+        for (const std::uint32_t statement : stated)
+            settings.transport.light_layers.of_light.push_back(statement == light ? 0
+                                                                                  : kNoLightLayer);
+        const std::size_t alone = std::array<std::size_t, 3>{0, 1, 3}.at(light);
+        const Estimate layer = Estimate::of(luminances(scene, settings, 0));
+        const Estimate apart = Estimate::of(luminances(lit_by({alone}), reference, {}));
+        EXPECT_LT(worst_ratio(layer, apart), 0.04)
+            << light << ": " << layer.mean << " +- " << layer.error << " and " << apart.mean
+            << " +- " << apart.error;
     }
 }
 
-TEST(LightGroups, are_the_same_for_any_number_of_threads_and_others_for_other_names) {
-    const Scene scene = two_lamps(16);
-    const std::vector<PhotonGroup> first = learned(scene, 1);
-    for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
-        const ThreadLimit limit(threads);
-        EXPECT_TRUE(are_equal(learned(scene, 1), first)) << threads;
-    }
-    EXPECT_TRUE(are_equal(learned(scene, 1, 15), first));
-    EXPECT_FALSE(are_equal(learned(scene, 2), first));
-    EXPECT_FALSE(are_equal(learned(scene, 1, 16), first));
-}
-
-/// The plain ladder over all lights, and its bytes, where there is nothing to part.
-TEST(LightGroups, one_source_and_lamps_seen_alike_are_one_group_as_without) {
-    const std::string room = view("0 0 2.5  0 0 0  0 1 0", 60, 8) + diffuse("0.5 0.5 0.5") +
-                             quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0") +
-                             "AreaLightSource \"diffuse\" \"rgb L\" [5 5 5]\n";
-    const std::string left = quad("-.9 -.9 2  -.9 .9 2  -.5 .9 2  -.5 -.9 2");
-    const std::string right = quad(".5 -.9 2  .5 .9 2  .9 .9 2  .9 -.9 2");
-    for (const std::string& lamps : {left, left + right}) {
-        const Scene scene = scene_of(room + lamps);
-        RenderSettings together = settings(1);
-        together.photon.light_groups = false;
-        EXPECT_EQ(learned(scene, 1).size(), 1U);
-        const PassResult pass = render_pass(scene, settings(1), 3);
-        EXPECT_GT(pass.statistics[Count::deposits], 0U);
-        EXPECT_TRUE(are_equal(pass, render_pass(scene, together, 3)));
-    }
-    RenderSettings together = settings(1);
-    together.photon.light_groups = false;
-    const Scene scene = two_lamps(8);
-    EXPECT_FALSE(are_equal(render_pass(scene, settings(1), 3), render_pass(scene, together, 3)));
-}
-
-TEST(LightGroups, need_two_paths_each) {
-    const Scene scene = two_lamps(8);
-    EXPECT_EQ(learn_epoch(scene, settings(1, 3), 0).groups.size(), 1U);
-    const std::vector<PhotonGroup> groups = learn_epoch(scene, settings(1, 4), 0).groups;
-    ASSERT_EQ(groups.size(), 2U);
-    EXPECT_EQ(groups[0].plan.paths(), 2U);
-    EXPECT_EQ(groups[1].plan.paths(), 2U);
-}
-
-TEST(LightGroups, of_no_light_are_none) {
-    const Scene scene = scene_of(view("0 0 2.5  0 0 0  0 1 0", 60, 8) + diffuse("0.5 0.5 0.5") +
-                                 quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0"));
-    EXPECT_TRUE(learned(scene, 1).empty());
-}
-
-/// The fraction of the whole is that of uniform paths from all lights, and counts add up.
-TEST(LightGroups, counts_of_a_pass_are_those_of_its_groups) {
-    const Scene scene = two_lamps(16);
-    const PassResult pass = render_pass(scene, settings(1), 0);
-    ASSERT_EQ(pass.groups.size(), 2U);
-    const GroupCounts& lamp = pass.groups[0];
-    const GroupCounts& above = pass.groups[1];
-    EXPECT_GT(above.visible_fraction, 0);
-    EXPECT_GT(lamp.visible_fraction, 30 * above.visible_fraction);
-    EXPECT_DOUBLE_EQ(pass.visible_fraction, lamp.power_share * lamp.visible_fraction +
-                                                above.power_share * above.visible_fraction);
-    EXPECT_TRUE(lamp.ladder.levels.empty());
-    ASSERT_FALSE(above.ladder.levels.empty());
-    EXPECT_EQ(pass.statistics[Count::uniform_paths], lamp.paths + above.ladder.levels[0].states);
-    EXPECT_EQ(pass.statistics[Count::accepted_paths], above.ladder.mutations().accepted);
+/// By triangle of a shape, by statement; unnamed lights of scenes that no file states in none.
+TEST(LightLayers, know_where_each_light_is_stated) {
+    const Scene scene = lit_by(kAll);
+    ASSERT_EQ(scene.light_statements().size(), 5U);
+    EXPECT_EQ(scene.light_statements()[0].what, "AreaLightSource \"diffuse\"");
+    EXPECT_EQ(scene.light_statements()[1].what, "LightSource \"infinite\"");
+    EXPECT_GT(scene.light_statements()[1].where.line, scene.light_statements()[0].where.line);
+    EXPECT_EQ(scene.stated_in(), (std::vector<std::uint32_t>{0, 0, 0, 0, 1, 2, 3, 4}));
+    SceneDescription description = read_pbrt_text(
+        view("0 -3 1  0 0 0  0 0 1", 30, 4) + panels(true) + kLights[2], "test.pbrt");
+    description.stated_in.clear();
+    for (ShapeDescription& shape : description.shapes) shape.emission->statement = kNone;
+    EXPECT_EQ(Scene(std::move(description)).stated_in(), std::vector<std::uint32_t>(5, kNone));
 }
 
 }  // namespace

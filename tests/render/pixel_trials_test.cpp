@@ -1,7 +1,7 @@
 // Trial paths of pixels: their noise, and how it falls with nets.
-#include "render/pixel_trials.h"
+#include "planning/pixel_trials.h"
 
-#include "eye/trace_eye_paths.h"
+#include "camera_paths/trace_camera_paths.h"
 #include "support/procedural.h"
 #include "support/renders.h"
 

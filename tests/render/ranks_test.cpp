@@ -1,9 +1,9 @@
 // What ranks say to each other, and how passes are dealt to them.
-#include "render/ranks.h"
+#include "ranks/ranks.h"
 
 #include "film/synthetic.h"
-#include "render/film_transfer.h"
-#include "render/turns.h"
+#include "ranks/film_transfer.h"
+#include "ranks/reduction_interval.h"
 #include "support/thread_ranks.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Variances of trial passes whose noise is known.
-#include "render/trial_variance.h"
+#include "planning/trial_variance.h"
 
 #include "core/random.h"
 

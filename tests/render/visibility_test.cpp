@@ -1,13 +1,13 @@
 // Query and deposit agree: the index says "visible" of a photon if and only if some visible point
 // takes it, on whole passes, and it misses none.
-#include "eye/trace_eye_paths.h"
-#include "measurement/visible_point_index.h"
+#include "camera_paths/trace_camera_paths.h"
 #include "photon/tracer.h"
-#include "sampler/emission_points.h"
+#include "random_numbers/emission_points.h"
 #include "support/procedural.h"
 #include "support/renders.h"
 #include "support/takers.h"
 #include "support/visible_points.h"
+#include "visible_points/visible_point_index.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // by closed forms and quadrature that know nothing of how lights are sampled.
 #pragma once
 
+#include "camera_paths/next_event_estimation.h"
 #include "core/random.h"
-#include "eye/next_event_estimation.h"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "photon/tracer.h"
 #include "procedural/keyhole.h"
-#include "sampler/primary_sample.h"
+#include "random_numbers/primary_sample.h"
 #include "scene/pass_scene.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The visible points that take a photon, found the plain way: box by box, disc by disc.
 #pragma once
 
-#include "measurement/visible_point_index.h"
+#include "visible_points/visible_point_index.h"
 
 #include <algorithm>
 

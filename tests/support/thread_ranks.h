@@ -1,7 +1,7 @@
 // Ranks that are threads of one process: what MPI does, without it.
 #pragma once
 
-#include "render/ranks.h"
+#include "ranks/ranks.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 // Visible points in one list.
 #pragma once
 
-#include "measurement/visible_point.h"
+#include "visible_points/visible_point.h"
 
 namespace sunfleck::testing_support {
 

@@ -3,7 +3,7 @@
 
 #include "import/pbrt/assets.h"
 #include "import/pbrt/parameters.h"
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 
 #include <functional>
 #include <optional>

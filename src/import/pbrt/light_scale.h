@@ -3,7 +3,7 @@
 
 #include "import/pbrt/parameters.h"
 #include "import/pbrt/reading.h"
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 
 #include <algorithm>
 

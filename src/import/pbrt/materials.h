@@ -3,8 +3,8 @@
 
 #include "import/pbrt/assets.h"
 #include "import/pbrt/parameters.h"
+#include "material/bump_map.h"
 #include "material/material.h"
-#include "material/relief.h"
 
 #include <span>
 

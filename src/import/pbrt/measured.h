@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/error.h"
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 
 #include <string>
 

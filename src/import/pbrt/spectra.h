@@ -4,7 +4,7 @@
 #include "import/pbrt/import_log.h"
 #include "import/pbrt/parameters.h"
 #include "import/pbrt/scene_files.h"
-#include "math/spectral_curve.h"
+#include "math/spectrum.h"
 
 namespace sunfleck {
 

@@ -1,0 +1,34 @@
+// Which lights of a scene get layers of their own, as a user asks for them.
+//
+// Lights are counted as the scene's file states them, from 1: `sunfleck info --lights` lists them.
+#pragma once
+
+#include "aovs/light_groups.h"
+#include "photon/settings.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sunfleck {
+
+class Scene;
+
+/// One flag --light-layer. Without a name: each light has a layer.
+struct AskedLightLayer {
+    std::string name;
+    std::string text;                                           // of the lights, as written
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;  // of numbers, first to last
+};
+
+/// NAME=1,3-5, or each. Names begin with a letter and go on with letters, digits, _ and -.
+/// @throws Error for what is neither, for names that are taken, and for the sampler paper.
+std::vector<AskedLightLayer> read_light_layers(const std::vector<std::string>& texts,
+                                               PhotonSampler sampler);
+
+/// @throws Error for lights that the scene does not have or that are asked for twice, and for more
+///         layers than there may be.
+LightLayers light_layers_of(const Scene& scene, const std::vector<AskedLightLayer>& asked);
+
+}  // namespace sunfleck

@@ -1,0 +1,88 @@
+# What nearly every file includes, compiled once: see cmake/flags.cmake.
+set(SUNFLECK_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <memory>
+  <optional> <span> <string> <variant> <vector> <fmt/format.h>)
+
+# One static library a module of src/: its files are globbed, its libraries named here and nowhere
+# else. src/layers.txt says who may include whom; tools/check_layers.py checks it.
+# Files are compiled several at a time, but ALONE those that have local names in common with others;
+# ONE_BY_ONE: all of them, where these are many or were not looked for.
+function(sunfleck_module name)
+  cmake_parse_arguments(MODULE "ONE_BY_ONE" "FOLDER" "ALONE;NEEDS" ${ARGN})
+  if(NOT MODULE_FOLDER)
+    set(MODULE_FOLDER ${name})
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${MODULE_FOLDER}/*.cpp)
+  if(sources)
+    add_library(module_${name} STATIC ${sources})
+    target_link_libraries(module_${name} PUBLIC sunfleck_flags ${MODULE_NEEDS})
+    if(NOT MODULE_ONE_BY_ONE)
+      list(TRANSFORM MODULE_ALONE REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/src/${MODULE_FOLDER}/\\1.cpp")
+      sunfleck_compile_together(module_${name} ALONE ${MODULE_ALONE})
+    endif()
+    # Whoever includes the scene does so in nearly every file; the others share the common headers.
+    if(name STREQUAL "core")
+      target_precompile_headers(module_core PRIVATE ${SUNFLECK_COMMON_HEADERS})
+    elseif(name STREQUAL "scene")
+      target_precompile_headers(module_scene PRIVATE ${SUNFLECK_COMMON_HEADERS}
+        "${PROJECT_SOURCE_DIR}/src/scene/scene.h")
+    elseif(MODULE_NEEDS MATCHES "module_(scene|camera_paths|stages|import_pbrt)")
+      target_precompile_headers(module_${name} REUSE_FROM module_scene)
+    else()
+      target_precompile_headers(module_${name} REUSE_FROM module_core)
+    endif()
+  else()
+    add_library(module_${name} INTERFACE)
+    target_link_libraries(module_${name} INTERFACE sunfleck_flags ${MODULE_NEEDS})
+  endif()
+endfunction()
+
+sunfleck_module(core NEEDS TBB::tbb fmt::fmt ZLIB::ZLIB)
+sunfleck_module(math ONE_BY_ONE NEEDS module_core Imath::Imath)
+sunfleck_module(image NEEDS module_math OpenEXR::OpenEXR PNG::PNG JPEG::JPEG)
+sunfleck_module(bsdf ONE_BY_ONE NEEDS module_math)
+sunfleck_module(geometry ONE_BY_ONE NEEDS module_math embree)
+sunfleck_module(camera NEEDS module_math)
+sunfleck_module(random_numbers NEEDS module_math)
+sunfleck_module(guide ONE_BY_ONE NEEDS module_random_numbers)
+sunfleck_module(chains ONE_BY_ONE NEEDS module_guide)
+sunfleck_module(procedural ONE_BY_ONE NEEDS module_math)
+sunfleck_module(import_ply FOLDER import/ply NEEDS module_math)
+sunfleck_module(texture NEEDS module_image module_geometry)
+sunfleck_module(material NEEDS module_bsdf module_texture)
+sunfleck_module(light NEEDS module_geometry module_image)
+sunfleck_module(aovs NEEDS module_math)
+sunfleck_module(visible_points ONE_BY_ONE NEEDS module_bsdf module_aovs hwy::hwy)
+sunfleck_module(scene NEEDS module_material module_light module_camera)
+sunfleck_module(import_pbrt FOLDER import/pbrt ALONE materials texture_kinds world_directives
+  NEEDS module_scene module_import_ply)
+sunfleck_module(camera_paths NEEDS module_scene module_visible_points module_random_numbers)
+sunfleck_module(photon ONE_BY_ONE NEEDS module_scene module_visible_points module_chains)
+sunfleck_module(estimate NEEDS module_scene module_visible_points)
+sunfleck_module(film NEEDS module_image module_visible_points nlohmann_json::nlohmann_json)
+sunfleck_module(reference NEEDS module_scene module_aovs module_random_numbers)
+sunfleck_module(compare NEEDS module_image nlohmann_json::nlohmann_json)
+sunfleck_module(import NEEDS module_import_pbrt)
+sunfleck_module(ranks NEEDS module_film)
+sunfleck_module(stages NEEDS module_camera_paths module_photon module_estimate module_film)
+sunfleck_module(planning NEEDS module_stages)
+sunfleck_module(paper NEEDS module_stages)
+sunfleck_module(render NEEDS module_planning module_paper module_ranks module_reference)
+file(GLOB figures CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/experiment/figures/*.cpp)
+sunfleck_module(experiment NEEDS module_import module_procedural module_report module_film nlohmann_json::nlohmann_json)
+target_sources(module_experiment PRIVATE ${figures})
+sunfleck_module(report NEEDS module_compare)
+
+# The page's own files and the chart library, inside the program.
+set(page ${PROJECT_SOURCE_DIR}/src/report/page)
+file(GLOB scripts CONFIGURE_DEPENDS ${page}/*.js)
+string(REPLACE ";" "," scripts_joined "${scripts}")
+set(assets ${PROJECT_BINARY_DIR}/report_assets.cpp)
+add_custom_command(OUTPUT ${assets}
+  COMMAND ${CMAKE_COMMAND} -DOUT=${assets} -DHEADER=report/assets.h
+    "-DPARTS=kPage=${page}/page.html|kPageStyle=${page}/page.css|kPageScript=${scripts_joined}|kChartLibrary=${SUNFLECK_CHART_JS}"
+    -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+  DEPENDS ${page}/page.html ${page}/page.css ${scripts} ${SUNFLECK_CHART_JS}
+    ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+  VERBATIM)
+target_sources(module_report PRIVATE ${assets})
+set_source_files_properties(${assets} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)

@@ -1,0 +1,23 @@
+// Choices that eye paths, photon paths and reference integrators share: who brings which light, and
+// where it counts.
+#pragma once
+
+#include "aovs/light_groups.h"
+
+namespace sunfleck {
+
+/// Who brings the light that comes straight from an emitter to a surface that gathers.
+enum class DirectLight {
+    sampled,  // the eye path samples it; photons count from their second hit on
+    photons   // photons bring it too
+};
+
+inline constexpr int kDefaultMaxDepth = 64;
+
+struct TransportSettings {
+    DirectLight direct = DirectLight::sampled;
+    int max_depth = kDefaultMaxDepth;  // scattering events on a whole path, eye and light together
+    LightLayers light_layers{};
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,38 @@
+// What the camera paths of a pass share: scene, settings, pixels and radii.
+#pragma once
+
+#include "aovs/transport.h"
+#include "camera/pixel_window.h"
+#include "camera_paths/settings.h"
+#include "random_numbers/batch_points.h"
+#include "scene/pass_scene.h"
+
+#include <span>
+#include <vector>
+
+namespace sunfleck {
+
+/// Pixel i has 2^doublings[i] camera paths, each with that share of its light; one if empty.
+using Doublings = std::vector<std::uint8_t>;
+
+struct EyePass {
+    const PassScene& scene;
+    const TransportSettings& transport;
+    const EyeSettings& settings;
+    PixelWindow window;
+    PassId id;
+    double radius_factor = 1;  // r_p / r_0
+    /// Of discs for other photons, in pixels.
+    float first_radius =
+        static_cast<float>(sunfleck::first_radius(settings, scene.scene.film().resolution));
+    /// Of discs for indirect photons, over that.
+    float indirect_reach =
+        static_cast<float>(sunfleck::indirect_reach(settings, scene.scene.film().resolution));
+    std::span<const std::uint8_t> doublings = {};  // Doublings
+    /// Rays of each pixel's paths are added, unless empty.
+    std::span<std::uint64_t> rays = {};
+    DrawOfPass draw = {};
+    int cells = 1;  // one pixel of each PixelCells of that side has paths
+};
+
+}  // namespace sunfleck

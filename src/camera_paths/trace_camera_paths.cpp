@@ -1,0 +1,35 @@
+// All pixels of a pass, in blocks.
+#include "camera_paths/trace_camera_paths.h"
+
+#include "camera_paths/camera_path.h"
+#include "core/parallel.h"
+
+namespace sunfleck {
+VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics) {
+    constexpr std::size_t kBlock = 256;
+    const std::size_t pixels = pass.window.pixels();
+    const PixelCells cells{pass.window, pass.cells};
+    const FilterSampler filter(pass.scene.scene.filter());
+    VisiblePointLists lists((pixels + kBlock - 1) / kBlock);
+    std::vector<Statistics> counts(lists.size());
+    parallel_blocks(pixels, kBlock, [&](std::size_t begin, std::size_t end) {
+        const std::size_t block = begin / kBlock;
+        lists[block].reserve(end - begin);
+        Statistics& count = counts[block];
+        for (std::size_t pixel = begin; pixel < end; ++pixel) {
+            if (!cells.has(pixel)) continue;
+            PathOfPixel path{0, pass.doublings.empty() ? 0U : pass.doublings[pixel], pass.draw};
+            const std::uint64_t before = count[Count::eye_rays];
+            for (; path.number < path.count(); ++path.number)
+                EyePath(pass, filter, image, lists[block], count)
+                    .trace(static_cast<std::uint32_t>(pixel), path);
+            count[Count::camera_paths] += path.count();
+            if (!pass.rays.empty()) pass.rays[pixel] += count[Count::eye_rays] - before;
+        }
+        count[Count::visible_points] += lists[block].size();
+    });
+    for (const Statistics& c : counts) statistics += c;
+    return lists;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,84 @@
+// Walking one set of paths to learn how far its mutations should go.
+//
+// In:  a population of the set, scales to begin with. Out: the population after some thousand
+// steps, and scales that accept about as often as asked. No part of a picture (chains/pilot.h).
+#pragma once
+
+#include "chains/splitting.h"
+
+namespace sunfleck {
+
+/// What a pilot's random numbers are named by, but for its rounds.
+struct PilotName {
+    std::uint64_t seed = 0;
+    std::uint32_t epoch = 0;  // below 2^20
+    std::uint32_t part = 0;   // see PassId
+
+    /// Streams of a round: passes that no render reaches. @param number  below 512.
+    constexpr PassId round(std::uint32_t number) const {
+        return {seed, 0x80000000U + epoch * 512 + number, part};
+    }
+};
+
+/// A pilot's rounds so far, and the walks among them.
+template <PathSpace Space>
+class SetWalk {
+public:
+    using Tally = typename Space::Tally;
+
+    /// @param space  must outlive it.
+    SetWalk(const Space& space, const PilotName& name) : space_(space), name_(name) {}
+
+    /// The streams of the next round.
+    PassId next_round() { return name_.round(round_++); }
+
+    /// One round: the population becomes its states, the scales adapt.
+    LevelCounts once(int height, float target, MutationScales& scales, Population& population,
+                     Tally& tally) {
+        const LevelPlan plan{height, kStates, kChains, scales};
+        const Level<Space> level(space_, next_round(), 1, plan, population);
+        LevelCounts counts;
+        population = surviving_states(level, height, counts, tally);
+        scales = adapted(scales, counts.acceptances, target);
+        paths_ += kStates;
+        return counts;
+    }
+
+    /// Rounds until the scales hardly change. @return counts of the last one.
+    LevelCounts until_settled(int height, float target, MutationScales& scales,
+                              Population& population, Tally& tally) {
+        for (int i = 1;; ++i) {
+            const MutationScales before = scales;
+            const LevelCounts counts = once(height, target, scales, population, tally);
+            if (i == kMostRounds || (i >= kLeastRounds && is_settled(before, scales)))
+                return counts;
+        }
+    }
+
+    /// Counts what the pilot traced in rounds of other kinds.
+    void add_paths(std::uint64_t paths) { paths_ += paths; }
+    /// Traced so far, in all rounds.
+    std::uint64_t paths() const { return paths_; }
+
+    static constexpr std::uint32_t kStates = 4'000;  // of a round
+    static constexpr std::uint32_t kChains = 64;
+
+private:
+    static constexpr int kLeastRounds = 3;
+    static constexpr int kMostRounds = 12;
+
+    static bool is_settled(const MutationScales& before, const MutationScales& now) {
+        for (std::size_t kind = 0; kind < kMutationKinds; ++kind) {
+            const float change = now.scale.at(kind) / before.scale.at(kind);
+            if (change < 0.8F || change > 1.25F) return false;
+        }
+        return true;
+    }
+
+    const Space& space_;
+    PilotName name_;
+    std::uint32_t round_ = 0;
+    std::uint64_t paths_ = 0;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,171 @@
+// One level of a ladder: chains that start from a population and walk one set.
+//
+// In:  a population of the set; how many states, how many chains. Out: every state with the number
+// of steps it stood, chain by chain, for collectors; integer counts.
+// Source: waste-free sequential Monte Carlo, Dau and Chopin 2022; docs/method.md.
+#pragma once
+
+#include "chains/chain.h"
+#include "chains/population.h"
+#include "core/parallel.h"
+#include "random_numbers/path_range.h"
+#include "random_numbers/systematic_resampling.h"
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <vector>
+
+namespace sunfleck {
+
+/// What is fixed for a level before the pass.
+struct LevelPlan {
+    int height = kVisible;     // of its set: that of paths at least so high
+    std::uint32_t states = 0;  // of all chains together, at least `chains`
+    std::uint32_t chains = 0;  // always so many, of copies or of some of the seeds: see Level
+    MutationScales scales;
+
+    friend bool operator==(const LevelPlan&, const LevelPlan&) = default;
+};
+
+using HeightCounts = std::array<std::uint64_t, kHeights>;
+
+/// What a level counts: the same for any number of threads.
+struct LevelCounts {
+    std::uint64_t states = 0;    // with repeats
+    std::uint64_t distinct = 0;  // seeds and accepted mutations
+    Acceptances acceptances;
+    HeightCounts heights{};     // of states, with repeats
+    std::uint64_t covered = 0;  // of states, with repeats: where a map covers
+    std::uint64_t distinct_covered = 0;
+
+    LevelCounts& operator+=(const LevelCounts& other) {
+        states += other.states;
+        distinct += other.distinct;
+        covered += other.covered;
+        distinct_covered += other.distinct_covered;
+        for (std::size_t k = 0; k < kMutationKinds; ++k) acceptances[k] += other.acceptances[k];
+        for (std::size_t h = 0; h < heights.size(); ++h) heights[h] += other.heights[h];
+        return *this;
+    }
+    /// Of both kinds.
+    Acceptance mutations() const {
+        Acceptance sum;
+        for (const Acceptance& kind : acceptances) sum += kind;
+        return sum;
+    }
+    std::uint64_t at_least(int height) const {
+        std::uint64_t sum = 0;
+        for (auto h = static_cast<std::size_t>(height); h < heights.size(); ++h) sum += heights[h];
+        return sum;
+    }
+};
+
+/// A state of a chain as a collector sees it.
+template <PathSpace Space>
+struct ChainState {
+    const StoredSample& sample;
+    const typename Space::Path& path;
+    int height;
+    std::uint32_t steps;  // that it stood, at least 1
+    bool is_covered = false;
+};
+
+/// Takes the states of one chain, in their order.
+template <class C, class Space>
+concept StateCollector = requires(C& collect, const ChainState<Space>& state) {
+    collect(state);
+};
+
+template <PathSpace Space>
+class Level {
+public:
+    using Tally = typename Space::Tally;
+
+    /// @param number  of the level, 1 to 31: names the streams. @param population  not empty.
+    Level(const Space& space, PassId pass, std::uint32_t number, const LevelPlan& plan,
+          const Population& population, const MapCover& cover = {})
+        : space_(space),
+          pass_(pass),
+          number_(number),
+          plan_(plan),
+          population_(population),
+          target_{plan.height, cover},
+          states_(std::max(plan.states, plan.chains)) {}
+
+    std::uint64_t states() const { return states_; }
+
+    /// Runs all chains. @param make  makes a collector for one chain. @param take  is given the
+    /// collectors of consecutive chains, in order, some at a time.
+    template <class Make, class Take>
+    void run(const Make& make, const Take& take, LevelCounts& counts, Tally& tally) const {
+        using Collector = std::invoke_result_t<Make>;
+        static_assert(StateCollector<Collector, Space>);
+        const std::uint64_t chains = plan_.chains;
+        RandomStream offsets = pass_.stream(Purpose::ladder, number_);
+        const double offset = offsets.next();
+        const double apart = population_.weight() / static_cast<double>(chains);
+        const SystematicLengths length(states_, chains, offsets.next_fraction());
+        const std::uint64_t at_once =
+            std::max<std::uint64_t>(1, paths_at_once(states_) * chains / states_);
+        for (std::uint64_t first = 0; first < chains; first += at_once) {
+            const std::size_t some = std::min(at_once, chains - first);
+            std::vector<Collector> collectors;
+            for (std::size_t i = 0; i < some; ++i) collectors.push_back(make());
+            std::vector<LevelCounts> counted(some);
+            std::vector<Tally> tallied(some);
+            parallel_for(some, [&](std::size_t i) {
+                const std::uint64_t j = first + i;
+                run_chain({j, (static_cast<double>(j) + offset) * apart, length(j)}, collectors[i],
+                          counted[i], tallied[i]);
+            });
+            for (const LevelCounts& c : counted) counts += c;
+            for (const Tally& t : tallied) tally += t;
+            take(std::move(collectors));
+        }
+    }
+
+private:
+    struct One {
+        std::uint64_t number;
+        double seed;  // its place in the population
+        std::uint64_t states;
+    };
+
+    template <class Collector>
+    void run_chain(const One& one, Collector& collect, LevelCounts& counts, Tally& tally) const {
+        const auto name = one.number * 32 + number_;
+        Chain<Space> chain(space_, target_, population_.at(one.seed),
+                           pass_.stream(Purpose::chain, name), tally);
+        std::uint32_t steps = 1;
+        const auto leave = [&] {
+            collect(ChainState<Space>{chain.sample(), chain.path(), chain.height(), steps,
+                                      chain.is_covered()});
+            counts.states += steps;
+            ++counts.distinct;
+            counts.covered += chain.is_covered() ? steps : 0;
+            counts.distinct_covered += chain.is_covered() ? 1 : 0;
+            counts.heights[static_cast<std::size_t>(chain.height())] += steps;
+        };
+        for (std::uint64_t i = 1; i < one.states; ++i) {
+            if (chain.propose(plan_.scales, counts.acceptances, tally)) {
+                leave();
+                chain.accept();
+                steps = 1;
+            } else {
+                ++steps;
+            }
+        }
+        leave();
+    }
+
+    const Space& space_;
+    PassId pass_;
+    std::uint32_t number_;
+    const LevelPlan& plan_;
+    const Population& population_;
+    Target target_;
+    std::uint64_t states_;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,120 @@
+// How far a mutation moves a slot, and how that is learned.
+//
+// A mutation draws its magnitude first, log-uniform over three decades around the scale of its
+// kind, then every slot moves by about that, log-uniform over one decade. So there are small
+// mutations for chains in narrow places, and large ones (docs/decisions.md has the evidence). Two
+// kinds, chosen at random: all slots alike, and bounce slots 16 times farther than emission slots.
+// Source: adaptive scale towards a target acceptance: paper, section 4.4 (its own law: paper_step
+// of photon/paper_chain.h).
+#pragma once
+
+#include "random_numbers/primary_sample.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace sunfleck {
+
+inline constexpr std::size_t kMutationKinds = 2;
+/// Of bounce slots over emission slots, by kind.
+inline constexpr std::array<float, kMutationKinds> kBounceStretch = {1, 16};
+/// Of mutations, in sets that few seeds lead to: chains must get around.
+inline constexpr float kTargetAcceptance = 0.5F;
+/// In a set that independent paths find often enough: chains stay nearer to their seeds.
+inline constexpr float kTargetOfOneSet = 0.65F;
+/// Over which the magnitudes of mutations spread, and the steps of one mutation.
+inline constexpr float kDecadesOfMagnitudes = 3;
+inline constexpr float kDecadesOfSteps = 1;
+
+/// Proposals of one kind, and those that were accepted.
+struct Acceptance {
+    std::uint64_t proposed = 0;
+    std::uint64_t accepted = 0;
+
+    Acceptance& operator+=(const Acceptance& other) {
+        proposed += other.proposed;
+        accepted += other.accepted;
+        return *this;
+    }
+    /// Zero where nothing was proposed.
+    double share() const {
+        return proposed == 0 ? 0 : static_cast<double>(accepted) / static_cast<double>(proposed);
+    }
+    friend bool operator==(const Acceptance&, const Acceptance&) = default;
+};
+using Acceptances = std::array<Acceptance, kMutationKinds>;
+
+/// The scale of each kind, in turns, for emission slots.
+struct MutationScales {
+    std::array<float, kMutationKinds> scale = {0.05F, 0.05F};
+
+    friend bool operator==(const MutationScales&, const MutationScales&) = default;
+};
+
+/// 2^x, off by 1.1e-4 of itself at most, continuous and rising; the same on every machine, and
+/// without a call.
+/// @param x  from -100 to 100.
+inline float approximate_exp2(float x) {
+    const float whole = std::floor(x);
+    const float part = x - whole;
+    const float power = 1 + part * (0.6954F + part * (0.2264F + part * 0.0782F));
+    const auto exponent = static_cast<std::uint32_t>(static_cast<std::int32_t>(whole) + 127);
+    return power * std::bit_cast<float>(exponent << 23U);
+}
+
+/// 10^(decades (xi - 1/2)). @param random  uniform: its highest bits are xi.
+inline float log_uniform(float decades, std::uint32_t random) {
+    constexpr float kDoublingsOfADecade = 3.3219281F;  // ln(10) / ln(2)
+    return approximate_exp2(decades * kDoublingsOfADecade * (word_to_unit_float(random) - 0.5F));
+}
+
+/// A step of scale * 10^(xi - 1/2) turns to either side, wrapped: symmetric to the last bit.
+/// @param random  uniform: its lowest bit is the side, its highest bits are xi.
+inline std::uint64_t moved(std::uint64_t slot, float scale, std::uint32_t random) {
+    const double turns =
+        static_cast<double>(scale) * static_cast<double>(log_uniform(kDecadesOfSteps, random));
+    const double wrapped = turns - std::floor(turns);
+    const auto step = static_cast<std::uint64_t>(wrapped * 0x1p64);
+    return (random & 1U) != 0 ? slot + step : slot - step;
+}
+
+/// One mutation of a kind, slot by slot.
+class LogUniformMove {
+public:
+    /// Draws the magnitude, the same for all slots.
+    LogUniformMove(const MutationScales& scales, std::size_t kind, RandomStream& stream)
+        : emission_(scales.scale.at(kind) * log_uniform(kDecadesOfMagnitudes, stream.next_word())),
+          bounce_(emission_ * kBounceStretch.at(kind)),
+          stream_(stream) {}
+
+    std::uint64_t operator()(std::uint32_t slot, std::uint64_t value) {
+        return moved(value, is_emission(slot) ? emission_ : bounce_, stream_.next_word());
+    }
+
+private:
+    float emission_;
+    float bounce_;
+    RandomStream& stream_;
+};
+
+/// The scale that should accept about the target's share, from what was counted with `scale`. Left
+/// as it is below 30 proposals; at most halved or doubled at once, and at most half a turn.
+inline float adapted(float scale, const Acceptance& counted, float target) {
+    if (counted.proposed < 30) return scale;
+    const float ratio =
+        (static_cast<float>(counted.accepted) + 0.5F) / (static_cast<float>(counted.proposed) + 1);
+    const float change = std::log(target) / std::log(ratio);
+    return std::min(0.5F, scale * std::clamp(change, 0.5F, 2.0F));
+}
+
+inline MutationScales adapted(const MutationScales& scales, const Acceptances& counted,
+                              float target) {
+    MutationScales result;
+    for (std::size_t kind = 0; kind < kMutationKinds; ++kind)
+        result.scale.at(kind) = adapted(scales.scale.at(kind), counted.at(kind), target);
+    return result;
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,163 @@
+// The rules and their constants.
+#include "chains/splitting_rules.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace sunfleck {
+namespace {
+
+constexpr double kUniformOnly = 0.05;
+constexpr double kSeedsForOneSet = 64;
+constexpr double kConditionalFraction = 0.05;
+constexpr std::uint32_t kChains = 256;
+constexpr std::uint32_t kLastChains = 1024;  // no chain stays long in one place of the picture
+constexpr std::uint32_t kStatesOfAChain = 64;
+constexpr double kLastShare = 0.5;  // of paths: states of the last set
+
+/// How paths through a map and a ladder beside it share their work.
+struct Division {
+    double mapped;  // of all paths
+    double last;    // of the ladder's paths: states of the last set
+    double own;     // of the light from where the map covers: what paths through it bring
+    // Of the last set's states: where the map covers; none: as many as come, for they bring light.
+    std::optional<double> detour;
+};
+// Paths through the map bring the light from there. What it leaves out is little, but rare: the
+// uniform paths and the first sets must find it, so the last one has fewer states than without.
+constexpr Division kOftenSeen{0.35, 0.3, 1, 0.1};
+// No ladder leads to what is visible.
+constexpr Division kAlone{0.75, 0.5, 1, 0.25};
+// Few paths through the map are visible, fewer than are worth as much as states of chains: they
+// start these.
+constexpr Division kForSeeds{0.1, 0.75, 0.1, {}};
+constexpr double kSeldomSeen = 0.2;      // of paths through such a map
+constexpr double kMostImportance = 0.5;  // of detours
+
+/// In float: the same bits on every machine.
+float log_of(double x) {
+    return std::log(static_cast<float>(x));
+}
+
+/// The least number of sets of conditional fractions of kConditionalFraction or less on average.
+/// @param visible  fraction, positive.
+int sets_for(double visible) {
+    return static_cast<int>(std::ceil(log_of(visible) / log_of(kConditionalFraction)));
+}
+
+const Division& division(const LearnedMap& map) {
+    if (map.covering == Covering::all_known) return kAlone;
+    return map.visible_share < kSeldomSeen ? kForSeeds : kOftenSeen;
+}
+
+/// Of what a map covers, so that chains have that share of their states there.
+/// @param rest  of the visible paths: what the map leaves out.
+double importance_of(double share, double rest) {
+    return std::min(kMostImportance, rest / (1 - rest) * share / (1 - share));
+}
+
+/// Chains of at least kStatesOfAChain states, so that copies of one seed part.
+std::uint32_t chains_for(std::uint32_t states, std::uint32_t most) {
+    return std::clamp(states / kStatesOfAChain, 1U, most);
+}
+
+/// Heights of the sets before the last: tails nearest to fraction^(k/sets). Sets that would hold
+/// nearly the same paths as their neighbours are left out.
+std::vector<int> even_heights(const HeightTail& tail, int sets) {
+    constexpr double kNearlyTheSame = 0.5;
+    const double step = double{log_of(tail[kVisible])} / sets;
+    std::vector<int> heights;
+    double last = 1;
+    int lowest = 1;
+    for (int k = 1; k < sets; ++k) {
+        int best = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (int h = lowest; h < kVisible; ++h) {
+            const double p = tail.at(static_cast<std::size_t>(h));
+            if (p > kNearlyTheSame * last || p * kNearlyTheSame < tail[kVisible]) continue;
+            const double miss = std::abs(log_of(p) - k * step);
+            if (!(miss < least)) continue;
+            least = miss;
+            best = h;
+        }
+        if (best == 0) continue;
+        heights.push_back(best);
+        last = tail.at(static_cast<std::size_t>(best));
+        lowest = best + 1;
+    }
+    return heights;
+}
+
+/// Heights at which the tail falls, as far as it was reached.
+std::vector<int> reached_heights(const HeightTail& tail) {
+    constexpr double kLessThanTheLast = 0.2;  // steps that chains of few states still take
+    std::vector<int> heights;
+    double last = 1;
+    for (int h = 1; h < kVisible; ++h) {
+        const double p = tail.at(static_cast<std::size_t>(h));
+        if (!(p > 0) || p > kLessThanTheLast * last) continue;
+        heights.push_back(h);
+        last = p;
+    }
+    return heights;
+}
+
+/// @param last_share  of the paths, states of the last set.
+LadderPlan planned(const HeightTail& tail, std::uint32_t paths, double last_share, Sets sets) {
+    if (!is_rare(tail)) return {paths, {}};
+    const double visible = tail[kVisible];
+    const auto last = std::max(1U, static_cast<std::uint32_t>(last_share * paths));
+    const double seeds = visible * (paths - last);
+    if (seeds >= kSeedsForOneSet) {  // hardly a seed is left out
+        const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * seeds));
+        return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
+    }
+
+    std::vector<int> heights;
+    if (sets == Sets::as_needed)
+        heights = visible > 0 ? even_heights(tail, sets_for(visible)) : reached_heights(tail);
+    heights.resize(std::min<std::size_t>(heights.size(), paths - last - 1));  // tiny budgets
+    const auto shares = static_cast<std::uint32_t>(heights.size() + 1);
+    const std::uint32_t share = (paths - last) / shares;
+    LadderPlan plan{paths - last - share * (shares - 1), {}};
+    for (const int height : heights)
+        plan.levels.push_back({height, share, chains_for(share, kChains), {}});
+    plan.levels.push_back({kVisible, last, chains_for(last, kLastChains), {}});
+    return plan;
+}
+
+}  // namespace
+
+bool is_rare(const HeightTail& tail) {
+    return tail[kVisible] < kUniformOnly;
+}
+
+SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths, Sets sets) {
+    tail[kVisible] = map.covering == Covering::all_known ? 0 : tail[kVisible] * map.rest;
+    const Division& d = division(map);
+    SharedPlan plan;
+    plan.mapped = {map.map, std::min(static_cast<std::uint32_t>(d.mapped * paths), paths - 2),
+                   d.detour ? importance_of(*d.detour, map.rest) : 1, d.own};
+    plan.ladder = planned(tail, paths - plan.mapped.paths, d.last, sets);
+    return plan;
+}
+
+LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths, Sets sets) {
+    return planned(tail, paths, kLastShare, sets);
+}
+
+int next_height(const HeightCounts& heights, int from) {
+    std::uint64_t all = 0;
+    for (const std::uint64_t h : heights) all += h;
+    std::uint64_t so_far = 0;
+    int lowest = kHeights;
+    for (int h = kVisible; h > from; --h) {
+        so_far += heights.at(static_cast<std::size_t>(h));
+        if (so_far > 0 && 50 * so_far >= all) return h;
+        if (heights.at(static_cast<std::size_t>(h)) > 0) lowest = h;
+    }
+    return lowest;
+}
+
+}  // namespace sunfleck

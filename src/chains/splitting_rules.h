@@ -1,0 +1,52 @@
+// Which ladder suits how rare the visible paths are: the rules, without the sampling.
+#pragma once
+
+#include "chains/learned_guide.h"
+
+#include <array>
+
+namespace sunfleck {
+
+/// P(height >= h) of a uniform path, by h; zero where none was found.
+using HeightTail = std::array<double, kHeights>;
+
+/// Are visible paths so rare that a ladder pays: less than one in 20?
+bool is_rare(const HeightTail& tail);
+
+/// How many sets a ladder may have.
+enum class Sets { as_needed, one };
+
+/// The plan of a pass, its scales left as they start.
+/// - Where they are not rare: uniform paths alone.
+/// - Else half of the paths are states of the last set. If the other half, uniform, would find 64
+///   visible paths or more: one set.
+/// - Else the least number of sets whose conditional fractions are 0.05 or less on average; the
+///   heights are those whose tail is nearest to even steps.
+/// - No visible path found: a set at each height that was reached by a fifth or less of the paths
+///   of the set before.
+/// @param paths  of a pass, all levels together; at least 2. @param sets  one: where there would be
+/// several, only the last, whose chains start at what visible paths there are.
+LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths, Sets sets = Sets::as_needed);
+
+/// Paths through a map, and a ladder beside them.
+struct SharedPlan {
+    LadderPlan ladder;
+    MappedPlan mapped;
+};
+
+/// The plan where there is a map. What it covers is brought
+/// - by the paths through it, and the ladder's chains bring what it leaves out;
+/// - by the ladder's chains, too, started by those paths, where less than a fifth of these is
+///   visible.
+/// A map of places that no ladder reaches gets most of the paths.
+/// @param tail  of all paths. @param map  of which the rest is less than one. @param paths  at
+/// least 2.
+SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths,
+                       Sets sets = Sets::as_needed);
+
+/// The height that exploration climbs to next: the greatest with at least 2% of the states; if no
+/// height above the set's has so many, the lowest above it that has any; kHeights if none has.
+/// @param from  the height of the set that the states are of.
+int next_height(const HeightCounts& heights, int from);
+
+}  // namespace sunfleck

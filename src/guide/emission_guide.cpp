@@ -1,0 +1,107 @@
+// What a grown tree says of points: images, densities; and the same boxes with other masses.
+#include "guide/emission_guide.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck {
+
+EmissionMap::Image EmissionMap::operator()(const EmissionPoint& uniform) const {
+    Image image{uniform, 1};
+    if (is_identity()) return image;
+    EmissionPoint& u = image.point;  // within the box, until it is whole
+    EmissionBox box;
+    std::array<const EmissionShear*, kMostShears> sheared{};
+    std::size_t shears = 0;
+    const Node* node = nodes_.data();
+    while (true) {
+        for (std::uint32_t i = 0; i < node->shears; ++i)
+            sheared[shears++] = &shears_[node->first_shear + i];
+        if (node->left == 0) break;
+        const std::uint32_t s = node->slot;
+        if (u[s] < node->left_share) {
+            u[s] /= node->left_share;
+            box.high[s] = node->at;
+            node = &nodes_[node->left];
+        } else {
+            u[s] = (u[s] - node->left_share) / (1 - node->left_share);
+            box.low[s] = node->at;
+            node = &nodes_[node->left + 1];
+        }
+    }
+    for (std::size_t s = 0; s < kMappedSlots; ++s)
+        u[s] = box.low[s] + u[s] * (box.high[s] - box.low[s]);
+    while (shears > 0) sheared[--shears]->undo(u);
+    image.density = node->density;
+    return image;
+}
+
+double EmissionMap::density(const EmissionPoint& at) const {
+    return is_identity() ? 1 : nodes_[box_of(at)].density;
+}
+
+std::uint32_t EmissionMap::box_of(EmissionPoint at) const {
+    std::uint32_t number = 0;
+    while (true) {
+        const Node& node = nodes_[number];
+        for (std::uint32_t i = 0; i < node.shears; ++i) shears_[node.first_shear + i].apply(at);
+        if (node.left == 0) return number;
+        number = node.left + (at[node.slot] < node.at ? 0 : 1);
+    }
+}
+
+EmissionMap EmissionMap::where_visible(const std::vector<Trial>& trials, double least) const {
+    if (is_identity()) return {};
+    std::vector<double> tried(nodes_.size());
+    std::vector<double> visible(nodes_.size());
+    for (const Trial& trial : trials) {
+        const std::uint32_t box = box_of(trial.point);
+        tried[box] += 1;
+        visible[box] += trial.visible ? 1 : 0;
+    }
+    std::vector<double> masses(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (nodes_[i].left != 0) continue;
+        const double share = visible[i] / (tried[i] + 1);
+        if (share >= least) masses[i] = std::sqrt(share) * nodes_[i].volume;
+    }
+    return with_masses(std::move(masses));
+}
+
+EmissionMap EmissionMap::widened(double kept) const {
+    if (is_identity()) return {};
+    std::vector<double> masses(nodes_.size());
+    double roots = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (nodes_[i].left != 0) continue;
+        masses[i] = std::sqrt(nodes_[i].found * nodes_[i].volume);
+        roots += masses[i];
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const Node& node = nodes_[i];
+        if (node.left != 0) continue;
+        masses[i] = (1 - kept) * masses[i] / roots + kept * node.density * node.volume;
+        if (masses[i] <= node.volume) masses[i] = 0;
+    }
+    return with_masses(std::move(masses));
+}
+
+EmissionMap EmissionMap::with_masses(std::vector<double> masses) const {
+    double all = 0;
+    for (const double mass : masses) all += mass;
+    if (!(all > 0)) return {};
+    EmissionMap map = *this;
+    for (std::size_t i = nodes_.size(); i-- > 0;) {  // halves come after the whole
+        Node& node = map.nodes_[i];
+        if (node.left == 0) {
+            masses[i] /= all;
+        } else {
+            masses[i] = masses[node.left] + masses[node.left + 1];
+            node.left_share = masses[i] > 0 ? masses[node.left] / masses[i] : 0.5;
+        }
+        node.density = masses[i] / node.volume;
+    }
+    return map;
+}
+
+}  // namespace sunfleck

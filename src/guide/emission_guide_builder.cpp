@@ -1,0 +1,191 @@
+// The tree is grown from the points box by box; then a share of its mass is spread evenly. Where a
+// shear tells more than any cut, as in a slanted tube, the box is sheared before it is cut.
+#include "guide/emission_guide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::size_t kBins = 8;         // places where a box may be cut, by slot
+constexpr double kLeastWidth = 0x1p-32;  // of a box that is cut: slots have 52 bits
+constexpr double kLeastEffective = 12;   // points in a box that is cut
+constexpr double kLeastToShear = 40;     // points in a box that is sheared: four slopes are fitted
+constexpr double kLeastShear = 0.35;     // of log likelihood a point: half of the variance
+
+/// Weights of points, and how many of equal weight they are worth.
+struct Mass {
+    double sum = 0;
+    double squares = 0;
+    void add(double weight) {
+        sum += weight;
+        squares += weight * weight;
+    }
+    void add(const Mass& other) {
+        sum += other.sum;
+        squares += other.squares;
+    }
+    double effective() const { return squares > 0 ? sum * sum / squares : 0; }
+};
+
+struct Cut {
+    double gain = 0;
+    std::uint32_t slot = 0;
+    double at = 0;
+};
+
+/// x ln(x / expected), 0 where there is nothing. In float: the same bits on every machine.
+double surprise(double share, double expected) {
+    return share > 0 ? share * std::log(static_cast<float>(share / expected)) : 0;
+}
+
+/// The cut that tells most, in nats a point.
+Cut best_cut(std::span<const WeightedEmission> points, const EmissionBox& box, const Mass& all) {
+    Cut best;
+    for (std::uint32_t s = 0; s < kMappedSlots; ++s) {
+        std::array<double, kBins> bins{};
+        const double width = box.high[s] - box.low[s];
+        if (width < kLeastWidth) continue;
+        for (const WeightedEmission& p : points) {
+            const double place = (p.point[s] - box.low[s]) / width * kBins;
+            bins.at(std::min(kBins - 1, static_cast<std::size_t>(std::max(0.0, place)))) +=
+                p.weight;
+        }
+        double left = 0;
+        for (std::size_t k = 1; k < kBins; ++k) {
+            left += bins.at(k - 1) / all.sum;
+            const double part = static_cast<double>(k) / kBins;
+            const double gain = surprise(left, part) + surprise(1 - left, 1 - part);
+            if (gain > best.gain) best = {gain, s, box.low[s] + width * part};
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+/// Grows the tree, depth first.
+class EmissionMapBuilder {
+public:
+    EmissionMapBuilder(std::vector<WeightedEmission>&& points, const EmissionMap::Growth& growth)
+        : points_(std::move(points)), growth_(growth) {
+        for (const WeightedEmission& p : points_) all_points_ += p.weight;
+    }
+
+    EmissionMap build() {
+        map_.nodes_.emplace_back();
+        grow(0, {{}, {0, points_.size()}, 1, 1, 0});
+        if (map_.nodes_.size() == 1) map_.nodes_.clear();
+        return std::move(map_);
+    }
+
+private:
+    struct Range {
+        std::size_t begin;
+        std::size_t end;
+    };
+
+    struct Part {
+        EmissionBox box;
+        Range range;         // of its points
+        double share;        // of the points' mass, by the model
+        double volume;       // of the box
+        std::size_t shears;  // on the way to it
+    };
+
+    /// @return the box's mass, the uniform share in it.
+    double grow(std::uint32_t node, const Part& part) {
+        const double even = growth_.uniform_share;
+        const double mass = (1 - even) * part.share + even * part.volume;
+        map_.nodes_[node].density = mass / part.volume;
+        map_.nodes_[node].volume = part.volume;
+        const std::span<WeightedEmission> points(points_.data() + part.range.begin,
+                                                 part.range.end - part.range.begin);
+        Mass all;
+        for (const WeightedEmission& p : points) all.add(p.weight);
+        map_.nodes_[node].found = all.sum / all_points_;
+        if (all.effective() < kLeastEffective) return mass;
+        Cut cut = best_cut(points, part.box, all);
+        const std::size_t shears = part.shears + shear(node, points, part, all, cut);
+        if (cut.gain * all.effective() < growth_.least_gain) {
+            map_.shears_.resize(map_.nodes_[node].first_shear);  // they were for nothing
+            map_.nodes_[node].shears = 0;
+            return mass;
+        }
+        const auto middle = std::partition(points.begin(), points.end(), [&](const auto& p) {
+            return p.point[cut.slot] < cut.at;
+        });
+        Mass left;
+        for (auto p = points.begin(); p != middle; ++p) left.add(p->weight);
+        const std::size_t split =
+            part.range.begin + static_cast<std::size_t>(middle - points.begin());
+        return divide(node, part, cut, {split, shears, left.sum / all.sum, all.effective(), mass});
+    }
+
+    struct Division {
+        std::size_t split;   // the first point of the right half
+        std::size_t shears;  // on the way to both
+        double in_left;      // share of the points' weight
+        double points;       // that all of them are worth
+        double mass;         // of both
+    };
+
+    double divide(std::uint32_t node, const Part& part, const Cut& cut, const Division& d) {
+        Part left = part;
+        Part right = part;
+        left.shears = right.shears = d.shears;
+        left.box.high[cut.slot] = right.box.low[cut.slot] = cut.at;
+        left.range.end = right.range.begin = d.split;
+        const double volume =
+            (cut.at - part.box.low[cut.slot]) / (part.box.high[cut.slot] - part.box.low[cut.slot]);
+        // Two points more, spread evenly: no part of a box is empty for certain.
+        const double to_left = (d.in_left * d.points + 2 * volume) / (d.points + 2);
+        left.share *= to_left;
+        right.share *= 1 - to_left;
+        left.volume *= volume;
+        right.volume *= 1 - volume;
+
+        const auto first = static_cast<std::uint32_t>(map_.nodes_.size());
+        map_.nodes_.resize(first + 2);
+        const double in_left = grow(first, left);
+        grow(first + 1, right);
+        EmissionMap::Node& cut_node = map_.nodes_[node];
+        cut_node.at = cut.at;
+        cut_node.slot = cut.slot;
+        cut_node.left = first;
+        cut_node.left_share = in_left / d.mass;
+        return d.mass;
+    }
+
+    /// Shears the box, and the points with it, while that tells more than a cut. @return how often.
+    /// @param cut  the best one, before and after.
+    std::size_t shear(std::uint32_t node, std::span<WeightedEmission> points, const Part& part,
+                      const Mass& all, Cut& cut) {
+        map_.nodes_[node].first_shear = static_cast<std::uint32_t>(map_.shears_.size());
+        if (all.effective() < kLeastToShear) return 0;
+        std::size_t count = 0;
+        while (part.shears + count < EmissionMap::kMostShears) {
+            const FoundShear found = best_shear(points, part.box);
+            if (found.gain < kLeastShear || found.gain < cut.gain) break;
+            for (WeightedEmission& p : points) found.shear.apply(p.point);
+            cut = best_cut(points, part.box, all);
+            map_.shears_.push_back(found.shear);
+            ++count;
+        }
+        map_.nodes_[node].shears = static_cast<std::uint32_t>(count);
+        return count;
+    }
+
+    std::vector<WeightedEmission> points_;
+    EmissionMap::Growth growth_;
+    double all_points_ = 0;  // their weights
+    EmissionMap map_;
+};
+
+EmissionMap EmissionMap::learned(std::vector<WeightedEmission> points, const Growth& growth) {
+    return EmissionMapBuilder(std::move(points), growth).build();
+}
+
+}  // namespace sunfleck

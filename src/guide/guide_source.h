@@ -1,0 +1,38 @@
+// Where a pilot may look for emission that climbing does not find: walks from the other end, and
+// gaps between surfaces.
+#pragma once
+
+#include "core/random.h"
+#include "random_numbers/emission_point.h"
+#include "random_numbers/path_range.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace sunfleck {
+
+/// What walks from the view found.
+struct WalkedEmission {
+    std::vector<WeightedEmission> hints;  // emission that may be visible, and the flux it brings
+    double possible = 0;  // the flux of all samples of light, were nothing in the way
+};
+
+/// Where climbing may fail and maps help.
+struct MapSource {
+    /// Walks of a pass, by their numbers.
+    using Walks = std::function<WalkedEmission(PassId, PathRange)>;
+
+    bool is_on = true;  // off: no maps at all
+    Walks walks = {};   // none: climbing alone
+    /// Emission that passes close to an edge, wherever it goes, by the numbers of tries.
+    using Edges = std::function<std::vector<WeightedEmission>(PassId, PathRange)>;
+    Edges edges = {};
+    /// Flux that a walk finds of all lights together, about: the picture's brightness.
+    std::function<double(PassId)> seen = {};
+    /// Walks that a long search is worth, where a short one has found nothing.
+    std::size_t most_walks = std::numeric_limits<std::size_t>::max();
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,60 @@
+// Bumps by differences, normal maps by lookups.
+#include "material/bump_map.h"
+
+#include "image/lookup.h"
+
+#include <cmath>
+
+namespace sunfleck {
+namespace {
+
+struct Tangents {
+    Vec3 u{0};
+    Vec3 v{0};
+};
+
+struct BentBy {
+    const SurfaceDerivatives& surface;
+    const Vec3d& origin;
+    const Hit& hit;
+
+    Tangents operator()(const std::monostate&) const { return {surface.dp_du, surface.dp_dv}; }
+
+    Tangents operator()(const Bumps& bumps) const {
+        constexpr float kStep = 0.0005F;  // of u and of v; pbrt-v4's where it knows no footprint
+        const TexturePoint here(hit, origin);
+        const float height = bumps.displacement.at(here);
+        const auto slope = [&](const Vec3& along, const Vec2& uv) {
+            TexturePoint there = here;
+            there.position += along * kStep;
+            there.uv += uv * kStep;
+            return hit.shading_normal * ((bumps.displacement.at(there) - height) / kStep);
+        };
+        return {surface.dp_du + slope(surface.dp_du, {1, 0}) + surface.dn_du * height,
+                surface.dp_dv + slope(surface.dp_dv, {0, 1}) + surface.dn_dv * height};
+    }
+
+    Tangents operator()(const NormalMap& map) const {
+        const auto v = bilinear(*map.image, {hit.uv.x, 1 - hit.uv.y}, Wrap::repeat);
+        const bool grey = map.image->channels() == 1;
+        const Vec3 local(2 * v[0] - 1, 2 * v[grey ? 0 : 1] - 1, 2 * v[grey ? 0 : 2] - 1);
+        const Frame frame(hit.shading_normal, surface.dp_du);
+        const Vec3 normal = frame.to_world(local).normalized();
+        const Vec3 u = surface.dp_du - normal * normal.dot(surface.dp_du);
+        return {u, normal.cross(u)};
+    }
+};
+
+}  // namespace
+
+void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit, const Vec3d& origin) {
+    const Tangents bent = std::visit(BentBy{surface, origin, hit}, relief);
+    const Vec3 normal = bent.u.cross(bent.v);
+    const float length2 = normal.length2();
+    if (!(length2 > 0) || !std::isfinite(length2)) return;
+    const float side = normal.dot(hit.normal) < 0 ? -1.0F : 1.0F;
+    hit.shading_normal = normal * (side / std::sqrt(length2));
+    hit.tangent = bent.u;
+}
+
+}  // namespace sunfleck

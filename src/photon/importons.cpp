@@ -1,0 +1,160 @@
+// Random walks over surfaces, a light sample at each.
+#include "photon/importons.h"
+
+#include "core/parallel.h"
+#include "math/warp.h"
+#include "photon/initial_guide_samples.h"
+#include "photon/scattering_event.h"
+
+namespace sunfleck {
+namespace {
+
+constexpr int kMostBounces = 16;
+constexpr std::uint8_t kAllKinds = 0xFF;
+
+class ViewWalk {
+public:
+    ViewWalk(const PhotonView& view, const LightChoice& lights, RandomStream stream,
+             WalkedEmission& found)
+        : scene_(view.scene), hints_(view.scene, lights), stream_(stream), found_(found) {}
+
+    void start(const Disc& disc) {
+        Vec3 normal = disc.normal;
+        if (disc.both_sides && stream_.next() < 0.5) normal = -normal;
+        const Vec3 from = disc.position + normal * (1e-3F * disc.radius);
+        look_for_light(from, disc, normal);
+        const Vec3d local = cosine_hemisphere({stream_.next(), stream_.next()});
+        go_on({from, Frame(normal).to_world(Vec3(local))});
+    }
+
+private:
+    /// At the walk's first point, which may leave direct light to the eye paths.
+    void look_for_light(const Vec3& at, const Disc& disc, const Vec3& normal) {
+        const auto sample = hints_.sample(at, stream_);
+        if (!sample) return;
+        const float cosine = normal.dot(sample->direct.direction);
+        if (!(cosine > 0)) return;
+        const double weight = weight_of(*sample, Spectrum(cosine / kPi));
+        const int panes = hints_.panes_to({at, sample->direct.direction}, sample->direct.distance);
+        const PhotonKind kind = kind_after_smooth(panes);
+        if (panes < 0 || !disc.takes_kind(kind)) return;
+        add(*sample, at, weight);
+    }
+
+    void go_on(Ray ray) {
+        for (int bounces = 0; bounces < kMostBounces; ++bounces) {
+            auto hit = scene_.scene.geometry().intersect(ray);
+            for (int panes = 0; hit && scene_.scene.passes_straight(*hit); ++panes) {
+                if (panes == kMostPanes) return;
+                hit = scene_.scene.geometry().intersect(ray_from(*hit, ray.direction));
+            }
+            if (!hit) return;
+            std::optional<Bsdf> room;
+            const Bsdf bsdf = scene_.bsdf_at(*hit, room);
+            const Frame frame(hit->shading_normal, hit->tangent);
+            const Vec3 w_from = frame.to_local(-ray.direction);
+            if (scattering(bsdf) != Scattering::specular) {
+                const auto sample = hints_.sample(hit->position, stream_);
+                if (sample) add_if_lit(*hit, frame, bsdf, w_from, *sample);
+            }
+            const auto drawn = sample(bsdf, w_from, draw());
+            if (!drawn) return;
+            const Spectrum throughput = throughput_ * drawn->weight;
+            const float survival = std::min(1.0F, throughput.sum() / throughput_.sum());
+            if (!(stream_.next_float() < survival)) return;
+            throughput_ = throughput / survival;
+            ray = ray_from(*hit, frame.to_world(drawn->w_to));
+        }
+    }
+
+    BsdfDraw draw() {
+        const float lobe = stream_.next_float();
+        const float u = stream_.next_float();
+        return {{lobe, u, stream_.next_float()}, Transport::radiance, {}};
+    }
+
+    void add_if_lit(const Hit& hit, const Frame& frame, const Bsdf& bsdf, const Vec3& w_from,
+                    const LightAtPoint& sample) {
+        const Vec3 w_to = frame.to_local(sample.direct.direction);
+        const Spectrum f = eval(bsdf, w_from, w_to, Transport::radiance);
+        if (f.is_zero()) return;
+        const double weight = weight_of(sample, f * std::abs(w_to.z));
+        const Ray ray = ray_from(hit, sample.direct.direction);
+        if (hints_.panes_to(ray, sample.direct.distance) < 0) return;
+        add(sample, hit.position, weight);
+    }
+
+    /// What a sample brings if nothing is in the way.
+    double weight_of(const LightAtPoint& sample, const Spectrum& scattered) {
+        const Spectrum flux = throughput_ * scattered * emitted_by(sample.light);
+        const double weight = static_cast<double>(flux.sum()) *
+                              static_cast<double>(sample.direct.factor) / sample.probability;
+        found_.possible += weight;
+        return weight;
+    }
+
+    /// Of a light that is dark at the pass's wavelengths as if it were grey: what is found of it
+    /// holds for other passes, too. Its luminance is what it is weighed by, over its power.
+    Spectrum emitted_by(std::size_t light) const {
+        const Spectrum& emission = scene_.emission[light];
+        if (!emission.is_zero()) return emission;
+        const Scene& scene = scene_.scene;
+        const LightChoice& all = scene.light_choice();
+        const double weight = all.total() * all.probability(light);
+        return Spectrum(static_cast<float>(weight / power(scene.lights()[light], scene.sphere())));
+    }
+
+    void add(const LightAtPoint& sample, const Vec3& at, double weight) {
+        if (const auto hint = hints_.hint(sample, at, weight, stream_))
+            found_.hints.push_back(*hint);
+    }
+
+    const PassScene& scene_;
+    LightHints hints_;
+    RandomStream stream_;
+    WalkedEmission& found_;
+    Spectrum throughput_{1};
+};
+
+/// @param kinds  of photons that visible points take; none: what each does.
+WalkedEmission walk(const PhotonView& view, const LightChoice& lights, PassId pass,
+                    const PathRange& walks, std::uint8_t kinds) {
+    constexpr std::size_t kBlock = 1024;
+    const std::size_t count = walks.size();
+    const std::span<const VisiblePoint> points = view.index.points();
+    std::vector<WalkedEmission> blocks((count + kBlock - 1) / kBlock);
+    parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            RandomStream stream = pass.stream(Purpose::view_walk, walks.begin + i);
+            const auto point =
+                static_cast<std::size_t>(stream.next() * static_cast<double>(points.size()));
+            Disc disc = points[point].disc;
+            disc.kinds |= kinds;
+            ViewWalk(view, lights, stream, blocks[begin / kBlock]).start(disc);
+        }
+    });
+    WalkedEmission all;
+    for (const WalkedEmission& block : blocks) {
+        all.hints.insert(all.hints.end(), block.hints.begin(), block.hints.end());
+        all.possible += block.possible;
+    }
+    return all;
+}
+
+}  // namespace
+
+WalkedEmission walk_from_view(const PhotonView& view, const LightChoice& lights, PassId pass,
+                              const PathRange& walks) {
+    return walk(view, lights, pass, walks, 0);
+}
+
+double flux_seen(const PhotonView& view, PassId pass) {
+    constexpr std::uint32_t kWalks = 20'000;
+    const WalkedEmission found =
+        walk(view, view.scene.scene.light_choice(), pass, {0, kWalks}, kAllKinds);
+    double flux = 0;
+    for (const WeightedEmission& hint : found.hints) flux += hint.weight;
+    return flux / kWalks;
+}
+
+}  // namespace sunfleck

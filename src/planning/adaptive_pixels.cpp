@@ -1,0 +1,120 @@
+// Numbers of paths for the noise of trials.
+#include "planning/adaptive_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace sunfleck {
+namespace {
+
+constexpr double kDarkOfMean = 0.1;  // of the mean brightness: what is darker counts as that
+constexpr std::uint8_t kMostDoublings = 6;
+/// Paths of a pixel of mean noise, were all numbers allowed and spread by chance.
+constexpr std::array<double, 8> kLevels = {0.125, 0.25, 0.5, 1, 2, 4, 8, 16};
+/// Camera paths of a draw, together: their points take a few hundred bytes each.
+constexpr std::size_t kMostPaths = std::size_t{1} << 23U;
+
+/// Variance over cost of a path, of a picture whose brightness has been made even by roots.
+PixelValues worth_of(const PixelValues& variance, const PixelValues& rays,
+                     const PixelValues& brightness) {
+    PixelValues worth(variance.size());
+    for (std::size_t i = 0; i < worth.size(); ++i)
+        worth[i] = variance[i] / (rays[i] * brightness[i]);
+    return worth;
+}
+
+/// Doublings that each take away more for their cost than a path of that worth does.
+/// @param worth  over that.
+std::uint8_t doublings_for(double worth, const NetLaw& net) {
+    std::uint8_t doublings = 0;
+    double gain = worth * (1 - net.doubling);
+    while (doublings < kMostDoublings && gain >= 1) {
+        gain *= net.doubling / 2;
+        ++doublings;
+    }
+    return doublings;
+}
+
+/// @param level  paths of a pixel of mean noise.
+Doublings doublings_of(const PixelValues& worth, const PixelTrials& trials, const BlockGrid& grid,
+                       double level) {
+    double noise = 0;
+    for (const double w : worth) noise += std::sqrt(w);
+    noise /= level * static_cast<double>(worth.size());
+    Doublings doublings(worth.size());
+    for (std::size_t block = 0; block < grid.count(); ++block)
+        grid.for_pixels(block, [&](std::size_t i) {
+            doublings[i] = doublings_for(worth[i] / (noise * noise), trials.nets[block]);
+        });
+    return doublings;
+}
+
+std::size_t paths_of(const Doublings& doublings) {
+    std::size_t paths = 0;
+    for (const std::uint8_t d : doublings) paths += std::size_t{1} << d;
+    return paths;
+}
+
+}  // namespace
+
+double mean_paths(const Doublings& doublings, const PixelValues& weights) {
+    const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
+    double paths = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) paths += weights[i] * (1U << doublings[i]);
+    return weight > 0 ? paths / weight : 1;
+}
+
+std::uint64_t most_camera_paths(std::uint64_t pixels) {
+    const auto at_level = static_cast<std::uint64_t>(kLevels.back()) * pixels;
+    return std::max<std::uint64_t>(pixels, std::min<std::uint64_t>(at_level, kMostPaths));
+}
+
+bool may_be_shared(const PixelWindow& window) {
+    return window.pixels() < kMostPaths;
+}
+
+std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTrials& trials,
+                                        const PixelValues& light) {
+    std::vector<CameraShares> all;
+    if (!trials.have_noise()) return all;
+    PixelValues brightness = smoothed(light, window);
+    const double dark = kDarkOfMean * mean_value(brightness);
+    if (!(dark > 0)) return all;
+    for (double& b : brightness) b = std::max(b, dark);
+    const auto& [one, other] = trials.variance;
+    PixelValues steady(one.size());  // a flash that one half has seen is no place for more
+    for (std::size_t i = 0; i < one.size(); ++i) steady[i] = std::sqrt(one[i] * other[i]);
+    const auto worth = [&](const PixelValues& variance) {
+        return worth_of(variance, trials.rays, brightness);
+    };
+    const PixelValues of_both = worth(steady);
+    if (!(mean_value(of_both) > 0)) return all;
+    const std::array<PixelValues, 2> of_half = {worth(one), worth(other)};
+    const BlockGrid grid(window.width(), window.height(), kTrialBlock);
+    for (const double level : kLevels) {
+        CameraShares shares{doublings_of(of_both, trials, grid, level), 1, {}};
+        if (paths_of(shares.doublings) > kMostPaths) break;
+        shares.work = mean_paths(shares.doublings, trials.rays);
+        for (const std::size_t h : {0U, 1U})
+            shares.by_half[h] = doublings_of(of_half[h], trials, grid, level);
+        all.push_back(std::move(shares));
+    }
+    return all;
+}
+
+double variance_left(const CameraShares& shares, const PixelTrials& trials, const BlockGrid& grid,
+                     std::size_t block) {
+    double sum = 0;
+    for (const std::size_t h : {0U, 1U}) {
+        const Doublings& doublings = shares.by_half[1 - h];
+        grid.for_pixels(block, [&](std::size_t i) {
+            sum += trials.variance[h][i] *
+                   trials.nets[block].left(doublings.empty() ? 0U : doublings[i]);
+        });
+    }
+    return sum / static_cast<double>(2 * grid.block(block).pixels());
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,40 @@
+// Two views of a scene, both lit by the same two sets of photons, and what these cost.
+//
+// In:  a pass like an epoch's first and its view, a plan. Out: light, pixel by pixel, and counts;
+// no part of a picture.
+#pragma once
+
+#include "chains/chain_walk.h"
+#include "estimate/photon_counts.h"
+#include "planning/trial_variance.h"
+#include "stages/photon_stage.h"
+
+#include <vector>
+
+namespace sunfleck {
+
+/// What the camera paths of a pass brought.
+struct EyeView {
+    PassImage image;  // light that needs no photon
+    Statistics counts;
+    VisiblePointIndex index;
+};
+
+EyeView view_of(const EyePass& pass);
+
+/// The same sets and maps, with one of so many parts of the paths and chains: what a trial measures
+/// holds for it, as it would not for a ladder planned anew for few paths.
+std::vector<PhotonGroup> part_of(std::vector<PhotonGroup> groups, std::uint32_t parts);
+
+struct PhotonTrials {
+    TrialPair pair;
+    PhotonTotals totals;  // of both sets
+    PixelValues taken;    // photons of both sets, by pixel of the first view
+    double deposits = 0;  // of those
+};
+
+/// @param second  the other view's pass. @param groups  the photons of a set.
+PhotonTrials photon_trials(const EyePass& second, const EyeView& seen,
+                           const std::vector<PhotonGroup>& groups, const PilotName& name);
+
+}  // namespace sunfleck

@@ -1,0 +1,140 @@
+// Views by nets of four, and their spread within nets and between them.
+#include "planning/pixel_trials.h"
+
+#include "camera_paths/trace_camera_paths.h"
+#include "film/luminance.h"
+#include "planning/trial_iterations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sunfleck {
+namespace {
+
+constexpr std::uint32_t kNet = 4;  // views of a net
+
+/// Means over nets.
+struct Spread {
+    std::array<PixelValues, 2> within;  // by half: variance about the mean of a net's paths
+    PixelValues between;                // variance of a net's mean
+
+    explicit Spread(std::size_t pixels)
+        : within{PixelValues(pixels, 0), PixelValues(pixels, 0)}, between(pixels, 0) {}
+};
+
+/// Adds a net's spread, with that share. @param pass  counts the rays. @return its mean.
+PixelValues add_net(EyePass pass, double share, PixelValues& within) {
+    const std::size_t pixels = within.size();
+    PixelValues sum(pixels, 0);
+    PixelValues squares(pixels, 0);
+    for (std::uint32_t view = 0; view < kNet; ++view) {
+        pass.draw = {view, kNet};
+        PassImage image(pixels, {});
+        Statistics unused;
+        trace_eye_paths(pass, image, unused);
+        const PixelValues light = luminance_of(image);
+        for (std::size_t i = 0; i < pixels; ++i) {
+            sum[i] += light[i];
+            squares[i] += light[i] * light[i];
+        }
+    }
+    for (std::size_t i = 0; i < pixels; ++i) {
+        within[i] += share * std::max(0.0, squares[i] - sum[i] * sum[i] / kNet) / (kNet - 1);
+        sum[i] /= kNet;
+    }
+    return sum;
+}
+
+/// @param pass  counts the rays.
+Spread spread_of(EyePass pass, const PilotName& name, std::uint32_t pairs) {
+    Spread spread(pass.window.pixels());
+    const PassId round = name.round(kPixelTrialsRound);
+    const double share = 1.0 / pairs;
+    for (std::uint32_t pair = 0; pair < pairs; ++pair) {
+        pass.id = round.draw(2 * pair);
+        const PixelValues one = add_net(pass, share, spread.within[0]);
+        pass.id = round.draw(2 * pair + 1);
+        const PixelValues other = add_net(pass, share, spread.within[1]);
+        for (std::size_t i = 0; i < one.size(); ++i)
+            spread.between[i] += share * (one[i] - other[i]) * (one[i] - other[i]) / 2;
+    }
+    return spread;
+}
+
+/// A net's variance over that of as many paths by chance.
+/// @param within  of a net's paths. @param between  of nets' means.
+double net_over_chance(double within, double between) {
+    const double path = (kNet - 1.0) / kNet * within + between;
+    return std::clamp(kNet * between / path, 1.0 / 16, 1.0);
+}
+
+double sum_of(const PixelValues& pixels, const BlockGrid& grid, std::size_t block) {
+    double sum = 0;
+    grid.for_pixels(block, [&](std::size_t i) { sum += pixels[i]; });
+    return sum;
+}
+
+/// The law of each block, and its noise as that of a path by chance.
+std::vector<NetLaw> laws_of(Spread& spread, const PixelWindow& window) {
+    const BlockGrid grid(window.width(), window.height(), kTrialBlock);
+    std::vector<NetLaw> laws(grid.count());
+    for (std::size_t block = 0; block < laws.size(); ++block) {
+        const double within =
+            (sum_of(spread.within[0], grid, block) + sum_of(spread.within[1], grid, block)) / 2;
+        if (!(within > 0)) continue;
+        const double over = net_over_chance(within, sum_of(spread.between, grid, block));
+        laws[block].doubling = std::sqrt(std::sqrt(over)) / 2;
+        const double scale = (1 - 1.0 / kNet) / (1 - over / kNet);
+        for (PixelValues& half : spread.within)
+            grid.for_pixels(block, [&](std::size_t i) { half[i] *= scale; });
+    }
+    return laws;
+}
+
+}  // namespace
+
+double NetLaw::left(unsigned doublings) const {
+    double left = 1;
+    for (unsigned i = 0; i < doublings; ++i) left *= doubling;
+    return left;
+}
+
+double NetLaw::of_round() const {
+    const double over = 2 * doubling;
+    return over * over * over * over * over * over;
+}
+
+bool PixelTrials::have_noise() const {
+    const auto any = [](const PixelValues& half) {
+        return std::any_of(half.begin(), half.end(), [](double v) { return v > 0; });
+    };
+    return any(variance[0]) && any(variance[1]);
+}
+
+PixelTrials no_trials(const PixelWindow& window) {
+    const BlockGrid grid(window.width(), window.height(), kTrialBlock);
+    return {{}, {}, std::vector<NetLaw>(grid.count())};
+}
+
+PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name, const TrialViews& views) {
+    const PixelWindow& window = first.window;
+    std::vector<std::uint64_t> counts(window.pixels(), 0);
+    EyePass pass = first;
+    pass.rays = counts;
+    pass.cells = views.cells;
+    Spread spread = spread_of(pass, name, views.pairs_of_nets);
+    const auto of_all = [&](const PixelValues& pixels) {
+        return told_of_all(pixels, {window, views.cells});
+    };
+    for (PixelValues& half : spread.within) half = of_all(half);
+    spread.between = of_all(spread.between);
+    PixelValues rays;
+    rays.reserve(counts.size());
+    for (const std::uint64_t n : counts)
+        rays.push_back(static_cast<double>(n) / (2 * kNet * views.pairs_of_nets));
+    std::vector<NetLaw> nets = laws_of(spread, window);
+    return {std::move(spread.within), of_all(rays), std::move(nets)};
+}
+
+}  // namespace sunfleck

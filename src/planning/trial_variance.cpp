@@ -1,0 +1,79 @@
+// Sums over blocks of products of differences.
+#include "planning/trial_variance.h"
+
+namespace sunfleck {
+namespace {
+
+constexpr double kDark = 0.01;  // of the picture's brightness
+
+/// Sums over the pixels of a block that both views have.
+struct BlockSums {
+    double light = 0;
+    double eye = 0;
+    double photon = 0;
+    double pixels = 0;
+};
+
+/// What of a pixel's variances counts: what its camera paths leave.
+struct Left {
+    double camera = 1;
+    double photon = 1;  // of what the views don't share
+    double unlit = 1;   // taken from the camera paths': pixels' trials know it better
+};
+
+void add_pixel(const TrialPair& pair, std::size_t i, const Left& left, BlockSums& sums) {
+    const double a = pair.one.lit[0][i];
+    const double b = pair.one.lit[1][i];
+    const double c = pair.other.lit[0][i];
+    const double d = pair.other.lit[1][i];
+    const double unlit = pair.one.eye[i] - pair.other.eye[i];
+    const double shared = (a - b) * (c - d) / 2;
+    const double all = ((a - b) * (a - b) + (c - d) * (c - d)) / 4;
+    sums.light += (a + b + c + d) / 4;
+    sums.eye += ((a - c) * (b - d) - left.unlit * unlit * unlit) / 2 * left.camera;
+    sums.photon += shared + (all - shared) * left.photon;
+    ++sums.pixels;
+}
+
+BlockSums sums_of(const PixelCells& cells, std::size_t block, const TrialPair& pair,
+                  const PixelTrials& trials, const CameraShares& shares) {
+    BlockSums sums;
+    const BlockGrid grid(cells.window.width(), cells.window.height(), kTrialBlock);
+    grid.for_pixels(block, [&](std::size_t i) {
+        if (!cells.has(i)) return;
+        const unsigned doublings = shares.doublings_of(i);
+        const Left left{trials.nets[block].left(doublings), 1.0 / (1U << doublings),
+                        trials.are_made() ? 1.0 : 0.0};
+        add_pixel(pair, i, left, sums);
+    });
+    if (trials.are_made()) sums.eye += sums.pixels * variance_left(shares, trials, grid, block);
+    return sums;
+}
+
+}  // namespace
+
+std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
+                                           const PixelTrials& trials, const CameraShares& shares) {
+    const BlockGrid grid(window.width(), window.height(), kTrialBlock);
+    std::vector<BlockSums> blocks;
+    double light = 0;
+    double pixels = 0;
+    for (std::size_t b = 0; b < grid.count(); ++b) {
+        blocks.push_back(sums_of({window, pair.cells}, b, pair, trials, shares));
+        light += blocks.back().light;
+        pixels += blocks.back().pixels;
+    }
+    const double floor = kDark * light / pixels;
+    std::vector<BlockVariance> variances;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const BlockSums& sums = blocks[b];
+        const double brightness = sums.light / sums.pixels;
+        if (!(brightness > floor)) continue;
+        const double squares = sums.pixels * brightness * brightness;
+        variances.push_back(
+            {trials.nets[b].of_round() * sums.eye / squares, sums.photon / squares * pair.paths});
+    }
+    return variances;
+}
+
+}  // namespace sunfleck

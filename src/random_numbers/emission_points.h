@@ -1,0 +1,64 @@
+// Uniform primary samples whose emission slots come from Sobol' points with a fresh digital shift
+// each pass: every path is uniform by itself, and the paths of a pass are spread evenly.
+//
+// In:  a pass and the number of a path in it. Out: a slot reader for that path.
+// Why it is exact: only each path's own distribution matters for unbiasedness (docs/method.md).
+#pragma once
+
+#include "core/hash.h"
+#include "random_numbers/primary_sample.h"
+#include "random_numbers/sobol.h"
+
+#include <array>
+
+namespace sunfleck {
+
+class EmissionPoints {
+public:
+    explicit EmissionPoints(PassId pass) : pass_(pass) {
+        RandomStream shift = pass.stream(Purpose::sobol_shift, 0);
+        for (std::uint64_t& s : shift_) s = shift.next_fraction();
+        jitter_ = shift.next_fraction();
+    }
+
+    class Reader {
+    public:
+        std::uint64_t operator()(std::uint32_t index) {
+            return index < kSobolDimensions ? emission_[index] : slot_of(stream_, index);
+        }
+
+    private:
+        friend class EmissionPoints;
+        /// Jitter below 2^-32: the four words of two hashes, and the first once more with its
+        /// halves swapped. The shift alone makes all slots of a path uniform and independent; the
+        /// jitter keeps different paths from having the same lower bits.
+        Reader(const std::array<std::uint64_t, kSobolDimensions>& shift, std::uint64_t jitter,
+               std::uint32_t path, RandomStream stream)
+            : stream_(stream) {
+            const std::uint64_t low = hash_joined(jitter, path);
+            const std::uint64_t high = hash_joined(low, path);
+            const std::uint64_t first = low >> 32U;
+            const std::array<std::uint64_t, kSobolDimensions> below = {
+                first, low & 0xFFFFFFFFU, high >> 32U, high & 0xFFFFFFFFU,
+                (first << 16U | first >> 16U) & 0xFFFFFFFFU};
+            for (std::size_t i = 0; i < kSobolDimensions; ++i)
+                emission_[i] = (std::uint64_t{sobol(path, i)} << 32U | below[i]) ^ shift[i];
+        }
+
+        RandomStream stream_;
+        std::array<std::uint64_t, kSobolDimensions> emission_{};  // read by every path
+    };
+
+    Reader path(std::uint32_t number) const {
+        return {shift_, jitter_, number, pass_.stream(Purpose::uniform_path, number)};
+    }
+
+private:
+    PassId pass_;
+    std::array<std::uint64_t, kSobolDimensions> shift_{};
+    std::uint64_t jitter_ = 0;
+};
+
+static_assert(SlotReader<EmissionPoints::Reader>);
+
+}  // namespace sunfleck

@@ -1,0 +1,44 @@
+// How passes are dealt.
+#include "ranks/reduction_interval.h"
+
+#include "math/wavelengths.h"
+
+#include <algorithm>
+
+namespace sunfleck {
+
+PassRange block_of(const PassRange& turn, int rank, int size) {
+    const auto r = static_cast<std::uint64_t>(rank);
+    const auto ranks = static_cast<std::uint64_t>(size);
+    return {turn.begin + turn.size() * r / ranks, turn.begin + turn.size() * (r + 1) / ranks};
+}
+
+std::vector<PassRange> cut_at_rounds(const PassRange& turn) {
+    std::vector<PassRange> parts;
+    for (std::uint64_t begin = turn.begin; begin < turn.end; begin = parts.back().end) {
+        const std::uint64_t round_end = (begin / kRoundPasses + 1) * kRoundPasses;
+        parts.push_back({begin, std::min(turn.end, round_end)});
+    }
+    return parts;
+}
+
+PassRange common(const PassRange& a, const PassRange& b) {
+    const std::uint64_t begin = std::max(a.begin, b.begin);
+    return {begin, std::max(begin, std::min(a.end, b.end))};
+}
+
+std::uint64_t passes_of_turn(const TurnLimits& limits) {
+    constexpr double kMost = 1 << 20;  // a rank; far beyond any use
+    if (limits.ranks == 1) return 1;
+    const auto ranks = static_cast<std::uint64_t>(limits.ranks);
+    std::uint64_t each = 1;
+    if (limits.pass_seconds > 0) {
+        const double wanted = std::min(limits.seconds / limits.pass_seconds, kMost);
+        each = static_cast<std::uint64_t>(std::max(1.0, wanted));
+    }
+    if (limits.rounds) each = std::min(each, std::max<std::uint64_t>(1, kRoundPasses / ranks));
+    const std::uint64_t passes = each * ranks;
+    return limits.at_most ? std::min(passes, *limits.at_most) : passes;
+}
+
+}  // namespace sunfleck

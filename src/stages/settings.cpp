@@ -1,0 +1,47 @@
+// The text that says whether two renders may be merged: one "name=value" a line.
+#include "stages/settings.h"
+
+#include <fmt/format.h>
+
+namespace sunfleck {
+
+void use_paper_mode(RenderSettings& settings) {
+    settings.photon.sampler = PhotonSampler::paper;
+    settings.transport.direct = DirectLight::photons;
+    settings.alpha = 0.7;
+    settings.eye.indirect_radius = 1;
+    if (!settings.eye.radius_pixels) settings.eye.radius_pixels = 2;
+}
+
+bool is_sequential(const RenderSettings& settings) {
+    return settings.integrator == Integrator::sppm &&
+           settings.photon.sampler == PhotonSampler::paper;
+}
+
+std::string RenderSettings::text() const {
+    const auto optional_number = [](const auto& value) {
+        return value ? fmt::format("{}", *value) : std::string("default");
+    };
+    std::string text = fmt::format(
+        "integrator={}\nphoton_sampler={}\ndirect={}\nmax_depth={}\nphotons_per_pass={}\n"
+        "radius_pixels={}\nradius={}\nindirect_radius={}\nalpha={}\n",
+        name_of(integrator), name_of(photon.sampler),
+        transport.direct == DirectLight::sampled ? "sampled" : "photons", transport.max_depth,
+        optional_number(photon.paths_per_pass), optional_number(eye.radius_pixels),
+        optional_number(eye.radius), optional_number(eye.indirect_radius), alpha);
+    if (energy_compensation) text += "energy_compensation=on\n";
+    if (!eye.light_candidates) text += "light_candidates=off\n";
+    for (const AdaptivePart& part : kAdaptiveParts)
+        if (!(photon.*part.is_on)) text += setting_of(part) + "=off\n";
+    if (!transport.light_layers.names.empty())
+        text += fmt::format("light_layers={}\n", transport.light_layers.text);
+    if (photon.sampler != PhotonSampler::paper) return text;
+    const PaperSettings& paper = photon.paper;
+    return text + fmt::format("replica_exchange={}\nmutation_size={}\ntarget_acceptance={}\n",
+                              paper.replica_exchange ? "on" : "off",
+                              paper.mutation_size ? fmt::format("{}", *paper.mutation_size)
+                                                  : std::string("adaptive"),
+                              paper.target_acceptance);
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,79 @@
+// All that a user may choose about a render, stage by stage.
+#pragma once
+
+#include "aovs/channels.h"
+#include "aovs/pass_image.h"
+#include "aovs/transport.h"
+#include "camera_paths/settings.h"
+#include "film/target_error.h"
+#include "photon/settings.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sunfleck {
+
+enum class Integrator { sppm, path, light, bdpt, mlt };
+
+struct IntegratorRow {
+    Integrator integrator;
+    std::string_view name;  // as the user writes it
+    std::string_view what;
+};
+
+inline constexpr std::array<IntegratorRow, 5> kIntegrators = {{
+    {Integrator::sppm, "sppm", "stochastic progressive photon mapping"},
+    {Integrator::path, "path", "reference path tracer"},
+    {Integrator::light, "light", "reference light tracer"},
+    {Integrator::bdpt, "bdpt", "reference bidirectional path tracer"},
+    {Integrator::mlt, "mlt", "reference Metropolis light transport"},
+}};
+
+inline std::string_view name_of(Integrator integrator) {
+    return kIntegrators.at(static_cast<std::size_t>(integrator)).name;
+}
+
+/// Nothing for a word that names none.
+inline std::optional<Integrator> integrator_named(std::string_view name) {
+    for (const IntegratorRow& row : kIntegrators)
+        if (row.name == name) return row.integrator;
+    return {};
+}
+
+/// What a pass is a function of, beside the scene.
+struct RenderSettings {
+    Integrator integrator = Integrator::sppm;
+    TransportSettings transport;
+    EyeSettings eye;
+    PhotonSettings photon;
+    double alpha = 2.0 / 3.0;  // of the radius sequence, in (0,1)
+    LayerSet layers{};
+    std::uint64_t seed = 0;
+    bool energy_compensation = false;  // of the scene's materials: compensate_energy()
+
+    /// Lines that two renders share if and only if their passes are the same function of scene and
+    /// seed: what film files are compared by.
+    std::string text() const;
+};
+
+/// What belongs to the sampler `paper`: all light by photons, alpha 0.7, one radius for all kinds
+/// of photons (paper, section 7), of two pixels unless the user has set it.
+void use_paper_mode(RenderSettings& settings);
+
+/// Does each pass build on those before?
+bool is_sequential(const RenderSettings& settings);
+
+/// When a render ends: whichever comes first. Passes are always finished.
+struct StopSettings {
+    std::uint32_t first_pass = 0;
+    std::optional<std::uint32_t> end_pass;  // not rendered any more
+    std::optional<double> seconds;          // on the wall
+    std::optional<double> cpu_seconds;      // of all threads together
+    std::optional<double> target_error;     // relative, of blocks: film/target_error.h
+    ErrorTerms error_terms{};               // what counts for it
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,39 @@
+// Eight discs side by side, one array a number: what asks which of them take a photon.
+#pragma once
+
+#include "visible_points/visible_point.h"
+
+#include <array>
+#include <cstdint>
+
+namespace sunfleck {
+
+struct alignas(32) DiscBlock {
+    static constexpr std::size_t kWidth = 8;
+    using Floats = std::array<float, kWidth>;
+    using Integers = std::array<std::int32_t, kWidth>;
+
+    std::array<Floats, 3> position{};
+    Floats radius{};
+    Floats indirect_radius{};
+    std::array<Floats, 3> normal{};
+    /// Bounces in the lower half, above them the kinds (none: places that are not set take
+    /// nothing) and whether the disc has both sides.
+    Integers rules{};
+
+    static constexpr std::int32_t kBounces = 0xFFFF;
+    static constexpr unsigned kKindsFrom = 16;
+    static constexpr std::int32_t kBothSides = 1 << 24;
+
+    void set(std::size_t i, const Disc& disc) {
+        for (int c = 0; c < 3; ++c) {
+            position.at(static_cast<std::size_t>(c)).at(i) = disc.position[c];
+            normal.at(static_cast<std::size_t>(c)).at(i) = disc.normal[c];
+        }
+        radius.at(i) = disc.radius;
+        indirect_radius.at(i) = disc.radius_for(PhotonKind::indirect);
+        rules.at(i) = disc.bounces | disc.kinds << kKindsFrom | (disc.both_sides ? kBothSides : 0);
+    }
+};
+
+}  // namespace sunfleck

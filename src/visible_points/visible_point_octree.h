@@ -1,0 +1,73 @@
+// How near a place is to what the camera sees, on a scale that all passes share: the finest cell of
+// a fixed octree over the scene in which both a visible point's disc and the place lie.
+//
+// In:  visible points. Out: heights of places. Places that a disc may reach are full: higher than
+// all others. Each cell of the octree that a disc's box touches counts as seen, so the sets
+// { height >= h } are nested and hold all that is visible.
+#pragma once
+
+#include "visible_points/visible_point.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace sunfleck {
+
+class ViewOctree {
+public:
+    /// Cells are halved at most so often.
+    static constexpr int kDeepest = 24;
+    /// Height of places in a full cell: no disc can reach any other place.
+    static constexpr int kFull = kDeepest + 1;
+
+    /// @param centre, radius  of a sphere around the scene, the same for every pass.
+    /// Neighbours in the list should be neighbours in space.
+    ViewOctree(std::span<const VisiblePoint> points, const Vec3d& centre, double radius);
+
+    /// 0 to kDeepest, or kFull.
+    int height(const Vec3& place) const {
+        const Vec3d scaled = (Vec3d(place) - low_) * cells_per_unit_;
+        const auto inside = [](double x) { return x >= 0 && x < double{1U << kDeepest}; };
+        if (!inside(scaled.x) || !inside(scaled.y) || !inside(scaled.z)) return 0;
+        const auto x = static_cast<std::uint32_t>(scaled.x);
+        const auto y = static_cast<std::uint32_t>(scaled.y);
+        const auto z = static_cast<std::uint32_t>(scaled.z);
+        std::uint32_t node = 0;
+        for (int depth = 0; depth < kDeepest; ++depth) {
+            const int bit = kDeepest - 1 - depth;
+            node = nodes_[node][(x >> bit & 1U) | (y >> bit & 1U) << 1U | (z >> bit & 1U) << 2U];
+            if (node == kEmptyCell) return depth;
+            if (node == kFullCell) return kFull;
+        }
+        return kDeepest;
+    }
+
+private:
+    static constexpr std::uint32_t kEmptyCell = 0;  // the root is nobody's child
+    static constexpr std::uint32_t kFullCell = 0xFFFFFFFF;
+    using Node = std::array<std::uint32_t, 8>;  // by cell: a node, empty or full
+
+    struct Cells {
+        std::array<std::uint32_t, 3> low;
+        std::array<std::uint32_t, 3> high;
+        int depth;
+        friend bool operator==(const Cells&, const Cells&) = default;
+    };
+
+    using Nodes = std::vector<Node>;
+
+    Cells cells_of(const Disc& disc) const;
+    Nodes nodes_over(std::span<const VisiblePoint> points) const;
+    static void fill(Nodes& nodes, const Cells& cells);
+    static void fill(Nodes& nodes, const std::array<std::uint32_t, 3>& cell, int depth);
+    /// Puts the octrees into one: a node that some share is the union, the others stay as they are.
+    static Nodes united(const std::vector<Nodes>& parts);
+    static void unite(Nodes& nodes, std::uint32_t into, std::uint32_t other);
+
+    Vec3d low_;
+    double cells_per_unit_;  // finest ones
+    Nodes nodes_;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,62 @@
+// Light groups as a user meets them: the flag, the statistics.
+#include "app/determinism_support.h"
+
+namespace sunfleck {
+namespace {
+
+using testing_support::DeterminismTest;
+using testing_support::operator+;
+using testing_support::read_text;
+
+class LightGroups : public DeterminismTest {
+protected:
+    void SetUp() override {
+        DeterminismTest::SetUp();
+        use("useless-light", {"--resolution", "12x12", "--photons-per-pass", "3000"});
+    }
+};
+
+TEST_F(LightGroups, are_told_in_the_statistics) {
+    const auto s = stats("0:3", {"--seed", "7"});  // one whose pilot finds the sun's light
+    ASSERT_EQ(s["light_groups"].size(), 2U);
+    const auto& lamp = s["light_groups"][0];
+    const auto& sun = s["light_groups"][1];
+    for (const auto& group : {lamp, sun}) {
+        EXPECT_EQ(group["passes"], 3);
+        EXPECT_LE(group["starved_passes"], 3);
+    }
+    EXPECT_NEAR(lamp["power_share"].get<double>() + sun["power_share"].get<double>(), 1, 1e-9);
+    EXPECT_NEAR(sun["power_share"].get<double>() / lamp["power_share"].get<double>(), 100, 3);
+    EXPECT_GT(lamp["visible_fraction"], 0.05);
+    EXPECT_LT(sun["visible_fraction"], 1e-3);
+    EXPECT_NEAR(lamp["paths"], 3000 / 1.1, 3);
+    EXPECT_NEAR(sun["paths"], 300 / 1.1, 3);
+    EXPECT_EQ(lamp["ladder"]["levels"], 0);
+    EXPECT_GT(sun["ladder"]["levels"], 0);
+    EXPECT_EQ(sun["ladder"]["fractions"].size(), sun["ladder"]["levels"]);
+    EXPECT_EQ(s["ladder"]["levels"], 0);  // of all lights together: there is none
+    // Light that is not there needs no group, nor do other samplers part it.
+    EXPECT_TRUE(stats("0:1", {"--light-groups", "off"})["light_groups"].empty());
+    EXPECT_TRUE(stats("0:1", {"--photon-sampler", "uniform"})["light_groups"].empty());
+    use("useful-light", {"--resolution", "12x12", "--photons-per-pass", "3000"});
+    EXPECT_TRUE(stats("0:1")["light_groups"].empty());
+}
+
+TEST_F(LightGroups, are_on_unless_they_are_switched_off) {
+    const auto plain = stats("0:1");
+    const std::string bytes = read_text(path("x.exr"));
+    EXPECT_FALSE(plain["settings"].contains("light_groups"));
+    EXPECT_EQ(stats("0:1", {"--light-groups", "auto"})["settings"], plain["settings"]);
+    EXPECT_EQ(read_text(path("x.exr")), bytes);
+    EXPECT_EQ(stats("0:1", {"--light-groups", "off"})["settings"]["light_groups"], "off");
+    EXPECT_NE(read_text(path("x.exr")), bytes);
+    // Of a single lamp the picture is the same.
+    use("useful-light", {"--resolution", "12x12", "--photons-per-pass", "3000"});
+    stats("0:1");
+    const std::string one = read_text(path("x.exr"));
+    stats("0:1", {"--light-groups", "off"});
+    EXPECT_EQ(read_text(path("x.exr")), one);
+}
+
+}  // namespace
+}  // namespace sunfleck

@@ -1,0 +1,81 @@
+// Populations: seeds are drawn as often as they weigh.
+#include "chains/population.h"
+
+#include <gtest/gtest.h>
+
+namespace sunfleck {
+namespace {
+
+/// A seed whose first slot says which it is.
+Seed seed(std::uint64_t number, std::uint32_t units, int height = kVisible) {
+    Seed s;
+    s.sample.set(0, number << 60U);
+    s.units = units;
+    s.height = height;
+    return s;
+}
+
+/// How often each of four seeds is at one of so many even places.
+std::array<int, 4> drawn(const Population& population, int places, double offset) {
+    std::array<int, 4> times{};
+    for (int j = 0; j < places; ++j) {
+        const double place = (j + offset) * population.weight() / places;
+        ++times.at(population.at(place)[0] >> 60U);
+    }
+    return times;
+}
+
+Population four() {
+    Population population;
+    for (const std::uint32_t units : {3U, 1U, 5U, 2U})
+        population.add(seed(population.seeds().size(), units));
+    return population;
+}
+
+TEST(Population, seeds_are_drawn_by_their_units) {
+    const Population population = four();
+    EXPECT_EQ(population.units(), 11U);
+    EXPECT_EQ(population.weight(), 11);
+    for (int offset = 0; offset < 8; ++offset) {
+        EXPECT_EQ(drawn(population, 11, offset / 8.0), (std::array{3, 1, 5, 2}));
+        EXPECT_EQ(drawn(population, 33, offset / 8.0), (std::array{9, 3, 15, 6}));
+        const auto few = drawn(population, 4, offset / 8.0);
+        EXPECT_EQ(few[0] + few[1] + few[2] + few[3], 4);
+        EXPECT_LE(few[1], 1);
+        EXPECT_LE(few[2], 2);
+    }
+    EXPECT_EQ(population.at(11)[0] >> 60U, 3U);  // the end of the line is the last seed's
+}
+
+TEST(Population, those_not_high_enough_are_left_out) {
+    Population population = four();
+    population.add(seed(3, 7, 2));
+    EXPECT_EQ(population.units(), 18U);
+    EXPECT_EQ(population.at_least(3).units(), 11U);
+    EXPECT_EQ(population.at_least(2).units(), 18U);
+}
+
+// The map covers the lower half of the first slot, but its seam: the first two seeds.
+TEST(Population, what_a_map_covers_is_left_out) {
+    std::vector<WeightedEmission> starts;
+    std::vector<EmissionMap::Trial> trials;
+    for (int i = 0; i < 200; ++i) {
+        starts.push_back({{0.1 * i / 200, 0.5, 0.5, 0.5, 0.5}, 1});
+        trials.push_back({starts.back().point, true});
+    }
+    const EmissionMap map = EmissionMap::learned(starts, {0.5}).where_visible(trials, 1e-9);
+    const Population population = four();  // first slots 0, 1/16, 2/16, 3/16
+    const MapCover cover{&map, 0.25};
+    ASSERT_TRUE(cover.contains(population.seeds()[0].sample));
+    ASSERT_FALSE(cover.contains(population.seeds()[3].sample));
+    std::uint64_t expected = 0;
+    for (const Seed& s : population.seeds()) expected += cover.contains(s.sample) ? 0 : s.units;
+    const Population rest = four().uncovered(cover, 0.5);
+    EXPECT_EQ(rest.units(), expected);
+    EXPECT_DOUBLE_EQ(rest.weight(), 0.5 * static_cast<double>(expected));
+    EXPECT_EQ(four().uncovered({}, 2).units(), 11U);
+    EXPECT_DOUBLE_EQ(four().uncovered({}, 2).weight(), 22);
+}
+
+}  // namespace
+}  // namespace sunfleck
