@@ -43,7 +43,7 @@ bool apply_variant(std::string_view name, RenderSettings& settings) {
         known = known || named;
         return named || name == "bare";
     };
-    if (is_off("light-candidates")) settings.eye.light_candidates = false;
+    if (is_off("light-candidates")) settings.camera.ris = false;
     for (const AdaptivePart& part : kAdaptiveParts)
         if (is_off(part.name)) settings.photon.*part.is_on = false;
     return known;
@@ -63,7 +63,7 @@ struct Settings {
     std::uint32_t seeds = 8;
     std::uint32_t references = 16;
     double reference_radius = 1;            // over that of what is measured
-    std::optional<double> indirect_radius;  // EyeSettings::indirect_radius
+    std::optional<double> indirect_radius;  // CameraPathSettings::indirect_radius
     int resolution = 256;
     std::size_t threads = 2;
     bool photons_only = false;
@@ -89,12 +89,12 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     else if (!apply_variant(sampler, job.settings))
         job.settings.photon.sampler = sampler_named(sampler).value();
     if (sampler == "paper") use_paper_mode(job.settings);
-    EyeSettings& eye = job.settings.eye;
-    if (settings.indirect_radius) eye.indirect_radius = settings.indirect_radius;
+    CameraPathSettings& camera = job.settings.camera;
+    if (settings.indirect_radius) camera.indirect_radius = settings.indirect_radius;
     if (radius != 1) {
         const Vec2i resolution = scene.film().resolution;
-        eye.indirect_radius = indirect_reach(eye, resolution);
-        eye.radius_pixels = first_radius(eye, resolution) * radius;
+        camera.indirect_radius = indirect_radius_scale(camera, resolution);
+        camera.radius_pixels = first_radius(camera, resolution) * radius;
     }
     if (settings.photons_only) job.settings.transport.direct = DirectLight::photons;
     job.stop.end_pass = settings.passes;
@@ -104,7 +104,7 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     const Film& film = render_result->film;
     const double weight = film.weight();
     const auto passes = static_cast<double>(film.pass_count());
-    const FixedPoints& sums = film.sums().layers[0];
+    const FixedPoints& sums = film.sums().aovs[0];
     const std::vector<double>& region = settings.region;
     const auto at = [&](double share) { return std::lround(share * settings.resolution); };
     for (long y = at(region[2]); y < at(region[3]); ++y)

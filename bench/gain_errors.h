@@ -112,13 +112,13 @@ inline double mean_by(const std::vector<Sample>& samples, const std::vector<std:
 /// The ratio of error times seconds, and its 95% interval by drawing seeds again with repetition.
 inline void print_ratio(const std::string& name, const std::vector<Sample>& a,
                         const std::vector<Sample>& b, double Error::*measure) {
-    constexpr int kDraws = 2000;
+    constexpr int kSubpasses = 2000;
     std::vector<std::size_t> all(a.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     const double ratio = mean_by(a, all, measure) / mean_by(b, all, measure);
     RandomStream random(1, Purpose::test, 0, 0);
     std::vector<double> ratios;
-    for (int draw = 0; draw < kDraws; ++draw) {
+    for (int subpass = 0; subpass < kSubpasses; ++subpass) {
         std::vector<std::size_t> first;
         std::vector<std::size_t> second;
         const auto size = static_cast<double>(all.size());
@@ -129,8 +129,8 @@ inline void print_ratio(const std::string& name, const std::vector<Sample>& a,
         ratios.push_back(mean_by(a, first, measure) / mean_by(b, second, measure));
     }
     std::sort(ratios.begin(), ratios.end());
-    fmt::print("{:<34} {:10.4g}   [{:.4g}, {:.4g}]\n", name, ratio, ratios[kDraws / 40],
-               ratios[kDraws - kDraws / 40]);
+    fmt::print("{:<34} {:10.4g}   [{:.4g}, {:.4g}]\n", name, ratio, ratios[kSubpasses / 40],
+               ratios[kSubpasses - kSubpasses / 40]);
 }
 
 inline void print_ratios(const std::string& names, const std::vector<Sample>& a,

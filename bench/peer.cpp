@@ -46,7 +46,7 @@ Grey grey_of(const Image& image) {
 }
 
 Grey grey_of(const Film& film) {
-    const FixedPoints& sums = film.sums().layers[0];
+    const FixedPoints& sums = film.sums().aovs[0];
     const double weight = film.weight();
     Grey grey;
     for (std::size_t i = 0; i < sums.size(); i += 3)

@@ -1,9 +1,9 @@
 // bench_photon_maps: pictures of where photons go: seen from above, the photons that land on a
-// square of the plane z = 0, by each sampler, and the sets of the ladder there.
+// square of the plane z = 0, by each sampler, and the sets of the splitting there.
 //
 // usage: bench_photon_maps SCENE -o DIR [--centre x y] [--width w]. Writes DIR/SCENE-photons.png:
-// random, paper, adaptive; and DIR/SCENE-ladder.png: the states of each set but the last, and the
-// sets themselves.
+// random, paper, adaptive; and DIR/SCENE-splitting.png: the states of each set but the last, and
+// the sets themselves.
 #include "camera_paths/trace_camera_paths.h"
 #include "core/error.h"
 #include "image/png.h"
@@ -106,7 +106,7 @@ public:
     WholePaths(const PhotonTracer& tracer, const PhotonSpace& space)
         : tracer_(tracer), space_(space) {}
 
-    template <SlotReader Reader>
+    template <PrimarySampleReader Reader>
     void trace(Reader&& read, Path& path, Statistics& counts) const {
         path = {};
         const auto visit = [&](const Photon& photon) {
@@ -124,7 +124,7 @@ private:
     const PhotonSpace& space_;
 };
 
-struct MapSink {
+struct GuideSink {
     struct Collector {
         std::vector<Vec3> places;
         void operator()(const WholePaths::Path& path, double) {
@@ -182,22 +182,22 @@ struct Maps {
     }
 
     /// States of the last of the first `levels` levels.
-    Map set(LadderPlan plan, std::size_t levels) const {
+    Map set(SplittingPlan plan, std::size_t levels) const {
         plan.levels.resize(levels);
         Map map(settings);
-        MapSink sink{map};
+        GuideSink sink{map};
         Statistics counts;
         const EmissionPoints points(id);
-        Ladder(space, points, id, plan, {}).run(sink, counts);
+        Splitting(space, points, id, plan, {}).run(sink, counts);
         return map;
     }
 
     /// How many sets a photon at each place would be in.
-    Map sets(const LadderPlan& plan, const ViewOctree& octree) const {
+    Map sets(const SplittingPlan& plan, const VisiblePointOctree& octree) const {
         Map map(settings);
         for (std::size_t i = 0; i < map.cells(); ++i) {
             const int height = octree.height(map.place(i));
-            const int visible = height == ViewOctree::kFull ? kVisible : height;
+            const int visible = height == VisiblePointOctree::kFull ? kVisible : height;
             int sets = 0;
             for (const LevelPlan& level : plan.levels) sets += level.height <= visible ? 1 : 0;
             map.set(i, std::expm1(sets));
@@ -213,25 +213,26 @@ void run(const Settings& settings) {
     const PassScene pass(scene, id);
     PassImage unused(window_of(scene.film()).pixels(), {});
     Statistics counts;
-    const EyePass eye{pass, render.transport, render.eye, window_of(scene.film()), id, 1};
-    const VisiblePointIndex index(trace_eye_paths(eye, unused, counts), render.transport.max_depth);
+    const CameraPass camera{pass, render.transport, render.camera, window_of(scene.film()), id, 1};
+    const VisiblePointIndex index(trace_camera_paths(camera, unused, counts),
+                                  render.transport.max_depth);
     const PhotonTracer tracer(pass, render.transport);
-    const ViewOctree octree(index.points(), scene.sphere().center, scene.sphere().radius);
+    const VisiblePointOctree octree(index.points(), scene.sphere().center, scene.sphere().radius);
     const PhotonSpace seen(tracer, index, octree);
     const WholePaths space(tracer, seen);
     const Maps maps{settings, space, id};
-    render.photon.light_groups = false;
-    const LadderPlan plan = learn_epoch(scene, render, 0).groups.front().plan;
-    std::vector<Map> ladder;
+    render.photon.light_strata = false;
+    const SplittingPlan plan = learn_epoch(scene, render, 0).strata.front().plan;
+    std::vector<Map> splitting;
     for (std::size_t k = 1; k <= plan.levels.size(); ++k) {
         fmt::print("set {}: height {}\n", k, plan.levels[k - 1].height);
-        ladder.push_back(maps.set(plan, k));
+        splitting.push_back(maps.set(plan, k));
     }
-    if (ladder.empty()) throw Error({settings.scene}, "has no ladder", "choose a closer view");
-    write_row(settings, "photons", {maps.uniform(), maps.paper(), ladder.back()});
-    ladder.pop_back();
-    ladder.push_back(maps.sets(plan, octree));
-    write_row(settings, "ladder", ladder);
+    if (splitting.empty()) throw Error({settings.scene}, "has no ladder", "choose a closer view");
+    write_row(settings, "photons", {maps.uniform(), maps.paper(), splitting.back()});
+    splitting.pop_back();
+    splitting.push_back(maps.sets(plan, octree));
+    write_row(settings, "ladder", splitting);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// bench_rays: rays a second of the photon pass and of the eye pass over those of Embree alone.
+// bench_rays: rays a second of the photon pass and of the camera pass over those of Embree alone.
 //
 // usage: bench_rays [SCENE] [--sampler NAME] [--paths N] [--repeats N] [--resolution N]
 //                   [--profile N]
@@ -48,8 +48,8 @@ struct Rates {
     Rate photon;
     Rate raw_photon;
     Rate trace;  // photon paths where nothing gathers: the tracer alone; of `uniform`
-    Rate eye;
-    Rate raw_eye;
+    Rate camera;
+    Rate raw_camera;
 };
 
 /// Pass 0 of a scene in its stages.
@@ -58,19 +58,19 @@ public:
     explicit Pass(const Settings& settings)
         : settings_(settings),
           scene_(scene_of(settings)),
-          groups_(groups_of(scene_, settings)),
+          strata_(groups_of(scene_, settings)),
           at_wavelengths_(scene_, kId) {
         PassImage to = image();
-        points_ = eye_paths(to);
+        points_ = camera_paths(to);
     }
 
     std::size_t triangles() const { return scene_.geometry().triangle_count(); }
 
     PassImage image() const { return {window_of(scene_.film()).pixels(), {}}; }
 
-    VisiblePointLists eye_paths(PassImage& image) const {
+    VisiblePointLists camera_paths(PassImage& image) const {
         Statistics counts;
-        return trace_eye_paths(eye_pass(), image, counts);
+        return trace_camera_paths(camera_pass(), image, counts);
     }
 
     VisiblePointIndex index() const { return {points_, transport_.max_depth}; }
@@ -80,14 +80,14 @@ public:
 
     /// The photons of a pass like this one. @param number  names its random numbers.
     void photons(const VisiblePointIndex& index, PassImage& image, std::uint32_t number = 0) const {
-        trace_photons({at_wavelengths_, transport_, index}, {0, number}, settings_.sampler, groups_,
+        trace_photons({at_wavelengths_, transport_, index}, {0, number}, settings_.sampler, strata_,
                       {image});
     }
 
 private:
     static constexpr PassId kId{0, 0};
 
-    EyePass eye_pass() const {
+    CameraPass camera_pass() const {
         return {at_wavelengths_, transport_, eye_, window_of(scene_.film()), kId, 1};
     }
 
@@ -103,32 +103,32 @@ private:
         return Scene(std::move(description));
     }
 
-    static std::vector<PhotonGroup> groups_of(const Scene& scene, const Settings& settings) {
+    static std::vector<LightStratum> groups_of(const Scene& scene, const Settings& settings) {
         RenderSettings render;
         render.photon.sampler = settings.sampler;
         render.photon.paths_per_pass = settings.paths;
-        return learn_epoch(scene, render, 0).groups;
+        return learn_epoch(scene, render, 0).strata;
     }
 
     const Settings& settings_;
     Scene scene_;
-    std::vector<PhotonGroup> groups_;
+    std::vector<LightStratum> strata_;
     PassScene at_wavelengths_;
     TransportSettings transport_;
-    EyeSettings eye_;
+    CameraPathSettings eye_;
     VisiblePointLists points_;
 };
 
 struct Bench {
     const Pass& pass;
     const RawEmbree& photon_rays;
-    const RawEmbree& eye_rays;
+    const RawEmbree& camera_rays;
     bool paths_alone;
 
     void run(Rates& rates) const {
         PassImage image = pass.image();
-        rates.eye.add(eye_rays.size(), time_of([&] { pass.eye_paths(image); }));
-        rates.raw_eye.add(eye_rays.size(), time_of([&] { eye_rays.trace(); }));
+        rates.camera.add(camera_rays.size(), time_of([&] { pass.camera_paths(image); }));
+        rates.raw_camera.add(camera_rays.size(), time_of([&] { camera_rays.trace(); }));
         const VisiblePointIndex index = pass.index();
         rates.photon.add(photon_rays.size(), time_of([&] { pass.photons(index, image); }));
         rates.raw_photon.add(photon_rays.size(), time_of([&] { photon_rays.trace(); }));
@@ -180,13 +180,13 @@ void profile(const Settings& settings) {
 void run(const Settings& settings, std::size_t threads) {
     const Pass pass(settings);
     PassImage image = pass.image();
-    const RawEmbree eye_rays = RawEmbree::record([&] { pass.eye_paths(image); });
+    const RawEmbree camera_rays = RawEmbree::record([&] { pass.camera_paths(image); });
     const VisiblePointIndex index = pass.index();
     const RawEmbree photon_rays = RawEmbree::record([&] { pass.photons(index, image); });
     fmt::print("{} triangles, {} photon paths, {} photon rays and {} eye rays recorded\n",
-               pass.triangles(), settings.paths, photon_rays.size(), eye_rays.size());
+               pass.triangles(), settings.paths, photon_rays.size(), camera_rays.size());
     const bool paths_alone = settings.sampler == PhotonSampler::uniform;
-    const Bench bench{pass, photon_rays, eye_rays, paths_alone};
+    const Bench bench{pass, photon_rays, camera_rays, paths_alone};
     std::map<std::size_t, Rates> rates;
     for (int repeat = 0; repeat < settings.repeats; ++repeat)
         for (const std::size_t count : {std::size_t{1}, threads}) {
@@ -196,14 +196,14 @@ void run(const Settings& settings, std::size_t threads) {
     for (const auto& [count, r] : rates) {
         print_rate("photon pass", count, r.photon, r.raw_photon);
         if (paths_alone) print_rate("photon paths alone", count, r.trace, r.raw_photon);
-        print_rate("eye pass", count, r.eye, r.raw_eye);
+        print_rate("eye pass", count, r.camera, r.raw_camera);
         print_rate("Embree, photon rays", count, r.raw_photon, r.raw_photon);
-        print_rate("Embree, eye rays", count, r.raw_eye, r.raw_eye);
+        print_rate("Embree, eye rays", count, r.raw_camera, r.raw_camera);
     }
     const Rates& one = rates[1];
     const Rates& many = rates[threads];
     print_scaling("photon pass", one.photon, many.photon, one.raw_photon, many.raw_photon);
-    print_scaling("eye pass", one.eye, many.eye, one.raw_eye, many.raw_eye);
+    print_scaling("eye pass", one.camera, many.camera, one.raw_camera, many.raw_camera);
 }
 
 }  // namespace

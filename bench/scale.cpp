@@ -25,8 +25,8 @@ struct Case {
 };
 
 struct Cost {
-    double build = 0;  // seconds: geometry and tree
-    double eye = 0;    // of a pass
+    double build = 0;   // seconds: geometry and tree
+    double camera = 0;  // of a pass
     double index = 0;
     double photon = 0;
     double rays = 0;  // of the photon pass
@@ -40,17 +40,17 @@ Cost cost_of(const Case& c, int repeats) {
     cost.build = time_of([&] { scene.emplace(std::move(description)); }).wall;
     RenderSettings settings;
     settings.photon.paths_per_pass = c.paths;
-    std::vector<double> eye;
+    std::vector<double> camera;
     std::vector<double> index;
     std::vector<double> photon;
     for (int i = 0; i < repeats; ++i) {
         const PassResult pass = render_pass(*scene, settings, static_cast<std::uint32_t>(i));
-        eye.push_back(pass.seconds.eye);
+        camera.push_back(pass.seconds.camera);
         index.push_back(pass.seconds.index);
         photon.push_back(pass.seconds.photon);
         cost.rays = static_cast<double>(pass.statistics[Count::photon_rays]);
     }
-    cost.eye = median(eye);
+    cost.camera = median(camera);
     cost.index = median(index);
     cost.photon = median(photon);
     return cost;
@@ -65,7 +65,7 @@ void print_table(const char* title, const std::vector<Case>& cases, int repeats)
         const double rate = cost.rays / cost.photon;
         if (first == 0) first = rate;
         fmt::print("{:<12} {:>9.3f} {:>9.4f} {:>9.4f} {:>9.4f} {:>14.0f} {:>8.2f}\n", c.name,
-                   cost.build, cost.eye, cost.index, cost.photon, rate, rate / first);
+                   cost.build, cost.camera, cost.index, cost.photon, rate, rate / first);
     }
 }
 
@@ -78,12 +78,12 @@ void print_memory() {
         const PassId id{0, 0};
         const PassScene at_wavelengths(scene, id);
         const TransportSettings transport;
-        const EyeSettings settings;
+        const CameraPathSettings settings;
         const PixelWindow window = window_of(scene.film());
         PassImage image(window.pixels(), {});
         Statistics statistics;
-        const EyePass pass{at_wavelengths, transport, settings, window, id, 1};
-        auto points = trace_eye_paths(pass, image, statistics);
+        const CameraPass pass{at_wavelengths, transport, settings, window, id, 1};
+        auto points = trace_camera_paths(pass, image, statistics);
         const auto pixels = static_cast<double>(window.pixels());
         const double held =
             static_cast<double>(statistics[Count::visible_points] * sizeof(VisiblePoint));

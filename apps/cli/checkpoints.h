@@ -24,7 +24,7 @@ public:
 
 private:
     const RenderOptions& options_;
-    LateFault fault_;  // of the last save
+    DeferredError fault_;  // of the last save
 };
 
 }  // namespace sunfleck

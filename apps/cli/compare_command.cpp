@@ -36,7 +36,7 @@ int run_compare(const CompareOptions& options) {
     check_apart({files_of(reference, inputs), written});
     const OutputClaims claims(written);
     const Comparison comparison = compare(reference, inputs);
-    LateFault faults(LogLevel::quiet);  // thrown when all is tried
+    DeferredError faults(LogLevel::quiet);  // thrown when all is tried
     const auto write = [&](const std::string& path, const auto& text) {
         if (!path.empty()) faults.attempt([&] { write_file(path, text(comparison)); });
     };

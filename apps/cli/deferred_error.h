@@ -13,9 +13,9 @@
 
 namespace sunfleck {
 
-class LateFault {
+class DeferredError {
 public:
-    explicit LateFault(LogLevel log) : log_(log) {}
+    explicit DeferredError(LogLevel log) : log_(log) {}
 
     /// @param write  may throw: the first fault is a warning, if not quiet. @return whether it did
     /// not.

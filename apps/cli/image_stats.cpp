@@ -46,10 +46,10 @@ nlohmann::ordered_json image_json(const Film& film, ErrorTerms terms) {
 std::vector<std::string> extrapolation_warnings(const Film& film, bool wanted) {
     if (!wanted || disc_areas(film)) return {};
     const std::string what = "the picture is not extrapolated: ";
-    if (film.rounds() < kBiasRounds)
+    if (film.batches() < kBiasBatches)
         return {what + fmt::format("its bias is known from {} complete rounds of {} passes on, "
                                    "of which it has {}",
-                                   kBiasRounds, kRoundPasses, film.rounds())};
+                                   kBiasBatches, kBatchPasses, film.batches())};
     return {what + "radii have hardly shrunk over its passes, so its bias is not known"};
 }
 

@@ -1,4 +1,4 @@
-// Reading --light-layer, and finding the lights that it means.
+// Reading --light-aov, and finding the lights that it means.
 #include "apps/cli/light_groups.h"
 
 #include "aovs/channels.h"
@@ -16,12 +16,12 @@ namespace {
 
 constexpr const char* kFlag = "--light-layer";
 
-void check_name(const std::string& name, const std::vector<AskedLightLayer>& before) {
-    if (!is_layer_name(name))
+void check_name(const std::string& name, const std::vector<AskedLightGroup>& before) {
+    if (!is_aov_name(name))
         throw Error({kFlag}, "\"" + name + "\" is no name of a layer",
                     "begin it with a letter, and go on with letters, digits, _ and -");
     const auto is_this = [&](const auto& other) { return other.name == name; };
-    if (is_taken_layer_name(name) || std::any_of(before.begin(), before.end(), is_this))
+    if (is_taken_aov_name(name) || std::any_of(before.begin(), before.end(), is_this))
         throw Error({kFlag}, "there is another layer \"" + name + "\"", "use another name");
 }
 
@@ -39,34 +39,33 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> read_run(const std::strin
     return std::pair(first, last);
 }
 
-AskedLightLayer read_layer(const std::string& text) {
+AskedLightGroup read_aov(const std::string& text) {
     const std::size_t equals = std::min(text.find('='), text.size());
-    AskedLightLayer layer{
-        text.substr(0, equals), text.substr(std::min(equals + 1, text.size())), {}};
+    AskedLightGroup aov{text.substr(0, equals), text.substr(std::min(equals + 1, text.size())), {}};
     std::size_t begin = 0;
-    while (begin <= layer.text.size()) {
-        const std::size_t end = std::min(layer.text.find(',', begin), layer.text.size());
-        const auto run = read_run(layer.text.substr(begin, end - begin));
+    while (begin <= aov.text.size()) {
+        const std::size_t end = std::min(aov.text.find(',', begin), aov.text.size());
+        const auto run = read_run(aov.text.substr(begin, end - begin));
         if (!run)
             throw Error({kFlag}, "\"" + text + "\" does not say which lights",
                         "write NAME=1,3-5 with numbers of sunfleck info --lights, or each");
-        layer.runs.push_back(*run);
+        aov.runs.push_back(*run);
         begin = end + 1;
     }
-    return layer;
+    return aov;
 }
 
-std::vector<AskedLightLayer> each_of(std::size_t lights) {
-    std::vector<AskedLightLayer> layers;
+std::vector<AskedLightGroup> each_of(std::size_t lights) {
+    std::vector<AskedLightGroup> aovs;
     for (std::uint32_t i = 1; i <= lights; ++i)
-        layers.push_back({fmt::format("light{}", i), fmt::format("{}", i), {{i, i}}});
-    return layers;
+        aovs.push_back({fmt::format("light{}", i), fmt::format("{}", i), {{i, i}}});
+    return aovs;
 }
 
-/// By light of the scene's file, from 0: its layer.
-std::vector<std::uint8_t> layers_of_statements(const std::vector<AskedLightLayer>& asked,
+/// By light of the scene's file, from 0: its aov.
+std::vector<std::uint8_t> layers_of_statements(const std::vector<AskedLightGroup>& asked,
                                                std::size_t lights) {
-    std::vector<std::uint8_t> layer_of(lights, kNoLightLayer);
+    std::vector<std::uint8_t> aov_of(lights, kNoLightGroup);
     for (std::size_t l = 0; l < asked.size(); ++l)
         for (const auto& [first, last] : asked[l].runs) {
             if (last > lights)
@@ -74,50 +73,50 @@ std::vector<std::uint8_t> layers_of_statements(const std::vector<AskedLightLayer
                             fmt::format("there is no light {}: the scene has {}", last, lights),
                             "see sunfleck info --lights");
             for (std::uint32_t i = first - 1; i < last; ++i) {
-                if (layer_of[i] != kNoLightLayer)
+                if (aov_of[i] != kNoLightGroup)
                     throw Error({kFlag}, fmt::format("light {} is asked for twice", i + 1),
                                 "name each light once");
-                layer_of[i] = static_cast<std::uint8_t>(l);
+                aov_of[i] = static_cast<std::uint8_t>(l);
             }
         }
-    return layer_of;
+    return aov_of;
 }
 
 }  // namespace
 
-std::vector<AskedLightLayer> read_light_layers(const std::vector<std::string>& texts,
+std::vector<AskedLightGroup> read_light_groups(const std::vector<std::string>& texts,
                                                PhotonSampler sampler) {
     if (!texts.empty() && sampler == PhotonSampler::paper)
         throw Error({kFlag}, "the sampler paper sums the light of all lights in one",
                     "use another sampler");
     if (texts.size() == 1 && texts[0] == "each") return {{}};
-    std::vector<AskedLightLayer> layers;
+    std::vector<AskedLightGroup> aovs;
     for (const std::string& text : texts) {
         if (text == "each")
             throw Error({kFlag}, "each is given together with layers", "give either");
-        AskedLightLayer layer = read_layer(text);
-        check_name(layer.name, layers);
-        layers.push_back(std::move(layer));
+        AskedLightGroup aov = read_aov(text);
+        check_name(aov.name, aovs);
+        aovs.push_back(std::move(aov));
     }
-    return layers;
+    return aovs;
 }
 
-LightLayers light_layers_of(const Scene& scene, const std::vector<AskedLightLayer>& asked) {
+LightGroups light_groups_of(const Scene& scene, const std::vector<AskedLightGroup>& asked) {
     if (asked.empty()) return {};
     const std::size_t lights = scene.light_statements().size();
-    const std::vector<AskedLightLayer> wanted = asked[0].name.empty() ? each_of(lights) : asked;
-    if (wanted.size() > kMostLightLayers)
+    const std::vector<AskedLightGroup> wanted = asked[0].name.empty() ? each_of(lights) : asked;
+    if (wanted.size() > kMostLightGroups)
         throw Error({kFlag}, fmt::format("{} layers are asked for", wanted.size()),
-                    fmt::format("put lights together: {} at most", kMostLightLayers));
-    const std::vector<std::uint8_t> layer_of = layers_of_statements(wanted, lights);
-    LightLayers layers;
-    for (const AskedLightLayer& layer : wanted) {
-        layers.names.push_back(layer.name);
-        layers.text += (layers.text.empty() ? "" : " ") + layer.name + "=" + layer.text;
+                    fmt::format("put lights together: {} at most", kMostLightGroups));
+    const std::vector<std::uint8_t> aov_of = layers_of_statements(wanted, lights);
+    LightGroups aovs;
+    for (const AskedLightGroup& aov : wanted) {
+        aovs.names.push_back(aov.name);
+        aovs.text += (aovs.text.empty() ? "" : " ") + aov.name + "=" + aov.text;
     }
     for (const std::uint32_t statement : scene.stated_in())
-        layers.of_light.push_back(statement == kNone ? kNoLightLayer : layer_of[statement]);
-    return layers;
+        aovs.of_light.push_back(statement == kNone ? kNoLightGroup : aov_of[statement]);
+    return aovs;
 }
 
 }  // namespace sunfleck

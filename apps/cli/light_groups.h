@@ -1,4 +1,4 @@
-// Which lights of a scene get layers of their own, as a user asks for them.
+// Which lights of a scene get aovs of their own, as a user asks for them.
 //
 // Lights are counted as the scene's file states them, from 1: `sunfleck info --lights` lists them.
 #pragma once
@@ -15,8 +15,8 @@ namespace sunfleck {
 
 class Scene;
 
-/// One flag --light-layer. Without a name: each light has a layer.
-struct AskedLightLayer {
+/// One flag --light-aov. Without a name: each light has a aov.
+struct AskedLightGroup {
     std::string name;
     std::string text;                                           // of the lights, as written
     std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;  // of numbers, first to last
@@ -24,11 +24,11 @@ struct AskedLightLayer {
 
 /// NAME=1,3-5, or each. Names begin with a letter and go on with letters, digits, _ and -.
 /// @throws Error for what is neither, for names that are taken, and for the sampler paper.
-std::vector<AskedLightLayer> read_light_layers(const std::vector<std::string>& texts,
+std::vector<AskedLightGroup> read_light_groups(const std::vector<std::string>& texts,
                                                PhotonSampler sampler);
 
 /// @throws Error for lights that the scene does not have or that are asked for twice, and for more
-///         layers than there may be.
-LightLayers light_layers_of(const Scene& scene, const std::vector<AskedLightLayer>& asked);
+///         aovs than there may be.
+LightGroups light_groups_of(const Scene& scene, const std::vector<AskedLightGroup>& asked);
 
 }  // namespace sunfleck

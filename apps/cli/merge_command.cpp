@@ -27,7 +27,7 @@ int run_merge(const MergeOptions& options) {
             {"--extrapolate"},
             "is about the discs of photon mapping, and there are none in " + options.inputs.front(),
             "leave it out");
-    LateFault faults(LogLevel::quiet);  // thrown when all is tried
+    DeferredError faults(LogLevel::quiet);  // thrown when all is tried
     write_outputs(options.outputs, film, {options.exposure, options.extrapolate}, faults);
     const auto doubts = extrapolation_warnings(film, options.extrapolate);
     for (const std::string& line : doubts) say(line);

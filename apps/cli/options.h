@@ -26,7 +26,7 @@ struct RenderOptions {
     RenderSettings settings;
     StopSettings stop;
     bool ends_by_default = false;  // the command says nothing of an end
-    std::vector<AskedLightLayer> light_layers;
+    std::vector<AskedLightGroup> light_groups;
     std::optional<int> max_depth;  // wins over the scene's
     std::optional<Vec2i> resolution;
     std::optional<std::array<int, 4>> crop;
@@ -70,7 +70,7 @@ struct MergeOptions {
 
 struct RelightOptions {
     std::string picture;
-    std::vector<LayerFactor> factors;
+    std::vector<LightGroupFactor> factors;
     std::vector<std::string> outputs;
     double exposure = 0;
 };

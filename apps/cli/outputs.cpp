@@ -32,7 +32,7 @@ OutputClaims::OutputClaims(const std::vector<std::string>& files) {
 }
 
 std::vector<std::string> write_outputs(const std::vector<std::string>& outputs, const Film& film,
-                                       const OutputOptions& options, LateFault& faults) {
+                                       const OutputOptions& options, DeferredError& faults) {
     std::vector<std::string> written;
     const Picture picture = film_picture(film, {options.extrapolate});
     for (const std::string& path : outputs) {

@@ -42,6 +42,6 @@ struct OutputOptions {
 /// Writes the film to every output: .film, or a picture. What cannot be written is no reason to
 /// lose the others. @param faults  has it then. @return those that are written.
 std::vector<std::string> write_outputs(const std::vector<std::string>& outputs, const Film& film,
-                                       const OutputOptions& options, LateFault& faults);
+                                       const OutputOptions& options, DeferredError& faults);
 
 }  // namespace sunfleck

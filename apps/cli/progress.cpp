@@ -42,7 +42,7 @@ void add_error(const Progress& p, std::vector<Part>& parts) {
                                             share_text(p.error->bias))});
     } else if (p.target) {
         parts.push_back(
-            {5, fmt::format("error known after {} passes", kTargetRounds * kRoundPasses)});
+            {5, fmt::format("error known after {} passes", kTargetBatches * kBatchPasses)});
     }
     if (p.target)
         parts.push_back({4, (p.error ? "target " : "target error ") + share_text(*p.target)});

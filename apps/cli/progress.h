@@ -27,7 +27,7 @@ public:
     /// Until show() is called, the scene is being read.
     /// @param wanted  if not, nothing is said, whatever the terminal.
     explicit ProgressLine(bool wanted);
-    /// Takes the line away, so that what is said next stands on its own.
+    /// Accepts the line away, so that what is said next stands on its own.
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;

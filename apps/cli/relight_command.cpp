@@ -15,7 +15,7 @@ int run_relight(const RelightOptions& options) {
     check_apart({{options.picture}, options.outputs});
     const OutputClaims claims(options.outputs);
     const Relit relit_now = relit(read_exr(options.picture), options.factors, options.picture);
-    LateFault faults(LogLevel::quiet);  // thrown when all is tried
+    DeferredError faults(LogLevel::quiet);  // thrown when all is tried
     for (const std::string& path : options.outputs)
         faults.attempt([&] {
             write_picture(path, relit_now.picture, {static_cast<float>(options.exposure), false});

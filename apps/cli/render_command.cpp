@@ -73,15 +73,15 @@ void set_times(RunFacts& facts, const RenderState& state) {
     facts.cpu_seconds = state.cpu_seconds;
 }
 
-/// What goes on beside a render: the files that it keeps, and their faults.
-struct Beside {
+/// Files that a render keeps up to date while it runs, and what went wrong with them.
+struct KeptFiles {
     CheckpointKeeper checkpoints;
-    LateFault snapshots;  // one that is missing is missed, whatever follows
+    DeferredError snapshots;  // one that is missing is missed, whatever follows
 
-    explicit Beside(const RenderOptions& options) : checkpoints(options), snapshots(options.log) {}
+    explicit KeptFiles(const RenderOptions& options) : checkpoints(options), snapshots(options.log) {}
 };
 
-void keep_snapshot(const RenderSetup& setup, const RenderState& so_far, LateFault& fault,
+void keep_snapshot(const RenderSetup& setup, const RenderState& so_far, DeferredError& fault,
                    RunFacts& facts) {
     set_times(facts, so_far);
     InterruptGuard::finish_first([&] {
@@ -95,7 +95,7 @@ RenderStep step_of(const Progress& progress) {
 }
 
 /// What rank 0 does while it renders: a progress line, snapshots and checkpoints if wanted.
-RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, Beside& beside,
+RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, KeptFiles& kept,
                      RunFacts& facts) {
     const RenderOptions& options = setup.options;
     RenderHooks hooks;
@@ -106,11 +106,11 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, Beside& besid
     hooks.interrupted = &InterruptGuard::interrupted();
     if (!options.snapshots.empty())
         hooks.snapshot = [&](const RenderResult& so_far) {
-            keep_snapshot(setup, so_far, beside.snapshots, facts);
+            keep_snapshot(setup, so_far, kept.snapshots, facts);
         };
     if (!options.checkpoint.empty())
         hooks.save = [&](const RenderState& state) {
-            beside.checkpoints.save(setup.origin, state);
+            kept.checkpoints.save(setup.origin, state);
         };
     hooks.save_every = options.checkpoint_seconds;
     return hooks;
@@ -142,7 +142,7 @@ std::vector<std::string> doubts_of(const RenderSetup& setup, const RenderResult&
 void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& facts,
                std::optional<ProgressLine>& line) {
     const RenderOptions& options = setup.options;
-    LateFault faults(LogLevel::quiet);  // thrown when all is tried
+    DeferredError faults(LogLevel::quiet);  // thrown when all is tried
     InterruptGuard::set_answer(answer_while(RenderStep::writing, options));
     std::vector<std::string> written;
     InterruptGuard::finish_first([&] {
@@ -207,14 +207,14 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     if (options.log == LogLevel::info) print_lines(notes_of(*setup), options.log);
     facts.load_seconds = clock.seconds();
 
-    Beside beside(options);
+    KeptFiles kept(options);
     std::optional<RenderState> earlier;
     if (setup->checkpoint) earlier = std::move(setup->checkpoint->state);
     const RenderResult result =
-        render(setup->job, hooks_of(*setup, *line, beside, facts), std::move(earlier), ranks);
+        render(setup->job, hooks_of(*setup, *line, kept, facts), std::move(earlier), ranks);
     write_all(*setup, result, facts, line);
-    beside.checkpoints.finish();
-    beside.snapshots.finish();
+    kept.checkpoints.finish();
+    kept.snapshots.finish();
     return result.interrupted ? 130 : 0;
 }
 

@@ -42,10 +42,10 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     for (const AdaptivePart& part : kAdaptiveParts) refuse(flag_of(part));
 }
 
-/// Layers that no output can hold are refused: they would be lost.
+/// Aovs that no output can hold are refused: they would be lost.
 void check_layers_fit(const CLI::App& given, const RenderOptions& o) {
     if (o.outputs.empty() || !o.snapshots.empty() ||
-        !std::all_of(o.outputs.begin(), o.outputs.end(), loses_layers))
+        !std::all_of(o.outputs.begin(), o.outputs.end(), loses_aovs))
         return;
     for (const char* flag : {"--layers", "--light-layer"})
         if (given.count(flag) > 0)
@@ -60,7 +60,7 @@ void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--direct", t.direct,
                    "Who brings direct light: sampled, or photons (default sampled; paper photons)")
         ->check(CLI::IsMember({"sampled", "photons"}));
-    app.add_option("--light-candidates", t.light_candidates,
+    app.add_option("--light-candidates", t.ris,
                    "Direct light of a vertex: auto: of several light samples; off: of one")
         ->check(CLI::IsMember({"auto", "off"}));
     app.add_option(
@@ -72,14 +72,14 @@ void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
                    "paper 200000)")
         ->check(whole(1, 1 << 30));
     CLI::Option* const in_pixels =
-        app.add_option("--radius-pixels", o.settings.eye.radius_pixels,
+        app.add_option("--radius-pixels", o.settings.camera.radius_pixels,
                        "First radius in pixel footprints (default 2, less in pictures of fewer "
                        "than 512 pixels a side; paper 2)")
             ->check(between(1e-3, 1e3));
-    app.add_option("--radius", o.settings.eye.radius, "First radius in scene units instead")
+    app.add_option("--radius", o.settings.camera.radius, "First radius in scene units instead")
         ->check(between(1e-30, 1e30))
         ->excludes(in_pixels);
-    app.add_option("--indirect-radius", o.settings.eye.indirect_radius,
+    app.add_option("--indirect-radius", o.settings.camera.indirect_radius,
                    "Radius for photons that a rough surface has scattered, over that for others "
                    "(default 2 to 3.1, more in pictures of more than 512 pixels a side; "
                    "less where a radius is given; paper 1)")
@@ -111,10 +111,10 @@ void add_stop_flags(CLI::App& app, RenderTexts& t) {
 void add_picture_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--resolution", t.resolution, "Picture size instead of the scene's: WxH");
     app.add_option("--crop", t.crop, "Render only these pixels: x0,x1,y0,y1");
-    app.add_option("--layers", t.layers,
+    app.add_option("--layers", t.aovs,
                    "EXR layers: direct,caustic,indirect,emission,albedo,normal,depth,samples");
     app.add_option(
-           "--light-layer", t.light_layers,
+           "--light-layer", t.light_groups,
            "EXR layer NAME for some lights alone, by their numbers in sunfleck info "
            "--lights: NAME=1,3-5; may be repeated. each: a layer a light, light1, light2 ...")
         ->allow_extra_args(false);
@@ -166,14 +166,14 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
     o.settings.photon.sampler = *sampler_named(t.sampler);    // one of those names: checked
     o.settings.transport.direct =
         t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
-    o.settings.eye.light_candidates = t.light_candidates != "off";
+    o.settings.camera.ris = t.ris != "off";
     o.settings.energy_compensation = t.energy_compensation == "on";
     if (!t.seed.empty()) o.settings.seed = read_seed(t.seed, "--seed");
     if (t.quiet || t.log_level == "quiet") o.log = LogLevel::quiet;
     if (t.log_level == "warning") o.log = LogLevel::warning;
     if (!t.resolution.empty()) o.resolution = read_size(t.resolution, "--resolution");
     if (!t.crop.empty()) o.crop = read_crop(t.crop, "--crop");
-    o.settings.layers = read_layers(t.layers, "--layers");
+    o.settings.aovs = read_aovs(t.aovs, "--layers");
     if (!t.time.empty()) o.stop.seconds = read_duration(t.time, "--time");
     for (const char* flag : {"--checkpoint", "--resume"})
         if (given.count(flag) > 0 && given[flag]->as<std::string>().empty())
@@ -199,7 +199,7 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
         o.settings.transport.direct == DirectLight::photons)
         throw Error({"--light-candidates"}, "photons bring direct light: none is sampled",
                     "leave it out");
-    o.light_layers = read_light_layers(t.light_layers, o.settings.photon.sampler);
+    o.light_groups = read_light_groups(t.light_groups, o.settings.photon.sampler);
     finish_error(given, t.error, o);
     check_layers_fit(given, o);
 }

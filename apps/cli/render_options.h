@@ -26,14 +26,14 @@ struct RenderTexts {
     std::string resolution;
     std::string crop;
     std::string pass_range;
-    std::string layers;
-    std::vector<std::string> light_layers;
+    std::string aovs;
+    std::vector<std::string> light_groups;
     std::string sampler = "adaptive";
     AdaptiveTexts adaptive;
     PaperTexts paper;
     ErrorTexts error;
     std::string direct = "sampled";
-    std::string light_candidates = "auto";
+    std::string ris = "auto";
     std::string energy_compensation = "off";
     std::string integrator = "sppm";
     std::string seed;

@@ -89,7 +89,7 @@ RenderSetup::RenderSetup(const RenderOptions& from, SceneDescription description
       origin{SUNFLECK_VERSION, from.isa, hashes_of(description)},
       scene(std::move(description), from.isa),
       job{scene, settings_of(from, scene.hints()), from.stop, joined(origin.files)} {
-    job.settings.transport.light_layers = light_layers_of(scene, from.light_layers);
+    job.settings.transport.light_groups = light_groups_of(scene, from.light_groups);
 }
 
 RenderOptions options_of(const RenderOptions& options, const Ranks& ranks) {

@@ -32,9 +32,9 @@ Fraction visible_fraction(const Film& film) {
     return {value, passes > 1 ? std::sqrt(variance / (passes - 1)) : 0};
 }
 
-/// Over all passes with a ladder: shares that went on from each level, accepted shares.
-/// @param name  of the group of lights, if it is that of one.
-Json ladder_json(const Film& film, const std::string& name = "") {
+/// Over all passes with a splitting: shares that went on from each level, accepted shares.
+/// @param name  of the stratum of lights, if it is that of one.
+Json splitting_json(const Film& film, const std::string& name = "") {
     Json fractions = Json::array();
     Json acceptance = Json::array();
     const auto statistic = [&](std::size_t level, const char* what) {
@@ -53,21 +53,21 @@ Json ladder_json(const Film& film, const std::string& name = "") {
             {"acceptance", acceptance}};
 }
 
-/// Means over the passes whose lights were in groups, group by group.
-Json groups_json(const Film& film) {
-    Json groups = Json::array();
+/// Means over the passes whose lights were in strata, stratum by stratum.
+Json strata_json(const Film& film) {
+    Json strata = Json::array();
     while (true) {
-        const std::string name = fmt::format("group.{}.", groups.size());
+        const std::string name = fmt::format("group.{}.", strata.size());
         const auto statistic = [&](const char* what) { return film.statistic(name + what); };
         const double passes = statistic("passes");
-        if (passes == 0) return groups;
-        groups.push_back(
+        if (passes == 0) return strata;
+        strata.push_back(
             {{"passes", static_cast<std::uint64_t>(passes)},
              {"power_share", statistic("power_share") / passes},
              {"visible_fraction", statistic("visible_fraction") / passes},
              {"paths", statistic("paths") / passes},
              {"starved_passes", static_cast<std::uint64_t>(statistic("starved_passes"))},
-             {"ladder", ladder_json(film, name)}});
+             {"ladder", splitting_json(film, name)}});
     }
 }
 
@@ -146,13 +146,13 @@ void add_render(const Film& film, const RunFacts& facts, Json& json) {
     json["passes"] = film.pass_count();
     for (const PassRange& range : film.passes().ranges())
         json["pass_ranges"].push_back({range.begin, range.end});
-    json["rounds"] = film.rounds();
+    json["rounds"] = film.batches();
 }
 
 /// Deposits are made while tracing: they are part of "photon".
 Json seconds_json(const RunFacts& facts) {
     return {{"load", facts.load_seconds},     {"build", facts.seconds.build},
-            {"eye", facts.seconds.eye},       {"index", facts.seconds.index},
+            {"eye", facts.seconds.camera},    {"index", facts.seconds.index},
             {"photon", facts.seconds.photon}, {"learn", facts.seconds.learn},
             {"total", facts.total_seconds}};
 }
@@ -172,8 +172,8 @@ Json photon_paths_json(const Film& film) {
 void add_sampling(const Film& film, Json& json) {
     json["photon_paths"] = photon_paths_json(film);
     json["epochs"] = epochs_json(film);
-    json["ladder"] = ladder_json(film);
-    json["light_groups"] = groups_json(film);
+    json["ladder"] = splitting_json(film);
+    json["light_groups"] = strata_json(film);
     json["visible_photon_ratio"] = visible_ratio(film, "distinct_visible");
     json["visible_photon_ratio_with_repeats"] = visible_ratio(film, "visible_states");
     json["mutation_size"] = mutation_size(film);
@@ -184,7 +184,7 @@ void add_sampling(const Film& film, Json& json) {
     json["visible_fraction"] = {{"value", fraction.value}, {"std_error", fraction.error}};
 }
 
-/// Luminance beyond which squares are cut, of the heaviest rounds.
+/// Luminance beyond which squares are cut, of the heaviest batches.
 double largest_luminance(const Film& film) {
     const HeavyPasses& heavy = film.sums().heavy;
     return std::sqrt(kLargestTerm / (heavy.empty() ? 1 : heavy.rbegin()->first));
@@ -223,8 +223,8 @@ std::vector<std::string> reliability_warnings(const Film& film) {
         lines.push_back(fmt::format(
             "the brightness of the whole picture is uncertain by {:.0f}%, "
             "from {} batches of {} passes{}",
-            100 * brightness / error->mean, film.rounds(), kRoundPasses,
-            film.rounds() < kTargetRounds ? ", too few to say it well: render more passes" : ""));
+            100 * brightness / error->mean, film.batches(), kBatchPasses,
+            film.batches() < kTargetBatches ? ", too few to say it well: render more passes" : ""));
     if (is_too_dim(film))
         lines.push_back(
             fmt::format("the picture is so dark, {:.2g} on average, that its error bars "

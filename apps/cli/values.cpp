@@ -97,7 +97,7 @@ Vec2i read_size(const std::string& text, const std::string& flag) {
     return {v[0], v[1]};
 }
 
-LayerFactor read_factor(const std::string& text) {
+LightGroupFactor read_factor(const std::string& text) {
     const std::size_t equals = std::min(text.find('='), text.size());
     std::vector<float> factors;
     std::string rest = text.substr(equals);
@@ -123,19 +123,19 @@ std::array<int, 4> read_crop(const std::string& text, const std::string& flag) {
     return {v[0], v[1], v[2], v[3]};
 }
 
-LayerSet read_layers(const std::string& text, const std::string& flag) {
-    LayerSet set{};
+AovSet read_aovs(const std::string& text, const std::string& flag) {
+    AovSet set{};
     std::string known;
-    for (const LayerRow& row : kLayers)
+    for (const AovRow& row : kAovs)
         if (!row.name.empty()) known += (known.empty() ? "" : ", ") + std::string(row.name);
     std::size_t begin = 0;
     while (begin < text.size()) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string word = text.substr(begin, end - begin);
         bool found = false;
-        for (const LayerRow& row : kLayers) {
+        for (const AovRow& row : kAovs) {
             if (row.name != word || word.empty()) continue;
-            set[static_cast<std::size_t>(row.layer)] = true;
+            set[static_cast<std::size_t>(row.aov)] = true;
             found = true;
         }
         if (!found) throw Error({flag}, "unknown layer \"" + word + "\"", "use some of " + known);

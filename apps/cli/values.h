@@ -25,11 +25,11 @@ std::uint64_t read_seed(const std::string& text, const std::string& flag);
 /// "640x480". @throws Error naming the flag.
 Vec2i read_size(const std::string& text, const std::string& flag);
 /// NAME=FACTOR or NAME=R,G,B. @throws Error naming the text.
-LayerFactor read_factor(const std::string& text);
+LightGroupFactor read_factor(const std::string& text);
 /// "a,b,c,d". @throws Error naming the flag.
 std::array<int, 4> read_crop(const std::string& text, const std::string& flag);
 /// "caustic,depth"; empty: none. @throws Error naming the flag.
-LayerSet read_layers(const std::string& text, const std::string& flag);
+AovSet read_aovs(const std::string& text, const std::string& flag);
 /// "a:b", into first and end pass. @throws Error naming the flag.
 void read_pass_range(const std::string& text, const std::string& flag, StopSettings& stop);
 

@@ -1,4 +1,4 @@
-// The layers of light and features that a pass measures for each pixel: one row each.
+// The aovs of light and features that a pass measures for each pixel: one row each.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace sunfleck {
 
-enum class Layer : std::size_t {
+enum class Aov : std::size_t {
     total,     // all light, radiance
     direct,    // light that comes straight from an emitter to what is seen
     caustic,   // light from an emitter by way of smooth glass or metal alone
@@ -21,28 +21,28 @@ enum class Layer : std::size_t {
     count
 };
 
-struct LayerRow {
-    Layer layer;
+struct AovRow {
+    Aov aov;
     std::string_view name;      // as the user writes it and as EXR channels begin
     std::string_view channels;  // one letter each, at most three
 };
 
-inline constexpr std::size_t kLayerCount = static_cast<std::size_t>(Layer::count);
+inline constexpr std::size_t kAovCount = static_cast<std::size_t>(Aov::count);
 
-inline constexpr std::array<LayerRow, kLayerCount> kLayers = {{
-    {Layer::total, "", "RGB"},
-    {Layer::direct, "direct", "RGB"},
-    {Layer::caustic, "caustic", "RGB"},
-    {Layer::indirect, "indirect", "RGB"},
-    {Layer::emission, "emission", "RGB"},
-    {Layer::albedo, "albedo", "RGB"},
-    {Layer::normal, "normal", "XYZ"},
-    {Layer::depth, "depth", "Z"},
-    {Layer::samples, "samples", "N"},
+inline constexpr std::array<AovRow, kAovCount> kAovs = {{
+    {Aov::total, "", "RGB"},
+    {Aov::direct, "direct", "RGB"},
+    {Aov::caustic, "caustic", "RGB"},
+    {Aov::indirect, "indirect", "RGB"},
+    {Aov::emission, "emission", "RGB"},
+    {Aov::albedo, "albedo", "RGB"},
+    {Aov::normal, "normal", "XYZ"},
+    {Aov::depth, "depth", "Z"},
+    {Aov::samples, "samples", "N"},
 }};
 
-/// Can a layer of some lights be called so? A letter, then letters, digits, _ and -.
-constexpr bool is_layer_name(std::string_view name) {
+/// Can a aov of some lights be called so? A letter, then letters, digits, _ and -.
+constexpr bool is_aov_name(std::string_view name) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     if (name.empty() || !is_letter(name[0])) return false;
     for (const char c : name)
@@ -50,9 +50,9 @@ constexpr bool is_layer_name(std::string_view name) {
     return true;
 }
 
-/// Is there another layer of that name in each picture?
-constexpr bool is_taken_layer_name(std::string_view name) {
-    for (const LayerRow& row : kLayers)
+/// Is there another aov of that name in each picture?
+constexpr bool is_taken_aov_name(std::string_view name) {
+    for (const AovRow& row : kAovs)
         if (row.name == name) return true;
     return name == "error" || name == "bias";
 }

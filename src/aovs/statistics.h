@@ -9,14 +9,14 @@
 namespace sunfleck {
 
 enum class Count : std::size_t {
-    eye_rays,           // rays of camera paths and of direct light
+    camera_rays,        // rays of camera paths and of direct light
     photon_rays,        // rays of photon paths
     camera_paths,       // camera paths
     visible_points,     // visible points
     uniform_paths,      // photon paths traced from uniform numbers
-    mapped_paths,       // photon paths whose emission went through a map
+    guided_paths,       // photon paths whose emission went through a map
     uniform_visible,    // uniform paths with a photon that a visible point takes
-    mapped_visible,     // the same of mapped paths
+    guided_visible,     // the same of mapped paths
     mutated_paths,      // photon paths proposed by mutation
     accepted_paths,     // of these, accepted
     distinct_visible,   // different photon paths that brought light
@@ -38,14 +38,14 @@ struct CountRow {
 inline constexpr std::size_t kCounts = static_cast<std::size_t>(Count::count);
 
 inline constexpr std::array<CountRow, kCounts> kCountRows = {{
-    {Count::eye_rays, "eye_rays"},
+    {Count::camera_rays, "eye_rays"},
     {Count::photon_rays, "photon_rays"},
     {Count::camera_paths, "camera_paths"},
     {Count::visible_points, "visible_points"},
     {Count::uniform_paths, "uniform_paths"},
-    {Count::mapped_paths, "mapped_paths"},
+    {Count::guided_paths, "mapped_paths"},
     {Count::uniform_visible, "uniform_visible"},
-    {Count::mapped_visible, "mapped_visible"},
+    {Count::guided_visible, "mapped_visible"},
     {Count::mutated_paths, "mutated_paths"},
     {Count::accepted_paths, "accepted_paths"},
     {Count::distinct_visible, "distinct_visible"},

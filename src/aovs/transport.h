@@ -1,5 +1,5 @@
-// Choices that eye paths, photon paths and reference integrators share: who brings which light, and
-// where it counts.
+// Choices that camera paths, photon paths and reference integrators share: who brings which light,
+// and where it counts.
 #pragma once
 
 #include "aovs/light_groups.h"
@@ -8,7 +8,7 @@ namespace sunfleck {
 
 /// Who brings the light that comes straight from an emitter to a surface that gathers.
 enum class DirectLight {
-    sampled,  // the eye path samples it; photons count from their second hit on
+    sampled,  // the camera path samples it; photons count from their second hit on
     photons   // photons bring it too
 };
 
@@ -17,7 +17,7 @@ inline constexpr int kDefaultMaxDepth = 64;
 struct TransportSettings {
     DirectLight direct = DirectLight::sampled;
     int max_depth = kDefaultMaxDepth;  // scattering events on a whole path, eye and light together
-    LightLayers light_layers{};
+    LightGroups light_groups{};
 };
 
 }  // namespace sunfleck

@@ -26,22 +26,21 @@ using Bsdf = BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielect
                          CoatedConductor, DiffuseTransmission>;
 
 /// f per steradian, without the cosine; zero for delta lobes (bsdf/model.h).
-inline Spectrum eval(const Bsdf& bsdf, const Vec3& w_from, const Vec3& w_to, Transport transport) {
-    return std::visit([&](const auto& b) { return b.eval(w_from, w_to, transport); }, bsdf);
+inline SampledSpectrum eval(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi, Transport transport) {
+    return std::visit([&](const auto& b) { return b.eval(wo, wi, transport); }, bsdf);
 }
 
-/// Density per steradian with which sample() chooses w_to, given w_from; zero for delta lobes.
+/// Density per steradian with which sample() chooses wi, given wo; zero for delta lobes.
 /// Dispersive and glossy: see RoughDielectric::pdf.
-inline float pdf(const Bsdf& bsdf, const Vec3& w_from, const Vec3& w_to, Transport transport) {
-    return std::visit([&](const auto& b) { return b.pdf(w_from, w_to, transport); }, bsdf);
+inline float pdf(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi, Transport transport) {
+    return std::visit([&](const auto& b) { return b.pdf(wo, wi, transport); }, bsdf);
 }
 
 /// A direction to go on in; nothing when the light is absorbed.
-inline std::optional<BsdfSample> sample(const Bsdf& bsdf, const Vec3& w_from,
-                                        const BsdfDraw& draw) {
+inline std::optional<BsdfSample> sample(const Bsdf& bsdf, const Vec3& wo, const BsdfDraw& draw) {
     // Most surfaces are: worth the compiler's seeing through.
-    if (const auto* lambert = std::get_if<Lambert>(&bsdf)) return lambert->sample(w_from, draw);
-    return std::visit([&](const auto& b) { return b.sample(w_from, draw); }, bsdf);
+    if (const auto* lambert = std::get_if<Lambert>(&bsdf)) return lambert->sample(wo, draw);
+    return std::visit([&](const auto& b) { return b.sample(wo, draw); }, bsdf);
 }
 
 inline Scattering scattering(const Bsdf& bsdf) {
@@ -54,15 +53,15 @@ inline bool gathers(const Bsdf& bsdf, float z_from, float z_to) {
     return std::visit([&](const auto& b) { return b.gathers(z_from, z_to); }, bsdf);
 }
 
-/// Of a diffuse surface: share of the light of each lane that it scatters.
-inline Spectrum spread_share(const Bsdf& bsdf, const Vec3& w_from) {
-    if (const auto* base = std::get_if<CoatedBase>(&bsdf)) return base->reflectance(w_from);
+/// Of a diffuse surface: share of the light of each wavelength that it scatters.
+inline SampledSpectrum spread_share(const Bsdf& bsdf, const Vec3& wo) {
+    if (const auto* base = std::get_if<CoatedBase>(&bsdf)) return base->reflectance(wo);
     if (const auto* sheet = std::get_if<DiffuseTransmission>(&bsdf))
         return sheet->reflectance + sheet->transmittance;
     return std::get<Lambert>(bsdf).albedo;
 }
 
-/// Whether lanes part in direction here.
+/// Whether wavelengths part in direction here.
 inline bool is_dispersive(const Bsdf& bsdf) {
     return std::visit(
         []<class B>(const B& b) {
@@ -74,20 +73,21 @@ inline bool is_dispersive(const Bsdf& bsdf) {
 
 /// The probability with which sample() takes the first of two delta lobes: with draw.u.x below it.
 /// Zero for a surface that has no two.
-inline float mirror_share(const Bsdf& bsdf, const Vec3& w_from, const LaneChoice& lanes) {
+inline float mirror_share(const Bsdf& bsdf, const Vec3& wo, const HeroWavelength& hero) {
     return std::visit(
         [&]<class B>(const B& b) -> float {
-            if constexpr (TwoLobedModel<B>) return b.mirror_share(w_from, lanes);
+            if constexpr (TwoLobedModel<B>) return b.mirror_share(wo, hero);
             return 0;
         },
         bsdf);
 }
 
-/// The same with that lane's index in every lane: no longer dispersive. @param lane  below kLanes.
-inline Bsdf for_lane(const Bsdf& bsdf, std::size_t lane) {
+/// The same with that wavelength's index in every wavelength: no longer dispersive. @param
+/// wavelength  below kWavelengths.
+inline Bsdf at_wavelength(const Bsdf& bsdf, std::size_t wavelength) {
     return std::visit(
         [&]<class B>(const B& b) -> Bsdf {
-            if constexpr (DispersiveModel<B>) return b.for_lane(lane);
+            if constexpr (DispersiveModel<B>) return b.at_wavelength(wavelength);
             return b;
         },
         bsdf);

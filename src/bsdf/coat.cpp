@@ -61,10 +61,10 @@ float Coat::passed_rough(float cosine) const {
         if (!(c > 0)) return 0.0F;
         const float far = refracted_cosine(1 - c * c, eta_);
         if (far == 0) return 0.0F;
-        const Vec3 w_to = (h * (c / eta_ - far) - w / eta_).normalized();
-        if (!(w_to.z < 0)) return 0.0F;
+        const Vec3 wi = (h * (c / eta_ - far) - w / eta_).normalized();
+        if (!(wi.z < 0)) return 0.0F;
         return (1 - dielectric_reflectance(c, far, eta_)) *
-               facets_->shadowing_given_masking(w, w_to) * faded(-w_to.z);
+               facets_->shadowing_given_masking(w, wi) * faded(-wi.z);
     });
 }
 
@@ -77,10 +77,10 @@ float Coat::returned_rough(float cosine) const {
     const Vec3 w = between_axes(cosine);
     return faded(cosine) * mean_over_facets(*facets_, w, [&](const Vec3& h) {
                const float c = std::min(1.0F, w.dot(h));
-               const Vec3 w_to = h * (2 * c) - w;
-               if (!(c > 0) || !(w_to.z > 0)) return 0.0F;
+               const Vec3 wi = h * (2 * c) - w;
+               if (!(c > 0) || !(wi.z > 0)) return 0.0F;
                return dielectric_reflectance(c, 1 / eta_) *
-                      facets_->shadowing_given_masking(w, w_to) * faded(w_to.z);
+                      facets_->shadowing_given_masking(w, wi) * faded(wi.z);
            });
 }
 

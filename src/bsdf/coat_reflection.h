@@ -12,39 +12,39 @@ namespace sunfleck {
 struct CoatReflection {
     const Coat* coat;  // its material's: outlives all that scatters from it
 
-    Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport) const {
-        const Vec3 sum = w_from + w_to;
+    SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport) const {
+        const Vec3 sum = wo + wi;
         const float length = sum.length();
-        if (!gathers(w_from.z, w_to.z) || !(length > 0)) return {};
+        if (!gathers(wo.z, wi.z) || !(length > 0)) return {};
         const Ggx& facets = *coat->facets();
-        return Spectrum(coat->reflectance(std::min(1.0F, 0.5F * length)) *
-                        facets.density(sum / length) * facets.shadowing_over_cosines(w_from, w_to) *
-                        0.25F);
+        return SampledSpectrum(coat->reflectance(std::min(1.0F, 0.5F * length)) *
+                               facets.density(sum / length) *
+                               facets.shadowing_over_cosines(wo, wi) * 0.25F);
     }
 
-    float pdf(const Vec3& w_from, const Vec3& w_to, Transport) const {
-        const Vec3 sum = w_from + w_to;
+    float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+        const Vec3 sum = wo + wi;
         const float length = sum.length();
-        if (!gathers(w_from.z, w_to.z) || !(length > 0)) return 0;
-        return coat->facets()->visible_density_over_cosine(w_from, sum / length) * 0.25F;
+        if (!gathers(wo.z, wi.z) || !(length > 0)) return 0;
+        return coat->facets()->visible_density_over_cosine(wo, sum / length) * 0.25F;
     }
 
-    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
-        if (w_from.z == 0) return {};
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+        if (wo.z == 0) return {};
         if (!coat->facets())
-            return BsdfSample{Spectrum(coat->reflectance(std::min(1.0F, std::abs(w_from.z)))),
-                              Vec3(-w_from.x, -w_from.y, w_from.z),
+            return BsdfSample{SampledSpectrum(coat->reflectance(std::min(1.0F, std::abs(wo.z)))),
+                              Vec3(-wo.x, -wo.y, wo.z),
                               {}};
         const Ggx& facets = *coat->facets();
-        const float side = std::copysign(1.0F, w_from.z);
-        const Vec3 w = w_from * side;
+        const float side = std::copysign(1.0F, wo.z);
+        const Vec3 w = wo * side;
         const Vec3 h = facets.sample_visible(w, draw.u.y, draw.u.z);
         const float cosine = std::min(1.0F, w.dot(h));
         const Vec3 mirrored = h * (2 * cosine) - w;
         if (!(cosine > 0) || !(mirrored.z > 0)) return {};
-        return BsdfSample{
-            Spectrum(coat->reflectance(cosine) * facets.shadowing_given_masking(w, mirrored)),
-            mirrored * side, facets.visible_density_over_cosine(w, h) * 0.25F};
+        return BsdfSample{SampledSpectrum(coat->reflectance(cosine) *
+                                          facets.shadowing_given_masking(w, mirrored)),
+                          mirrored * side, facets.visible_density_over_cosine(w, h) * 0.25F};
     }
 
     Scattering scattering() const {

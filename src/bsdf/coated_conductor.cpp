@@ -18,7 +18,7 @@ Ggx widened(const std::optional<Ggx>& metal, const Coat& coat) {
 
 }  // namespace
 
-CoatedConductor::CoatedConductor(const Spectrum& eta, const Spectrum& k,
+CoatedConductor::CoatedConductor(const SampledSpectrum& eta, const SampledSpectrum& k,
                                  const std::optional<Ggx>& facets, const Coat* coat)
     : eta_(eta / coat->eta()),
       k_(k / coat->eta()),
@@ -34,68 +34,68 @@ CoatedConductor::Inner CoatedConductor::inner(const Vec3& w) const {
             coat_->reflectance(cosine), coat_->faded(within)};
 }
 
-Spectrum CoatedConductor::smooth_reflectance(float cosine) const {
+SampledSpectrum CoatedConductor::smooth_reflectance(float cosine) const {
     const float eta = coat_->eta();
     const float within = refracted_cosine(1 - cosine * cosine, eta);
-    if (within == 0) return Spectrum(1);
+    if (within == 0) return SampledSpectrum(1);
     const float top = coat_->reflectance(cosine);
     const float fade = coat_->faded(within) * coat_->faded(within);
-    const Spectrum metal = conductor_reflectance(within, eta_, k_);
-    return Spectrum(top) +
-           metal * ((1 - top) * (1 - top) * fade) / (Spectrum(1) - metal * (top * fade));
+    const SampledSpectrum metal = conductor_reflectance(within, eta_, k_);
+    return SampledSpectrum(top) +
+           metal * ((1 - top) * (1 - top) * fade) / (SampledSpectrum(1) - metal * (top * fade));
 }
 
-Spectrum CoatedConductor::metal_eval(const Vec3& w_from, const Vec3& w_to) const {
-    const Inner a = inner(w_from);
-    const Inner b = inner(w_to);
+SampledSpectrum CoatedConductor::metal_eval(const Vec3& wo, const Vec3& wi) const {
+    const Inner a = inner(wo);
+    const Inner b = inner(wi);
     const Vec3 sum = a.w + b.w;
     const float length = sum.length();
     if (!(length > 0) || a.w.z == 0 || b.w.z == 0) return {};
     const float eta = coat_->eta();
     const float shape = facets_.density(sum / length) * facets_.shadowing_over_cosines(a.w, b.w) *
                         0.25F * a.passed * b.passed / (eta * eta);
-    const Spectrum metal = conductor_reflectance(std::min(1.0F, 0.5F * length), eta_, k_);
+    const SampledSpectrum metal = conductor_reflectance(std::min(1.0F, 0.5F * length), eta_, k_);
     const float again = std::sqrt(a.coat * b.coat) * a.fade * b.fade;
-    return metal * shape / (Spectrum(1) - metal * again);
+    return metal * shape / (SampledSpectrum(1) - metal * again);
 }
 
-float CoatedConductor::metal_pdf(const Vec3& w_from, const Vec3& w_to) const {
-    const Inner a = inner(w_from);
-    const Inner b = inner(w_to);
+float CoatedConductor::metal_pdf(const Vec3& wo, const Vec3& wi) const {
+    const Inner a = inner(wo);
+    const Inner b = inner(wi);
     const Vec3 sum = a.w + b.w;
     const float length = sum.length();
     if (!(length > 0) || b.w.z == 0) return 0;
     const float eta = coat_->eta();
-    return facets_.visible_density_over_cosine(a.w, sum / length) * 0.25F * std::abs(w_to.z) /
+    return facets_.visible_density_over_cosine(a.w, sum / length) * 0.25F * std::abs(wi.z) /
            (eta * eta * std::abs(b.w.z));
 }
 
-Spectrum CoatedConductor::eval(const Vec3& w_from, const Vec3& w_to, Transport transport) const {
-    if (!gathers(w_from.z, w_to.z)) return {};
-    Spectrum f = metal_eval(w_from, w_to);
-    if (coat_->facets()) f += CoatReflection{coat_}.eval(w_from, w_to, transport);
+SampledSpectrum CoatedConductor::eval(const Vec3& wo, const Vec3& wi, Transport transport) const {
+    if (!gathers(wo.z, wi.z)) return {};
+    SampledSpectrum f = metal_eval(wo, wi);
+    if (coat_->facets()) f += CoatReflection{coat_}.eval(wo, wi, transport);
     return f;
 }
 
-float CoatedConductor::pdf(const Vec3& w_from, const Vec3& w_to, Transport transport) const {
-    if (!gathers(w_from.z, w_to.z)) return 0;
-    const float top = chance_of_top(w_from);
-    const float metal = (1 - top) * metal_pdf(w_from, w_to);
+float CoatedConductor::pdf(const Vec3& wo, const Vec3& wi, Transport transport) const {
+    if (!gathers(wo.z, wi.z)) return 0;
+    const float top = chance_of_top(wo);
+    const float metal = (1 - top) * metal_pdf(wo, wi);
     if (!coat_->facets()) return metal;
-    return metal + top * CoatReflection{coat_}.pdf(w_from, w_to, transport);
+    return metal + top * CoatReflection{coat_}.pdf(wo, wi, transport);
 }
 
-float CoatedConductor::chance_of_top(const Vec3& w_from) const {
-    const Inner a = inner(w_from);
+float CoatedConductor::chance_of_top(const Vec3& wo) const {
+    const Inner a = inner(wo);
     const float metal = a.passed * a.passed *
                         conductor_reflectance(std::max(0.01F, std::abs(a.w.z)), eta_, k_).mean();
     return a.coat / (a.coat + metal + 1e-6F);
 }
 
 /// A direction in the air by the metal's lobe; nothing when it cannot leave the coat.
-std::optional<Vec3> CoatedConductor::sample_metal(const Vec3& w_from, const BsdfDraw& draw) const {
-    const float side = std::copysign(1.0F, w_from.z);
-    const Vec3 w = inner(w_from).w * side;
+std::optional<Vec3> CoatedConductor::sample_metal(const Vec3& wo, const BsdfDraw& draw) const {
+    const float side = std::copysign(1.0F, wo.z);
+    const Vec3 w = inner(wo).w * side;
     if (!(w.z > 0)) return {};
     const Vec3 h = facets_.sample_visible(w, draw.u.y, draw.u.z);
     const Vec3 mirrored = h * (2 * w.dot(h)) - w;
@@ -107,28 +107,26 @@ std::optional<Vec3> CoatedConductor::sample_metal(const Vec3& w_from, const Bsdf
     return Vec3(x, y, std::sqrt(height2)) * side;
 }
 
-std::optional<BsdfSample> CoatedConductor::sample(const Vec3& w_from, const BsdfDraw& draw) const {
-    if (w_from.z == 0) return {};
+std::optional<BsdfSample> CoatedConductor::sample(const Vec3& wo, const BsdfDraw& draw) const {
+    if (wo.z == 0) return {};
     if (is_smooth_)
-        return BsdfSample{smooth_reflectance(std::min(1.0F, std::abs(w_from.z))),
-                          Vec3(-w_from.x, -w_from.y, w_from.z),
-                          {}};
-    const float chance = chance_of_top(w_from);
-    std::optional<Vec3> w_to;
+        return BsdfSample{
+            smooth_reflectance(std::min(1.0F, std::abs(wo.z))), Vec3(-wo.x, -wo.y, wo.z), {}};
+    const float chance = chance_of_top(wo);
+    std::optional<Vec3> wi;
     if (draw.u.x < chance) {
-        auto top = CoatReflection{coat_}.sample(w_from, draw);
+        auto top = CoatReflection{coat_}.sample(wo, draw);
         if (!top) return {};
         if (!top->pdf) top->weight /= chance;
         if (!top->pdf) return top;
-        w_to = top->w_to;
+        wi = top->wi;
     } else {
-        w_to = sample_metal(w_from, draw);
+        wi = sample_metal(wo, draw);
     }
-    if (!w_to) return {};
-    const float density = pdf(w_from, *w_to, draw.transport);
+    if (!wi) return {};
+    const float density = pdf(wo, *wi, draw.transport);
     if (!(density > 0)) return {};
-    return BsdfSample{eval(w_from, *w_to, draw.transport) * (std::abs(w_to->z) / density), *w_to,
-                      density};
+    return BsdfSample{eval(wo, *wi, draw.transport) * (std::abs(wi->z) / density), *wi, density};
 }
 
 }  // namespace sunfleck

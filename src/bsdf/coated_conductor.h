@@ -17,12 +17,12 @@ namespace sunfleck {
 class CoatedConductor {
 public:
     /// @param eta, k  of the metal over the air. @param facets  of the metal; none: smooth.
-    CoatedConductor(const Spectrum& eta, const Spectrum& k, const std::optional<Ggx>& facets,
-                    const Coat* coat);
+    CoatedConductor(const SampledSpectrum& eta, const SampledSpectrum& k,
+                    const std::optional<Ggx>& facets, const Coat* coat);
 
-    Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport transport) const;
-    float pdf(const Vec3& w_from, const Vec3& w_to, Transport transport) const;
-    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const;
+    SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport transport) const;
+    float pdf(const Vec3& wo, const Vec3& wi, Transport transport) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const;
 
     Scattering scattering() const { return is_smooth_ ? Scattering::specular : Scattering::glossy; }
     bool gathers(float z_from, float z_to) const { return !is_smooth_ && z_from * z_to > 0; }
@@ -36,14 +36,14 @@ private:
     };
 
     Inner inner(const Vec3& w) const;
-    Spectrum smooth_reflectance(float cosine) const;
-    Spectrum metal_eval(const Vec3& w_from, const Vec3& w_to) const;
-    float metal_pdf(const Vec3& w_from, const Vec3& w_to) const;
-    std::optional<Vec3> sample_metal(const Vec3& w_from, const BsdfDraw& draw) const;
-    float chance_of_top(const Vec3& w_from) const;
+    SampledSpectrum smooth_reflectance(float cosine) const;
+    SampledSpectrum metal_eval(const Vec3& wo, const Vec3& wi) const;
+    float metal_pdf(const Vec3& wo, const Vec3& wi) const;
+    std::optional<Vec3> sample_metal(const Vec3& wo, const BsdfDraw& draw) const;
+    float chance_of_top(const Vec3& wo) const;
 
-    Spectrum eta_;  // over the coat's
-    Spectrum k_;
+    SampledSpectrum eta_;  // over the coat's
+    SampledSpectrum k_;
     Ggx facets_;
     const Coat* coat_;
     bool is_smooth_;

@@ -14,21 +14,21 @@ namespace sunfleck {
 
 /// What comes back from the base; both sides alike.
 struct CoatedBase {
-    Spectrum albedo;  // of the base, per lane; times returning() below one
+    SampledSpectrum albedo;  // of the base, per wavelength; times returning() below one
     const Coat* coat;
 
-    Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport) const {
-        if (!gathers(w_from.z, w_to.z)) return {};
-        return scattered() * (entering(w_from) * entering(w_to) / kPi);
+    SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport) const {
+        if (!gathers(wo.z, wi.z)) return {};
+        return scattered() * (entering(wo) * entering(wi) / kPi);
     }
 
-    float pdf(const Vec3& w_from, const Vec3& w_to, Transport transport) const {
-        return Lambert{albedo}.pdf(w_from, w_to, transport);
+    float pdf(const Vec3& wo, const Vec3& wi, Transport transport) const {
+        return Lambert{albedo}.pdf(wo, wi, transport);
     }
 
-    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
-        auto drawn = Lambert{scattered()}.sample(w_from, draw);
-        if (drawn) drawn->weight *= entering(w_from) * entering(drawn->w_to);
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+        auto drawn = Lambert{scattered()}.sample(wo, draw);
+        if (drawn) drawn->weight *= entering(wo) * entering(drawn->wi);
         return drawn;
     }
 
@@ -36,13 +36,13 @@ struct CoatedBase {
     static bool gathers(float z_from, float z_to) { return Lambert::gathers(z_from, z_to); }
 
     /// Of light that has entered: radiance towards the air, times pi.
-    Spectrum scattered() const {
+    SampledSpectrum scattered() const {
         const float eta = coat->eta();
-        return albedo / ((Spectrum(1) - albedo * coat->returning()) * (eta * eta));
+        return albedo / ((SampledSpectrum(1) - albedo * coat->returning()) * (eta * eta));
     }
     /// Share of the light from that side that the base sends back into the air.
-    Spectrum reflectance(const Vec3& w_from) const {
-        return scattered() * (entering(w_from) * coat->mean_entering());
+    SampledSpectrum reflectance(const Vec3& wo) const {
+        return scattered() * (entering(wo) * coat->mean_entering());
     }
 
 private:
@@ -50,40 +50,39 @@ private:
 };
 
 struct CoatedDiffuse {
-    Spectrum albedo;
+    SampledSpectrum albedo;
     const Coat* coat;
 
     CoatReflection top() const { return {coat}; }
     CoatedBase base() const { return {albedo, coat}; }
 
-    Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport transport) const {
-        Spectrum f = base().eval(w_from, w_to, transport);
-        if (coat->facets()) f += top().eval(w_from, w_to, transport);
+    SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport transport) const {
+        SampledSpectrum f = base().eval(wo, wi, transport);
+        if (coat->facets()) f += top().eval(wo, wi, transport);
         return f;
     }
 
-    float pdf(const Vec3& w_from, const Vec3& w_to, Transport transport) const {
-        const float chance = chance_of_top(w_from);
-        const float below = (1 - chance) * base().pdf(w_from, w_to, transport);
-        return coat->facets() ? below + chance * top().pdf(w_from, w_to, transport) : below;
+    float pdf(const Vec3& wo, const Vec3& wi, Transport transport) const {
+        const float chance = chance_of_top(wo);
+        const float below = (1 - chance) * base().pdf(wo, wi, transport);
+        return coat->facets() ? below + chance * top().pdf(wo, wi, transport) : below;
     }
 
     /// The coat's reflection or the base's light, by u.x.
-    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
-        if (w_from.z == 0) return {};
-        const float chance = chance_of_top(w_from);
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+        if (wo.z == 0) return {};
+        const float chance = chance_of_top(wo);
         const bool above = draw.u.x < chance;
-        auto drawn = above ? top().sample(w_from, draw) : base().sample(w_from, draw);
+        auto drawn = above ? top().sample(wo, draw) : base().sample(wo, draw);
         if (!drawn) return {};
         if (!coat->facets()) {
             drawn->weight /= above ? chance : 1 - chance;
             if (drawn->pdf) *drawn->pdf *= 1 - chance;
             return drawn;
         }
-        const float density = pdf(w_from, drawn->w_to, draw.transport);
+        const float density = pdf(wo, drawn->wi, draw.transport);
         if (!(density > 0)) return {};
-        drawn->weight =
-            eval(w_from, drawn->w_to, draw.transport) * (std::abs(drawn->w_to.z) / density);
+        drawn->weight = eval(wo, drawn->wi, draw.transport) * (std::abs(drawn->wi.z) / density);
         drawn->pdf = density;
         return drawn;
     }
@@ -92,9 +91,9 @@ struct CoatedDiffuse {
     static bool gathers(float z_from, float z_to) { return CoatedBase::gathers(z_from, z_to); }
 
 private:
-    float chance_of_top(const Vec3& w_from) const {
-        const float above = coat->reflectance(std::min(1.0F, std::abs(w_from.z)));
-        return above / (above + base().reflectance(w_from).mean() + 1e-6F);
+    float chance_of_top(const Vec3& wo) const {
+        const float above = coat->reflectance(std::min(1.0F, std::abs(wo.z)));
+        return above / (above + base().reflectance(wo).mean() + 1e-6F);
     }
 };
 

@@ -9,28 +9,27 @@
 namespace sunfleck {
 
 struct DiffuseTransmission {
-    Spectrum reflectance;    // per lane; with the transmittance at most one
-    Spectrum transmittance;  // likewise
+    SampledSpectrum reflectance;    // per wavelength; with the transmittance at most one
+    SampledSpectrum transmittance;  // likewise
 
-    Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport) const {
-        if (!gathers(w_from.z, w_to.z)) return {};
-        return (w_from.z * w_to.z > 0 ? reflectance : transmittance) / kPi;
+    SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport) const {
+        if (!gathers(wo.z, wi.z)) return {};
+        return (wo.z * wi.z > 0 ? reflectance : transmittance) / kPi;
     }
 
-    float pdf(const Vec3& w_from, const Vec3& w_to, Transport) const {
-        if (!gathers(w_from.z, w_to.z)) return 0;
+    float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+        if (!gathers(wo.z, wi.z)) return 0;
         const float back = chance_back();
-        return std::abs(w_to.z) / kPi * (w_from.z * w_to.z > 0 ? back : 1 - back);
+        return std::abs(wi.z) / kPi * (wo.z * wi.z > 0 ? back : 1 - back);
     }
 
-    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
         const float back = chance_back();
         const bool reflects = draw.u.x < back;
         const float chance = reflects ? back : 1 - back;
-        auto drawn =
-            Lambert{(reflects ? reflectance : transmittance) / chance}.sample(w_from, draw);
+        auto drawn = Lambert{(reflects ? reflectance : transmittance) / chance}.sample(wo, draw);
         if (!drawn) return {};
-        if (!reflects) drawn->w_to.z = -drawn->w_to.z;
+        if (!reflects) drawn->wi.z = -drawn->wi.z;
         *drawn->pdf *= chance;
         return drawn;
     }
@@ -39,7 +38,7 @@ struct DiffuseTransmission {
     static bool gathers(float z_from, float z_to) { return z_from != 0 && z_to != 0; }
 
 private:
-    /// Of reflection; never zero or one, for a lane may have what their mean lacks.
+    /// Of reflection; never zero or one, for a wavelength may have what their mean lacks.
     float chance_back() const {
         const float back = reflectance.mean();
         const float both = back + transmittance.mean();

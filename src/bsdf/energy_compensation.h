@@ -21,14 +21,14 @@ struct RegainedByMetal {
     float lost(float z) const { return losses.of_mirror(facets, std::abs(z)); }
 
     /// The share that further facets reflect of what a first one has lost, colours deepened.
-    Spectrum reflectance(const Spectrum& eta, const Spectrum& k) const {
+    SampledSpectrum reflectance(const SampledSpectrum& eta, const SampledSpectrum& k) const {
         // Gauss's rule of four points in the squared cosine, which is uniform.
-        const Spectrum mean = 0.1739274F * (conductor_reflectance(0.2634992F, eta, k) +
-                                            conductor_reflectance(0.9646596F, eta, k)) +
-                              0.3260726F * (conductor_reflectance(0.5744645F, eta, k) +
-                                            conductor_reflectance(0.8185295F, eta, k));
+        const SampledSpectrum mean = 0.1739274F * (conductor_reflectance(0.2634992F, eta, k) +
+                                                   conductor_reflectance(0.9646596F, eta, k)) +
+                                     0.3260726F * (conductor_reflectance(0.5744645F, eta, k) +
+                                                   conductor_reflectance(0.8185295F, eta, k));
         const float lost_again = losses.mean_of_mirror(facets);
-        return mean * mean * (1 - lost_again) / (Spectrum(1) - mean * lost_again);
+        return mean * mean * (1 - lost_again) / (SampledSpectrum(1) - mean * lost_again);
     }
 
     /// f where reflectance() is one.

@@ -34,8 +34,8 @@ struct Seen {
     float cosine;
 
     float mirrored() const {
-        const Vec3 w_to = h * (2 * cosine) - w;
-        return w_to.z > 0 ? facets.shadowing_given_masking(w, w_to) : 0;
+        const Vec3 wi = h * (2 * cosine) - w;
+        return wi.z > 0 ? facets.shadowing_given_masking(w, wi) : 0;
     }
 
     /// @param reflected  mirrored().
@@ -43,8 +43,8 @@ struct Seen {
         const float far = refracted_cosine(1 - cosine * cosine, far_over_near);
         if (far == 0) return reflected;
         const float share = dielectric_reflectance(cosine, far, far_over_near);
-        const Vec3 w_to = h * (cosine / far_over_near - far) - w / far_over_near;
-        const float passed = w_to.z < 0 ? facets.shadowing_given_masking(w, w_to) : 0;
+        const Vec3 wi = h * (cosine / far_over_near - far) - w / far_over_near;
+        const float passed = wi.z < 0 ? facets.shadowing_given_masking(w, wi) : 0;
         return share * reflected + (1 - share) * passed;
     }
 };

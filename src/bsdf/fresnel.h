@@ -40,16 +40,17 @@ inline float mean_dielectric_reflectance(float eta) {
     return 1 - (eta < 1 ? passed * eta * eta : passed);
 }
 
-/// Reflected fraction per lane of a metal of index eta + i k (over that of air), in [0,1].
+/// Reflected fraction per wavelength of a metal of index eta + i k (over that of air), in [0,1].
 /// @param cosine  of the incident angle, in (0,1]. @param eta, k  not negative, not both zero.
 ///
 /// With a + i b = sqrt((eta + i k)^2 - sin^2): |r_s|^2 = |cos - a - i b|^2 / |cos + a + i b|^2,
 /// and |r_p|^2 = |r_s|^2 |cos (a + i b) - sin^2|^2 / |cos (a + i b) + sin^2|^2.
-inline Spectrum conductor_reflectance(float cosine, const Spectrum& eta, const Spectrum& k) {
+inline SampledSpectrum conductor_reflectance(float cosine, const SampledSpectrum& eta,
+                                             const SampledSpectrum& k) {
     const float cos2 = cosine * cosine;
     const float sin2 = std::max(0.0F, 1 - cos2);
-    Spectrum reflectance;
-    for (std::size_t i = 0; i < kLanes; ++i) {
+    SampledSpectrum reflectance;
+    for (std::size_t i = 0; i < kWavelengths; ++i) {
         const float real = eta[i] * eta[i] - k[i] * k[i] - sin2;
         const float imaginary = 2 * eta[i] * k[i];
         const float norm = std::sqrt(real * real + imaginary * imaginary);  // a^2 + b^2

@@ -10,23 +10,23 @@
 namespace sunfleck {
 
 struct Lambert {
-    Spectrum albedo;  // per lane, in [0,1]
+    SampledSpectrum albedo;  // per wavelength, in [0,1]
 
-    Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport) const {
-        return gathers(w_from.z, w_to.z) ? albedo / kPi : Spectrum();
+    SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport) const {
+        return gathers(wo.z, wi.z) ? albedo / kPi : SampledSpectrum();
     }
 
-    float pdf(const Vec3& w_from, const Vec3& w_to, Transport) const {
-        return gathers(w_from.z, w_to.z) ? std::abs(w_to.z) / kPi : 0;
+    float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+        return gathers(wo.z, wi.z) ? std::abs(wi.z) / kPi : 0;
     }
 
-    [[gnu::always_inline]] inline std::optional<BsdfSample> sample(const Vec3& w_from,
+    [[gnu::always_inline]] inline std::optional<BsdfSample> sample(const Vec3& wo,
                                                                    const BsdfDraw& draw) const {
         const FloatDiscPoint disc = float_disc_point({draw.u.y, draw.u.z});
         // The floor keeps u at the very edge of the square from leaving along the surface.
         const float height = std::sqrt(std::max(1e-8F, disc.height2));
-        const Vec3 w_to(disc.position.x, disc.position.y, std::copysign(height, w_from.z));
-        return BsdfSample{albedo, w_to, height / kPi};
+        const Vec3 wi(disc.position.x, disc.position.y, std::copysign(height, wo.z));
+        return BsdfSample{albedo, wi, height / kPi};
     }
 
     static constexpr Scattering scattering() { return Scattering::diffuse; }

@@ -1,7 +1,7 @@
 // What a BSDF must offer, as a concept: no base class, no virtual call, no registration.
 //
-// Frame: the local shading frame, normal +z. w_from and w_to are unit vectors that both point away
-// from the surface: w_from back to where the path came from, w_to on to where it goes.
+// Frame: the local shading frame, normal +z. wo and wi are unit vectors that both point away
+// from the surface: wo back to where the path came from, wi on to where it goes.
 #pragma once
 
 #include "math/sampled_spectrum.h"
@@ -17,18 +17,19 @@ namespace sunfleck {
 enum class Transport { radiance, flux };
 
 struct BsdfSample {
-    Spectrum weight;  // f |cos theta_to| / pdf; unitless
-    Vec3 w_to;
+    SampledSpectrum weight;  // f |cos theta_to| / pdf; unitless
+    Vec3 wi;
     std::optional<float> pdf;  // per steradian; none for a delta lobe, whose weight says it all
-    float eta = 1;             // index of the side of w_to over that of w_from; 1 for reflection
-    bool dispersed = false;    // only LaneChoice::chosen is left in weight (already times kLanes)
+    float eta = 1;             // index of the side of wi over that of wo; 1 for reflection
+    bool dispersed =
+        false;  // only HeroWavelength::chosen is left in weight (already times kWavelengths)
 };
 
 /// The numbers that one scattering event may use: u in (0,1)^3 (lobe, direction, direction).
 struct BsdfDraw {
     Vec3 u;
     Transport transport = Transport::radiance;
-    LaneChoice lanes;
+    HeroWavelength hero;
 };
 
 /// How a path treats the surface.
@@ -40,32 +41,33 @@ enum class Scattering {
 };
 
 /// eval:   f, per steradian, without the cosine; zero for delta lobes.
-/// pdf:    density per steradian with which sample() would choose w_to, given w_from.
-/// sample: turns u into w_to; nothing when absorbed.
+/// pdf:    density per steradian with which sample() would choose wi, given wo.
+/// sample: turns u into wi; nothing when absorbed.
 /// scattering: how paths treat it.
-/// gathers: whether eval() can be other than zero, by the signs of w_from.z and w_to.z alone.
+/// gathers: whether eval() can be other than zero, by the signs of wo.z and wi.z alone.
 template <class B>
 concept BsdfModel = std::copyable<B> &&
     requires(const B& b, const Vec3& w, Transport t, const BsdfDraw& draw, float z) {
-    { b.eval(w, w, t) } -> std::same_as<Spectrum>;
+    { b.eval(w, w, t) } -> std::same_as<SampledSpectrum>;
     { b.pdf(w, w, t) } -> std::same_as<float>;
     { b.sample(w, draw) } -> std::same_as<std::optional<BsdfSample>>;
     { b.scattering() } -> std::same_as<Scattering>;
     { b.gathers(z, z) } -> std::same_as<bool>;
 };
 
-/// One that bends each lane another way. for_lane(i) is the same with lane i's index in all lanes.
+/// One that bends each wavelength another way. at_wavelength(i) is the same with wavelength i's
+/// index in all wavelengths.
 template <class B>
-concept DispersiveModel = BsdfModel<B> && requires(const B& b, std::size_t lane) {
+concept DispersiveModel = BsdfModel<B> && requires(const B& b, std::size_t wavelength) {
     { b.is_dispersive() } -> std::same_as<bool>;
-    { b.for_lane(lane) } -> std::same_as<B>;
+    { b.at_wavelength(wavelength) } -> std::same_as<B>;
 };
 
 /// One of two delta lobes: sample() reflects if draw.u.x is below mirror_share(), else refracts.
 template <class B>
 concept TwoLobedModel = BsdfModel<B> &&
-    requires(const B& b, const Vec3& w, const LaneChoice& lanes) {
-    { b.mirror_share(w, lanes) } -> std::same_as<float>;
+    requires(const B& b, const Vec3& w, const HeroWavelength& hero) {
+    { b.mirror_share(w, hero) } -> std::same_as<float>;
 };
 
 }  // namespace sunfleck

@@ -1,8 +1,8 @@
 // A metal of many small facets (GGX), lit on both sides; light that meets a second facet is lost,
 // or given back in a wide lobe.
 //
-// In:  eta + i k per lane over the index of air, facets. Out: one glossy lobe, and the wide one.
-// Source: Walter et al. 2007, eq. 20; visible normals, Heitz 2018 (bsdf/ggx.h).
+// In:  eta + i k per wavelength over the index of air, facets. Out: one glossy lobe, and the wide
+// one. Source: Walter et al. 2007, eq. 20; visible normals, Heitz 2018 (bsdf/ggx.h).
 #pragma once
 
 #include "bsdf/energy_compensation.h"
@@ -14,45 +14,44 @@
 namespace sunfleck {
 
 struct RoughConductor {
-    Spectrum eta;
-    Spectrum k;
+    SampledSpectrum eta;
+    SampledSpectrum k;
     Ggx facets;
     const FacetLosses* losses = nullptr;  // given back; null: they are lost
 
     /// F D G / (4 |cos| |cos|); the same for both transports, for it is symmetric.
-    Spectrum eval(const Vec3& w_from, const Vec3& w_to, Transport) const {
-        const Vec3 sum = w_from + w_to;
+    SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport) const {
+        const Vec3 sum = wo + wi;
         const float length = sum.length();
-        if (!gathers(w_from.z, w_to.z) || !(length > 0)) return {};
+        if (!gathers(wo.z, wi.z) || !(length > 0)) return {};
         const float shape =
-            facets.density(sum / length) * facets.shadowing_over_cosines(w_from, w_to) * 0.25F;
-        const Spectrum once = conductor_reflectance(std::min(1.0F, 0.5F * length), eta, k) * shape;
+            facets.density(sum / length) * facets.shadowing_over_cosines(wo, wi) * 0.25F;
+        const SampledSpectrum once =
+            conductor_reflectance(std::min(1.0F, 0.5F * length), eta, k) * shape;
         if (losses == nullptr) return once;
-        return once + regained().reflectance(eta, k) * regained().eval(w_from.z, w_to.z);
+        return once + regained().reflectance(eta, k) * regained().eval(wo.z, wi.z);
     }
 
-    float pdf(const Vec3& w_from, const Vec3& w_to, Transport) const {
-        const Vec3 sum = w_from + w_to;
+    float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+        const Vec3 sum = wo + wi;
         const float length = sum.length();
-        if (!gathers(w_from.z, w_to.z) || !(length > 0)) return 0;
-        const float once = facets.visible_density_over_cosine(w_from, sum / length) * 0.25F;
+        if (!gathers(wo.z, wi.z) || !(length > 0)) return 0;
+        const float once = facets.visible_density_over_cosine(wo, sum / length) * 0.25F;
         if (losses == nullptr) return once;
-        const float chance = regained().lost(w_from.z);
-        return (1 - chance) * once + chance * std::abs(w_to.z) / kPi;
+        const float chance = regained().lost(wo.z);
+        return (1 - chance) * once + chance * std::abs(wi.z) / kPi;
     }
 
     /// With losses given back: the wide lobe, as often as a white metal needs it, or the facets'.
-    std::optional<BsdfSample> sample(const Vec3& w_from, const BsdfDraw& draw) const {
-        if (w_from.z == 0) return {};
-        if (losses == nullptr) return sample_facets(w_from, draw);
-        auto drawn = draw.u.x < regained().lost(w_from.z)
-                         ? Lambert{Spectrum(1)}.sample(w_from, draw)
-                         : sample_facets(w_from, draw);
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+        if (wo.z == 0) return {};
+        if (losses == nullptr) return sample_facets(wo, draw);
+        auto drawn = draw.u.x < regained().lost(wo.z) ? Lambert{SampledSpectrum(1)}.sample(wo, draw)
+                                                      : sample_facets(wo, draw);
         if (!drawn) return {};
-        drawn->pdf = pdf(w_from, drawn->w_to, draw.transport);
+        drawn->pdf = pdf(wo, drawn->wi, draw.transport);
         if (!(*drawn->pdf > 0)) return {};
-        drawn->weight =
-            eval(w_from, drawn->w_to, draw.transport) * (std::abs(drawn->w_to.z) / *drawn->pdf);
+        drawn->weight = eval(wo, drawn->wi, draw.transport) * (std::abs(drawn->wi.z) / *drawn->pdf);
         return drawn;
     }
 
@@ -62,9 +61,9 @@ struct RoughConductor {
 private:
     RegainedByMetal regained() const { return {*losses, facets}; }
 
-    std::optional<BsdfSample> sample_facets(const Vec3& w_from, const BsdfDraw& draw) const {
-        const float side = std::copysign(1.0F, w_from.z);
-        const Vec3 w = w_from * side;
+    std::optional<BsdfSample> sample_facets(const Vec3& wo, const BsdfDraw& draw) const {
+        const float side = std::copysign(1.0F, wo.z);
+        const Vec3 w = wo * side;
         const Vec3 h = facets.sample_visible(w, draw.u.y, draw.u.z);
         const float cosine = std::min(1.0F, w.dot(h));
         const Vec3 mirrored = h * (2 * cosine) - w;

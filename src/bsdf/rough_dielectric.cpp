@@ -1,4 +1,4 @@
-// Rough glass: its two lobes for one index, and how lanes share them.
+// Rough glass: its two lobes for one index, and how wavelengths share them.
 #include "bsdf/rough_dielectric.h"
 
 #include "bsdf/fresnel.h"
@@ -9,7 +9,7 @@ namespace sunfleck {
 namespace {
 
 /// The facet that refracts one direction into the other. Built from the two sides, not from
-/// w_from and w_to, so that swapping these changes no bit.
+/// wo and wi, so that swapping these changes no bit.
 struct RefractingFacet {
     Vec3 normal;        // unit
     float cos_out = 0;  // of the outer direction with the normal; 0 when there is no such facet
@@ -31,7 +31,7 @@ RefractingFacet refracting_facet(const Vec3& a, const Vec3& b, float eta) {
 }
 
 /// Rough glass of one index, between two given directions.
-struct Lane {
+struct GlassAtWavelength {
     const Ggx& facets;
     float eta;  // inside over outside
     const FacetLosses* losses;
@@ -48,13 +48,13 @@ struct Lane {
                              a, b);
     }
 
-    float transmitted_pdf(const Vec3& w_from, const Vec3& w_to) const {
-        const RefractingFacet facet = refracting_facet(w_from, w_to, eta);
+    float transmitted_pdf(const Vec3& wo, const Vec3& wi) const {
+        const RefractingFacet facet = refracting_facet(wo, wi, eta);
         if (facet.cos_out == 0) return 0;
         const float passed = 1 - dielectric_reflectance(facet.cos_out, facet.cos_in, eta);
-        const float index_to = w_to.z > 0 ? 1 : eta;
-        return passed * facets.visible_density_over_cosine(w_from, facet.normal) * index_to *
-               index_to * facet.cos_out * facet.cos_in / facet.length2;
+        const float index_to = wi.z > 0 ? 1 : eta;
+        return passed * facets.visible_density_over_cosine(wo, facet.normal) * index_to * index_to *
+               facet.cos_out * facet.cos_in / facet.length2;
     }
 
     /// @param cosine  between either direction and the facet.
@@ -67,125 +67,128 @@ struct Lane {
     float with_regained(float f, const Vec3& a, const Vec3& b) const {
         return losses == nullptr ? f : f + regained().eval(a.z, b.z);
     }
-    /// @param density  by which sample_facets() chooses w_to.
-    float with_regained_pdf(float density, const Vec3& w_from, const Vec3& w_to) const {
+    /// @param density  by which sample_facets() chooses wi.
+    float with_regained_pdf(float density, const Vec3& wo, const Vec3& wi) const {
         if (losses == nullptr) return density;
-        const float chance = regained().lost(w_from.z);
-        return (1 - chance) * density + chance * regained().pdf(w_from.z, w_to.z);
+        const float chance = regained().lost(wo.z);
+        return (1 - chance) * density + chance * regained().pdf(wo.z, wi.z);
     }
 
-    std::optional<BsdfSample> sample_facets(const Vec3& w_from, const BsdfDraw& draw) const;
-    std::optional<BsdfSample> sample_regained(const Vec3& w_from, const BsdfDraw& draw) const;
+    std::optional<BsdfSample> sample_facets(const Vec3& wo, const BsdfDraw& draw) const;
+    std::optional<BsdfSample> sample_regained(const Vec3& wo, const BsdfDraw& draw) const;
 };
 
 /// The wide lobes, as often as all facets together lose, or the facets'.
 /// @return the direction and eta alone.
-std::optional<BsdfSample> Lane::sample_regained(const Vec3& w_from, const BsdfDraw& draw) const {
-    const float chance = regained().lost(w_from.z);
+std::optional<BsdfSample> GlassAtWavelength::sample_regained(const Vec3& wo,
+                                                             const BsdfDraw& draw) const {
+    const float chance = regained().lost(wo.z);
     BsdfDraw rest = draw;
     if (!(draw.u.x < chance)) {
         rest.u.x = (draw.u.x - chance) / (1 - chance);
-        return sample_facets(w_from, rest);
+        return sample_facets(wo, rest);
     }
-    auto drawn = Lambert{Spectrum(1)}.sample(w_from, draw);
-    if (drawn && draw.u.x < chance * regained().passing(w_from.z)) {
-        drawn->w_to.z = -drawn->w_to.z;
-        drawn->eta = w_from.z > 0 ? eta : 1 / eta;
+    auto drawn = Lambert{SampledSpectrum(1)}.sample(wo, draw);
+    if (drawn && draw.u.x < chance * regained().passing(wo.z)) {
+        drawn->wi.z = -drawn->wi.z;
+        drawn->eta = wo.z > 0 ? eta : 1 / eta;
     }
     return drawn;
 }
 
-std::optional<BsdfSample> Lane::sample_facets(const Vec3& w_from, const BsdfDraw& draw) const {
-    // In a frame turned about the surface so that w_from lies above; GGX looks the same there.
-    const float side = std::copysign(1.0F, w_from.z);
-    const Vec3 w = w_from * side;
+std::optional<BsdfSample> GlassAtWavelength::sample_facets(const Vec3& wo,
+                                                           const BsdfDraw& draw) const {
+    // In a frame turned about the surface so that wo lies above; GGX looks the same there.
+    const float side = std::copysign(1.0F, wo.z);
+    const Vec3 w = wo * side;
     const Vec3 h = facets.sample_visible(w, draw.u.y, draw.u.z);
     const float cosine = std::min(1.0F, w.dot(h));
     if (!(cosine > 0)) return {};
-    const float far_over_near = w_from.z > 0 ? eta : 1 / eta;
+    const float far_over_near = wo.z > 0 ? eta : 1 / eta;
     const float cos_far = refracted_cosine(1 - cosine * cosine, far_over_near);
     const float share = dielectric_reflectance(cosine, cos_far, far_over_near);
     const float seen = facets.visible_density_over_cosine(w, h);
 
     if (draw.u.x < share || cos_far == 0) {
-        const Vec3 w_to = h * (2 * cosine) - w;
-        if (!(w_to.z > 0)) return {};
-        return BsdfSample{Spectrum(facets.shadowing_given_masking(w, w_to)), w_to * side,
+        const Vec3 wi = h * (2 * cosine) - w;
+        if (!(wi.z > 0)) return {};
+        return BsdfSample{SampledSpectrum(facets.shadowing_given_masking(w, wi)), wi * side,
                           share * seen * 0.25F};
     }
-    const Vec3 w_to = (h * (cosine / far_over_near - cos_far) - w / far_over_near).normalized();
-    if (!(w_to.z < 0)) return {};
+    const Vec3 wi = (h * (cosine / far_over_near - cos_far) - w / far_over_near).normalized();
+    if (!(wi.z < 0)) return {};
     const float eta2 = far_over_near * far_over_near;
     const float length = cosine - far_over_near * cos_far;
     const float pdf = (1 - share) * seen * cosine * cos_far * eta2 / (length * length);
     const float scale = draw.transport == Transport::radiance ? 1 / eta2 : 1;
-    return BsdfSample{Spectrum(scale * facets.shadowing_given_masking(w, w_to)), w_to * side, pdf,
-                      far_over_near};
+    return BsdfSample{SampledSpectrum(scale * facets.shadowing_given_masking(w, wi)), wi * side,
+                      pdf, far_over_near};
 }
 
 }  // namespace
 
-Spectrum RoughDielectric::eval(const Vec3& w_from, const Vec3& w_to, Transport transport) const {
-    if (!gathers(w_from.z, w_to.z)) return {};
-    const auto lane = [&](std::size_t i) { return Lane{facets_, eta_[i], losses_}; };
-    const std::size_t different = dispersive_ ? kLanes : 1;
-    Spectrum f;
-    if (w_from.z * w_to.z > 0) {
-        const Vec3 sum = w_from + w_to;
+SampledSpectrum RoughDielectric::eval(const Vec3& wo, const Vec3& wi, Transport transport) const {
+    if (!gathers(wo.z, wi.z)) return {};
+    const auto glass = [&](std::size_t i) { return GlassAtWavelength{facets_, eta_[i], losses_}; };
+    const std::size_t different = dispersive_ ? kWavelengths : 1;
+    SampledSpectrum f;
+    if (wo.z * wi.z > 0) {
+        const Vec3 sum = wo + wi;
         const float length = sum.length();
         if (!(length > 0)) return f;
         const float shape =
-            facets_.density(sum / length) * facets_.shadowing_over_cosines(w_from, w_to) * 0.25F;
-        for (std::size_t i = 0; i < kLanes; ++i)
-            f[i] = shape * lane(i).reflected_share(0.5F * length, w_from.z);
+            facets_.density(sum / length) * facets_.shadowing_over_cosines(wo, wi) * 0.25F;
+        for (std::size_t i = 0; i < kWavelengths; ++i)
+            f[i] = shape * glass(i).reflected_share(0.5F * length, wo.z);
         if (losses_ == nullptr) return f;
-        for (std::size_t i = 0; i < kLanes; ++i)
-            f[i] = i < different ? lane(i).with_regained(f[i], w_from, w_to) : f[0];
+        for (std::size_t i = 0; i < kWavelengths; ++i)
+            f[i] = i < different ? glass(i).with_regained(f[i], wo, wi) : f[0];
         return f;
     }
-    // Light goes out into the side of w_from in radiance transport, of w_to in flux transport.
-    const bool goes_inside = (transport == Transport::radiance ? w_from.z : w_to.z) < 0;
-    for (std::size_t i = 0; i < different; ++i) f[i] = lane(i).transmitted(w_from, w_to);
-    if (!dispersive_) f = Spectrum(f[0]);
+    // Light goes out into the side of wo in radiance transport, of wi in flux transport.
+    const bool goes_inside = (transport == Transport::radiance ? wo.z : wi.z) < 0;
+    for (std::size_t i = 0; i < different; ++i) f[i] = glass(i).transmitted(wo, wi);
+    if (!dispersive_) f = SampledSpectrum(f[0]);
     return goes_inside ? f * eta_ * eta_ : f;
 }
 
-float RoughDielectric::pdf(const Vec3& w_from, const Vec3& w_to, Transport) const {
-    if (!gathers(w_from.z, w_to.z)) return 0;
-    const Vec3 sum = w_from + w_to;
+float RoughDielectric::pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+    if (!gathers(wo.z, wi.z)) return 0;
+    const Vec3 sum = wo + wi;
     const float length = sum.length();
-    const bool reflected = w_from.z * w_to.z > 0;
+    const bool reflected = wo.z * wi.z > 0;
     if (reflected && !(length > 0)) return 0;
     const float seen =
-        reflected ? facets_.visible_density_over_cosine(w_from, sum / length) * 0.25F : 0;
+        reflected ? facets_.visible_density_over_cosine(wo, sum / length) * 0.25F : 0;
 
-    const std::size_t different = dispersive_ ? kLanes : 1;
+    const std::size_t different = dispersive_ ? kWavelengths : 1;
     float total = 0;
     for (std::size_t i = 0; i < different; ++i) {
-        const Lane lane{facets_, eta_[i], losses_};
+        const GlassAtWavelength glass{facets_, eta_[i], losses_};
         total +=
-            lane.with_regained_pdf(reflected ? seen * lane.reflected_share(0.5F * length, w_from.z)
-                                             : lane.transmitted_pdf(w_from, w_to),
-                                   w_from, w_to);
+            glass.with_regained_pdf(reflected ? seen * glass.reflected_share(0.5F * length, wo.z)
+                                              : glass.transmitted_pdf(wo, wi),
+                                    wo, wi);
     }
     return total / static_cast<float>(different);
 }
 
-std::optional<BsdfSample> RoughDielectric::sample(const Vec3& w_from, const BsdfDraw& draw) const {
-    if (w_from.z == 0) return {};
-    const std::size_t chosen = draw.lanes.chosen;
-    const Lane lane{facets_, eta_[chosen], losses_};
+std::optional<BsdfSample> RoughDielectric::sample(const Vec3& wo, const BsdfDraw& draw) const {
+    if (wo.z == 0) return {};
+    const std::size_t chosen = draw.hero.chosen;
+    const GlassAtWavelength glass{facets_, eta_[chosen], losses_};
     auto drawn =
-        losses_ == nullptr ? lane.sample_facets(w_from, draw) : lane.sample_regained(w_from, draw);
+        losses_ == nullptr ? glass.sample_facets(wo, draw) : glass.sample_regained(wo, draw);
     if (drawn && losses_ != nullptr) {
-        const RoughDielectric alone = for_lane(chosen);
-        drawn->pdf = alone.pdf(w_from, drawn->w_to, draw.transport);
+        const RoughDielectric alone = at_wavelength(chosen);
+        drawn->pdf = alone.pdf(wo, drawn->wi, draw.transport);
         if (!(*drawn->pdf > 0)) return {};
-        drawn->weight = alone.eval(w_from, drawn->w_to, draw.transport) *
-                        (std::abs(drawn->w_to.z) / *drawn->pdf);
+        drawn->weight =
+            alone.eval(wo, drawn->wi, draw.transport) * (std::abs(drawn->wi.z) / *drawn->pdf);
     }
-    if (drawn && dispersive_ && !draw.lanes.single) {
-        drawn->weight = Spectrum::only(chosen, drawn->weight[chosen] * static_cast<float>(kLanes));
+    if (drawn && dispersive_ && !draw.hero.single) {
+        drawn->weight =
+            SampledSpectrum::only(chosen, drawn->weight[chosen] * static_cast<float>(kWavelengths));
         drawn->dispersed = true;
     }
     return drawn;

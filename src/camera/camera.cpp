@@ -52,8 +52,8 @@ CameraRay SphericalCamera::ray(const Vec2d& film, const Vec2d&) const {
             inside = {1 - inside.x, inside.y < 0 ? -inside.y : 2 - inside.y};
         z_up = uniform_sphere(inside);
     } else {
-        const SinCos polar = sin_cos_turn(u.y / 2);
-        const SinCos azimuth = sin_cos_turn(u.x);
+        const SinCos polar = sin_cos_2pi(u.y / 2);
+        const SinCos azimuth = sin_cos_2pi(u.x);
         z_up = {polar.sin * azimuth.cos, polar.sin * azimuth.sin, polar.cos};
         // 2 pi by pi, times sin(theta); a pixel at a pole is wide enough to hold some of it.
         const double sine = std::max(std::abs(polar.sin), 0.25 / resolution.y);
@@ -81,7 +81,7 @@ PerspectiveCamera make_perspective(const Matrix& camera_to_world, const Vec2i& r
     camera.camera_to_world = camera_to_world;
     camera.resolution = resolution;
     set_screen(camera, frame_aspect, screen_window);
-    const SinCos half = sin_cos_turn(fov / 720);
+    const SinCos half = sin_cos_2pi(fov / 720);
     camera.screen_min *= half.sin / half.cos;
     camera.screen_max *= half.sin / half.cos;
     return camera;

@@ -21,7 +21,7 @@ double gauss(double x, double sigma) {
 /// sin(pi x) / (pi x).
 double sinc(double x) {
     if (std::abs(x) < 1e-8) return 1;
-    return sin_cos_turn(x / 2).sin / (kPiDouble * x);
+    return sin_cos_2pi(x / 2).sin / (kPiDouble * x);
 }
 
 /// @param x  not negative; zero beyond two.

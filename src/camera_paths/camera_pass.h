@@ -12,13 +12,13 @@
 
 namespace sunfleck {
 
-/// Pixel i has 2^doublings[i] camera paths, each with that share of its light; one if empty.
-using Doublings = std::vector<std::uint8_t>;
+/// Pixel i has 2^log2_samples[i] camera paths, each with that share of its light; one if empty.
+using Log2Samples = std::vector<std::uint8_t>;
 
-struct EyePass {
+struct CameraPass {
     const PassScene& scene;
     const TransportSettings& transport;
-    const EyeSettings& settings;
+    const CameraPathSettings& settings;
     PixelWindow window;
     PassId id;
     double radius_factor = 1;  // r_p / r_0
@@ -26,12 +26,12 @@ struct EyePass {
     float first_radius =
         static_cast<float>(sunfleck::first_radius(settings, scene.scene.film().resolution));
     /// Of discs for indirect photons, over that.
-    float indirect_reach =
-        static_cast<float>(sunfleck::indirect_reach(settings, scene.scene.film().resolution));
-    std::span<const std::uint8_t> doublings = {};  // Doublings
+    float indirect_radius_scale = static_cast<float>(
+        sunfleck::indirect_radius_scale(settings, scene.scene.film().resolution));
+    std::span<const std::uint8_t> log2_samples = {};  // Log2Samples
     /// Rays of each pixel's paths are added, unless empty.
     std::span<std::uint64_t> rays = {};
-    DrawOfPass draw = {};
+    Subpass subpass = {};
     int cells = 1;  // one pixel of each PixelCells of that side has paths
 };
 

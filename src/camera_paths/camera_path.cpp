@@ -8,7 +8,7 @@ namespace sunfleck {
 namespace {
 
 constexpr std::uint8_t kCausticOnly = static_cast<std::uint8_t>(PhotonKind::caustic) |
-                                      static_cast<std::uint8_t>(PhotonKind::deep_caustic);
+                                      static_cast<std::uint8_t>(PhotonKind::long_specular_chain);
 constexpr std::uint8_t kScattered = kCausticOnly | static_cast<std::uint8_t>(PhotonKind::indirect);
 constexpr std::uint8_t kEverything = kScattered | static_cast<std::uint8_t>(PhotonKind::direct);
 
@@ -17,7 +17,7 @@ float smallest_radius(const Vec3& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1e-30F}) * 0x1p-20F;
 }
 
-/// Roulette begins after this many events: short paths are worth their numbers.
+/// Russian roulette begins after this many events: short paths are worth their numbers.
 constexpr int kRouletteFrom = 4;
 
 /// Both lobes of smooth glass are followed if neither is worth less than that share of the pixel.
@@ -31,19 +31,19 @@ constexpr float kGlossySpread = 0.01F;
 
 }  // namespace
 
-void EyePath::trace(std::uint32_t pixel, const PathOfPixel& path) {
+void CameraPath::trace(std::uint32_t pixel, const PathOfPixel& path) {
     pixel_ = pixel;
     of_pixel_ = 1 / static_cast<float>(path.count());
-    RoundPoints numbers(pass_.id, pixel, path);
+    BatchPoints numbers(pass_.id, pixel, path);
     const CameraRay view = start(numbers);
     follow(pass_.scene.scene.first_hit(view), numbers);
 }
 
 /// @param hit  what the ray meets, if anything.
-void EyePath::follow(std::optional<Hit> hit, RoundPoints& numbers) {
+void CameraPath::follow(std::optional<Hit> hit, BatchPoints& numbers) {
     const Scene& scene = pass_.scene.scene;
     while (true) {
-        ++statistics_[Count::eye_rays];
+        ++statistics_[Count::camera_rays];
         if (scene.has_media())
             throughput_ *= pass_.scene.left_after(medium_, hit ? hit->distance : kInfinity);
         if (!hit) {
@@ -54,7 +54,7 @@ void EyePath::follow(std::optional<Hit> hit, RoundPoints& numbers) {
         const bool weighted = emitters_ == Emitters::weighted;
         add_emission(emitter_at(pass_.scene, *hit, weighted ? &glossy_ : nullptr, direction_,
                                 wanted_parts()));
-        if (!scene.passes_straight(*hit)) {
+        if (!scene.is_null_interface(*hit)) {
             if (!has_met_) first_footprint_ = footprint_;
             has_met_ = true;
             if (!meet(*hit, numbers)) return;
@@ -63,19 +63,19 @@ void EyePath::follow(std::optional<Hit> hit, RoundPoints& numbers) {
     }
 }
 
-Ray EyePath::ray_beyond(const Hit& hit) {
+Ray CameraPath::ray_beyond(const Hit& hit) {
     medium_ = pass_.scene.scene.medium_beyond(hit, direction_, medium_);
     return ray_from(hit, direction_);
 }
 
-CameraRay EyePath::start(RoundPoints& numbers) {
+CameraRay CameraPath::start(BatchPoints& numbers) {
     const FilterSample filtered = filter_.sample(numbers.next_2d());
     const Vec2d film = pass_.window.place(pixel_, filtered.offset);
     const CameraRay ray = camera_ray(pass_.scene.scene.camera(), film, numbers.next_2d());
     weight_ = filtered.weight * pass_.scene.scene.film().imaging_ratio * of_pixel_;
-    throughput_ = Spectrum(1);
+    throughput_ = SampledSpectrum(1);
     medium_ = pass_.scene.scene.media().at_camera;
-    lanes_.chosen = lane_of(numbers.next());
+    hero_.chosen = hero_of(numbers.next());
     direction_ = Vec3(ray.direction);
     footprint_ = ray.footprint;
     footprint_angle_ = ray.footprint_angle;
@@ -84,26 +84,26 @@ CameraRay EyePath::start(RoundPoints& numbers) {
 }
 
 /// @return whether the path goes on, in the new direction.
-bool EyePath::meet(Hit& hit, RoundPoints& numbers) {
+bool CameraPath::meet(Hit& hit, BatchPoints& numbers) {
     const TransportSettings& transport = pass_.transport;
     std::optional<Bsdf> room;
     const Bsdf& at_surface = pass_.scene.bsdf_at(hit, room);
     const Scattering kind = scattering(at_surface);
     std::optional<Bsdf> narrowed;
     if (is_dispersive(at_surface)) {
-        if (kind != Scattering::specular) keep_lane(throughput_, lanes_);
-        if (lanes_.single) narrowed = for_lane(at_surface, lanes_.chosen);
+        if (kind != Scattering::specular) terminate_secondary(throughput_, hero_);
+        if (hero_.single) narrowed = at_wavelength(at_surface, hero_.chosen);
     }
     const Frame frame(hit.shading_normal, hit.tangent);
-    const bool several = pass_.settings.light_candidates;
+    const bool several = pass_.settings.ris;
     const Bsdf& bsdf = narrowed ? *narrowed : at_surface;
-    const EyeVertex vertex{hit, frame, frame.to_local(-direction_), bsdf, medium_, several};
+    const CameraVertex vertex{hit, frame, frame.to_local(-direction_), bsdf, medium_, several};
     if (bounces_ >= transport.max_depth) return false;
     if (const auto* coated = std::get_if<CoatedDiffuse>(&at_surface)) {
         const Bsdf base = coated->base();
         const Bsdf top = coated->top();
-        meet_base({hit, frame, vertex.w_from, base, medium_, several}, numbers);
-        return go_on({hit, frame, vertex.w_from, top, medium_, several}, numbers);
+        meet_base({hit, frame, vertex.wo, base, medium_, several}, numbers);
+        return go_on({hit, frame, vertex.wo, top, medium_, several}, numbers);
     }
     if (kind == Scattering::diffuse) {
         meet_base(vertex, numbers);
@@ -113,15 +113,15 @@ bool EyePath::meet(Hit& hit, RoundPoints& numbers) {
 }
 
 /// The path ends at what is wide.
-void EyePath::meet_base(const EyeVertex& vertex, RoundPoints& numbers) {
+void CameraPath::meet_base(const CameraVertex& vertex, BatchPoints& numbers) {
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
     gather(vertex.hit, vertex.bsdf, sampled ? kScattered : kEverything);
     if (sampled) add_direct_light(vertex, numbers, true);
-    add_features(vertex.hit, spread_share(vertex.bsdf, vertex.w_from));
+    add_features(vertex.hit, spread_share(vertex.bsdf, vertex.wo));
 }
 
 /// The path goes on from what is narrow. @return whether it does.
-bool EyePath::go_on(const EyeVertex& vertex, RoundPoints& numbers) {
+bool CameraPath::go_on(const CameraVertex& vertex, BatchPoints& numbers) {
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
     if (scattering(vertex.bsdf) == Scattering::glossy) {
         gather(vertex.hit, vertex.bsdf, sampled ? kCausticOnly : kEverything);
@@ -131,17 +131,17 @@ bool EyePath::go_on(const EyeVertex& vertex, RoundPoints& numbers) {
     return scatter(vertex, numbers);
 }
 
-void EyePath::add_emission(const EmitterMet& met) {
+void CameraPath::add_emission(const EmitterMet& met) {
     if (met.radiance.is_zero() || emitters_ == Emitters::none) {
         parts_.clear();
         return;
     }
     const float weight = emitters_ == Emitters::all ? 1 : mis_weight(bsdf_pdf_, met.pdf);
-    constexpr std::array<Layer, 3> kOwners = {Layer::emission, Layer::direct, Layer::indirect};
+    constexpr std::array<Aov, 3> kOwners = {Aov::emission, Aov::direct, Aov::indirect};
     add_light(met.radiance, weight, kOwners.at(std::min<std::size_t>(rough_, 2)));
 }
 
-void EyePath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
+void CameraPath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
     VisiblePoint point;
     const bool behind = hit.normal.dot(direction_) > 0;
     point.disc.position = hit.position;
@@ -151,10 +151,10 @@ void EyePath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
     point.disc.kinds = kinds;
     point.disc.both_sides = gathers(bsdf, 1, -1);
     // Beyond a rough surface the camera path is the noise, and the disc is wider already.
-    if (rough_ == 0) point.disc.indirect_reach = pass_.indirect_reach;
+    if (rough_ == 0) point.disc.indirect_radius_scale = pass_.indirect_radius_scale;
     point.shading_normal = hit.shading_normal;
     point.tangent = hit.tangent;
-    point.w_from = -direction_;
+    point.wo = -direction_;
     point.throughput = throughput_ * weight_;
     point.pixel = pixel_;
     if (const auto* lambert = std::get_if<Lambert>(&bsdf)) {
@@ -163,69 +163,70 @@ void EyePath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
     } else {
         point.bsdf = pass_.scene.keep(hit, bsdf);
     }
-    point.lane = static_cast<std::uint8_t>(lanes_.chosen);
-    point.single_lane = lanes_.single;
+    point.hero = static_cast<std::uint8_t>(hero_.chosen);
+    point.single_wavelength = hero_.single;
     point.after_rough = rough_ > 0;
     points_.push_back(point);
 }
 
-void EyePath::add_light(const Spectrum& radiance, float weight, Layer owner) {
-    const auto rgb = [&](const Spectrum& arriving) {
+void CameraPath::add_light(const SampledSpectrum& radiance, float weight, Aov owner) {
+    const auto rgb = [&](const SampledSpectrum& arriving) {
         return pass_.scene.wavelengths.to_rgb(throughput_ * arriving * weight * weight_);
     };
-    image_.add_eye_light(pixel_, rgb(radiance), owner);
+    image_.add_camera_light(pixel_, rgb(radiance), owner);
     for (const LightPart& part : parts_)
-        image_.add_to_light_layer(pixel_, rgb(part.radiance),
-                                  pass_.transport.light_layers.of(part.light));
+        image_.add_to_light_group(pixel_, rgb(part.radiance),
+                                  pass_.transport.light_groups.of(part.light));
     parts_.clear();
 }
 
 /// @param follow  trace a bsdf sample for the other half of MIS (a path that goes on needs none).
-void EyePath::add_direct_light(const EyeVertex& vertex, RoundPoints& numbers, bool follow) {
+void CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow) {
     const PassScene& pass = pass_.scene;
     const Vec2d choices = numbers.next_2d();
-    Spectrum light = sample_lights(pass, vertex, {choices.x, numbers.next_2d(), choices.y},
-                                   statistics_, wanted_parts());
+    SampledSpectrum light = sample_lights(pass, vertex, {choices.x, numbers.next_2d(), choices.y},
+                                          statistics_, wanted_parts());
     if (follow && pass.scene.has_lights_to_meet()) {
         const Vec2d u = numbers.next_2d();
         const BsdfDraw draw{
             {static_cast<float>(numbers.next()), static_cast<float>(u.x), static_cast<float>(u.y)},
             Transport::radiance,
-            lanes_};
-        if (const auto drawn = sample(vertex.bsdf, vertex.w_from, draw))
+            hero_};
+        if (const auto drawn = sample(vertex.bsdf, vertex.wo, draw))
             light += follow_bsdf_sample(pass, vertex, *drawn, statistics_, wanted_parts());
     }
     if (light.is_zero()) return;
-    add_light(light, 1, rough_ > 0 ? Layer::indirect : Layer::direct);
+    add_light(light, 1, rough_ > 0 ? Aov::indirect : Aov::direct);
 }
 
-bool EyePath::scatter(const EyeVertex& vertex, RoundPoints& numbers) {
+bool CameraPath::scatter(const CameraVertex& vertex, BatchPoints& numbers) {
     const Vec2d u = numbers.next_2d();
     const Vec2d choices = numbers.next_2d();
     BsdfDraw draw{{static_cast<float>(choices.x), static_cast<float>(u.x), static_cast<float>(u.y)},
                   Transport::radiance,
-                  lanes_};
-    const float mirrored = mirror_share(vertex.bsdf, vertex.w_from, lanes_);
+                  hero_};
+    const float mirrored = mirror_share(vertex.bsdf, vertex.wo, hero_);
     if (importance() * std::min(mirrored, 1 - mirrored) < kLeastBranch)
         return take(vertex, draw, 1, choices.y);
     draw.u.x = 0.5F * mirrored;
-    add_features(vertex.hit, Spectrum(1));  // all of it is reflected or refracted
+    add_features(vertex.hit, SampledSpectrum(1));  // all of it is reflected or refracted
     const Geometry& geometry = pass_.scene.scene.geometry();
-    EyePath branch = *this;
-    RoundPoints others = numbers.branch();
+    CameraPath branch = *this;
+    BatchPoints others = numbers.branch();
     if (branch.take(vertex, draw, mirrored, choices.y))
         branch.follow(geometry.intersect(branch.ray_beyond(vertex.hit)), others);
     draw.u.x = 0.5F * (1 + mirrored);
     return take(vertex, draw, 1 - mirrored, choices.y);
 }
 
-bool EyePath::take(const EyeVertex& vertex, const BsdfDraw& draw, float share, double roulette) {
-    const auto drawn = sample(vertex.bsdf, vertex.w_from, draw);
+bool CameraPath::take(const CameraVertex& vertex, const BsdfDraw& draw, float share,
+                      double roulette) {
+    const auto drawn = sample(vertex.bsdf, vertex.wo, draw);
     if (!drawn) return false;
     add_features(vertex.hit, drawn->weight * (drawn->eta * drawn->eta));
     throughput_ *= drawn->weight * share;
     share_ *= share;
-    if (drawn->dispersed) lanes_.single = true;
+    if (drawn->dispersed) hero_.single = true;
     eta_scale_ *= drawn->eta * drawn->eta;
     footprint_angle_ /= drawn->eta;
     spread_angle_ /= drawn->eta;
@@ -233,13 +234,13 @@ bool EyePath::take(const EyeVertex& vertex, const BsdfDraw& draw, float share, d
     ++bounces_;
     if (drawn->pdf) {
         emitters_ = Emitters::weighted;
-        bsdf_pdf_ = *drawn->pdf / static_cast<float>(light_candidates(vertex));
+        bsdf_pdf_ = *drawn->pdf / static_cast<float>(ris_candidates(vertex));
         glossy_ = receiver_at(pass_.scene.scene, vertex);
         ++rough_;
     } else if (emitters_ == Emitters::weighted) {
         emitters_ = Emitters::none;
     }
-    direction_ = vertex.frame.to_world(drawn->w_to);
+    direction_ = vertex.frame.to_world(drawn->wi);
     position_ = vertex.hit.position;
     if (bounces_ < kRouletteFrom) return !throughput_.is_zero();
     // A branch is worth little from its start: ended as other paths are, it would bring its light
@@ -250,20 +251,20 @@ bool EyePath::take(const EyeVertex& vertex, const BsdfDraw& draw, float share, d
     return true;
 }
 
-float EyePath::importance() const {
-    return throughput_.sum() * eta_scale_ / static_cast<float>(kLanes);
+float CameraPath::importance() const {
+    return throughput_.sum() * eta_scale_ / static_cast<float>(kWavelengths);
 }
 
 /// Footprint = pixel angle times path length; a refraction changes the angle by the ratio of
 /// indices. Curvature and grazing angles are left out: the radius shrinks anyway.
-void EyePath::grow_footprint(const Hit& hit) {
+void CameraPath::grow_footprint(const Hit& hit) {
     footprint_ += footprint_angle_ * hit.distance;
     spread_ += spread_angle_ * hit.distance;
     length_ += hit.distance;
 }
 
-float EyePath::radius_at(const Hit& hit) const {
-    const EyeSettings& settings = pass_.settings;
+float CameraPath::radius_at(const Hit& hit) const {
+    const CameraPathSettings& settings = pass_.settings;
     const auto factor = static_cast<float>(pass_.radius_factor);
     const float floor = smallest_radius(hit.position);
     if (settings.radius) return std::max(floor, static_cast<float>(*settings.radius) * factor);
@@ -274,17 +275,17 @@ float EyePath::radius_at(const Hit& hit) const {
 }
 
 /// Of the first surface; of a coated one what lies below the coat.
-/// @param reflectance  share of the light of each lane that the surface scatters.
-void EyePath::add_features(const Hit& hit, const Spectrum& reflectance) {
+/// @param reflectance  share of the light of each wavelength that the surface scatters.
+void CameraPath::add_features(const Hit& hit, const SampledSpectrum& reflectance) {
     if (has_features_) return;
     has_features_ = true;
-    const auto add = [&](const Vec3& value, Layer layer) {
-        image_.add_feature(pixel_, value * of_pixel_, layer);
+    const auto add = [&](const Vec3& value, Aov aov) {
+        image_.add_feature(pixel_, value * of_pixel_, aov);
     };
-    add(hit.shading_normal, Layer::normal);
-    add(Vec3(length_), Layer::depth);
-    if (image_.has(Layer::albedo))
-        add(pass_.scene.wavelengths.to_rgb(reflectance * pass_.scene.white), Layer::albedo);
+    add(hit.shading_normal, Aov::normal);
+    add(Vec3(length_), Aov::depth);
+    if (image_.has(Aov::albedo))
+        add(pass_.scene.wavelengths.to_rgb(reflectance * pass_.scene.white), Aov::albedo);
 }
 
 }  // namespace sunfleck

@@ -16,11 +16,11 @@
 
 namespace sunfleck {
 
-class EyePath {
+class CameraPath {
 public:
     /// Visible points are appended to `points`, light is added to `image`.
-    EyePath(const EyePass& pass, const FilterSampler& filter, PassImage& image,
-            std::vector<VisiblePoint>& points, Statistics& statistics)
+    CameraPath(const CameraPass& pass, const FilterSampler& filter, PassImage& image,
+               std::vector<VisiblePoint>& points, Statistics& statistics)
         : pass_(pass), filter_(filter), image_(image), points_(points), statistics_(statistics) {}
 
     /// @param pixel  index in the pass's window. @param path  which of the pixel's.
@@ -34,30 +34,30 @@ private:
         none       // by smooth surfaces after a glossy vertex: photons bring it
     };
 
-    CameraRay start(RoundPoints& numbers);
-    void follow(std::optional<Hit> hit, RoundPoints& numbers);
+    CameraRay start(BatchPoints& numbers);
+    void follow(std::optional<Hit> hit, BatchPoints& numbers);
     /// On from a hit, in the new direction.
     Ray ray_beyond(const Hit& hit);
-    bool meet(Hit& hit, RoundPoints& numbers);
-    void meet_base(const EyeVertex& vertex, RoundPoints& numbers);
-    bool go_on(const EyeVertex& vertex, RoundPoints& numbers);
+    bool meet(Hit& hit, BatchPoints& numbers);
+    void meet_base(const CameraVertex& vertex, BatchPoints& numbers);
+    bool go_on(const CameraVertex& vertex, BatchPoints& numbers);
     void add_emission(const EmitterMet& met);
     /// @param radiance  that arrives, of which parts_ are parts.
-    void add_light(const Spectrum& radiance, float weight, Layer owner);
-    LightParts* wanted_parts() { return image_.light_layers() > 0 ? &parts_ : nullptr; }
-    void add_features(const Hit& hit, const Spectrum& reflectance);
+    void add_light(const SampledSpectrum& radiance, float weight, Aov owner);
+    LightParts* wanted_parts() { return image_.light_groups() > 0 ? &parts_ : nullptr; }
+    void add_features(const Hit& hit, const SampledSpectrum& reflectance);
     void gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds);
-    void add_direct_light(const EyeVertex& vertex, RoundPoints& numbers, bool follow);
-    bool scatter(const EyeVertex& vertex, RoundPoints& numbers);
+    void add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow);
+    bool scatter(const CameraVertex& vertex, BatchPoints& numbers);
     /// Goes on by one bsdf sample, as a branch with that share of the light. @return whether it
     /// does.
-    bool take(const EyeVertex& vertex, const BsdfDraw& draw, float share, double roulette);
+    bool take(const CameraVertex& vertex, const BsdfDraw& draw, float share, double roulette);
     /// What light from here on counts in the pixel, about; 1 at the camera.
     float importance() const;
     void grow_footprint(const Hit& hit);
     float radius_at(const Hit& hit) const;
 
-    const EyePass& pass_;
+    const CameraPass& pass_;
     const FilterSampler& filter_;
     PassImage& image_;
     std::vector<VisiblePoint>& points_;
@@ -68,8 +68,8 @@ private:
     bool has_features_ = false;
     float of_pixel_ = 1;  // this path's share of the pixel's light
     float weight_ = 1;    // of the pixel filter, and of the film's exposure, of that share
-    Spectrum throughput_;
-    LaneChoice lanes_;
+    SampledSpectrum throughput_;
+    HeroWavelength hero_;
     Vec3 position_{0};  // of the last vertex
     Vec3 direction_{0};
     MediumNumber medium_ = 0;    // of the next ray
@@ -79,11 +79,11 @@ private:
     float first_footprint_ = 0;  // at the first surface
     float spread_ = 0;           // width that glossy lobes add here
     float spread_angle_ = 0;     // its growth per distance
-    float eta_scale_ = 1;        // undoes the radiance's factor of refraction for roulette
+    float eta_scale_ = 1;        // undoes the radiance's factor of refraction for Russian roulette
     float share_ = 1;            // of the light: of the branches taken where the path parted
     std::uint16_t bounces_ = 0;
     Emitters emitters_ = Emitters::all;
-    float bsdf_pdf_ = 0;     // of the last glossy sample, over the light candidates there
+    float bsdf_pdf_ = 0;     // of the last glossy sample, over the RIS candidates there
     Receiver glossy_;        // its vertex
     std::size_t rough_ = 0;  // glossy vertices so far
     LightParts parts_;       // of light that is about to be added

@@ -3,7 +3,7 @@
 
 namespace sunfleck {
 
-void note(LightParts* parts, std::size_t light, const Spectrum& radiance) {
+void note(LightParts* parts, std::size_t light, const SampledSpectrum& radiance) {
     if (parts != nullptr && !radiance.is_zero())
         parts->push_back({static_cast<std::uint32_t>(light), radiance});
 }
@@ -14,7 +14,7 @@ EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* fro
     if (index == kNone) return {};
     const auto& light = std::get<AreaLight>(pass.scene.lights()[index]);
     if (!light.emits(hit.normal, -direction)) return {};
-    const Spectrum radiance = pass.emitted(index, light, hit);
+    const SampledSpectrum radiance = pass.emitted(index, light, hit);
     note(parts, index, radiance);
     if (from == nullptr) return {radiance};
     const double chosen = pass.scene.light_tree().probability(*from, index);
@@ -27,7 +27,8 @@ EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& d
     EmitterMet all;
     for (const std::uint32_t index : pass.scene.infinite_lights()) {
         const Beyond there = beyond(pass.scene.lights()[index], from, direction);
-        const Spectrum radiance = pass.tinted(pass.emission[index] * there.factor, there.tint);
+        const SampledSpectrum radiance =
+            pass.tinted(pass.emission[index] * there.factor, there.tint);
         note(parts, index, radiance);
         all.radiance += radiance;
         all.pdf += static_cast<float>(pass.scene.light_tree().probability({}, index)) * there.pdf;

@@ -10,20 +10,20 @@ namespace sunfleck {
 
 /// Radiance that an emitter sends along a ray, and how else it could have been found.
 struct EmitterMet {
-    Spectrum radiance;
-    float pdf = 0;  // per steradian, of a light candidate at the ray's origin, choice included
+    SampledSpectrum radiance;
+    float pdf = 0;  // per steradian, of a RIS candidates at the ray's origin, choice included
 };
 
 /// What one light has to do with a result of the functions below. Where a list of these is given,
 /// they append to it; a result is the sum of its parts. Null: nobody asks.
 struct LightPart {
     std::uint32_t light = 0;
-    Spectrum radiance;
+    SampledSpectrum radiance;
 };
 using LightParts = std::vector<LightPart>;
 
 /// Appends a part, where anybody asks and there is any light.
-void note(LightParts* parts, std::size_t light, const Spectrum& radiance);
+void note(LightParts* parts, std::size_t light, const SampledSpectrum& radiance);
 
 /// The emitter at a hit, seen along `direction` (unit, of the ray); zero if it shows its dark side
 /// or is none. @param from  the vertex that the ray comes from; null: without a density.

@@ -9,7 +9,7 @@
 namespace sunfleck {
 namespace {
 
-/// Density with which a light candidate takes a direction, for the weights: infinite lights lie
+/// Density with which a RIS candidates takes a direction, for the weights: infinite lights lie
 /// upon each other, and a bsdf sample finds them all at once, so they count together.
 float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen& light,
               const DirectSample& drawn) {
@@ -35,19 +35,18 @@ Vec2d place_of(const Vec2d& u, std::size_t number, std::size_t candidates) {
 }
 
 /// @param many  candidates.
-LightCandidate candidate(const PassScene& pass, const EyeVertex& vertex,
-                         const LightChoice::Chosen& choice, const Vec2d& place, float many) {
+RisCandidate candidate(const PassScene& pass, const CameraVertex& vertex,
+                       const LightChoice::Chosen& choice, const Vec2d& place, float many) {
     const auto light = sample_direct(pass.scene.lights()[choice.index], vertex.hit.position,
                                      Vec2(place), pass.scene.sphere());
     if (!light) return {};
-    const Vec3 w_to = vertex.frame.to_local(light->direction);
-    const Spectrum f = eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance);
+    const Vec3 wi = vertex.frame.to_local(light->direction);
+    const SampledSpectrum f = eval(vertex.bsdf, vertex.wo, wi, Transport::radiance);
     if (f.is_zero()) return {};
-    float weight =
-        light->factor * std::abs(w_to.z) / (many * static_cast<float>(choice.probability));
+    float weight = light->factor * std::abs(wi.z) / (many * static_cast<float>(choice.probability));
     if (light->pdf)
         weight *= mis_weight(many * density(pass, vertex.hit.position, choice, *light),
-                             pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance));
+                             pdf(vertex.bsdf, vertex.wo, wi, Transport::radiance));
     return {choice.index, light->direction, light->distance,
             f * pass.tinted(pass.emission[choice.index], light->tint) * weight};
 }
@@ -55,17 +54,17 @@ LightCandidate candidate(const PassScene& pass, const EyeVertex& vertex,
 /// The rays to candidates of a vertex.
 class ShadowRays {
 public:
-    ShadowRays(const PassScene& pass, const EyeVertex& vertex, Statistics& statistics,
+    ShadowRays(const PassScene& pass, const CameraVertex& vertex, Statistics& statistics,
                LightParts* parts)
         : pass_(pass), vertex_(vertex), statistics_(statistics), parts_(parts) {}
 
     /// What is seen of a candidate.
     /// @param by  one over the probability with which it is asked for.
-    Spectrum seen(const LightCandidate& light, float by) {
-        ++statistics_[Count::eye_rays];
+    SampledSpectrum seen(const RisCandidate& light, float by) {
+        ++statistics_[Count::camera_rays];
         const MediumNumber medium =
             pass_.scene.medium_beyond(vertex_.hit, light.direction, vertex_.medium);
-        const Spectrum found =
+        const SampledSpectrum found =
             light.arriving * by *
             pass_.seen_from(vertex_.hit, light.direction, light.distance, medium);
         note(parts_, light.light, found);
@@ -74,26 +73,26 @@ public:
 
 private:
     const PassScene& pass_;
-    const EyeVertex& vertex_;
+    const CameraVertex& vertex_;
     Statistics& statistics_;
     LightParts* parts_;
 };
 
-Spectrum seen_of_each(const LightCandidates& candidates, ShadowRays rays) {
-    Spectrum found;
-    for (const LightCandidate& light : candidates)
+SampledSpectrum seen_of_each(const RisCandidates& candidates, ShadowRays rays) {
+    SampledSpectrum found;
+    for (const RisCandidate& light : candidates)
         if (!light.arriving.is_zero()) found += rays.seen(light, 1);
     return found;
 }
 
 /// @param u  in [0,1): which is picked, in their order, so that neighbouring numbers pick alike.
-Spectrum seen_of_one(const LightCandidates& candidates, double u, ShadowRays rays) {
+SampledSpectrum seen_of_one(const RisCandidates& candidates, double u, ShadowRays rays) {
     float all = 0;
-    for (const LightCandidate& light : candidates) all += light.arriving.sum();
-    if (!(all > 0)) return Spectrum(all);  // nothing, or no number, which pictures count
-    const LightCandidate* picked = nullptr;
+    for (const RisCandidate& light : candidates) all += light.arriving.sum();
+    if (!(all > 0)) return SampledSpectrum(all);  // nothing, or no number, which pictures count
+    const RisCandidate* picked = nullptr;
     double left = u * static_cast<double>(all);
-    for (const LightCandidate& light : candidates) {
+    for (const RisCandidate& light : candidates) {
         const float worth = light.arriving.sum();
         if (!(worth > 0)) continue;
         picked = &light;
@@ -105,21 +104,21 @@ Spectrum seen_of_one(const LightCandidates& candidates, double u, ShadowRays ray
 
 }  // namespace
 
-Receiver receiver_at(const Scene& scene, const EyeVertex& vertex) {
+Receiver receiver_at(const Scene& scene, const CameraVertex& vertex) {
     if (!scene.light_tree().is_grown() || gathers(vertex.bsdf, 1, -1))
         return {vertex.hit.position, Vec3(0)};
-    return {vertex.hit.position, vertex.w_from.z < 0 ? -vertex.frame.z : vertex.frame.z};
+    return {vertex.hit.position, vertex.wo.z < 0 ? -vertex.frame.z : vertex.frame.z};
 }
 
-std::size_t light_candidates(const EyeVertex& vertex) {
-    if (!vertex.light_candidates) return 1;
+std::size_t ris_candidates(const CameraVertex& vertex) {
+    if (!vertex.ris) return 1;
     return scattering(vertex.bsdf) == Scattering::diffuse ? 2 : 8;
 }
 
-LightCandidates candidates_at(const PassScene& pass, const EyeVertex& vertex,
-                              const LightNumbers& u) {
-    LightCandidates candidates;
-    const std::size_t count = light_candidates(vertex);
+RisCandidates candidates_at(const PassScene& pass, const CameraVertex& vertex,
+                            const LightNumbers& u) {
+    RisCandidates candidates;
+    const std::size_t count = ris_candidates(vertex);
     const auto many = static_cast<double>(count);
     std::array<double, candidates.size()> numbers{};
     for (std::size_t i = 0; i < count; ++i)
@@ -135,23 +134,24 @@ LightCandidates candidates_at(const PassScene& pass, const EyeVertex& vertex,
     return candidates;
 }
 
-Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,
-                       Statistics& statistics, LightParts* parts) {
-    const LightCandidates candidates = candidates_at(pass, vertex, u);
+SampledSpectrum sample_lights(const PassScene& pass, const CameraVertex& vertex,
+                              const LightNumbers& u, Statistics& statistics, LightParts* parts) {
+    const RisCandidates candidates = candidates_at(pass, vertex, u);
     const ShadowRays rays(pass, vertex, statistics, parts);
     return scattering(vertex.bsdf) == Scattering::diffuse ? seen_of_each(candidates, rays)
                                                           : seen_of_one(candidates, u.pick, rays);
 }
 
-Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
-                            Statistics& statistics, LightParts* parts) {
-    const Vec3 direction = vertex.frame.to_world(drawn.w_to);
+SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& vertex,
+                                   const BsdfSample& drawn, Statistics& statistics,
+                                   LightParts* parts) {
+    const Vec3 direction = vertex.frame.to_world(drawn.wi);
     const Scene& scene = pass.scene;
     const Receiver from = receiver_at(scene, vertex);
-    Spectrum sum;
-    Spectrum weight = drawn.weight;
+    SampledSpectrum sum;
+    SampledSpectrum weight = drawn.weight;
     const float density_over_lights =
-        drawn.pdf.value_or(1) / static_cast<float>(light_candidates(vertex));
+        drawn.pdf.value_or(1) / static_cast<float>(ris_candidates(vertex));
     std::size_t added = parts != nullptr ? parts->size() : 0;
     const auto add = [&](const EmitterMet& met) {
         if (met.radiance.is_zero()) return;
@@ -163,7 +163,7 @@ Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, cons
     Ray ray = ray_from(vertex.hit, direction);
     MediumNumber medium = scene.medium_beyond(vertex.hit, direction, vertex.medium);
     while (true) {
-        ++statistics[Count::eye_rays];
+        ++statistics[Count::camera_rays];
         const auto hit = scene.geometry().intersect(ray);
         if (scene.has_media()) weight *= pass.left_after(medium, hit ? hit->distance : kInfinity);
         if (!hit) {
@@ -171,7 +171,7 @@ Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, cons
             return sum;
         }
         add(emitter_at(pass, *hit, &from, direction, parts));
-        if (!scene.passes_straight(*hit)) return sum;
+        if (!scene.is_null_interface(*hit)) return sum;
         ray = ray_from(*hit, direction);
         medium = scene.medium_beyond(*hit, direction, medium);
     }

@@ -18,17 +18,17 @@
 namespace sunfleck {
 
 /// A vertex of a camera path where a rough surface scatters.
-struct EyeVertex {
+struct CameraVertex {
     Hit hit;
-    Frame frame;                   // shading
-    Vec3 w_from;                   // local, unit
-    const Bsdf& bsdf;              // one lane only where the path has dispersed
-    MediumNumber medium = 0;       // from which the path came
-    bool light_candidates = true;  // EyeSettings
+    Frame frame;              // shading
+    Vec3 wo;                  // local, unit
+    const Bsdf& bsdf;         // one wavelength only where the path has dispersed
+    MediumNumber medium = 0;  // from which the path came
+    bool ris = true;          // CameraPathSettings
 };
 
 /// Where light is wanted: what cannot come through the surface is not chosen from the tree.
-Receiver receiver_at(const Scene& scene, const EyeVertex& vertex);
+Receiver receiver_at(const Scene& scene, const CameraVertex& vertex);
 
 /// Numbers in [0,1) of a vertex's light samples.
 struct LightNumbers {
@@ -38,32 +38,34 @@ struct LightNumbers {
 };
 
 /// A place of a light.
-struct LightCandidate {
+struct RisCandidate {
     std::size_t light = 0;
     Vec3 direction{0};  // unit, to the light
     float distance = 0;
     /// Were nothing in the way: f * |cos| * radiance * weight / density of all candidates. None
     /// where the light cannot be seen from here.
-    Spectrum arriving;
+    SampledSpectrum arriving;
 };
 
 /// How many there are: a power of two. Many where the lobe is narrow, which few places of the
 /// lights fill. One where the user wants no more.
-std::size_t light_candidates(const EyeVertex& vertex);
+std::size_t ris_candidates(const CameraVertex& vertex);
 
 /// As many as there are at the most; those beyond light_candidates() have nothing arriving.
-using LightCandidates = std::array<LightCandidate, 8>;
-LightCandidates candidates_at(const PassScene& pass, const EyeVertex& vertex,
-                              const LightNumbers& u);
+using RisCandidates = std::array<RisCandidate, 8>;
+RisCandidates candidates_at(const PassScene& pass, const CameraVertex& vertex,
+                            const LightNumbers& u);
 
 /// What is seen of all candidates, or of the one that is picked over its probability.
-Spectrum sample_lights(const PassScene& pass, const EyeVertex& vertex, const LightNumbers& u,
-                       Statistics& statistics, LightParts* parts = nullptr);
+SampledSpectrum sample_lights(const PassScene& pass, const CameraVertex& vertex,
+                              const LightNumbers& u, Statistics& statistics,
+                              LightParts* parts = nullptr);
 
 /// Light found by following one bsdf sample from a vertex to the first thing it meets: weighted
-/// for MIS with the light candidates, the sample's weight included.
-Spectrum follow_bsdf_sample(const PassScene& pass, const EyeVertex& vertex, const BsdfSample& drawn,
-                            Statistics& statistics, LightParts* parts = nullptr);
+/// for MIS with the RIS candidates, the sample's weight included.
+SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& vertex,
+                                   const BsdfSample& drawn, Statistics& statistics,
+                                   LightParts* parts = nullptr);
 
 /// Weight of the strategy with density `mine` against one with density `other`, not both zero.
 /// (By their ratio, for squares of densities need not fit into a float.)

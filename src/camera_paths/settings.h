@@ -9,13 +9,13 @@
 
 namespace sunfleck {
 
-struct EyeSettings {
+struct CameraPathSettings {
     std::optional<double> radius_pixels{};    // first radius over the pixel's footprint at the
                                               // visible point; see first_radius()
     std::optional<double> radius;             // instead: first radius in scene units
     std::optional<double> indirect_radius{};  // of discs for indirect photons, over that for
-                                              // others; 1 or more; see indirect_reach()
-    bool light_candidates = true;  // light samples of a vertex are several, or picked from several
+                                              // others; 1 or more; see indirect_radius_scale()
+    bool ris = true;  // light samples of a vertex are several, or picked from several
 };
 
 /// The 5/8th power of a picture's side (the root of its number of pixels), over that of another.
@@ -30,7 +30,7 @@ inline double size_power(const Vec2i& resolution, double other) {
 
 /// Of discs for direct photons and caustics, in pixels. Unless the user says, 2 in a picture of 512
 /// pixels a side or more, in smaller ones as the 5/8th power of the side, but never less than 1.
-inline double first_radius(const EyeSettings& settings, const Vec2i& resolution) {
+inline double first_radius(const CameraPathSettings& settings, const Vec2i& resolution) {
     return settings.radius_pixels.value_or(std::clamp(2 * size_power(resolution, 512), 1.0, 2.0));
 }
 
@@ -39,7 +39,7 @@ inline double first_radius(const EyeSettings& settings, const Vec2i& resolution)
 /// the side, but never less than 1; for first_radius() so that they are as wide as for 2 pixels.
 /// Indirect light has few edges, and how wide these are is a matter of the scene: only noise, of
 /// which large pictures have less, keeps the best radius from growing with the side.
-inline double indirect_reach(const EyeSettings& settings, const Vec2i& resolution) {
+inline double indirect_radius_scale(const CameraPathSettings& settings, const Vec2i& resolution) {
     const double reach = std::max(1.0, 2 * size_power(resolution, 256));
     const bool is_given = settings.radius || settings.radius_pixels;
     return settings.indirect_radius.value_or(is_given ? reach

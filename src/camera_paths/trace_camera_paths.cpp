@@ -5,7 +5,8 @@
 #include "core/parallel.h"
 
 namespace sunfleck {
-VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics) {
+VisiblePointLists trace_camera_paths(const CameraPass& pass, PassImage& image,
+                                     Statistics& statistics) {
     constexpr std::size_t kBlock = 256;
     const std::size_t pixels = pass.window.pixels();
     const PixelCells cells{pass.window, pass.cells};
@@ -18,13 +19,14 @@ VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statist
         Statistics& count = counts[block];
         for (std::size_t pixel = begin; pixel < end; ++pixel) {
             if (!cells.has(pixel)) continue;
-            PathOfPixel path{0, pass.doublings.empty() ? 0U : pass.doublings[pixel], pass.draw};
-            const std::uint64_t before = count[Count::eye_rays];
+            PathOfPixel path{0, pass.log2_samples.empty() ? 0U : pass.log2_samples[pixel],
+                             pass.subpass};
+            const std::uint64_t before = count[Count::camera_rays];
             for (; path.number < path.count(); ++path.number)
-                EyePath(pass, filter, image, lists[block], count)
+                CameraPath(pass, filter, image, lists[block], count)
                     .trace(static_cast<std::uint32_t>(pixel), path);
             count[Count::camera_paths] += path.count();
-            if (!pass.rays.empty()) pass.rays[pixel] += count[Count::eye_rays] - before;
+            if (!pass.rays.empty()) pass.rays[pixel] += count[Count::camera_rays] - before;
         }
         count[Count::visible_points] += lists[block].size();
     });

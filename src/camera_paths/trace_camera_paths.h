@@ -14,6 +14,7 @@
 namespace sunfleck {
 
 /// All camera paths of all pixels. The order of the points, list after list, is that of the pixels.
-VisiblePointLists trace_eye_paths(const EyePass& pass, PassImage& image, Statistics& statistics);
+VisiblePointLists trace_camera_paths(const CameraPass& pass, PassImage& image,
+                                     Statistics& statistics);
 
 }  // namespace sunfleck

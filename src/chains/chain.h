@@ -1,9 +1,9 @@
 // A Markov chain over primary samples: uniform on the set of those whose paths are high enough, or
 // less often where others sample, too.
 //
-// In:  a seed in the set, the set's least height, the scales of mutations. Out: states, each with
-// its path. A proposal outside the set is rejected, so the state counts once more.
-// Source: Metropolis et al. 1953 for a target of zero and one: paper, section 4.2, eq. 10.
+// In:  a survivor in the set, the set's least height, the scales of mutations. Out: states, each
+// with its path. A proposal outside the set is rejected, so the state counts once more. Source:
+// Metropolis et al. 1953 for a target of zero and one: paper, section 4.2, eq. 10.
 #pragma once
 
 #include "chains/path_space.h"
@@ -20,10 +20,11 @@ public:
     using Path = typename Space::Path;
     using Tally = typename Space::Tally;
 
-    /// @param seed  a sample whose path has the target's height. @param stream  this chain's own.
-    Chain(const Space& space, const Target& target, StoredSample seed, RandomStream stream,
+    /// @param survivor  a sample whose path has the target's height. @param stream  this chain's
+    /// own.
+    Chain(const Space& space, const Target& target, StoredSample survivor, RandomStream stream,
           Tally& tally)
-        : space_(space), target_(target), stream_(stream), sample_(std::move(seed)) {
+        : space_(space), target_(target), stream_(stream), sample_(std::move(survivor)) {
         space_.trace(RepeatingReader(sample_, stream_), path_, tally);
         height_ = space_.height(path_);
         is_covered_ = target_.cover.contains(sample_);

@@ -8,35 +8,35 @@
 
 namespace sunfleck {
 
-/// What a pilot's random numbers are named by, but for its rounds.
+/// What a pilot's random numbers are named by, but for its iterations.
 struct PilotName {
     std::uint64_t seed = 0;
     std::uint32_t epoch = 0;  // below 2^20
     std::uint32_t part = 0;   // see PassId
 
-    /// Streams of a round: passes that no render reaches. @param number  below 512.
-    constexpr PassId round(std::uint32_t number) const {
+    /// Streams of a iteration: passes that no render reaches. @param number  below 512.
+    constexpr PassId iteration(std::uint32_t number) const {
         return {seed, 0x80000000U + epoch * 512 + number, part};
     }
 };
 
-/// A pilot's rounds so far, and the walks among them.
+/// A pilot's iterations so far, and the walks among them.
 template <PathSpace Space>
-class SetWalk {
+class ChainWalk {
 public:
     using Tally = typename Space::Tally;
 
     /// @param space  must outlive it.
-    SetWalk(const Space& space, const PilotName& name) : space_(space), name_(name) {}
+    ChainWalk(const Space& space, const PilotName& name) : space_(space), name_(name) {}
 
-    /// The streams of the next round.
-    PassId next_round() { return name_.round(round_++); }
+    /// The streams of the next iteration.
+    PassId next_iteration() { return name_.iteration(round_++); }
 
-    /// One round: the population becomes its states, the scales adapt.
+    /// One iteration: the population becomes its states, the scales adapt.
     LevelCounts once(int height, float target, MutationScales& scales, Population& population,
                      Tally& tally) {
         const LevelPlan plan{height, kStates, kChains, scales};
-        const Level<Space> level(space_, next_round(), 1, plan, population);
+        const Level<Space> level(space_, next_iteration(), 1, plan, population);
         LevelCounts counts;
         population = surviving_states(level, height, counts, tally);
         scales = adapted(scales, counts.acceptances, target);
@@ -55,12 +55,12 @@ public:
         }
     }
 
-    /// Counts what the pilot traced in rounds of other kinds.
+    /// Counts what the pilot traced in iterations of other kinds.
     void add_paths(std::uint64_t paths) { paths_ += paths; }
-    /// Traced so far, in all rounds.
+    /// Traced so far, in all iterations.
     std::uint64_t paths() const { return paths_; }
 
-    static constexpr std::uint32_t kStates = 4'000;  // of a round
+    static constexpr std::uint32_t kStates = 4'000;  // of a iteration
     static constexpr std::uint32_t kChains = 64;
 
 private:

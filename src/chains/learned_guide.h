@@ -1,7 +1,7 @@
-// Learning a map of the emission that covers most of what is visible.
+// Learning a emission guide that covers most of what is visible.
 //
-// In:  where visible paths start, roughly. Out: a map, and how much it leaves out. Trials are never
-// part of a picture, so what they teach may depend on their own random numbers in any way.
+// In:  where visible paths start, roughly. Out: a guide, and how much it leaves out. Trials are
+// never part of a picture, so what they teach may depend on their own random numbers in any way.
 // Source: the constants are measured ones (docs/decisions.md).
 #pragma once
 
@@ -12,22 +12,22 @@
 
 namespace sunfleck {
 
-/// What a map covers.
-enum class Covering {
+/// What a guide covers.
+enum class GuideCoverage {
     often_visible,  // boxes in which one path in 20 is visible: chains find the others
     all_known       // every box that is worth more than uniform paths: chains would find nothing
 };
 
-struct LearnedMap {
-    EmissionMap map;              // the identity: covers nothing
+struct LearnedGuide {
+    EmissionGuide map;            // the identity: covers nothing
     double rest = 1;              // share of visible paths that it leaves out, about
     double visible_fraction = 0;  // of uniform paths
-    Covering covering = Covering::often_visible;
+    GuideCoverage covering = GuideCoverage::often_visible;
     double visible_share = 0;  // of paths through it
 };
 
 /// How hints are asked for visible paths.
-struct HintTries {
+struct GuideSampleBudget {
     std::size_t most = 2048;  // hints, evenly spread over all
     int tries = 256;          // of one
 };
@@ -35,9 +35,9 @@ struct HintTries {
 /// Visible paths whose emission is as hinted and whose other numbers are drawn: at most one a hint.
 template <PathSpace Space>
 Population visible_from(const Space& space, const std::vector<WeightedEmission>& hints, PassId pass,
-                        typename Space::Tally& tally, const HintTries& effort = {}) {
+                        typename Space::Tally& tally, const GuideSampleBudget& effort = {}) {
     const std::size_t count = std::min(effort.most, hints.size());
-    std::vector<std::vector<Seed>> found(count);
+    std::vector<std::vector<Survivor>> found(count);
     std::vector<typename Space::Tally> tallies(count);
     parallel_for(count, [&](std::size_t i) {
         const EmissionPoint& hint = hints[i * hints.size() / count].point;
@@ -45,7 +45,8 @@ Population visible_from(const Space& space, const std::vector<WeightedEmission>&
         typename Space::Path path;
         for (int k = 0; k < effort.tries && found[i].empty(); ++k) {
             StoredSample sample;
-            for (std::uint32_t s = 0; s < kMappedSlots; ++s) sample.set(s, to_fraction(hint.at(s)));
+            for (std::uint32_t s = 0; s < kGuidedDimensions; ++s)
+                sample.set(s, to_fraction(hint.at(s)));
             space.trace(RepeatingReader(sample, stream), path, tallies[i]);
             if (space.height(path) == kVisible) found[i].push_back({sample, 1, kVisible});
         }
@@ -58,52 +59,52 @@ Population visible_from(const Space& space, const std::vector<WeightedEmission>&
     return population;
 }
 
-/// Each seed with every number of its emission drawn anew, one after the other, where it stays
+/// Each survivor with every number of its emission drawn anew, one after the other, where it stays
 /// visible: numbers that matter little are then spread as they should be, however chains move them.
 template <PathSpace Space>
-void redraw_emission(const Space& space, std::vector<Seed>& seeds, PassId pass,
-                     typename Space::Tally& tally) {
-    std::vector<typename Space::Tally> tallies(seeds.size());
-    parallel_for(seeds.size(), [&](std::size_t i) {
+void resample_emission(const Space& space, std::vector<Survivor>& survivors, PassId pass,
+                       typename Space::Tally& tally) {
+    std::vector<typename Space::Tally> tallies(survivors.size());
+    parallel_for(survivors.size(), [&](std::size_t i) {
         RandomStream stream = pass.stream(Purpose::chain, i);
         typename Space::Path path;
-        for (std::uint32_t s = 0; s < kMappedSlots; ++s) {
-            StoredSample trial = seeds[i].sample;
+        for (std::uint32_t s = 0; s < kGuidedDimensions; ++s) {
+            StoredSample trial = survivors[i].sample;
             trial.set(s, stream.next_fraction());
             space.trace(RepeatingReader(trial, stream), path, tallies[i]);
-            if (space.height(path) == kVisible) seeds[i].sample = std::move(trial);
+            if (space.height(path) == kVisible) survivors[i].sample = std::move(trial);
         }
     });
     for (const auto& t : tallies) tally += t;
 }
 
 template <PathSpace Space>
-class MapLearner {
+class GuideLearner {
 public:
     using Tally = typename Space::Tally;
-    static constexpr std::uint32_t kTrials = 20'000;  // a round
+    static constexpr std::uint32_t kTrials = 20'000;  // a iteration
 
-    MapLearner(const Space& space, Tally& tally) : space_(space), tally_(tally) {}
+    GuideLearner(const Space& space, Tally& tally) : space_(space), tally_(tally) {}
 
-    /// @param starts  emission of visible paths, weighted. @param rounds  name the trials, at least
-    /// two: all but the last correct the map, the last one says where it is of use.
-    LearnedMap learn(const std::vector<WeightedEmission>& starts, Covering covering,
-                     std::span<const PassId> rounds) const {
+    /// @param starts  emission of visible paths, weighted. @param iterations  name the trials, at
+    /// least two: all but the last correct the guide, the last one says where it is of use.
+    LearnedGuide learn(const std::vector<WeightedEmission>& starts, GuideCoverage covering,
+                       std::span<const PassId> iterations) const {
         constexpr double kUniformAtFirst = 0.5;
         constexpr double kUniform = 0.25;
         constexpr double kKept = 0.1;
         // Where trials say which boxes are of use, these may be small and some cut by chance.
-        const double least_gain = covering == Covering::often_visible ? 3 : 8;
-        EmissionMap map = EmissionMap::learned(starts, {kUniformAtFirst, least_gain});
+        const double least_gain = covering == GuideCoverage::often_visible ? 3 : 8;
+        EmissionGuide map = EmissionGuide::learned(starts, {kUniformAtFirst, least_gain});
         Trials before;
-        for (const PassId& round : rounds.first(rounds.size() - 1)) {
-            before.add(tried(map, round));
-            map = EmissionMap::learned(joined(starts, before), {kUniform, least_gain});
-            if (covering == Covering::all_known) map = map.widened(kKept);
+        for (const PassId& iteration : iterations.first(iterations.size() - 1)) {
+            before.add(tried(map, iteration));
+            map = EmissionGuide::learned(joined(starts, before), {kUniform, least_gain});
+            if (covering == GuideCoverage::all_known) map = map.widened(kKept);
         }
-        const Trials last = tried(map, rounds.back());
-        if (covering == Covering::often_visible) map = map.where_visible(last.trials, kOften);
-        LearnedMap learned{map, 1, last.visible / kTrials, covering, visible_share(map, last)};
+        const Trials last = tried(map, iterations.back());
+        if (covering == GuideCoverage::often_visible) map = map.where_visible(last.trials, kOften);
+        LearnedGuide learned{map, 1, last.visible / kTrials, covering, visible_share(map, last)};
         if (!learned.map.is_identity()) learned.rest = rest(learned.map, starts, last);
         return learned;
     }
@@ -112,7 +113,7 @@ private:
     static constexpr double kOften = 0.05;
 
     struct Trials {
-        std::vector<EmissionMap::Trial> trials;
+        std::vector<EmissionGuide::Trial> trials;
         std::vector<double> weights;  // 1 / density
         double visible = 0;           // weights of visible ones
 
@@ -123,17 +124,17 @@ private:
         }
     };
 
-    Trials tried(const EmissionMap& map, PassId round) const {
+    Trials tried(const EmissionGuide& map, PassId iteration) const {
         const Population all =
-            uniform_level(space_, MappedPoints(round, map), kTrials, 0, tally_).population;
+            uniform_level(space_, GuidedPoints(iteration, map), kTrials, 0, tally_).population;
         Trials result;
-        for (const Seed& seed : all.seeds()) {
-            const EmissionPoint point = emission_of(seed.sample);
+        for (const Survivor& survivor : all.survivors()) {
+            const EmissionPoint point = emission_of(survivor.sample);
             const double density = map.density(point);
             if (!(density > 0)) continue;  // rounded into an empty box beside its own
-            result.trials.push_back({point, seed.height == kVisible});
+            result.trials.push_back({point, survivor.height == kVisible});
             result.weights.push_back(1 / density);
-            if (seed.height == kVisible) result.visible += result.weights.back();
+            if (survivor.height == kVisible) result.visible += result.weights.back();
         }
         return result;
     }
@@ -152,12 +153,12 @@ private:
         return starts;
     }
 
-    /// Of trials where the map covers. These had its densities but for what where_visible()
+    /// Of trials where the guide covers. These had its densities but for what where_visible()
     /// changed.
-    static double visible_share(const EmissionMap& map, const Trials& trials) {
+    static double visible_share(const EmissionGuide& map, const Trials& trials) {
         std::size_t covered = 0;
         std::size_t visible = 0;
-        for (const EmissionMap::Trial& trial : trials.trials) {
+        for (const EmissionGuide::Trial& trial : trials.trials) {
             if (!map.covers(trial.point)) continue;
             ++covered;
             visible += trial.visible ? 1 : 0;
@@ -166,7 +167,7 @@ private:
     }
 
     /// What is not covered: by trials, of which few count much, and by starts, half and half.
-    static double rest(const EmissionMap& map, const std::vector<WeightedEmission>& starts,
+    static double rest(const EmissionGuide& map, const std::vector<WeightedEmission>& starts,
                        const Trials& trials) {
         constexpr double kLeast = 1e-4;
         double of_trials = 0;

@@ -1,4 +1,4 @@
-// One level of a ladder: chains that start from a population and walk one set.
+// One level of a splitting: chains that start from a population and walk one set.
 //
 // In:  a population of the set; how many states, how many chains. Out: every state with the number
 // of steps it stood, chain by chain, for collectors; integer counts.
@@ -22,7 +22,7 @@ namespace sunfleck {
 struct LevelPlan {
     int height = kVisible;     // of its set: that of paths at least so high
     std::uint32_t states = 0;  // of all chains together, at least `chains`
-    std::uint32_t chains = 0;  // always so many, of copies or of some of the seeds: see Level
+    std::uint32_t chains = 0;  // always so many, of copies or of some of the survivors: see Level
     MutationScales scales;
 
     friend bool operator==(const LevelPlan&, const LevelPlan&) = default;
@@ -33,10 +33,10 @@ using HeightCounts = std::array<std::uint64_t, kHeights>;
 /// What a level counts: the same for any number of threads.
 struct LevelCounts {
     std::uint64_t states = 0;    // with repeats
-    std::uint64_t distinct = 0;  // seeds and accepted mutations
+    std::uint64_t distinct = 0;  // survivors and accepted mutations
     Acceptances acceptances;
     HeightCounts heights{};     // of states, with repeats
-    std::uint64_t covered = 0;  // of states, with repeats: where a map covers
+    std::uint64_t covered = 0;  // of states, with repeats: where a guide covers
     std::uint64_t distinct_covered = 0;
 
     LevelCounts& operator+=(const LevelCounts& other) {
@@ -71,7 +71,7 @@ struct ChainState {
     bool is_covered = false;
 };
 
-/// Takes the states of one chain, in their order.
+/// Accepts the states of one chain, in their order.
 template <class C, class Space>
 concept StateCollector = requires(C& collect, const ChainState<Space>& state) {
     collect(state);
@@ -84,7 +84,7 @@ public:
 
     /// @param number  of the level, 1 to 31: names the streams. @param population  not empty.
     Level(const Space& space, PassId pass, std::uint32_t number, const LevelPlan& plan,
-          const Population& population, const MapCover& cover = {})
+          const Population& population, const GuidedRegion& cover = {})
         : space_(space),
           pass_(pass),
           number_(number),
@@ -102,10 +102,10 @@ public:
         using Collector = std::invoke_result_t<Make>;
         static_assert(StateCollector<Collector, Space>);
         const std::uint64_t chains = plan_.chains;
-        RandomStream offsets = pass_.stream(Purpose::ladder, number_);
+        RandomStream offsets = pass_.stream(Purpose::splitting, number_);
         const double offset = offsets.next();
         const double apart = population_.weight() / static_cast<double>(chains);
-        const SystematicLengths length(states_, chains, offsets.next_fraction());
+        const SystematicResampling length(states_, chains, offsets.next_fraction());
         const std::uint64_t at_once =
             std::max<std::uint64_t>(1, paths_at_once(states_) * chains / states_);
         for (std::uint64_t first = 0; first < chains; first += at_once) {
@@ -128,14 +128,14 @@ public:
 private:
     struct One {
         std::uint64_t number;
-        double seed;  // its place in the population
+        double survivor;  // its place in the population
         std::uint64_t states;
     };
 
     template <class Collector>
     void run_chain(const One& one, Collector& collect, LevelCounts& counts, Tally& tally) const {
         const auto name = one.number * 32 + number_;
-        Chain<Space> chain(space_, target_, population_.at(one.seed),
+        Chain<Space> chain(space_, target_, population_.at(one.survivor),
                            pass_.stream(Purpose::chain, name), tally);
         std::uint32_t steps = 1;
         const auto leave = [&] {

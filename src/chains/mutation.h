@@ -1,11 +1,11 @@
-// How far a mutation moves a slot, and how that is learned.
+// How far a mutation moves a dimension, and how that is learned.
 //
 // A mutation draws its magnitude first, log-uniform over three decades around the scale of its
-// kind, then every slot moves by about that, log-uniform over one decade. So there are small
+// kind, then every dimension moves by about that, log-uniform over one decade. So there are small
 // mutations for chains in narrow places, and large ones (docs/decisions.md has the evidence). Two
-// kinds, chosen at random: all slots alike, and bounce slots 16 times farther than emission slots.
-// Source: adaptive scale towards a target acceptance: paper, section 4.4 (its own law: paper_step
-// of photon/paper_chain.h).
+// kinds, chosen at random: all dimensions alike, and bounce dimensions 16 times farther than
+// emission dimensions. Source: adaptive scale towards a target acceptance: paper, section 4.4 (its
+// own law: paper_step of photon/paper_chain.h).
 #pragma once
 
 #include "random_numbers/primary_sample.h"
@@ -18,11 +18,11 @@
 namespace sunfleck {
 
 inline constexpr std::size_t kMutationKinds = 2;
-/// Of bounce slots over emission slots, by kind.
+/// Of bounce dimensions over emission dimensions, by kind.
 inline constexpr std::array<float, kMutationKinds> kBounceStretch = {1, 16};
-/// Of mutations, in sets that few seeds lead to: chains must get around.
+/// Of mutations, in sets that few survivors lead to: chains must get around.
 inline constexpr float kTargetAcceptance = 0.5F;
-/// In a set that independent paths find often enough: chains stay nearer to their seeds.
+/// In a set that independent paths find often enough: chains stay nearer to their survivors.
 inline constexpr float kTargetOfOneSet = 0.65F;
 /// Over which the magnitudes of mutations spread, and the steps of one mutation.
 inline constexpr float kDecadesOfMagnitudes = 3;
@@ -46,7 +46,7 @@ struct Acceptance {
 };
 using Acceptances = std::array<Acceptance, kMutationKinds>;
 
-/// The scale of each kind, in turns, for emission slots.
+/// The scale of each kind, in turns, for emission dimensions.
 struct MutationScales {
     std::array<float, kMutationKinds> scale = {0.05F, 0.05F};
 
@@ -72,25 +72,25 @@ inline float log_uniform(float decades, std::uint32_t random) {
 
 /// A step of scale * 10^(xi - 1/2) turns to either side, wrapped: symmetric to the last bit.
 /// @param random  uniform: its lowest bit is the side, its highest bits are xi.
-inline std::uint64_t moved(std::uint64_t slot, float scale, std::uint32_t random) {
+inline std::uint64_t moved(std::uint64_t dimension, float scale, std::uint32_t random) {
     const double turns =
         static_cast<double>(scale) * static_cast<double>(log_uniform(kDecadesOfSteps, random));
     const double wrapped = turns - std::floor(turns);
     const auto step = static_cast<std::uint64_t>(wrapped * 0x1p64);
-    return (random & 1U) != 0 ? slot + step : slot - step;
+    return (random & 1U) != 0 ? dimension + step : dimension - step;
 }
 
-/// One mutation of a kind, slot by slot.
+/// One mutation of a kind, dimension by dimension.
 class LogUniformMove {
 public:
-    /// Draws the magnitude, the same for all slots.
+    /// Draws the magnitude, the same for all dimensions.
     LogUniformMove(const MutationScales& scales, std::size_t kind, RandomStream& stream)
         : emission_(scales.scale.at(kind) * log_uniform(kDecadesOfMagnitudes, stream.next_word())),
           bounce_(emission_ * kBounceStretch.at(kind)),
           stream_(stream) {}
 
-    std::uint64_t operator()(std::uint32_t slot, std::uint64_t value) {
-        return moved(value, is_emission(slot) ? emission_ : bounce_, stream_.next_word());
+    std::uint64_t operator()(std::uint32_t dimension, std::uint64_t value) {
+        return moved(value, is_emission(dimension) ? emission_ : bounce_, stream_.next_word());
     }
 
 private:

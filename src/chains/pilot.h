@@ -1,5 +1,5 @@
-// Learning a ladder before it is used: how rare visible paths are, which sets lead to them, and how
-// far mutations should go.
+// Learning a splitting before it is used: how rare visible paths are, which sets lead to them, and
+// how far mutations should go.
 //
 // In:  a space of paths, a budget. Out: a plan. Pilots are never part of a picture, so what they
 // learn may depend on their own random numbers in any way.
@@ -18,19 +18,19 @@ namespace sunfleck {
 
 /// What a pilot found.
 struct PilotResult {
-    LadderPlan plan;
-    MappedPlan mapped;        // besides, where that pays
+    SplittingPlan plan;
+    GuidedPlan guided;        // besides, where that pays
     HeightTail tail{};        // its last entry is the visible fraction
-    LadderCounts last;        // of the last trial of the plan's levels, if it has several
-    std::uint64_t paths = 0;  // traced by pilots' rounds, without the search for a map
+    SplittingCounts last;     // of the last trial of the plan's levels, if it has several
+    std::uint64_t paths = 0;  // traced by pilots' iterations, without the search for a guide
 };
 
 template <PathSpace Space, class Points>
 class Pilot {
 public:
-    Pilot(const Space& space, const PilotName& name, MapSource maps = {},
+    Pilot(const Space& space, const PilotName& name, GuideSource maps = {},
           Sets sets = Sets::as_needed)
-        : space_(space), maps_(std::move(maps)), sets_(sets), walk_(space, name) {}
+        : space_(space), source_(std::move(maps)), sets_(sets), walk_(space, name) {}
 
     /// Climbs from uniform paths to visible ones, set by set, or starts from hints where that leads
     /// nowhere, or was luck: the first thing to ask of a pilot.
@@ -38,10 +38,10 @@ public:
         climb();
         has_climbed_ = result_.tail[kVisible] > 0;
         if (has_climbed_ && !was_lucky_) return result_.tail;
-        if (maps_.is_on && maps_.walks && start_from_hints()) {
+        if (source_.is_on && source_.walks && start_from_guide_samples()) {
             has_climbed_ = false;
-            learn_map(Covering::all_known);
-            result_.tail[kVisible] = map_->visible_fraction;
+            learn_guide(GuideCoverage::all_known);
+            result_.tail[kVisible] = guide_->visible_fraction;
         }
         return result_.tail;
     }
@@ -49,19 +49,19 @@ public:
     /// What was found, and the plan for passes of that many paths. May be asked again for others.
     PilotResult plan(std::uint32_t paths) {
         const HeightTail& tail = result_.tail;
-        if (maps_.is_on && has_climbed_ && is_rare(tail) && !map_)
-            learn_map(Covering::often_visible);
-        result_.mapped = {};
+        if (source_.is_on && has_climbed_ && is_rare(tail) && !guide_)
+            learn_guide(GuideCoverage::often_visible);
+        result_.guided = {};
         result_.last = {};
-        if (map_ && map_->rest < kMostRest) {
-            SharedPlan shared = shared_plan(tail, *map_, paths, sets_);
-            result_.plan = std::move(shared.ladder);
-            result_.mapped = std::move(shared.mapped);
+        if (guide_ && guide_->rest < kMostRest) {
+            SharedPlan shared = shared_plan(tail, *guide_, paths, sets_);
+            result_.plan = std::move(shared.splitting);
+            result_.guided = std::move(shared.guided);
         } else {
-            result_.plan = ladder_plan(tail, paths, sets_);
+            result_.plan = splitting_plan(tail, paths, sets_);
         }
         std::vector<LevelPlan>& levels = result_.plan.levels;
-        const bool has_one_set = levels.size() == 1 && result_.mapped.paths == 0 && has_climbed_;
+        const bool has_one_set = levels.size() == 1 && result_.guided.paths == 0 && has_climbed_;
         for (LevelPlan& level : levels)
             level.scales = has_one_set ? scales_of_one_set() : scales_near(level.height);
         if (levels.size() > 1) refine();
@@ -76,16 +76,16 @@ public:
     }
 
 private:
-    using Walk = SetWalk<Space>;
+    using Walk = ChainWalk<Space>;
 
     static constexpr std::uint32_t kUniformPaths = 20'000;
-    static constexpr int kRefiningRounds = 3;
-    static constexpr int kRefiningRest = 6;  // what a map leaves out is narrower than its set
-    static constexpr int kStartingRounds = 4;
-    static constexpr std::size_t kRounds = 2;       // of trials of a map
-    static constexpr std::size_t kRoundsAlone = 6;  // of one that chains do not help
-    static constexpr double kMostRest = 0.5;        // of a map that is of use
-    static constexpr std::uint64_t kLucky = 10;     // so few states or fewer led to the next set
+    static constexpr int kRefiningIterations = 3;
+    static constexpr int kRefiningRest = 6;  // what a guide leaves out is narrower than its set
+    static constexpr int kStartingIterations = 4;
+    static constexpr std::size_t kIterations = 2;       // of trials of a guide
+    static constexpr std::size_t kIterationsAlone = 6;  // of one that chains do not help
+    static constexpr double kMostRest = 0.5;            // of a guide that is of use
+    static constexpr std::uint64_t kLucky = 10;  // so few states or fewer led to the next set
     // Walks for hints: until many are found, and if need be for a few.
     static constexpr std::uint32_t kWalks = 100'000;  // at once
     static constexpr std::uint32_t kFewWalks = 500'000;
@@ -109,7 +109,7 @@ private:
         if (height == kVisible) visible_ = population;
     }
 
-    /// Scales of the visible set where uniform paths are its seeds.
+    /// Scales of the visible set where uniform paths are its survivors.
     const MutationScales& scales_of_one_set() {
         if (!one_set_) {
             one_set_ = scales_near(kVisible);
@@ -120,25 +120,25 @@ private:
 
     /// @param weight  of all of them.
     void add_starts(const Population& population, double weight) {
-        std::vector<Seed> seeds = population.seeds();
-        redraw_emission(space_, seeds, walk_.next_round(), tally_);
-        for (const Seed& seed : seeds)
+        std::vector<Survivor> survivors = population.survivors();
+        resample_emission(space_, survivors, walk_.next_iteration(), tally_);
+        for (const Survivor& survivor : survivors)
             starts_.push_back(
-                {emission_of(seed.sample), weight * seed.total() / population.weight()});
+                {emission_of(survivor.sample), weight * survivor.total() / population.weight()});
     }
 
     /// @param seen  flux that walks find of all lights.
     /// @return whether more walks may find what matters: no, once enough hints are there, or if the
     ///         light that no walk has reached yet would not be seen.
-    bool walk_for_hints(PassId pass, const PathRange& walks, std::size_t enough, double seen,
-                        WalkedEmission& found) const {
+    bool walk_for_guide_samples(PassId pass, const PathRange& walks, std::size_t enough,
+                                double seen, WalkedEmission& found) const {
         constexpr double kEventsMissed = 3;  // at most, with 95% confidence, where none was seen
         for (std::size_t i = walks.begin; i < walks.end; i += kWalks) {
             if (found.hints.size() >= enough) return false;
             const auto so_far = static_cast<double>(i);
             if (i > 0 && found.possible / so_far * kEventsMissed / so_far < kNegligible * seen)
                 return false;
-            const WalkedEmission more = maps_.walks(pass, {i, i + kWalks});
+            const WalkedEmission more = source_.walks(pass, {i, i + kWalks});
             found.hints.insert(found.hints.end(), more.hints.begin(), more.hints.end());
             found.possible += more.possible;
         }
@@ -147,31 +147,32 @@ private:
 
     /// Where a long search ends: not beyond what the picture is worth.
     std::size_t long_search() const {
-        return std::clamp<std::size_t>(maps_.most_walks / kWalks * kWalks, kFewWalks, kMostWalks);
+        return std::clamp<std::size_t>(source_.most_walks / kWalks * kWalks, kFewWalks, kMostWalks);
     }
 
     /// Visible paths of light that passes close to edges. @param tries  points by edges.
     Population visible_past_edges(std::size_t tries) {
-        const std::vector<WeightedEmission> past = maps_.edges(walk_.next_round(), {0, tries});
-        const HintTries all{past.size(), kTriesPastEdges};
-        return visible_from(space_, past, walk_.next_round(), tally_, all);
+        const std::vector<WeightedEmission> past =
+            source_.edges(walk_.next_iteration(), {0, tries});
+        const GuideSampleBudget all{past.size(), kTriesPastEdges};
+        return visible_from(space_, past, walk_.next_iteration(), tally_, all);
     }
 
     /// @return whether any hint leads to a visible path.
-    bool start_from_hints() {
-        const PassId pass = walk_.next_round();
-        const double seen = maps_.seen ? maps_.seen(walk_.next_round()) : 0;
+    bool start_from_guide_samples() {
+        const PassId pass = walk_.next_iteration();
+        const double seen = source_.seen ? source_.seen(walk_.next_iteration()) : 0;
         WalkedEmission found;
         Population population;
-        const bool matters = walk_for_hints(pass, {0, kFewWalks}, kManyHints, seen, found);
+        const bool matters = walk_for_guide_samples(pass, {0, kFewWalks}, kManyHints, seen, found);
         if (found.hints.size() < kFewHints) {
-            if (maps_.edges) population = visible_past_edges(matters ? kManyTries : kSomeTries);
+            if (source_.edges) population = visible_past_edges(matters ? kManyTries : kSomeTries);
             if (matters && !has_climbed_ && population.units() < kFewHints)
-                walk_for_hints(pass, {kFewWalks, long_search()}, kFewHints, seen, found);
+                walk_for_guide_samples(pass, {kFewWalks, long_search()}, kFewHints, seen, found);
         }
-        population.add(visible_from(space_, found.hints, walk_.next_round(), tally_));
+        population.add(visible_from(space_, found.hints, walk_.next_iteration(), tally_));
         if (population.units() == 0) return false;
-        add_starts(population, kStartingRounds);
+        add_starts(population, kStartingIterations);
         if (has_climbed_) add_starts(visible_, 1);
         MutationScales scales;
         walk_until_settled(kVisible, scales, population);
@@ -179,17 +180,18 @@ private:
     }
 
     /// From where chains start whose scales are settled.
-    void learn_map(Covering covering) {
+    void learn_guide(GuideCoverage covering) {
         MutationScales scales = scales_near(kVisible);
-        for (int i = 0; i < kStartingRounds; ++i) {
+        for (int i = 0; i < kStartingIterations; ++i) {
             walk_.once(kVisible, kTargetAcceptance, scales, visible_, tally_);
             add_starts(visible_, 1);
         }
-        const MapLearner<Space> learner(space_, tally_);
-        std::vector<PassId> rounds(covering == Covering::all_known ? kRoundsAlone : kRounds);
-        for (PassId& round : rounds) round = walk_.next_round();
-        map_ = learner.learn(starts_, covering, rounds);
-        walk_.add_paths(rounds.size() * MapLearner<Space>::kTrials);
+        const GuideLearner<Space> learner(space_, tally_);
+        std::vector<PassId> iterations(covering == GuideCoverage::all_known ? kIterationsAlone
+                                                                            : kIterations);
+        for (PassId& iteration : iterations) iteration = walk_.next_iteration();
+        guide_ = learner.learn(starts_, covering, iterations);
+        walk_.add_paths(iterations.size() * GuideLearner<Space>::kTrials);
     }
 
     /// The scales of the highest explored set that is not above `height`.
@@ -200,7 +202,7 @@ private:
         return scales;
     }
 
-    /// Small ladders over the plan's own sets, for their scales.
+    /// Small splittings over the plan's own sets, for their scales.
     void refine() {
         struct Nowhere {
             struct Collector {
@@ -209,24 +211,24 @@ private:
             Collector make() { return {}; }
             void take(std::vector<Collector>&&) {}
         } nowhere;
-        LadderPlan small = result_.plan;
-        MappedPlan mapped = result_.mapped;
-        if (mapped.paths > 0) mapped.paths = Walk::kStates / 4;
+        SplittingPlan small = result_.plan;
+        GuidedPlan guided = result_.guided;
+        if (guided.paths > 0) guided.paths = Walk::kStates / 4;
         small.uniform_paths = 2 * Walk::kStates;
         for (LevelPlan& level : small.levels) {
             level.states = Walk::kStates;
             level.chains = Walk::kChains;
         }
-        const int rounds = result_.mapped.paths > 0 ? kRefiningRest : kRefiningRounds;
-        for (int i = 0; i < rounds; ++i) {
-            const PassId pass = walk_.next_round();
+        const int iterations = result_.guided.paths > 0 ? kRefiningRest : kRefiningIterations;
+        for (int i = 0; i < iterations; ++i) {
+            const PassId pass = walk_.next_iteration();
             const Points points(pass);
-            result_.last = Ladder(space_, points, pass, small, mapped).run(nowhere, tally_);
+            result_.last = Splitting(space_, points, pass, small, guided).run(nowhere, tally_);
             for (std::size_t k = 0; k + 1 < result_.last.levels.size(); ++k)
                 small.levels[k].scales =
                     adapted(small.levels[k].scales, result_.last.levels[k + 1].acceptances,
                             kTargetAcceptance);
-            walk_.add_paths(small.paths() + mapped.paths);
+            walk_.add_paths(small.paths() + guided.paths);
         }
         for (std::size_t k = 0; k < small.levels.size(); ++k)
             result_.plan.levels[k].scales = small.levels[k].scales;
@@ -235,24 +237,24 @@ private:
     void climb();
 
     const Space& space_;
-    MapSource maps_;
+    GuideSource source_;
     Sets sets_;
     typename Space::Tally tally_;
     Walk walk_;
-    LevelCounts counts_;  // of the last round
+    LevelCounts counts_;  // of the last iteration
     std::vector<Explored> explored_;
     bool has_climbed_ = false;               // to the visible set
     bool was_lucky_ = false;                 // on the way: what it leads to may be little of all
     Population visible_;                     // states of that
     std::vector<WeightedEmission> starts_;   // of visible paths
-    std::optional<LearnedMap> map_;          // if it was learned
+    std::optional<LearnedGuide> guide_;      // if it was learned
     std::optional<MutationScales> one_set_;  // of the visible set alone
     PilotResult result_;
 };
 
 template <PathSpace Space, class Points>
 void Pilot<Space, Points>::climb() {
-    const PassId pass = walk_.next_round();
+    const PassId pass = walk_.next_iteration();
     UniformLevel uniform = uniform_level(space_, Points(pass), kUniformPaths, 1, tally_);
     counts_ = uniform.counts;
     Population population = std::move(uniform.population);

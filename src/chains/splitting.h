@@ -1,5 +1,6 @@
-// The visibility ladder: uniform paths, then chains through nested sets, the last of which is "the
-// path is visible". Every estimate of a pass is exactly unbiased, however few seeds there are.
+// The multilevel splitting by visibility: uniform paths, then chains through nested sets, the last
+// of which is "the path is visible". Every estimate of a pass is exactly unbiased, however few
+// survivors there are.
 //
 // In:  a space of paths, a plan that was fixed before the pass. Out: visible paths with weights:
 // the sum of weight * f(path) has the expectation of f over uniform primary samples, for any f
@@ -12,7 +13,7 @@
 
 namespace sunfleck {
 
-struct LadderPlan {
+struct SplittingPlan {
     std::uint32_t uniform_paths = 0;  // level 0
     std::vector<LevelPlan> levels;    // heights ascending, the last kVisible; none: uniform only
 
@@ -21,23 +22,23 @@ struct LadderPlan {
         for (const LevelPlan& level : levels) sum += level.states;
         return sum;
     }
-    friend bool operator==(const LadderPlan&, const LadderPlan&) = default;
+    friend bool operator==(const SplittingPlan&, const SplittingPlan&) = default;
 };
 
-/// Counts of one ladder. Level 0 is the uniform paths, whose `distinct` equals `states`.
-struct LadderCounts {
+/// Counts of one splitting. Level 0 is the uniform paths, whose `distinct` equals `states`.
+struct SplittingCounts {
     std::vector<LevelCounts> levels;
     std::vector<std::uint64_t> survivors;  // states of level k that are in the set of level k + 1
-    LevelCounts mapped;                    // paths through a map, beside the levels
+    LevelCounts guided;                    // paths through a guide, beside the levels
     double visible_fraction = 0;           // sum of the weights handed out: unbiased
 
     /// Another run of the same plan: counts add up, fractions by their share in the mean.
-    void add(const LadderCounts& other, double share) {
+    void add(const SplittingCounts& other, double share) {
         levels.resize(std::max(levels.size(), other.levels.size()));  // fewer where it starved
         survivors.resize(std::max(survivors.size(), other.survivors.size()));
         for (std::size_t k = 0; k < other.levels.size(); ++k) levels[k] += other.levels[k];
         for (std::size_t k = 0; k < other.survivors.size(); ++k) survivors[k] += other.survivors[k];
-        mapped += other.mapped;
+        guided += other.guided;
         visible_fraction += other.visible_fraction * share;
     }
     /// Of all levels.
@@ -48,24 +49,24 @@ struct LadderCounts {
     }
 };
 
-namespace ladder_detail {
+namespace splitting_detail {
 
-/// Keeps the states of a chain that are seeds of the next level.
-struct SeedCollector {
+/// Keeps the states of a chain that are survivors of the next level.
+struct SurvivorCollector {
     int least_height;
-    std::vector<Seed> seeds;
+    std::vector<Survivor> survivors;
 
     template <PathSpace Space>
     void operator()(const ChainState<Space>& state) {
         if (state.height >= least_height)
-            seeds.push_back({state.sample, state.steps, state.height});
+            survivors.push_back({state.sample, state.steps, state.height});
     }
 };
 
 /// What a state of the last set weighs for each step it stood.
 struct StateWeight {
     double elsewhere = 0;
-    double covered = 0;  // where a map covers
+    double covered = 0;  // where a guide covers
 
     double of(bool is_covered) const { return is_covered ? covered : elsewhere; }
 };
@@ -82,58 +83,59 @@ struct WeightedCollector {
     }
 };
 
-}  // namespace ladder_detail
+}  // namespace splitting_detail
 
 /// Runs a level that is not the last. @return its states of at least that height.
 template <PathSpace Space>
 Population surviving_states(const Level<Space>& level, int least_height, LevelCounts& counts,
                             typename Space::Tally& tally) {
-    using ladder_detail::SeedCollector;
+    using splitting_detail::SurvivorCollector;
     Population population;
     level.run(
         [&] {
-            return SeedCollector{least_height, {}};
+            return SurvivorCollector{least_height, {}};
         },
-        [&](std::vector<SeedCollector>&& chains) {
-            for (SeedCollector& chain : chains) population.add(std::move(chain.seeds));
+        [&](std::vector<SurvivorCollector>&& chains) {
+            for (SurvivorCollector& chain : chains) population.add(std::move(chain.survivors));
         },
         counts, tally);
     return population;
 }
 
-/// All levels of a plan that has any, and what goes through a map besides.
+/// All levels of a plan that has any, and what goes through a guide besides.
 template <PathSpace Space, class Points>
-class Ladder {
+class Splitting {
 public:
     using Tally = typename Space::Tally;
 
     /// @param points  of level 0. @param pass  names the streams of the chains.
-    Ladder(const Space& space, const Points& points, PassId pass, const LadderPlan& plan,
-           const MappedPlan& mapped)
-        : space_(space), points_(points), pass_(pass), plan_(plan), mapped_(mapped) {}
+    Splitting(const Space& space, const Points& points, PassId pass, const SplittingPlan& plan,
+              const GuidedPlan& guided)
+        : space_(space), points_(points), pass_(pass), plan_(plan), guided_(guided) {}
 
-    /// @return counts; levels after one without survivors are not run, and if no seed of the last
-    /// set came by the map, either, the pass is zero ("starved").
+    /// @return counts; levels after one without survivors are not run, and if no survivor of the
+    /// last set came by the guide, either, the pass is zero ("starved").
     template <PathSink<Space> Sink>
-    LadderCounts run(Sink& sink, Tally& tally) const {
-        LadderCounts counts;
-        Population seeds = climbed(counts, tally);
-        if (mapped_.paths > 0) {
-            UniformLevel level = mapped_level(space_, pass_, mapped_, sink, tally);
-            counts.mapped = level.counts;
+    SplittingCounts run(Sink& sink, Tally& tally) const {
+        SplittingCounts counts;
+        Population survivors = climbed(counts, tally);
+        if (guided_.paths > 0) {
+            UniformLevel level = guided_level(space_, pass_, guided_, sink, tally);
+            counts.guided = level.counts;
             counts.visible_fraction =
-                level.population.weight() / mapped_.importance * mapped_.own_share;
-            seeds.add(std::move(level.population));
+                level.population.weight() / guided_.importance * guided_.own_share;
+            survivors.add(std::move(level.population));
         }
-        if (seeds.units() > 0) run_last(seeds, sink, counts, tally);
+        if (survivors.units() > 0) run_last(survivors, sink, counts, tally);
         return counts;
     }
 
 private:
     static std::uint32_t number(std::size_t level) { return static_cast<std::uint32_t>(level + 1); }
 
-    /// All levels but the last. @return seeds of that with their weights, but what a map covers.
-    Population climbed(LadderCounts& counts, Tally& tally) const {
+    /// All levels but the last. @return survivors of that with their weights, but what a guide
+    /// covers.
+    Population climbed(SplittingCounts& counts, Tally& tally) const {
         UniformLevel first =
             uniform_level(space_, points_, plan_.uniform_paths, plan_.levels.front().height, tally);
         counts.levels.push_back(first.counts);
@@ -150,18 +152,19 @@ private:
                 surviving_states(level, plan_.levels[k + 1].height, counts.levels.back(), tally);
             counts.survivors.back() = population.units();
         }
-        return std::move(population).uncovered(mapped_.cover(), weight);
+        return std::move(population).uncovered(guided_.cover(), weight);
     }
 
-    /// @param seeds  of the last set with their weights: their sum is an estimate of its measure.
+    /// @param survivors  of the last set with their weights: their sum is an estimate of its
+    /// measure.
     template <class Sink>
-    void run_last(Population& seeds, Sink& sink, LadderCounts& counts, Tally& tally) const {
-        using Weighted = ladder_detail::WeightedCollector<Space, typename Sink::Collector>;
+    void run_last(Population& survivors, Sink& sink, SplittingCounts& counts, Tally& tally) const {
+        using Weighted = splitting_detail::WeightedCollector<Space, typename Sink::Collector>;
         const Level<Space> level(space_, pass_, number(plan_.levels.size() - 1),
-                                 plan_.levels.back(), seeds, mapped_.cover());
-        const double each = seeds.weight() / static_cast<double>(level.states());
-        const ladder_detail::StateWeight weight{
-            each, each * (1 - mapped_.own_share) / mapped_.importance};
+                                 plan_.levels.back(), survivors, guided_.cover());
+        const double each = survivors.weight() / static_cast<double>(level.states());
+        const splitting_detail::StateWeight weight{
+            each, each * (1 - guided_.own_share) / guided_.importance};
         LevelCounts& counted = counts.levels.emplace_back();
         level.run(
             [&] {
@@ -182,8 +185,8 @@ private:
     const Space& space_;
     const Points& points_;
     PassId pass_;
-    const LadderPlan& plan_;
-    const MappedPlan& mapped_;
+    const SplittingPlan& plan_;
+    const GuidedPlan& guided_;
 };
 
 }  // namespace sunfleck

@@ -9,30 +9,31 @@ namespace sunfleck {
 namespace {
 
 constexpr double kUniformOnly = 0.05;
-constexpr double kSeedsForOneSet = 64;
+constexpr double kSurvivorsForOneSet = 64;
 constexpr double kConditionalFraction = 0.05;
 constexpr std::uint32_t kChains = 256;
 constexpr std::uint32_t kLastChains = 1024;  // no chain stays long in one place of the picture
 constexpr std::uint32_t kStatesOfAChain = 64;
 constexpr double kLastShare = 0.5;  // of paths: states of the last set
 
-/// How paths through a map and a ladder beside it share their work.
+/// How paths through a guide and a splitting beside it share their work.
 struct Division {
-    double mapped;  // of all paths
-    double last;    // of the ladder's paths: states of the last set
-    double own;     // of the light from where the map covers: what paths through it bring
-    // Of the last set's states: where the map covers; none: as many as come, for they bring light.
+    double guided;  // of all paths
+    double last;    // of the splitting's paths: states of the last set
+    double own;     // of the light from where the guide covers: what paths through it bring
+    // Of the last set's states: where the guide covers; none: as many as come, for they bring
+    // light.
     std::optional<double> detour;
 };
-// Paths through the map bring the light from there. What it leaves out is little, but rare: the
+// Paths through the guide bring the light from there. What it leaves out is little, but rare: the
 // uniform paths and the first sets must find it, so the last one has fewer states than without.
 constexpr Division kOftenSeen{0.35, 0.3, 1, 0.1};
-// No ladder leads to what is visible.
+// No splitting leads to what is visible.
 constexpr Division kAlone{0.75, 0.5, 1, 0.25};
-// Few paths through the map are visible, fewer than are worth as much as states of chains: they
+// Few paths through the guide are visible, fewer than are worth as much as states of chains: they
 // start these.
-constexpr Division kForSeeds{0.1, 0.75, 0.1, {}};
-constexpr double kSeldomSeen = 0.2;      // of paths through such a map
+constexpr Division kForSurvivors{0.1, 0.75, 0.1, {}};
+constexpr double kSeldomSeen = 0.2;      // of paths through such a guide
 constexpr double kMostImportance = 0.5;  // of detours
 
 /// In float: the same bits on every machine.
@@ -46,13 +47,13 @@ int sets_for(double visible) {
     return static_cast<int>(std::ceil(log_of(visible) / log_of(kConditionalFraction)));
 }
 
-const Division& division(const LearnedMap& map) {
-    if (map.covering == Covering::all_known) return kAlone;
-    return map.visible_share < kSeldomSeen ? kForSeeds : kOftenSeen;
+const Division& division(const LearnedGuide& map) {
+    if (map.covering == GuideCoverage::all_known) return kAlone;
+    return map.visible_share < kSeldomSeen ? kForSurvivors : kOftenSeen;
 }
 
-/// Of what a map covers, so that chains have that share of their states there.
-/// @param rest  of the visible paths: what the map leaves out.
+/// Of what a guide covers, so that chains have that share of their states there.
+/// @param rest  of the visible paths: what the guide leaves out.
 double importance_of(double share, double rest) {
     return std::min(kMostImportance, rest / (1 - rest) * share / (1 - share));
 }
@@ -104,13 +105,13 @@ std::vector<int> reached_heights(const HeightTail& tail) {
 }
 
 /// @param last_share  of the paths, states of the last set.
-LadderPlan planned(const HeightTail& tail, std::uint32_t paths, double last_share, Sets sets) {
+SplittingPlan planned(const HeightTail& tail, std::uint32_t paths, double last_share, Sets sets) {
     if (!is_rare(tail)) return {paths, {}};
     const double visible = tail[kVisible];
     const auto last = std::max(1U, static_cast<std::uint32_t>(last_share * paths));
-    const double seeds = visible * (paths - last);
-    if (seeds >= kSeedsForOneSet) {  // hardly a seed is left out
-        const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * seeds));
+    const double survivors = visible * (paths - last);
+    if (survivors >= kSurvivorsForOneSet) {  // hardly a seed is left out
+        const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * survivors));
         return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
     }
 
@@ -120,7 +121,7 @@ LadderPlan planned(const HeightTail& tail, std::uint32_t paths, double last_shar
     heights.resize(std::min<std::size_t>(heights.size(), paths - last - 1));  // tiny budgets
     const auto shares = static_cast<std::uint32_t>(heights.size() + 1);
     const std::uint32_t share = (paths - last) / shares;
-    LadderPlan plan{paths - last - share * (shares - 1), {}};
+    SplittingPlan plan{paths - last - share * (shares - 1), {}};
     for (const int height : heights)
         plan.levels.push_back({height, share, chains_for(share, kChains), {}});
     plan.levels.push_back({kVisible, last, chains_for(last, kLastChains), {}});
@@ -133,17 +134,17 @@ bool is_rare(const HeightTail& tail) {
     return tail[kVisible] < kUniformOnly;
 }
 
-SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths, Sets sets) {
-    tail[kVisible] = map.covering == Covering::all_known ? 0 : tail[kVisible] * map.rest;
+SharedPlan shared_plan(HeightTail tail, const LearnedGuide& map, std::uint32_t paths, Sets sets) {
+    tail[kVisible] = map.covering == GuideCoverage::all_known ? 0 : tail[kVisible] * map.rest;
     const Division& d = division(map);
     SharedPlan plan;
-    plan.mapped = {map.map, std::min(static_cast<std::uint32_t>(d.mapped * paths), paths - 2),
+    plan.guided = {map.map, std::min(static_cast<std::uint32_t>(d.guided * paths), paths - 2),
                    d.detour ? importance_of(*d.detour, map.rest) : 1, d.own};
-    plan.ladder = planned(tail, paths - plan.mapped.paths, d.last, sets);
+    plan.splitting = planned(tail, paths - plan.guided.paths, d.last, sets);
     return plan;
 }
 
-LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths, Sets sets) {
+SplittingPlan splitting_plan(const HeightTail& tail, std::uint32_t paths, Sets sets) {
     return planned(tail, paths, kLastShare, sets);
 }
 

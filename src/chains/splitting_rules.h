@@ -1,4 +1,4 @@
-// Which ladder suits how rare the visible paths are: the rules, without the sampling.
+// Which splitting suits how rare the visible paths are: the rules, without the sampling.
 #pragma once
 
 #include "chains/learned_guide.h"
@@ -10,10 +10,10 @@ namespace sunfleck {
 /// P(height >= h) of a uniform path, by h; zero where none was found.
 using HeightTail = std::array<double, kHeights>;
 
-/// Are visible paths so rare that a ladder pays: less than one in 20?
+/// Are visible paths so rare that a splitting pays: less than one in 20?
 bool is_rare(const HeightTail& tail);
 
-/// How many sets a ladder may have.
+/// How many sets a splitting may have.
 enum class Sets { as_needed, one };
 
 /// The plan of a pass, its scales left as they start.
@@ -26,22 +26,23 @@ enum class Sets { as_needed, one };
 ///   of the set before.
 /// @param paths  of a pass, all levels together; at least 2. @param sets  one: where there would be
 /// several, only the last, whose chains start at what visible paths there are.
-LadderPlan ladder_plan(const HeightTail& tail, std::uint32_t paths, Sets sets = Sets::as_needed);
+SplittingPlan splitting_plan(const HeightTail& tail, std::uint32_t paths,
+                             Sets sets = Sets::as_needed);
 
-/// Paths through a map, and a ladder beside them.
+/// Paths through a guide, and a splitting beside them.
 struct SharedPlan {
-    LadderPlan ladder;
-    MappedPlan mapped;
+    SplittingPlan splitting;
+    GuidedPlan guided;
 };
 
-/// The plan where there is a map. What it covers is brought
-/// - by the paths through it, and the ladder's chains bring what it leaves out;
-/// - by the ladder's chains, too, started by those paths, where less than a fifth of these is
+/// The plan where there is a guide. What it covers is brought
+/// - by the paths through it, and the splitting's chains bring what it leaves out;
+/// - by the splitting's chains, too, started by those paths, where less than a fifth of these is
 ///   visible.
-/// A map of places that no ladder reaches gets most of the paths.
+/// A map of places that no splitting reaches gets most of the paths.
 /// @param tail  of all paths. @param map  of which the rest is less than one. @param paths  at
 /// least 2.
-SharedPlan shared_plan(HeightTail tail, const LearnedMap& map, std::uint32_t paths,
+SharedPlan shared_plan(HeightTail tail, const LearnedGuide& map, std::uint32_t paths,
                        Sets sets = Sets::as_needed);
 
 /// The height that exploration climbs to next: the greatest with at least 2% of the states; if no

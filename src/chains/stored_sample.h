@@ -1,8 +1,8 @@
-// A primary sample whose slots exist once they were read, and the readers that fill it.
+// A primary sample whose dimensions exist once they were read, and the readers that fill it.
 //
 // In:  the numbers that a path asks for. Out: the same numbers again, and copies of the sample
-// in which the slots that were read have moved a little. A slot that no path has read is never
-// drawn: whether a path is visible does not depend on it (docs/method.md).
+// in which the dimensions that were read have moved a little. A dimension that no path has read is
+// never drawn: whether a path is visible does not depend on it (docs/method.md).
 #pragma once
 
 #include "chains/mutation.h"
@@ -14,18 +14,19 @@ namespace sunfleck {
 
 class StoredSample {
 public:
-    bool has(std::uint32_t slot) const {
-        return slot < values_.size() && ((read_[slot / 64] >> (slot % 64)) & 1U) != 0;
+    bool has(std::uint32_t dimension) const {
+        return dimension < values_.size() &&
+               ((read_[dimension / 64] >> (dimension % 64)) & 1U) != 0;
     }
-    /// @param slot  one that it has.
-    std::uint64_t operator[](std::uint32_t slot) const { return values_[slot]; }
+    /// @param dimension  one that it has.
+    std::uint64_t operator[](std::uint32_t dimension) const { return values_[dimension]; }
 
-    void set(std::uint32_t slot, std::uint64_t value) {
-        if (slot >= values_.size()) grow(slot);
-        values_[slot] = value;
-        read_[slot / 64] |= std::uint64_t{1} << (slot % 64);
+    void set(std::uint32_t dimension, std::uint64_t value) {
+        if (dimension >= values_.size()) grow(dimension);
+        values_[dimension] = value;
+        read_[dimension / 64] |= std::uint64_t{1} << (dimension % 64);
     }
-    /// No slots; the memory is kept.
+    /// No dimensions; the memory is kept.
     void clear() {
         values_.clear();
         read_.clear();
@@ -43,27 +44,27 @@ public:
     bool is_sound() const { return read_.size() == (values_.size() + 63) / 64; }
 
 private:
-    /// Room for the slot, and for the next ones, which paths read soon.
-    [[gnu::noinline]] void grow(std::uint32_t slot) {
+    /// Room for the dimension, and for the next ones, which paths read soon.
+    [[gnu::noinline]] void grow(std::uint32_t dimension) {
         constexpr std::uint32_t kAtOnce = 16;  // divides 64
-        values_.resize((slot / kAtOnce + 1) * kAtOnce);
-        read_.resize(slot / 64 + 1);
+        values_.resize((dimension / kAtOnce + 1) * kAtOnce);
+        read_.resize(dimension / 64 + 1);
     }
 
     std::vector<std::uint64_t> values_;
-    std::vector<std::uint64_t> read_;  // one bit a slot
+    std::vector<std::uint64_t> read_;  // one bit a dimension
 };
 
 /// Keeps what another reader gives.
-template <SlotReader Source>
+template <PrimarySampleReader Source>
 class RecordingReader {
 public:
     /// @param to  where to; empty.
     RecordingReader(Source source, StoredSample& to) : source_(source), to_(to) {}
 
-    std::uint64_t operator()(std::uint32_t slot) {
-        if (!to_.has(slot)) to_.set(slot, source_(slot));
-        return to_[slot];
+    std::uint64_t operator()(std::uint32_t dimension) {
+        if (!to_.has(dimension)) to_.set(dimension, source_(dimension));
+        return to_[dimension];
     }
 
 private:
@@ -77,9 +78,9 @@ public:
     RepeatingReader(StoredSample& sample, RandomStream& stream)
         : sample_(sample), stream_(stream) {}
 
-    std::uint64_t operator()(std::uint32_t slot) {
-        if (!sample_.has(slot)) sample_.set(slot, stream_.next_fraction());
-        return sample_[slot];
+    std::uint64_t operator()(std::uint32_t dimension) {
+        if (!sample_.has(dimension)) sample_.set(dimension, stream_.next_fraction());
+        return sample_[dimension];
     }
 
 private:
@@ -87,9 +88,9 @@ private:
     RandomStream& stream_;
 };
 
-/// Slots that the parent has read move; the others are drawn. What the parent has read and the
+/// Dimensions that the parent has read move; the others are drawn. What the parent has read and the
 /// new path does not is forgotten.
-/// @tparam Move  move(slot number, value) -> new value, symmetric.
+/// @tparam Move  move(dimension number, value) -> new value, symmetric.
 template <class Move>
 class MutatingReader {
 public:
@@ -97,10 +98,11 @@ public:
     MutatingReader(const StoredSample& parent, StoredSample& to, RandomStream& stream, Move move)
         : parent_(parent), to_(to), stream_(stream), move_(move) {}
 
-    std::uint64_t operator()(std::uint32_t slot) {
-        if (!to_.has(slot))
-            to_.set(slot, parent_.has(slot) ? move_(slot, parent_[slot]) : stream_.next_fraction());
-        return to_[slot];
+    std::uint64_t operator()(std::uint32_t dimension) {
+        if (!to_.has(dimension))
+            to_.set(dimension, parent_.has(dimension) ? move_(dimension, parent_[dimension])
+                                                      : stream_.next_fraction());
+        return to_[dimension];
     }
 
 private:

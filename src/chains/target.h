@@ -13,15 +13,15 @@ namespace sunfleck {
 /// covered must not depend on chance.
 inline EmissionPoint emission_of(const StoredSample& sample) {
     EmissionPoint point;
-    for (std::uint32_t s = 0; s < kMappedSlots; ++s)
+    for (std::uint32_t s = 0; s < kGuidedDimensions; ++s)
         point[s] = sample.has(s) ? to_unit(sample[s]) : 0.5;
     return point;
 }
 
-/// Places where paths through a map start, too: chains need not be there as often as elsewhere.
-struct MapCover {
-    const EmissionMap* map = nullptr;  // none: nothing is covered
-    double importance = 1;             // of what is covered, in (0,1]
+/// Places where paths through a guide start, too: chains need not be there as often as elsewhere.
+struct GuidedRegion {
+    const EmissionGuide* map = nullptr;  // none: nothing is covered
+    double importance = 1;               // of what is covered, in (0,1]
 
     bool contains(const StoredSample& sample) const {
         return map != nullptr && map->covers(emission_of(sample));
@@ -30,7 +30,7 @@ struct MapCover {
 
 struct Target {
     int height = kVisible;  // of paths in the set, at least
-    MapCover cover = {};
+    GuidedRegion cover = {};
 };
 
 }  // namespace sunfleck

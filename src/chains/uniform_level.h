@@ -1,4 +1,4 @@
-// Level 0 of a ladder: uniform paths of a pass, and those high enough kept as seeds.
+// Level 0 of a splitting: uniform paths of a pass, and those high enough kept as survivors.
 #pragma once
 
 #include "chains/level.h"
@@ -13,7 +13,7 @@ struct PathBlock {
     /// How many hold so many paths.
     static constexpr std::size_t needed(std::size_t paths) { return (paths + kPaths - 1) / kPaths; }
 
-    std::vector<Seed> seeds;
+    std::vector<Survivor> survivors;
     LevelCounts counts;
     typename Space::Tally tally;
 };
@@ -26,7 +26,7 @@ struct UniformLevel {
     template <PathSpace Space>
     void take(std::vector<PathBlock<Space>>&& blocks, typename Space::Tally& tally) {
         for (PathBlock<Space>& block : blocks) {
-            population.add(std::move(block.seeds));
+            population.add(std::move(block.survivors));
             counts += block.counts;
             tally += block.tally;
         }
@@ -52,7 +52,7 @@ LevelCounts trace_range(const Space& space, const Points& points, const PathRang
     return counts;
 }
 
-/// @tparam Points  path(number) -> a slot reader, uniform in its marginal distribution.
+/// @tparam Points  path(number) -> a dimension reader, uniform in its marginal distribution.
 /// @param least_height  of the paths that are kept.
 template <PathSpace Space, class Points>
 UniformLevel uniform_level(const Space& space, const Points& points, std::uint32_t count,
@@ -64,7 +64,7 @@ UniformLevel uniform_level(const Space& space, const Points& points, std::uint32
         block.counts = trace_range(
             space, points, {begin, end},
             [&](const auto&, const StoredSample& sample, const typename Space::Path&, int height) {
-                if (height >= least_height) block.seeds.push_back({sample, 1, height});
+                if (height >= least_height) block.survivors.push_back({sample, 1, height});
             },
             block.tally);
     });

@@ -34,13 +34,13 @@ constexpr RandomBlock philox(RandomBlock counter, std::uint64_t key) {
 /// What a stream is for: one entry per place that draws, so that no two places share numbers.
 enum class Purpose : std::uint32_t {
     wavelengths,
-    eye,
+    camera,
     uniform_path,
     sobol_shift,
     chain,
     reference_path,
     test,
-    ladder,
+    splitting,
     light_path,
     pair_eye,
     pair_light,
@@ -131,7 +131,7 @@ struct PassId {
         return {seed, purpose, number, static_cast<std::uint32_t>(index), part};
     }
     /// The pass drawn once more, camera and photon paths. @param which  below 128.
-    constexpr PassId draw(std::uint32_t which) const { return {seed, number, which * kParts}; }
+    constexpr PassId subpass(std::uint32_t which) const { return {seed, number, which * kParts}; }
     /// Some of the draw's photon paths, where lights are in groups. @param which  below kParts.
     constexpr PassId with_part(std::uint32_t which) const { return {seed, number, part + which}; }
 

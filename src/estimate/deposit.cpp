@@ -6,12 +6,12 @@
 
 namespace sunfleck {
 
-Statistics Depositor::operator()(std::vector<PhotonBatch>& batches) const {
+Statistics Depositor::operator()(std::vector<PhotonChunk>& chunks) const {
     constexpr std::size_t kBlocks = 256;
-    const SortedPhotons photons(batches, index_.grid());
-    Marks taken(photons.size());
+    const SortedPhotons photons(chunks, index_.grid());
+    VisibleFlags taken(photons.size());
     PixelLocks locks;
-    const Gathering all{pass_, index_, image_, paths_, counts_, photons, taken, locks};
+    const GatherContext all{pass_, index_, image_, paths_, counts_, photons, taken, locks};
     std::atomic<std::uint64_t> deposits{0};
     parallel_blocks(index_.block_count(), kBlocks, [&](std::size_t begin, std::size_t end) {
         std::uint64_t sum = 0;
@@ -21,7 +21,7 @@ Statistics Depositor::operator()(std::vector<PhotonBatch>& batches) const {
         gatherer.finish();
         deposits.fetch_add(sum, std::memory_order_relaxed);
     });
-    photons.hand_back(taken.all(), batches);
+    photons.hand_back(taken.all(), chunks);
     Statistics total;
     total[Count::deposits] = deposits;
     total[Count::photons_stored] = static_cast<std::uint64_t>(

@@ -21,16 +21,16 @@
 namespace sunfleck {
 
 inline constexpr std::array<PhotonKind, 4> kKinds = {
-    PhotonKind::direct, PhotonKind::caustic, PhotonKind::indirect, PhotonKind::deep_caustic};
+    PhotonKind::direct, PhotonKind::caustic, PhotonKind::indirect, PhotonKind::long_specular_chain};
 
 inline std::size_t number_of(PhotonKind kind) {
     return static_cast<std::size_t>(__builtin_ctz(static_cast<unsigned>(kind)));
 }
 
-/// Marks that several threads may set at once.
-class Marks {
+/// VisibleFlags that several threads may set at once.
+class VisibleFlags {
 public:
-    explicit Marks(std::size_t count) : marks_(count, 0) {}
+    explicit VisibleFlags(std::size_t count) : marks_(count, 0) {}
     void set(std::size_t i) {
         std::atomic_ref<std::uint8_t> mark(marks_[i]);
         if (mark.load(std::memory_order_relaxed) == 0) mark.store(1, std::memory_order_relaxed);
@@ -42,14 +42,14 @@ private:
 };
 
 /// What all blocks share.
-struct Gathering {
+struct GatherContext {
     const PassScene& pass;
     const VisiblePointIndex& index;
     PassImage& image;
     std::uint32_t paths;
     PhotonCounts* counts;  // or none
     const SortedPhotons& photons;
-    Marks& taken;
+    VisibleFlags& taken;
     PixelLocks& locks;
 };
 
@@ -59,14 +59,16 @@ public:
     static constexpr std::size_t kTogether = TakenPhotons::kBlocks;
     static constexpr std::size_t kPoints = VisiblePointIndex::kWidth;  // of a block
 
-    explicit Gatherer(const Gathering& all) : all_(all), shared_(all.image, all.locks) {}
+    explicit Gatherer(const GatherContext& all) : all_(all), shared_(all.image, all.locks) {}
 
     /// Blocks begin .. end - 1, kTogether at most, neighbours in space.
     /// @return photons times points that took them.
     std::uint64_t gather(std::size_t begin, std::size_t end) {
         if (!find_taken(all_.index, all_.photons, begin, end, taken_)) return 0;
-        for (std::size_t b = begin; b < end; ++b) call_points(b, taken_.blocks[b - begin].takers);
-        for (std::size_t b = begin; b < end; ++b) call_pixels(b, taken_.blocks[b - begin].takers);
+        for (std::size_t b = begin; b < end; ++b)
+            call_points(b, taken_.blocks[b - begin].accepting);
+        for (std::size_t b = begin; b < end; ++b)
+            call_pixels(b, taken_.blocks[b - begin].accepting);
         std::uint64_t deposits = 0;
         for (block_ = begin; block_ < end; ++block_)
             deposits += sum_up(taken_.blocks[block_ - begin]);
@@ -86,19 +88,19 @@ private:
         return std::min(kPoints, all_.index.points().size() - block_ * kPoints);
     }
 
-    /// Calls into the cache what sum_up() reads of the points. @param takers  bits.
-    void call_points(std::size_t block, unsigned takers) const {
-        for (; takers != 0; takers &= takers - 1) {
-            const VisiblePoint& to = point(block, static_cast<unsigned>(__builtin_ctz(takers)));
+    /// Calls into the cache what sum_up() reads of the points. @param accepting  bits.
+    void call_points(std::size_t block, unsigned accepting) const {
+        for (; accepting != 0; accepting &= accepting - 1) {
+            const VisiblePoint& to = point(block, static_cast<unsigned>(__builtin_ctz(accepting)));
             __builtin_prefetch(&to.throughput);
             __builtin_prefetch(&to.pixel);
         }
     }
 
     /// The same for the points' pixels.
-    void call_pixels(std::size_t block, unsigned takers) const {
-        for (; takers != 0; takers &= takers - 1) {
-            const VisiblePoint& to = point(block, static_cast<unsigned>(__builtin_ctz(takers)));
+    void call_pixels(std::size_t block, unsigned accepting) const {
+        for (; accepting != 0; accepting &= accepting - 1) {
+            const VisiblePoint& to = point(block, static_cast<unsigned>(__builtin_ctz(accepting)));
             if (!to.shares_pixel) __builtin_prefetch(all_.image.place_of(to.pixel), 1);
         }
     }
@@ -113,9 +115,9 @@ private:
             const Photon& photon = all_.photons[taken.photon];
             const std::size_t kind = number_of(photon.kind);
             all_.taken.set(taken.photon);
-            met[kind] |= taken.takers;
-            deposits += static_cast<unsigned>(__builtin_popcount(taken.takers));
-            for (unsigned rest = taken.takers & ~plain_; rest != 0; rest &= rest - 1) {
+            met[kind] |= taken.accepting;
+            deposits += static_cast<unsigned>(__builtin_popcount(taken.accepting));
+            for (unsigned rest = taken.accepting & ~plain_; rest != 0; rest &= rest - 1) {
                 const auto i = static_cast<unsigned>(__builtin_ctz(rest));
                 light_[kind][i] += light_of(all_.pass, point(i), photon);
             }
@@ -126,43 +128,43 @@ private:
             for (unsigned rest = met[kind]; rest != 0; rest &= rest - 1)
                 finish_point(static_cast<unsigned>(__builtin_ctz(rest)), kKinds[kind]);
         }
-        if (all_.image.light_layers() > 0) add_to_light_layers();
+        if (all_.image.light_groups() > 0) add_to_light_groups();
         if (all_.counts != nullptr) count(*all_.counts);
         return deposits;
     }
 
-    /// The same light again, by the layers of the lights that it comes from.
-    void add_to_light_layers() const {
-        std::array<std::uint64_t, kKinds.size()> layers{};  // by kind: a bit a layer
+    /// The same light again, by the aovs of the lights that it comes from.
+    void add_to_light_groups() const {
+        std::array<std::uint64_t, kKinds.size()> aovs{};  // by kind: a bit a aov
         for (const TakenPhoton& taken : here_) {
             const Photon& photon = all_.photons[taken.photon];
-            if (photon.light_layer != kNoLightLayer)
-                layers[number_of(photon.kind)] |= std::uint64_t{1} << photon.light_layer;
+            if (photon.light_group != kNoLightGroup)
+                aovs[number_of(photon.kind)] |= std::uint64_t{1} << photon.light_group;
         }
         for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
-            for (std::uint64_t rest = layers[kind]; rest != 0; rest &= rest - 1)
-                add_to_light_layer(static_cast<std::uint8_t>(__builtin_ctzll(rest)), kKinds[kind]);
+            for (std::uint64_t rest = aovs[kind]; rest != 0; rest &= rest - 1)
+                add_to_light_group(static_cast<std::uint8_t>(__builtin_ctzll(rest)), kKinds[kind]);
     }
 
-    void add_to_light_layer(std::uint8_t layer, PhotonKind kind) const {
+    void add_to_light_group(std::uint8_t aov, PhotonKind kind) const {
         BlockLight light{};
         unsigned met = 0;
         for (const TakenPhoton& taken : here_) {
             const Photon& photon = all_.photons[taken.photon];
-            if (photon.light_layer != layer || photon.kind != kind) continue;
-            met |= taken.takers;
-            for (unsigned rest = taken.takers; rest != 0; rest &= rest - 1)
+            if (photon.light_group != aov || photon.kind != kind) continue;
+            met |= taken.accepting;
+            for (unsigned rest = taken.accepting; rest != 0; rest &= rest - 1)
                 add(static_cast<unsigned>(__builtin_ctz(rest)), photon, light);
         }
         for (; met != 0; met &= met - 1) {
             const auto i = static_cast<unsigned>(__builtin_ctz(met));
-            const Spectrum share = this->share(i, kind);
-            all_.image.add_to_light_layer(point(i).pixel,
-                                          all_.pass.wavelengths.to_rgb(light[i] * share), layer);
+            const SampledSpectrum share = this->share(i, kind);
+            all_.image.add_to_light_group(point(i).pixel,
+                                          all_.pass.wavelengths.to_rgb(light[i] * share), aov);
         }
     }
 
-    Spectrum share(std::size_t i, PhotonKind kind) const {
+    SampledSpectrum share(std::size_t i, PhotonKind kind) const {
         return share_of(point(i), all_.index.radius(block_, i, kind), all_.paths);
     }
 
@@ -176,10 +178,10 @@ private:
     /// Adds the point's sum to its pixel, and makes it zero for the next block.
     void finish_point(std::size_t i, PhotonKind kind) {
         const VisiblePoint& to = point(i);
-        const Spectrum share = this->share(i, kind);
-        Spectrum& light = light_[number_of(kind)][i];
+        const SampledSpectrum share = this->share(i, kind);
+        SampledSpectrum& light = light_[number_of(kind)][i];
         const Vec3 rgb = all_.pass.wavelengths.to_rgb(light * share);
-        light = Spectrum();
+        light = SampledSpectrum();
         if (!PassImage::is_addable(rgb))
             add_one_by_one(i, kind, share);
         else if (to.shares_pixel)
@@ -189,12 +191,12 @@ private:
     }
 
     /// Where the sum is not a number that can be added: each photon stands or falls by itself.
-    void add_one_by_one(std::size_t i, PhotonKind kind, const Spectrum& share) const {
+    void add_one_by_one(std::size_t i, PhotonKind kind, const SampledSpectrum& share) const {
         const std::lock_guard<std::mutex> guard(all_.locks.of_pixel(point(i).pixel));
         for (const TakenPhoton& taken : here_) {
             const Photon& photon = all_.photons[taken.photon];
-            if (photon.kind != kind || (taken.takers >> i & 1U) == 0) continue;
-            const Spectrum value = light_of(all_.pass, point(i), photon) * share;
+            if (photon.kind != kind || (taken.accepting >> i & 1U) == 0) continue;
+            const SampledSpectrum value = light_of(all_.pass, point(i), photon) * share;
             all_.image.add_light(point(i).pixel, all_.pass.wavelengths.to_rgb(value),
                                  owner_of(point(i), kind));
         }
@@ -204,7 +206,7 @@ private:
     void count(PhotonCounts& counts) const {
         std::array<std::uint64_t, kPoints> copies{};
         for (const TakenPhoton& taken : here_)
-            for (unsigned rest = taken.takers; rest != 0; rest &= rest - 1)
+            for (unsigned rest = taken.accepting; rest != 0; rest &= rest - 1)
                 copies[static_cast<unsigned>(__builtin_ctz(rest))] +=
                     all_.photons[taken.photon].copies;
         for (std::size_t i = 0; i < points_here(); ++i)
@@ -212,7 +214,7 @@ private:
                 counts[point(i).pixel].fetch_add(copies[i], std::memory_order_relaxed);
     }
 
-    const Gathering& all_;
+    const GatherContext& all_;
     SharedTerms shared_;
     TakenPhotons taken_;
     std::size_t block_ = 0;

@@ -1,6 +1,6 @@
 // The term that one photon adds to the estimate of a visible point, in its two factors.
 //
-// L = 1 / (N pi r^2) sum over photons of throughput * f(w, w_from) * flux * |n_s.w| / |n_g.w|.
+// L = 1 / (N pi r^2) sum over photons of throughput * f(w, wo) * flux * |n_s.w| / |n_g.w|.
 // Source: paper section 3.1 (progressive density estimation); Hachisuka and Jensen 2009, eq. 8,
 // with one radius a pass; shading normals: photon density measures |n_g.w|, a bsdf |n_s.w|
 // (Veach, Robust Monte Carlo Methods, 1997, section 5.3.2). n_g is that of the photon's own
@@ -16,13 +16,14 @@ namespace sunfleck {
 
 /// f of the visible point towards the camera for light that comes from the photon's side, without
 /// the part that its throughput holds already.
-inline Spectrum gather_lobe(const PassScene& pass, const VisiblePoint& point, const Vec3& w) {
+inline SampledSpectrum gather_lobe(const PassScene& pass, const VisiblePoint& point,
+                                   const Vec3& w) {
     const Frame frame(point.shading_normal, point.tangent);
     const Bsdf& bsdf = pass.kept(point.bsdf);
-    const Vec3 from = frame.to_local(point.w_from);
+    const Vec3 from = frame.to_local(point.wo);
     const Vec3 to = frame.to_local(w);
-    if (point.single_lane && is_dispersive(bsdf))
-        return eval(for_lane(bsdf, point.lane), from, to, Transport::radiance);
+    if (point.single_wavelength && is_dispersive(bsdf))
+        return eval(at_wavelength(bsdf, point.hero), from, to, Transport::radiance);
     return eval(bsdf, from, to, Transport::radiance);
 }
 
@@ -31,27 +32,28 @@ inline Spectrum gather_lobe(const PassScene& pass, const VisiblePoint& point, co
 inline float correction(const VisiblePoint& point, const Photon& photon) {
     if (point.is_flat()) return 1;
     const float cosine = point.shading_normal.dot(photon.w);
-    const bool gathers = Lambert::gathers(point.shading_normal.dot(point.w_from), cosine);
+    const bool gathers = Lambert::gathers(point.shading_normal.dot(point.wo), cosine);
     if (point.bsdf == kLambertian && !gathers) return 0;
     return std::abs(cosine) / std::abs(photon.normal.dot(photon.w));
 }
 
 /// The part of the estimate that differs from photon to photon: flux as the point's bsdf sees it.
-inline Spectrum light_of(const PassScene& pass, const VisiblePoint& point, const Photon& photon) {
-    const Spectrum light = photon.flux * correction(point, photon);
+inline SampledSpectrum light_of(const PassScene& pass, const VisiblePoint& point,
+                                const Photon& photon) {
+    const SampledSpectrum light = photon.flux * correction(point, photon);
     return point.bsdf == kLambertian ? light : light * gather_lobe(pass, point, photon.w);
 }
 
 /// The part that is the same for all photons of a point.
 /// @param radius  of its disc (which a caller may have at hand). @param paths  N.
-inline Spectrum share_of(const VisiblePoint& point, float radius, std::uint32_t paths) {
+inline SampledSpectrum share_of(const VisiblePoint& point, float radius, std::uint32_t paths) {
     return point.throughput * (1 / (static_cast<float>(paths) * (kPi * radius * radius)));
 }
 
-/// The layer that owns what a photon of this kind brings to this point.
-inline Layer owner_of(const VisiblePoint& point, PhotonKind kind) {
-    if (point.after_rough || kind == PhotonKind::indirect) return Layer::indirect;
-    return kind == PhotonKind::direct ? Layer::direct : Layer::caustic;
+/// The aov that owns what a photon of this kind brings to this point.
+inline Aov owner_of(const VisiblePoint& point, PhotonKind kind) {
+    if (point.after_rough || kind == PhotonKind::indirect) return Aov::indirect;
+    return kind == PhotonKind::direct ? Aov::direct : Aov::caustic;
 }
 
 }  // namespace sunfleck

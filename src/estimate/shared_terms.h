@@ -36,7 +36,7 @@ public:
     struct Term {
         Vec3 rgb;  // PassImage::is_addable()
         std::uint32_t pixel = 0;
-        Layer owner = Layer::total;
+        Aov owner = Aov::total;
     };
 
     /// Whoever else adds to the same pixels meanwhile must hold their locks.

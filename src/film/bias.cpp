@@ -12,44 +12,44 @@
 namespace sunfleck {
 namespace {
 
-/// Luminance brought by photons over complete rounds: of a block or the picture.
-struct RoundMeans {
+/// Luminance brought by photons over complete batches: of a block or the picture.
+struct BatchMeans {
     double mean = 0;
     double mean_by_area = 0;
     double mean_square = 0;
 };
 
-/// The line through complete rounds.
+/// The line through complete batches.
 struct Line {
     double slope = 0;
-    double variance = 0;  // around it, of a round that counts once
+    double variance = 0;  // around it, of a batch that counts once
 };
 
-/// Variance of a round that counts once, from the sum of squares around the mean and the slope. Two
+/// Variance of a batch that counts once, from the sum of squares around the mean and the slope. Two
 /// numbers have been fitted.
 double residual_variance(double squares, double slope, const DiscAreas& areas) {
-    return std::max(0.0, squares - slope * slope * areas.squares) / (areas.rounds - 2);
+    return std::max(0.0, squares - slope * slope * areas.squares) / (areas.batches - 2);
 }
 
-Line line_through(const RoundMeans& y, const DiscAreas& areas) {
+Line line_through(const BatchMeans& y, const DiscAreas& areas) {
     const double slope = (y.mean_by_area - areas.mean * y.mean) * areas.weight / areas.squares;
     const double squares = (y.mean_square - y.mean * y.mean) * areas.weight;
     return {slope, residual_variance(squares, slope, areas)};
 }
 
-Bias bias_of(const RoundMeans& y, const DiscAreas& areas) {
+Bias bias_of(const BatchMeans& y, const DiscAreas& areas) {
     const Line line = line_through(y, areas);
     return {line.slope * areas.mean_of_passes, std::sqrt(line.variance * areas.bias_variance())};
 }
 
-/// Of each block, over its pixels: means over complete rounds. Squares are left out.
-std::vector<RoundMeans> block_sums(const Film& film, const BlockGrid& grid) {
+/// Of each block, over its pixels: means over complete batches. Squares are left out.
+std::vector<BatchMeans> block_sums(const Film& film, const BlockGrid& grid) {
     const FilmSums& sums = film.sums();
     const double passes = film.complete_weight();
     std::vector<std::pair<double, const FixedPoints*>> open;  // area, sums
     for (const auto& [first, group] : sums.open_groups)
-        open.emplace_back(round_area(first / kRoundPasses, film.key().alpha), &group.photon_blocks);
-    std::vector<RoundMeans> result(grid.count());
+        open.emplace_back(batch_area(first / kBatchPasses, film.key().alpha), &group.photon_blocks);
+    std::vector<BatchMeans> result(grid.count());
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum light;
         RgbSum by_area;
@@ -70,7 +70,7 @@ std::vector<RoundMeans> block_sums(const Film& film, const BlockGrid& grid) {
 }
 
 /// Means over a block's pixels, or the picture's.
-RoundMeans means(const RoundMeans& sums, std::size_t pixels, double mean_square) {
+BatchMeans means(const BatchMeans& sums, std::size_t pixels, double mean_square) {
     const auto n = static_cast<double>(pixels);
     return {sums.mean / n, sums.mean_by_area / n, mean_square};
 }
@@ -79,23 +79,23 @@ RoundMeans means(const RoundMeans& sums, std::size_t pixels, double mean_square)
 template <class Visit>
 void for_blocks(const Film& film, const Visit& visit) {
     const BlockGrid grid(film.key(), kErrorBlock);
-    const std::vector<RoundMeans> sums = block_sums(film, grid);
+    const std::vector<BatchMeans> sums = block_sums(film, grid);
     const FixedPoints& squares = film.sums().photons.block_squares;
-    const double weight = film.weight_of_rounds();
+    const double weight = film.weight_of_batches();
     for (std::size_t b = 0; b < grid.count(); ++b)
         visit(b, means(sums[b], grid.block(b).pixels(), squares[b].to_double() / weight));
 }
 
 /// Variance of a mean less its bias: the mean's and the slope's have nothing in common.
-/// @param round  variance of the luminance of a round that counts once. @param photons  of that by
+/// @param round  variance of the luminance of a batch that counts once. @param photons  of that by
 /// photons.
-double extrapolated_error(double round, double photons, const DiscAreas& areas) {
-    return std::sqrt(round / areas.weight + photons * areas.bias_variance());
+double extrapolated_error(double batch, double photons, const DiscAreas& areas) {
+    return std::sqrt(batch / areas.weight + photons * areas.bias_variance());
 }
 
 /// Sum of a quantity's squares around its mean.
 double squares_around_mean(const MeanError& error, const DiscAreas& areas) {
-    return error.standard_error * error.standard_error * areas.weight * (areas.rounds - 1);
+    return error.standard_error * error.standard_error * areas.weight * (areas.batches - 1);
 }
 
 }  // namespace
@@ -119,19 +119,19 @@ std::vector<Bias> block_biases(const Film& film) {
     if (!areas) return {};
     std::vector<Bias> biases;
     for_blocks(film,
-               [&](std::size_t, const RoundMeans& y) { biases.push_back(bias_of(y, *areas)); });
+               [&](std::size_t, const BatchMeans& y) { biases.push_back(bias_of(y, *areas)); });
     return biases;
 }
 
 std::optional<Bias> image_bias(const Film& film) {
     const auto areas = disc_areas(film);
     if (!areas) return {};
-    RoundMeans total;
-    for (const RoundMeans& block : block_sums(film, BlockGrid(film.key(), kErrorBlock))) {
+    BatchMeans total;
+    for (const BatchMeans& block : block_sums(film, BlockGrid(film.key(), kErrorBlock))) {
         total.mean += block.mean;
         total.mean_by_area += block.mean_by_area;
     }
-    if (total.mean == 0 && is_lit(film.sums().layers[0])) return {};
+    if (total.mean == 0 && is_lit(film.sums().aovs[0])) return {};
     const double square = film.sums().photons.image_square.to_double() / areas->weight;
     return bias_of(means(total, film.key().pixels(), square), *areas);
 }
@@ -156,7 +156,7 @@ std::vector<double> extrapolated_block_errors(const Film& film) {
     if (!areas) return {};
     const std::vector<MeanError> plain = block_errors(film);
     std::vector<double> errors(plain.size());
-    for_blocks(film, [&](std::size_t b, const RoundMeans& y) {
+    for_blocks(film, [&](std::size_t b, const BatchMeans& y) {
         const Line line = line_through(y, *areas);
         const double squares = squares_around_mean(plain[b], *areas);
         errors[b] = extrapolated_error(residual_variance(squares, line.slope, *areas),

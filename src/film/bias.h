@@ -2,11 +2,11 @@
 //
 // In:  a film whose passes had discs. Out: the bias of its mean (what to subtract), and standard
 // errors, of the bias and of the mean without it. Means are over all passes; those of blocks and of
-// the picture, and all errors, come from complete rounds. Of first order: light is taken to be
-// linear in the disc's area. Ordinary least squares (docs/method.md): unbiased whatever the rounds'
-// variances are; the errors take them to be equal, or as one over how often a round counts. That
-// they are for blocks and the picture. In a pixel early rounds have less noise than late ones, and
-// its errors come out too large by some 15%.
+// the picture, and all errors, come from complete batches. Of first order: light is taken to be
+// linear in the disc's area. Ordinary least squares (docs/method.md): unbiased whatever the
+// batches' variances are; the errors take them to be equal, or as one over how often a batch
+// counts. That they are for blocks and the picture. In a pixel early batches have less noise than
+// late ones, and its errors come out too large by some 15%.
 #pragma once
 
 #include "film/disc_areas.h"
@@ -28,7 +28,7 @@ struct Bias {
 };
 
 /// widening() for standard errors around a line, for which two numbers have been fitted.
-/// @param film  of three complete rounds at least.
+/// @param film  of three complete batches at least.
 inline double line_widening(const Film& film) {
     return student_widening(error_degrees(film) - 1);
 }
@@ -38,11 +38,11 @@ inline double line_widening(const Film& film) {
 std::vector<Bias> block_biases(const Film& film);
 
 /// Of the luminance of the whole picture. Nothing where disc_areas() has nothing, or where photons
-/// have brought no light in complete rounds, and the picture is not black.
+/// have brought no light in complete batches, and the picture is not black.
 std::optional<Bias> image_bias(const Film& film);
 
 /// Standard errors, not widened, of the luminance of each pixel, bias subtracted; not less than
-/// they are where sampled direct light is noisy, nor where only an open round has lit a pixel.
+/// they are where sampled direct light is noisy, nor where only an open batch has lit a pixel.
 /// Empty where disc_areas() has nothing.
 std::vector<double> extrapolated_pixel_errors(const Film& film);
 

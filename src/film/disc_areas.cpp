@@ -1,4 +1,4 @@
-// Sums over passes and rounds of a film, in the order of their numbers.
+// Sums over passes and batches of a film, in the order of their numbers.
 #include "film/disc_areas.h"
 
 #include "math/wavelengths.h"
@@ -8,8 +8,8 @@ namespace sunfleck {
 namespace {
 
 /// A round, and those of its passes that a film holds.
-struct RoundAreas {
-    double mean = 0;  // over all passes of the round
+struct BatchAreas {
+    double mean = 0;  // over all passes of the batch
     double held = 0;  // sum over those that the film holds
     double count = 0;
     double shown = 0;  // these two as far as passes count in the picture
@@ -17,14 +17,14 @@ struct RoundAreas {
     double weight = 1;  // how often each counts
 };
 
-/// Goes on to the next round.
-RoundAreas next_round(const Film& film, std::uint64_t round, DiscAreaSequence& areas) {
-    RoundAreas result;
-    result.weight = film.weight_of_round(round);
-    const PassRange range = round_range(round);
+/// Goes on to the next batch.
+BatchAreas next_round(const Film& film, std::uint64_t batch, DiscAreaSequence& areas) {
+    BatchAreas result;
+    result.weight = film.weight_of_batch(batch);
+    const PassRange range = batch_range(batch);
     for (std::uint64_t p = range.begin; p < range.end; ++p) {
         const double area = areas.next();
-        result.mean += area / kRoundPasses;
+        result.mean += area / kBatchPasses;
         if (film.passes().count_in({p, p + 1}) == 0) continue;
         const double share = film.share_of_pass(p);
         result.held += area;
@@ -35,52 +35,52 @@ RoundAreas next_round(const Film& film, std::uint64_t round, DiscAreaSequence& a
     return result;
 }
 
-/// Sums over rounds.
+/// Sums over batches.
 struct Sums {
     double passes = 0;
     double held = 0;   // areas of passes
     double shown = 0;  // passes, and their areas, as they count in the picture
     double shown_areas = 0;
-    double means = 0;          // of a pass that of its round
-    double means_by_held = 0;  // areas of passes times those of their rounds
-    double rounds = 0;         // complete ones; how often they count, their areas and squares
+    double means = 0;          // of a pass that of its batch
+    double means_by_held = 0;  // areas of passes times those of their batches
+    double batches = 0;        // complete ones; how often they count, their areas and squares
     double weight = 0;
     double areas = 0;
     double squares = 0;
 
-    void add(const RoundAreas& round) {
-        passes += round.weight * round.count;
-        held += round.weight * round.held;
-        shown += round.weight * round.shown;
-        shown_areas += round.weight * round.shown_areas;
-        means += round.weight * round.count * round.mean;
-        means_by_held += round.weight * round.mean * round.held;
-        if (round.count < kRoundPasses) return;
-        rounds += 1;
-        weight += round.weight;
-        areas += round.weight * round.mean;
-        squares += round.weight * round.mean * round.mean;
+    void add(const BatchAreas& batch) {
+        passes += batch.weight * batch.count;
+        held += batch.weight * batch.held;
+        shown += batch.weight * batch.shown;
+        shown_areas += batch.weight * batch.shown_areas;
+        means += batch.weight * batch.count * batch.mean;
+        means_by_held += batch.weight * batch.mean * batch.held;
+        if (batch.count < kBatchPasses) return;
+        batches += 1;
+        weight += batch.weight;
+        areas += batch.weight * batch.mean;
+        squares += batch.weight * batch.mean * batch.mean;
     }
 };
 
 }  // namespace
 
 std::optional<DiscAreas> disc_areas(const Film& film) {
-    if (!film.key().has_discs() || film.rounds() < kBiasRounds) return {};
+    if (!film.key().has_discs() || film.batches() < kBiasBatches) return {};
     DiscAreaSequence areas(film.key().alpha);
     Sums sums;
-    for (std::uint64_t r = 0; round_range(r).begin < film.passes().ranges().back().end; ++r)
+    for (std::uint64_t r = 0; batch_range(r).begin < film.passes().ranges().back().end; ++r)
         sums.add(next_round(film, r, areas));
 
     DiscAreas result;
-    result.rounds = sums.rounds;
+    result.batches = sums.batches;
     result.weight = sums.weight;
     result.mean = sums.areas / sums.weight;
     result.squares = sums.squares - sums.areas * result.mean;
     result.mean_of_passes = sums.shown_areas / sums.shown;
     result.share = sums.means / sums.passes;
     result.divisor = sums.means_by_held - result.share * sums.held;
-    // Of a mean over rounds the variance is that of a round that counts once over their weight.
+    // Of a mean over batches the variance is that of a batch that counts once over their weight.
     const double lever_squared = result.bias_variance() * result.weight;
     if (!(result.squares > 0 && result.divisor > 0)) return {};
     if (!(lever_squared <= kLargestLever * kLargestLever)) return {};

@@ -1,4 +1,4 @@
-// Means over complete rounds: the totals less the rounds that are still open, exactly.
+// Means over complete batches: the totals less the batches that are still open, exactly.
 #include "film/error_bars.h"
 
 #include "core/parallel.h"
@@ -11,25 +11,25 @@
 namespace sunfleck {
 namespace {
 
-/// Exact sum of a pixel over the passes of complete rounds.
+/// Exact sum of a pixel over the passes of complete batches.
 RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
-    RgbSum rgb = rgb_of(sums.layers[0], pixel);
-    for (const auto& [first, group] : sums.open_groups) rgb -= rgb_of(group.layers[0], pixel);
+    RgbSum rgb = rgb_of(sums.aovs[0], pixel);
+    for (const auto& [first, group] : sums.open_groups) rgb -= rgb_of(group.aovs[0], pixel);
     return rgb;
 }
 
-/// Complete rounds: their number, and how often they count.
+/// Complete batches: their number, and how often they count.
 struct Rounds {
     explicit Rounds(const Film& film)
-        : count(static_cast<double>(film.rounds())), weight(film.weight_of_rounds()) {}
+        : count(static_cast<double>(film.batches())), weight(film.weight_of_batches()) {}
 
     double count;
     double weight;
 };
 
-MeanError mean_error(double mean, const FixedPoint& squares, const Rounds& rounds) {
-    const double variance = squares.to_double() / rounds.weight - mean * mean;
-    return {mean, std::sqrt(std::max(0.0, variance) / (rounds.count - 1))};
+MeanError mean_error(double mean, const FixedPoint& squares, const Rounds& batches) {
+    const double variance = squares.to_double() / batches.weight - mean * mean;
+    return {mean, std::sqrt(std::max(0.0, variance) / (batches.count - 1))};
 }
 
 /// Luminance of each block, summed over its pixels, for `passes` passes.
@@ -71,17 +71,17 @@ double mean_luminance(const Film& film, const FixedPoints& rgb) {
 /// those of chi-square with trace(A)^2 / trace(A^2) degrees, A = diag(w) - w w^T / sum(w).
 double error_degrees(const Film& film) {
     std::array<double, 4> powers{};  // sums of w^0, w, w^2, w^3
-    const auto add = [&](double rounds, double weight) {
+    const auto add = [&](double batches, double weight) {
         for (double& power : powers) {
-            power += rounds;
-            rounds *= weight;
+            power += batches;
+            batches *= weight;
         }
     };
-    auto light = static_cast<double>(film.rounds());
+    auto light = static_cast<double>(film.batches());
     for (const auto& [weight, passes] : film.sums().heavy) {
-        const auto rounds = static_cast<double>(complete_rounds(passes));
-        add(rounds, weight);
-        light -= rounds;
+        const auto batches = static_cast<double>(complete_batches(passes));
+        add(batches, weight);
+        light -= batches;
     }
     add(light, 1);
     const double mean = powers[2] / powers[1];
@@ -95,42 +95,42 @@ bool is_lit(const FixedPoints& sums) {
 }
 
 std::vector<MeanError> pixel_errors(const Film& film) {
-    const Rounds rounds(film);
-    if (rounds.count < 2) return {};
+    const Rounds batches(film);
+    if (batches.count < 2) return {};
     const double passes = film.complete_weight();
     std::vector<MeanError> errors(film.key().pixels());
     parallel_blocks(errors.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const double mean = complete_sum(film.sums(), i).mean_luminance(passes);
-            errors[i] = mean_error(mean, film.sums().pixel_squares[i], rounds);
-            // All light of one round of n has the standard error of its mean, whatever n is.
+            errors[i] = mean_error(mean, film.sums().pixel_squares[i], batches);
+            // All light of one batch of n has the standard error of its mean, whatever n is.
             if (mean == 0 && errors[i].standard_error == 0)
                 errors[i].standard_error =
-                    std::abs(rgb_of(film.sums().layers[0], i).mean_luminance(film.weight()));
+                    std::abs(rgb_of(film.sums().aovs[0], i).mean_luminance(film.weight()));
         }
     });
     return errors;
 }
 
 std::vector<MeanError> block_errors(const Film& film) {
-    const Rounds rounds(film);
-    if (rounds.count < 2) return {};
+    const Rounds batches(film);
+    if (batches.count < 2) return {};
     const BlockGrid grid(film.key(), kErrorBlock);
     const std::vector<double> sums = complete_block_sums(film);
     std::vector<MeanError> errors(grid.count());
     for (std::size_t b = 0; b < errors.size(); ++b) {
         const double mean = sums[b] / static_cast<double>(grid.block(b).pixels());
-        errors[b] = mean_error(mean, film.sums().block_squares[b], rounds);
+        errors[b] = mean_error(mean, film.sums().block_squares[b], batches);
     }
     return errors;
 }
 
 std::optional<MeanError> image_error(const Film& film) {
-    const Rounds rounds(film);
-    if (rounds.count < 2) return {};
+    const Rounds batches(film);
+    if (batches.count < 2) return {};
     const double mean = total(complete_block_sums(film)) / static_cast<double>(film.key().pixels());
-    if (mean == 0 && is_lit(film.sums().layers[0])) return {};
-    return mean_error(mean, film.sums().image_square, rounds);
+    if (mean == 0 && is_lit(film.sums().aovs[0])) return {};
+    return mean_error(mean, film.sums().image_square, batches);
 }
 
 double image_mean(const Film& film) {
@@ -140,9 +140,9 @@ double image_mean(const Film& film) {
         return total(block_sums(grid, film.picture_weight(),
                                 [&](std::size_t pixel) { return rgb_of(rgb, pixel); }));
     };
-    double sum = sum_of(film.sums().layers[0]);
+    double sum = sum_of(film.sums().aovs[0]);
     for (const auto& [first, group] : film.sums().open_groups)
-        sum -= (1 - film.share_of_pass(first)) * sum_of(group.layers[0]);
+        sum -= (1 - film.share_of_pass(first)) * sum_of(group.aovs[0]);
     return sum / static_cast<double>(film.key().pixels());
 }
 

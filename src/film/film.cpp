@@ -1,4 +1,4 @@
-// Adding passes, folding complete rounds, merging films.
+// Adding passes, folding complete batches, merging films.
 #include "film/film.h"
 
 #include "core/error.h"
@@ -20,14 +20,14 @@ void check_image(const FilmKey& key, std::uint32_t number, const PassImage& imag
                     "has " + std::to_string(image.pixels()) + " pixels, the film " +
                         std::to_string(key.pixels()),
                     "render it at the film's resolution");
-    for (std::size_t i = 0; i < kLayerCount; ++i)
-        if (key.has(i) && !image.has(kLayers.at(i).layer))
-            throw Error(where, "lacks the layer \"" + std::string(kLayers.at(i).name) + "\"",
+    for (std::size_t i = 0; i < kAovCount; ++i)
+        if (key.has(i) && !image.has(kAovs.at(i).aov))
+            throw Error(where, "lacks the layer \"" + std::string(kAovs.at(i).name) + "\"",
                         "render it with the film's layers");
-    if (image.light_layers() != key.light_layers.size())
+    if (image.light_groups() != key.light_groups.size())
         throw Error(where,
-                    "has " + std::to_string(image.light_layers()) + " layers of lights, the film " +
-                        std::to_string(key.light_layers.size()),
+                    "has " + std::to_string(image.light_groups()) + " layers of lights, the film " +
+                        std::to_string(key.light_groups.size()),
                     "render it with the film's layers");
     if (key.has_discs() && !image.photons_apart())
         throw Error(where, "does not hold apart what photons have brought",
@@ -56,18 +56,18 @@ void check_parts(const FilmSums& sums, const FilmSums& other, const std::string&
                         "give each part passes of its own with --pass-range");
 }
 
-/// Has a part of the passes all that there are of a round?
-bool has_all_of_round(const PassSet& part, std::uint64_t round, const PassSet& passes) {
-    return part.count_in(round_range(round)) == passes.count_in(round_range(round));
+/// Has a part of the passes all that there are of a batch?
+bool has_all_of_batch(const PassSet& part, std::uint64_t batch, const PassSet& passes) {
+    return part.count_in(batch_range(batch)) == passes.count_in(batch_range(batch));
 }
 
-/// @param sums  of all passes or of an open round: arrays of layers that are not kept are empty.
+/// @param sums  of all passes or of an open batch: arrays of aovs that are not kept are empty.
 template <class Sums>
-void add_layers(Sums& sums, const PassImage& image, std::uint32_t weight) {
-    for (std::size_t i = 0; i < kLayerCount; ++i)
-        if (!sums.layers.at(i).empty()) add_layer(sums.layers.at(i), image, kLayers.at(i), weight);
-    for (std::size_t i = 0; i < sums.light_layers.size(); ++i)
-        add_light_layer(sums.light_layers[i], image, i, weight);
+void add_aovs(Sums& sums, const PassImage& image, std::uint32_t weight) {
+    for (std::size_t i = 0; i < kAovCount; ++i)
+        if (!sums.aovs.at(i).empty()) add_aov(sums.aovs.at(i), image, kAovs.at(i), weight);
+    for (std::size_t i = 0; i < sums.light_groups.size(); ++i)
+        add_light_group(sums.light_groups[i], image, i, weight);
 }
 
 void insert_all(const PassSet& from, PassSet& to) {
@@ -76,35 +76,35 @@ void insert_all(const PassSet& from, PassSet& to) {
 
 }  // namespace
 
-PassRange round_range(std::uint64_t round) {
-    return {round * kRoundPasses, (round + 1) * kRoundPasses};
+PassRange batch_range(std::uint64_t batch) {
+    return {batch * kBatchPasses, (batch + 1) * kBatchPasses};
 }
 
-std::uint64_t complete_rounds(const PassSet& passes) {
-    std::uint64_t rounds = 0;
+std::uint64_t complete_batches(const PassSet& passes) {
+    std::uint64_t batches = 0;
     for (const PassRange& range : passes.ranges()) {
-        const std::uint64_t first = (range.begin + kRoundPasses - 1) / kRoundPasses;
-        const std::uint64_t end = range.end / kRoundPasses;
-        if (end > first) rounds += end - first;
+        const std::uint64_t first = (range.begin + kBatchPasses - 1) / kBatchPasses;
+        const std::uint64_t end = range.end / kBatchPasses;
+        if (end > first) batches += end - first;
     }
-    return rounds;
+    return batches;
 }
 
-std::optional<std::uint64_t> uneven_round(const PassSet& passes, const HeavyPasses& heavy) {
+std::optional<std::uint64_t> uneven_batch(const PassSet& passes, const HeavyPasses& heavy) {
     for (const auto& [times, of_weight] : heavy)
         for (const PassRange& range : of_weight.ranges()) {
-            const std::uint64_t first = range.begin / kRoundPasses;
-            const std::uint64_t last = (range.end - 1) / kRoundPasses;
-            if (!has_all_of_round(of_weight, first, passes)) return first;
-            if (!has_all_of_round(of_weight, last, passes)) return last;  // whole rounds between
+            const std::uint64_t first = range.begin / kBatchPasses;
+            const std::uint64_t last = (range.end - 1) / kBatchPasses;
+            if (!has_all_of_batch(of_weight, first, passes)) return first;
+            if (!has_all_of_batch(of_weight, last, passes)) return last;  // whole batches between
         }
     return {};
 }
 
 Film::Film(FilmKey key) : sums_(empty_sums(std::move(key))) {}
 
-std::uint64_t Film::rounds() const {
-    return key().sequential ? 0 : complete_rounds(sums_.passes);
+std::uint64_t Film::batches() const {
+    return key().sequential ? 0 : complete_batches(sums_.passes);
 }
 
 double Film::weight() const {
@@ -113,27 +113,28 @@ double Film::weight() const {
     return static_cast<double>(weight);
 }
 
-double Film::weight_of_rounds() const {
-    std::uint64_t weight = rounds();
-    for (const auto& [times, passes] : sums_.heavy) weight += (times - 1) * complete_rounds(passes);
+double Film::weight_of_batches() const {
+    std::uint64_t weight = batches();
+    for (const auto& [times, passes] : sums_.heavy)
+        weight += (times - 1) * complete_batches(passes);
     return static_cast<double>(weight);
 }
 
 double Film::complete_weight() const {
-    return weight_of_rounds() * kRoundPasses;
+    return weight_of_batches() * kBatchPasses;
 }
 
-std::uint32_t Film::weight_of_round(std::uint64_t round) const {
+std::uint32_t Film::weight_of_batch(std::uint64_t batch) const {
     for (const auto& [times, passes] : sums_.heavy)
-        if (passes.count_in(round_range(round)) > 0) return times;
+        if (passes.count_in(batch_range(batch)) > 0) return times;
     return 1;
 }
 
 double Film::share_of_pass(std::uint64_t number) const {
     const PassSet& passes = sums_.passes;
-    if (rounds() > 0) return share_of_group(passes, group_of(passes, number));
+    if (batches() > 0) return share_of_group(passes, group_of(passes, number));
     const auto held = [&](std::uint64_t pass) {
-        return passes.count_in(round_range(pass / kRoundPasses));
+        return passes.count_in(batch_range(pass / kBatchPasses));
     };
     std::uint64_t most = 0;
     for (const auto& [first, group] : sums_.open_groups) most = std::max(most, held(first));
@@ -144,7 +145,7 @@ double Film::picture_weight() const {
     double sum = weight();
     for (const auto& [first, group] : sums_.open_groups) {
         const std::uint64_t held = sums_.passes.count_in(group_of(sums_.passes, first));
-        sum -= (1 - share_of_pass(first)) * weight_of_round(first / kRoundPasses) *
+        sum -= (1 - share_of_pass(first)) * weight_of_batch(first / kBatchPasses) *
                static_cast<double>(held);
     }
     return sum;
@@ -170,15 +171,15 @@ void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t 
     if (sums_.passes.count_in(range) != 0)
         throw Error({"pass " + std::to_string(number)}, "the film holds it already",
                     "add each pass once");
-    const std::uint64_t round_number = number / kRoundPasses;
-    if (sums_.passes.count_in(round_range(round_number)) != 0 &&
-        weight != weight_of_round(round_number))
+    const std::uint64_t round_number = number / kBatchPasses;
+    if (sums_.passes.count_in(batch_range(round_number)) != 0 &&
+        weight != weight_of_batch(round_number))
         throw Error({"pass " + std::to_string(number)},
                     "counts " + std::to_string(weight) + " times, others of its round " +
-                        std::to_string(weight_of_round(round_number)),
+                        std::to_string(weight_of_batch(round_number)),
                     "let all passes of a round count alike");
     check_image(sums_.key, number, image);
-    add_layers(sums_, image, weight);
+    add_aovs(sums_, image, weight);
     count("dropped_nonfinite", image.dropped());
     count("saturated", image.saturated());
     sums_.passes.insert(range);
@@ -189,12 +190,12 @@ void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t 
         sums_.open_groups.try_emplace(group_of(sums_.passes, number).begin);
     OpenGroup& group = place->second;
     if (is_new) group = empty_group(key());
-    add_layers(group, image, weight);
+    add_aovs(group, image, weight);
     if (key().has_discs()) {
-        const double area = round_area(round_number, key().alpha);
+        const double area = batch_area(round_number, key().alpha);
         count("saturated", add_photons(sums_, image, {area, weight}, group));
     }
-    close_rounds();
+    close_batches();
 }
 
 /// Adds sums of passes of one group. @param number  of any of its passes, or the first of a group
@@ -214,12 +215,12 @@ void Film::join_groups() {
         add_group(first, std::move(group));
 }
 
-void Film::close_rounds() {
+void Film::close_batches() {
     for (auto group = sums_.open_groups.begin(); group != sums_.open_groups.end();) {
-        const std::uint64_t round = group->first / kRoundPasses;
-        const bool complete = sums_.passes.count_in(round_range(round)) == kRoundPasses;
+        const std::uint64_t batch = group->first / kBatchPasses;
+        const bool complete = sums_.passes.count_in(batch_range(batch)) == kBatchPasses;
         if (complete)
-            count("saturated_squares", add_squares(sums_, group->second, weight_of_round(round)));
+            count("saturated_squares", add_squares(sums_, group->second, weight_of_batch(batch)));
         group = complete ? sums_.open_groups.erase(group) : std::next(group);
     }
 }
@@ -231,9 +232,9 @@ void Film::merge(const Film& other, const std::string& other_name) {
     insert_all(from.passes, passes);
     HeavyPasses heavy = sums_.heavy;
     for (const auto& [weight, of_weight] : from.heavy) insert_all(of_weight, heavy[weight]);
-    if (const auto round = uneven_round(passes, heavy))
+    if (const auto batch = uneven_batch(passes, heavy))
         throw Error({other_name},
-                    "passes of " + text_of(round_range(*round)) +
+                    "passes of " + text_of(batch_range(*batch)) +
                         " count more often in one part than in another",
                     "render all parts with one version of the program");
     const auto sums = total_arrays(sums_);
@@ -244,7 +245,7 @@ void Film::merge(const Film& other, const std::string& other_name) {
     sums_.heavy = std::move(heavy);
     join_groups();
     for (const auto& [first, group] : from.open_groups) add_group(first, group);
-    close_rounds();
+    close_batches();
 }
 
 }  // namespace sunfleck

@@ -5,18 +5,18 @@
 // (core/exact_sum.h), so 2^16 passes fit even if a term that large hits one pixel in every pass;
 // fewer, if they count more than once.
 //
-// Rounds of kRoundPasses passes are the independent samples of error bars. When a round is
+// Rounds of kBatchPasses passes are the independent samples of error bars. When a batch is
 // complete its mean luminance y is computed from its exact sums, of each pixel, each block and the
 // whole picture, and w y^2 is added to the sums of squares, w being how often its passes count:
-// floored to 2^-64, at most 2^47 (beyond: cut and counted). Until then the round's own RGB sums are
+// floored to 2^-64, at most 2^47 (beyond: cut and counted). Until then the batch's own RGB sums are
 // kept beside the totals, by groups of passes. The same is done for the luminance that photons have
 // brought, of blocks and the picture, where there are discs.
 //
-// In the picture passes of an open round count as far as the wavelengths of their group are spread
+// In the picture passes of an open batch count as far as the wavelengths of their group are spread
 // evenly (pass_groups.h): where lamps have lines the light of other passes may be off as a whole
-// (docs/method.md). So the sums of the groups of open rounds are kept for each layer.
+// (docs/method.md). So the sums of the groups of open batches are kept for each aov.
 //
-// Passes that build on those before are no samples: a sequential film (film_key.h) has no rounds.
+// Passes that build on those before are no samples: a sequential film (film_key.h) has no batches.
 #pragma once
 
 #include "film/film_sums.h"
@@ -38,9 +38,9 @@ public:
     explicit Film(FilmSums sums) : sums_(std::move(sums)) {}
 
     /// Adds one pass, and its dropped and saturated counts to the statistics.
-    /// @param weight  how often it counts: 1 to kMostWeight, the same for all passes of a round.
+    /// @param weight  how often it counts: 1 to kMostWeight, the same for all passes of a batch.
     /// @throws Error, and changes nothing, if the film holds it already, or other passes of its
-    ///         round that count unlike, its size or layers are other than the key's, or it does not
+    ///         round that count unlike, its size or aovs are other than the key's, or it does not
     ///         hold photons apart and the key has discs.
     void add_pass(std::uint32_t number, const PassImage& image, std::uint32_t weight = 1);
 
@@ -64,15 +64,15 @@ public:
     std::uint64_t pass_count() const { return sums_.passes.count(); }
     /// How often all passes count together: sums over passes have so many terms.
     double weight() const;
-    /// Complete rounds; none of a sequential film.
-    std::uint64_t rounds() const;
+    /// Complete batches; none of a sequential film.
+    std::uint64_t batches() const;
     /// How often these count together, each as its passes.
-    double weight_of_rounds() const;
-    /// How often the passes of complete rounds count together.
+    double weight_of_batches() const;
+    /// How often the passes of complete batches count together.
     double complete_weight() const;
-    std::uint32_t weight_of_round(std::uint64_t round) const;
-    /// Factor on a pass's weight in the picture: share_of_group(); one of complete rounds. Where no
-    /// round is complete, the passes that are there of its round over the most of any.
+    std::uint32_t weight_of_batch(std::uint64_t batch) const;
+    /// Factor on a pass's weight in the picture: share_of_group(); one of complete batches. Where
+    /// no round is complete, the passes that are there of its batch over the most of any.
     double share_of_pass(std::uint64_t number) const;
     /// How often all passes count in the picture together.
     double picture_weight() const;
@@ -80,7 +80,7 @@ public:
 private:
     void add_group(std::uint64_t number, OpenGroup group);
     void join_groups();
-    void close_rounds();
+    void close_batches();
 
     FilmSums sums_;
 };
@@ -90,13 +90,13 @@ inline void merge(Film& film, const Film& other) {
     film.merge(other, "the other film");
 }
 
-/// Passes of a round.
-PassRange round_range(std::uint64_t round);
+/// Passes of a batch.
+PassRange batch_range(std::uint64_t batch);
 
-/// Complete rounds in a set of passes.
-std::uint64_t complete_rounds(const PassSet& passes);
+/// Complete batches in a set of passes.
+std::uint64_t complete_batches(const PassSet& passes);
 
 /// A round whose passes do not all count alike, if there is one. @param heavy  of the passes.
-std::optional<std::uint64_t> uneven_round(const PassSet& passes, const HeavyPasses& heavy);
+std::optional<std::uint64_t> uneven_batch(const PassSet& passes, const HeavyPasses& heavy);
 
 }  // namespace sunfleck

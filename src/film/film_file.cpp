@@ -18,10 +18,10 @@ bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_group
         return static_cast<std::uint64_t>((pixels + kErrorBlock - 1) / kErrorBlock);
     };
     const std::uint64_t discs = key.has_discs() ? 1 : 0;
-    std::uint64_t layers = 3 * key.light_layers.size();
-    for (std::size_t i = 0; i < kLayerCount; ++i)
-        if (key.has(i)) layers += kLayers.at(i).channels.size();
-    const std::uint64_t a_pixel = 1 + 6 * discs + (1 + open_group_count) * layers;
+    std::uint64_t aovs = 3 * key.light_groups.size();
+    for (std::size_t i = 0; i < kAovCount; ++i)
+        if (key.has(i)) aovs += kAovs.at(i).channels.size();
+    const std::uint64_t a_pixel = 1 + 6 * discs + (1 + open_group_count) * aovs;
     if (a_pixel > words / key.pixels()) return false;  // so that the product cannot overflow
     const std::uint64_t a_block = 1 + discs + 3 * open_group_count * discs;
     return words == 2 * (a_pixel * key.pixels() + a_block * blocks(key.width) * blocks(key.height) +

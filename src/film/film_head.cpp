@@ -21,22 +21,22 @@ FilmKey read_key(WordReader& in) {
     key.width = static_cast<int>(in.word_up_to(kMostPixelsAcross));
     key.height = static_cast<int>(in.word_up_to(kMostPixelsAcross));
     const std::uint64_t flags = in.word();
-    const std::uint64_t layers = flags & ~kSequential;
-    key.sequential = layers != flags;
-    if ((layers >> kLayerCount) != 0) in.damaged();
-    if (key.pixels() == 0 || (layers & 1U) == 0) in.damaged();
-    for (std::size_t i = 0; i < kLayerCount; ++i) key.layers.at(i) = (layers >> i & 1U) != 0;
+    const std::uint64_t aovs = flags & ~kSequential;
+    key.sequential = aovs != flags;
+    if ((aovs >> kAovCount) != 0) in.damaged();
+    if (key.pixels() == 0 || (aovs & 1U) == 0) in.damaged();
+    for (std::size_t i = 0; i < kAovCount; ++i) key.aovs.at(i) = (aovs >> i & 1U) != 0;
     key.alpha = std::bit_cast<double>(in.word());
     if (!(key.alpha >= 0 && key.alpha < 1) || std::signbit(key.alpha)) in.damaged();
     if (key.sequential && key.has_discs()) in.damaged();
     key.seed = in.word();
     key.scene_hash = in.word();
     key.settings = in.text();
-    const std::uint64_t light_layers = in.word_up_to(kMostLightLayers);
-    for (std::uint64_t i = 0; i < light_layers; ++i) {
-        key.light_layers.push_back(in.text());
-        const std::string& name = key.light_layers.back();
-        if (!is_layer_name(name) || is_taken_layer_name(name)) in.damaged();
+    const std::uint64_t light_groups = in.word_up_to(kMostLightGroups);
+    for (std::uint64_t i = 0; i < light_groups; ++i) {
+        key.light_groups.push_back(in.text());
+        const std::string& name = key.light_groups.back();
+        if (!is_aov_name(name) || is_taken_aov_name(name)) in.damaged();
     }
     return key;
 }
@@ -57,7 +57,7 @@ PassSet read_passes(WordReader& in) {
     return passes;
 }
 
-/// @param passes  all there are: those of a round count alike.
+/// @param passes  all there are: those of a batch count alike.
 HeavyPasses read_heavy(WordReader& in, const PassSet& passes) {
     HeavyPasses heavy;
     PassSet known;
@@ -71,7 +71,7 @@ HeavyPasses read_heavy(WordReader& in, const PassSet& passes) {
             known.insert(range);
         }
     }
-    if (uneven_round(passes, heavy)) in.damaged();
+    if (uneven_batch(passes, heavy)) in.damaged();
     return heavy;
 }
 
@@ -97,18 +97,18 @@ void put_passes(WordList& out, const PassSet& passes) {
 }  // namespace
 
 std::vector<std::uint64_t> head_words(const FilmSums& sums) {
-    std::uint64_t layers = sums.key.sequential ? kSequential : 0;
-    for (std::size_t i = 0; i < kLayerCount; ++i)
-        if (sums.key.has(i)) layers |= std::uint64_t{1} << i;
+    std::uint64_t aovs = sums.key.sequential ? kSequential : 0;
+    for (std::size_t i = 0; i < kAovCount; ++i)
+        if (sums.key.has(i)) aovs |= std::uint64_t{1} << i;
     WordList out;
     for (const std::uint64_t word :
          {kFilmMagic, kVersion, static_cast<std::uint64_t>(sums.key.width),
-          static_cast<std::uint64_t>(sums.key.height), layers,
+          static_cast<std::uint64_t>(sums.key.height), aovs,
           std::bit_cast<std::uint64_t>(sums.key.alpha), sums.key.seed, sums.key.scene_hash})
         out.put(word);
     out.put(sums.key.settings);
-    out.put(sums.key.light_layers.size());
-    for (const std::string& name : sums.key.light_layers) out.put(name);
+    out.put(sums.key.light_groups.size());
+    for (const std::string& name : sums.key.light_groups) out.put(name);
     put_passes(out, sums.passes);
     out.put(sums.heavy.size());
     for (const auto& [weight, passes] : sums.heavy) {

@@ -25,7 +25,7 @@ std::vector<std::uint64_t> head_words(const FilmSums& sums);
 /// The same back. @throws Error for what is none, or of another version.
 FilmHead take_head(WordReader& in);
 
-/// The groups of open rounds whose sums stand in a film of that head.
+/// The groups of open batches whose sums stand in a film of that head.
 std::vector<PassRange> open_groups(const FilmHead& head);
 
 /// A film of that head, all its sums zero.

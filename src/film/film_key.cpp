@@ -11,18 +11,18 @@ std::string resolution(const FilmKey& key) {
     return std::to_string(key.width) + "x" + std::to_string(key.height);
 }
 
-bool has_same_layers(const FilmKey& here, const FilmKey& there) {
-    for (std::size_t i = 0; i < kLayerCount; ++i)
+bool has_same_aovs(const FilmKey& here, const FilmKey& there) {
+    for (std::size_t i = 0; i < kAovCount; ++i)
         if (here.has(i) != there.has(i)) return false;
-    return here.light_layers == there.light_layers;
+    return here.light_groups == there.light_groups;
 }
 
 /// For the user to read.
-std::string layer_names(const FilmKey& key) {
+std::string aov_names(const FilmKey& key) {
     std::string names = "RGB";
-    for (std::size_t i = 1; i < kLayerCount; ++i)
-        if (key.has(i)) names.append(" ").append(kLayers.at(i).name);
-    for (const std::string& name : key.light_layers) names += " " + name;
+    for (std::size_t i = 1; i < kAovCount; ++i)
+        if (key.has(i)) names.append(" ").append(kAovs.at(i).name);
+    for (const std::string& name : key.light_groups) names += " " + name;
     return names;
 }
 
@@ -46,8 +46,8 @@ KeyDifference differing_lines(const std::string& here, const std::string& there)
 std::optional<KeyDifference> difference(const FilmKey& here, const FilmKey& there) {
     if (resolution(here) != resolution(there))
         return KeyDifference{"resolution", resolution(here), resolution(there)};
-    if (!has_same_layers(here, there))
-        return KeyDifference{"set of layers", layer_names(here), layer_names(there)};
+    if (!has_same_aovs(here, there))
+        return KeyDifference{"set of layers", aov_names(here), aov_names(there)};
     if (here.seed != there.seed)
         return KeyDifference{"seed", std::to_string(here.seed), std::to_string(there.seed)};
     if (here.scene_hash != there.scene_hash) return KeyDifference{"scene", "", ""};

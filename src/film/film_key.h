@@ -14,21 +14,21 @@ namespace sunfleck {
 struct FilmKey {
     int width = 0;
     int height = 0;
-    LayerSet layers{};  // the total counts as wanted, whatever this says
+    AovSet aovs{};  // the total counts as wanted, whatever this says
     std::uint64_t seed = 0;
     std::uint64_t scene_hash = 0;  // of all that the scene file and its parts hold
     std::string settings;          // one "name=value" a line: all that a pass depends on
     bool sequential = false;       // a pass builds on those before: no error bars, no merging
     double alpha = 0;  // of the radii of discs (visible_points/radius.h), which bias the picture;
                        // zero: there are none, or they follow no such sequence
-    std::vector<std::string> light_layers{};  // their names: aovs/light_groups.h
+    std::vector<std::string> light_groups{};  // their names: aovs/light_groups.h
 
     friend bool operator==(const FilmKey&, const FilmKey&) = default;
 
     std::size_t pixels() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     }
-    bool has(std::size_t layer) const { return layer == 0 || layers.at(layer); }
+    bool has(std::size_t aov) const { return aov == 0 || aovs.at(aov); }
     bool has_discs() const { return alpha > 0; }
 };
 

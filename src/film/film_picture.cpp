@@ -10,15 +10,15 @@
 namespace sunfleck {
 namespace {
 
-/// A layer's sums, and those of open groups with what of them does not count in the picture.
-class LayerSums {
+/// A aov's sums, and those of open groups with what of them does not count in the picture.
+class AovSums {
 public:
-    /// @param layer  of FilmSums or an OpenGroup.
-    template <class LayerOf>
-    LayerSums(const Film& film, const LayerOf& layer) : all_(layer(film.sums())) {
+    /// @param aov  of FilmSums or an OpenGroup.
+    template <class AovOf>
+    AovSums(const Film& film, const AovOf& aov) : all_(aov(film.sums())) {
         for (const auto& [first, group] : film.sums().open_groups) {
             const double left_out = 1 - film.share_of_pass(first);
-            if (left_out > 0) groups_.push_back({layer(group), left_out});
+            if (left_out > 0) groups_.push_back({aov(group), left_out});
         }
     }
     double operator[](std::size_t i) const {
@@ -37,11 +37,11 @@ private:
 };
 
 /// @param names  of the channels, a letter each.
-void add_layer(Picture& picture, const LayerSums& sums, std::string_view layer,
-               std::string_view names, double scale) {
+void add_aov(Picture& picture, const AovSums& sums, std::string_view aov, std::string_view names,
+             double scale) {
     const std::size_t channels = names.size();
     for (std::size_t c = 0; c < channels; ++c) {
-        const std::string prefix = layer.empty() ? "" : std::string(layer) + ".";
+        const std::string prefix = aov.empty() ? "" : std::string(aov) + ".";
         std::vector<float>& values = picture.add(prefix + names[c]).values;
         parallel_blocks(values.size(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
@@ -54,7 +54,7 @@ void add_layer(Picture& picture, const LayerSums& sums, std::string_view layer,
 void add_bias(Picture& picture, const Film& film, const FilmPictureOptions& options) {
     const auto biases = pixel_biases(film);
     if (biases.empty()) return;
-    const std::string_view channels = kLayers[0].channels;
+    const std::string_view channels = kAovs[0].channels;
     for (std::size_t c = 0; c < channels.size(); ++c) {
         std::vector<float>& values = picture.add(std::string("bias.") + channels[c]).values;
         std::vector<float>& light = picture.channels[c].values;
@@ -66,7 +66,7 @@ void add_bias(Picture& picture, const Film& film, const FilmPictureOptions& opti
     if (options.extrapolate) picture.metadata[kExtrapolated] = "to a radius of zero";
 }
 
-/// Nothing is added with fewer than two rounds.
+/// Nothing is added with fewer than two batches.
 void add_error(Picture& picture, const Film& film, const FilmPictureOptions& options) {
     std::vector<double> errors;
     if (options.extrapolate) errors = extrapolated_pixel_errors(film);
@@ -85,19 +85,17 @@ void add_error(Picture& picture, const Film& film, const FilmPictureOptions& opt
 Picture film_picture(const Film& film, FilmPictureOptions options) {
     Picture picture{film.key().width, film.key().height, {}, {}};
     const double share = film.pass_count() == 0 ? 0 : 1 / film.picture_weight();
-    for (std::size_t i = 0; i < kLayerCount; ++i) {
-        const LayerRow& row = kLayers.at(i);
+    for (std::size_t i = 0; i < kAovCount; ++i) {
+        const AovRow& row = kAovs.at(i);
         if (film.key().has(i))
-            add_layer(picture,
-                      {film, [i](const auto& sums) { return std::span(sums.layers.at(i)); }},
-                      row.name, row.channels, share);
+            add_aov(picture, {film, [i](const auto& sums) { return std::span(sums.aovs.at(i)); }},
+                    row.name, row.channels, share);
     }
-    for (std::size_t i = 0; i < film.key().light_layers.size(); ++i)
-        add_layer(picture,
-                  {film, [i](const auto& sums) { return std::span(sums.light_layers[i]); }},
-                  film.key().light_layers[i], "RGB", share);
-    for (const std::string& name : film.key().light_layers) {
-        std::string& names = picture.metadata[kLightLayerNames];
+    for (std::size_t i = 0; i < film.key().light_groups.size(); ++i)
+        add_aov(picture, {film, [i](const auto& sums) { return std::span(sums.light_groups[i]); }},
+                film.key().light_groups[i], "RGB", share);
+    for (const std::string& name : film.key().light_groups) {
+        std::string& names = picture.metadata[kLightGroupNames];
         names += (names.empty() ? "" : " ") + name;
     }
     add_error(picture, film, options);

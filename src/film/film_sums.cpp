@@ -11,8 +11,8 @@ namespace {
 /// Those of all passes or of an open group.
 template <class Sum, class Sums>
 std::vector<std::span<Sum>> light_sums(Sums& sums) {
-    std::vector<std::span<Sum>> all(sums.layers.begin(), sums.layers.end());
-    all.insert(all.end(), sums.light_layers.begin(), sums.light_layers.end());
+    std::vector<std::span<Sum>> all(sums.aovs.begin(), sums.aovs.end());
+    all.insert(all.end(), sums.light_groups.begin(), sums.light_groups.end());
     return all;
 }
 
@@ -41,18 +41,18 @@ std::vector<std::span<Sum>> everything(Sums& sums) {
     return all;
 }
 
-/// Room for the layers that the key has.
+/// Room for the aovs that the key has.
 template <class Sums>
 void make_room(const FilmKey& key, Sums& sums) {
-    for (std::size_t i = 0; i < kLayerCount; ++i)
-        if (key.has(i)) sums.layers.at(i).resize(key.pixels() * kLayers.at(i).channels.size());
-    sums.light_layers.assign(key.light_layers.size(), FixedPoints(3 * key.pixels()));
+    for (std::size_t i = 0; i < kAovCount; ++i)
+        if (key.has(i)) sums.aovs.at(i).resize(key.pixels() * kAovs.at(i).channels.size());
+    sums.light_groups.assign(key.light_groups.size(), FixedPoints(3 * key.pixels()));
 }
 
 }  // namespace
 
 FilmSums empty_sums(FilmKey key) {
-    key.layers[0] = true;
+    key.aovs[0] = true;
     FilmSums sums;
     const std::size_t pixels = key.pixels();
     const std::size_t blocks = BlockGrid(key, kErrorBlock).count();

@@ -1,12 +1,12 @@
 // All that a film is, as plain sums; and these as a list of arrays, in the order of film files.
 //
 // What photons have brought is summed apart where their discs shrink from pass to pass: each pass
-// once as it is, once times its round's area (visible_points/radius.h). From both bias.h has how
-// the light depends on the area of the discs. The second needs no sums of open rounds: the factor
-// is that of the round, complete or not.
+// once as it is, once times its batch's area (visible_points/radius.h). From both bias.h has how
+// the light depends on the area of the discs. The second needs no sums of open batches: the factor
+// is that of the batch, complete or not.
 //
-// A pass that counts w times, as all of its round do, is in the sums with w times its light, and
-// its round with w times its square.
+// A pass that counts w times, as all of its batch do, is in the sums with w times its light, and
+// its batch with w times its square.
 #pragma once
 
 #include "film/film_key.h"
@@ -32,17 +32,17 @@ using FilmStatistics = std::map<std::string, FixedPoint, std::less<>>;
 /// Of light brought by photons; all empty where the key has no discs.
 struct PhotonSums {
     FixedPoints rgb;            // of each pixel, over passes
-    FixedPoints rgb_by_area;    // the same, each pass times the area of its round
-    FixedPoints block_squares;  // of complete rounds' luminance, row after row of blocks
+    FixedPoints rgb_by_area;    // the same, each pass times the area of its batch
+    FixedPoints block_squares;  // of complete batches' luminance, row after row of blocks
     FixedPoint image_square;
 
     friend bool operator==(const PhotonSums&, const PhotonSums&) = default;
 };
 
-/// Sums over the passes that are there of one group of an open round (pass_groups.h).
+/// Sums over the passes that are there of one group of an open batch (pass_groups.h).
 struct OpenGroup {
-    std::array<FixedPoints, kLayerCount> layers;  // as in FilmSums
-    std::vector<FixedPoints> light_layers;
+    std::array<FixedPoints, kAovCount> aovs;  // as in FilmSums
+    std::vector<FixedPoints> light_groups;
     FixedPoints photon_blocks;  // RGB of each block, over its pixels: what photons have brought
 
     friend bool operator==(const OpenGroup&, const OpenGroup&) = default;
@@ -60,13 +60,13 @@ struct FilmSums {
     PassSet passes;
     HeavyPasses heavy;
     FilmStatistics statistics;
-    std::array<FixedPoints, kLayerCount> layers;  // pixel after pixel, channel after channel
-    std::vector<FixedPoints> light_layers;        // the same, RGB
-    FixedPoints pixel_squares;                    // of complete rounds' luminance
-    FixedPoints block_squares;                    // row after row of blocks
+    std::array<FixedPoints, kAovCount> aovs;  // pixel after pixel, channel after channel
+    std::vector<FixedPoints> light_groups;    // the same, RGB
+    FixedPoints pixel_squares;                // of complete batches' luminance
+    FixedPoints block_squares;                // row after row of blocks
     FixedPoint image_square;
     PhotonSums photons;
-    std::map<std::uint64_t, OpenGroup> open_groups;  // of open rounds, by the group's first number
+    std::map<std::uint64_t, OpenGroup> open_groups;  // of open batches, by the group's first number
 
     friend bool operator==(const FilmSums&, const FilmSums&) = default;
 };

@@ -9,19 +9,19 @@
 namespace sunfleck {
 namespace {
 
-/// Passes of a round at which groups begin and end.
-constexpr std::array<std::uint64_t, 7> kEnds = {0, 1, 2, 4, 8, 12, kRoundPasses};
+/// Passes of a batch at which groups begin and end.
+constexpr std::array<std::uint64_t, 7> kEnds = {0, 1, 2, 4, 8, 12, kBatchPasses};
 
 }  // namespace
 
 PassRange group_of(const PassSet& passes, std::uint64_t pass) {
-    const std::uint64_t round = pass / kRoundPasses * kRoundPasses;
+    const std::uint64_t batch = pass / kBatchPasses * kBatchPasses;
     std::size_t next = 1;
-    while (next < kEnds.size() && passes.count_in({round, round + kEnds[next]}) == kEnds[next])
+    while (next < kEnds.size() && passes.count_in({batch, batch + kEnds[next]}) == kEnds[next])
         ++next;
-    if (pass < round + kEnds[next - 1]) return {round, round + kEnds[next - 1]};
-    while (pass >= round + kEnds[next]) ++next;
-    return {round + kEnds[next - 1], round + kEnds[next]};
+    if (pass < batch + kEnds[next - 1]) return {batch, batch + kEnds[next - 1]};
+    while (pass >= batch + kEnds[next]) ++next;
+    return {batch + kEnds[next - 1], batch + kEnds[next]};
 }
 
 std::vector<PassRange> open_groups(const PassSet& passes) {
@@ -30,7 +30,7 @@ std::vector<PassRange> open_groups(const PassSet& passes) {
         for (std::uint64_t pass = range.begin; pass < range.end;) {
             const PassRange group = group_of(passes, pass);
             const bool known = !groups.empty() && groups.back() == group;
-            if (group.size() < kRoundPasses && !known) groups.push_back(group);
+            if (group.size() < kBatchPasses && !known) groups.push_back(group);
             pass = group.end;
         }
     return groups;

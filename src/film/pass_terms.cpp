@@ -26,7 +26,7 @@ private:
     std::atomic<std::uint64_t> cut_{0};
 };
 
-/// Adds the squares of a quantity's mean luminance in each block of a complete round.
+/// Adds the squares of a quantity's mean luminance in each block of a complete batch.
 /// @param block_sum  of a block, over its pixels. @param square  term of a luminance.
 /// @return that of the picture's mean.
 template <class BlockSum, class Square>
@@ -53,24 +53,23 @@ void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms) {
     });
 }
 
-void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row,
-               std::uint32_t weight) {
+void add_aov(FixedPoints& sums, const PassImage& image, const AovRow& row, std::uint32_t weight) {
     const std::size_t channels = row.channels.size();
     parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            sums[i] += image.value(row.layer, i / channels, i % channels).times(weight);
+            sums[i] += image.value(row.aov, i / channels, i % channels).times(weight);
     });
 }
 
-void add_light_layer(FixedPoints& sums, const PassImage& image, std::size_t light_layer,
+void add_light_group(FixedPoints& sums, const PassImage& image, std::size_t light_group,
                      std::uint32_t weight) {
     parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            sums[i] += image.light_value(light_layer, i / 3, i % 3).times(weight);
+            sums[i] += image.light_value(light_group, i / 3, i % 3).times(weight);
     });
 }
 
-std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const RoundTerms& terms,
+std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const BatchTerms& terms,
                           OpenGroup& group) {
     const BlockGrid grid(sums.key, kErrorBlock);
     Terms term;
@@ -98,13 +97,13 @@ std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const RoundTer
 std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group, std::uint32_t weight) {
     const BlockGrid grid(sums.key, kErrorBlock);
     std::vector<double> luminance(grid.count());  // over the block's pixels
-    const double passes = kRoundPasses * static_cast<double>(weight);
+    const double passes = kBatchPasses * static_cast<double>(weight);
     Terms term;
     const auto square = [&](double y) { return term(weight * y * y); };
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum block;
         grid.for_pixels(b, [&](std::size_t pixel) {
-            const RgbSum rgb = rgb_of(group.layers[0], pixel);
+            const RgbSum rgb = rgb_of(group.aovs[0], pixel);
             sums.pixel_squares[pixel] += square(rgb.mean_luminance(passes));
             block += rgb;
         });

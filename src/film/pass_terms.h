@@ -1,4 +1,4 @@
-// What a pass, and a round when it is complete, add to the sums of a film.
+// What a pass, and a batch when it is complete, add to the sums of a film.
 #pragma once
 
 #include "film/film_sums.h"
@@ -11,26 +11,25 @@ namespace sunfleck {
 /// Adds each term to its sum.
 void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms);
 
-/// Adds a layer of a pass, pixel after pixel, channel after channel, `weight` times.
-void add_layer(FixedPoints& sums, const PassImage& image, const LayerRow& row,
-               std::uint32_t weight);
+/// Adds a aov of a pass, pixel after pixel, channel after channel, `weight` times.
+void add_aov(FixedPoints& sums, const PassImage& image, const AovRow& row, std::uint32_t weight);
 
-/// Adds a layer of lights of a pass, pixel after pixel, RGB, `weight` times.
-void add_light_layer(FixedPoints& sums, const PassImage& image, std::size_t light_layer,
+/// Adds a aov of lights of a pass, pixel after pixel, RGB, `weight` times.
+void add_light_group(FixedPoints& sums, const PassImage& image, std::size_t light_group,
                      std::uint32_t weight);
 
-/// What all passes of a round have in common.
-struct RoundTerms {
+/// What all passes of a batch have in common.
+struct BatchTerms {
     double area = 0;           // of discs
     std::uint32_t weight = 1;  // how often they count
 };
 
-/// Adds what photons have brought in one pass of a round. The image holds it apart.
+/// Adds what photons have brought in one pass of a batch. The image holds it apart.
 /// @return terms beyond kLargestTerm, which were cut there.
-std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const RoundTerms& terms,
+std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const BatchTerms& terms,
                           OpenGroup& group);
 
-/// Adds the squares of a round's luminance: of pixels, blocks and the picture. The round is
+/// Adds the squares of a batch's luminance: of pixels, blocks and the picture. The round is
 /// complete. @param weight  its.
 /// @return terms beyond kLargestTerm, which were cut there.
 std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group, std::uint32_t weight);

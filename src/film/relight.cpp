@@ -1,4 +1,4 @@
-// Adds what each layer of lights gains, channel by channel.
+// Adds what each aov of lights gains, channel by channel.
 #include "film/relight.h"
 
 #include "core/error.h"
@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::string_view kRgb = "RGB";
 
-std::set<std::string> light_layers_of(const Picture& picture) {
-    const auto found = picture.metadata.find(kLightLayerNames);
+std::set<std::string> light_groups_of(const Picture& picture) {
+    const auto found = picture.metadata.find(kLightGroupNames);
     std::istringstream names(found == picture.metadata.end() ? std::string() : found->second);
-    std::set<std::string> layers;
-    for (std::string name; names >> name;) layers.insert(name);
-    return layers;
+    std::set<std::string> aovs;
+    for (std::string name; names >> name;) aovs.insert(name);
+    return aovs;
 }
 
 std::string joined(const std::set<std::string>& names) {
@@ -36,14 +36,14 @@ Channel& channel_of(Picture& picture, const std::string& channel, const std::str
                 "use a picture that sunfleck has rendered");
 }
 
-void apply(const LayerFactor& factor, Picture& picture, const std::string& name) {
+void apply(const LightGroupFactor& factor, Picture& picture, const std::string& name) {
     for (std::size_t c = 0; c < kRgb.size(); ++c) {
         const float by = factor.rgb[static_cast<int>(c)];
         std::vector<float>& all = channel_of(picture, {kRgb[c]}, name).values;
-        std::vector<float>& layer = channel_of(picture, factor.name + "." + kRgb[c], name).values;
+        std::vector<float>& aov = channel_of(picture, factor.name + "." + kRgb[c], name).values;
         for (std::size_t i = 0; i < all.size(); ++i) {
-            all[i] += (by - 1) * layer[i];
-            layer[i] *= by;
+            all[i] += (by - 1) * aov[i];
+            aov[i] *= by;
         }
     }
 }
@@ -53,21 +53,21 @@ bool stays(const std::string& channel, const std::set<std::string>& lights) {
     constexpr std::array<std::string_view, 3> kFeatures = {"albedo", "normal", "depth"};
     const std::size_t dot = channel.rfind('.');
     if (dot == std::string::npos) return true;  // R, G, B
-    const std::string layer = channel.substr(0, dot);
-    return lights.contains(layer) ||
-           std::find(kFeatures.begin(), kFeatures.end(), layer) != kFeatures.end();
+    const std::string aov = channel.substr(0, dot);
+    return lights.contains(aov) ||
+           std::find(kFeatures.begin(), kFeatures.end(), aov) != kFeatures.end();
 }
 
 }  // namespace
 
-Relit relit(const Picture& picture, const std::vector<LayerFactor>& factors,
+Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors,
             const std::string& name) {
-    const std::set<std::string> lights = light_layers_of(picture);
+    const std::set<std::string> lights = light_groups_of(picture);
     if (lights.empty())
         throw Error({name}, "has no layers of lights", "render it with --light-layer, as .exr");
     Relit result{picture, {}};
     std::set<std::string> named;
-    for (const LayerFactor& factor : factors) {
+    for (const LightGroupFactor& factor : factors) {
         if (!lights.contains(factor.name))
             throw Error({name}, "has no layer of lights \"" + factor.name + "\"",
                         "use some of " + joined(lights));

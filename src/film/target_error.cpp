@@ -69,12 +69,12 @@ double times_passes_to(const TargetError& error, double target, double alpha) {
 
 double passes_left(const Film& film, const TargetError& error, double target, double alpha) {
     const std::uint64_t latest = film.passes().ranges().back().end - 1;
-    const double weight = film.weight_of_round(latest / kRoundPasses);
+    const double weight = film.weight_of_batch(latest / kBatchPasses);
     return (times_passes_to(error, target, alpha) - 1) * film.weight() / weight;
 }
 
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {
-    if (film.rounds() < kTargetRounds || is_too_dim(film)) return {};
+    if (film.batches() < kTargetBatches || is_too_dim(film)) return {};
     const std::vector<BrightBlock> bright = bright_blocks(film);
     if (bright.empty()) return {};
     TargetError error{noise_of(film, bright, terms.extrapolated), 0};

@@ -9,7 +9,7 @@
 namespace sunfleck {
 
 /// Rounds that target_error() needs: from fewer a standard error is itself too uncertain.
-inline constexpr std::uint64_t kTargetRounds = 4;
+inline constexpr std::uint64_t kTargetBatches = 4;
 
 /// What counts.
 struct ErrorTerms {
@@ -35,8 +35,8 @@ double times_passes_to(const TargetError& error, double target, double alpha);
 /// The same in passes to come, which count as often as the latest. @param film  has passes.
 double passes_left(const Film& film, const TargetError& error, double target, double alpha);
 
-/// Bright blocks are those above 1% of the mean luminance. Nothing with fewer than kTargetRounds
-/// complete rounds, or where these are black or the picture is too dim for error bars.
+/// Bright blocks are those above 1% of the mean luminance. Nothing with fewer than kTargetBatches
+/// complete batches, or where these are black or the picture is too dim for error bars.
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms);
 
 /// Bias of bright blocks over their luminance: the root of the mean square, its noise subtracted;

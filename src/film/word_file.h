@@ -76,7 +76,7 @@ struct WordFileKind {
     const char* mend;  // what to do about a damaged one
 };
 
-/// Takes the words one after the other; all faults throw Error, of one line.
+/// Accepts the words one after the other; all faults throw Error, of one line.
 class WordReader {
 public:
     /// @param stream  to be read to its end, which is `size` bytes from here on; outlives this.
@@ -109,7 +109,7 @@ public:
         for (FixedPoint& value : sums) value = sum();
     }
 
-    /// Takes two words, and refuses a file of another kind or version.
+    /// Accepts two words, and refuses a file of another kind or version.
     void check_head(std::uint64_t magic, std::uint64_t version);
     /// The end of the file: nothing left, and the checksum agrees.
     void finish();

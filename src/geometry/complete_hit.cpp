@@ -124,7 +124,7 @@ Patch on_exact_shape(const Found& found, const Line& line) {
     return patch;
 }
 
-/// Takes the patch out of the instance's frame into the world.
+/// Accepts the patch out of the instance's frame into the world.
 void leave_instance(const BuiltInstance& instance, bool is_mesh, Patch& patch) {
     const Placement& placement = instance.placement;
     const Vec3d local = patch.position;

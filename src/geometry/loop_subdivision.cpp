@@ -106,7 +106,7 @@ Vec3d limit_normal(const Mesh& mesh, const HalfEdges& edges, std::uint32_t verte
     Vec3d first(0);
     Vec3d second(0);
     for (std::size_t k = 0; k < ring.size(); ++k) {
-        const SinCos turn = sin_cos_turn(double(k) / double(ring.size()));
+        const SinCos turn = sin_cos_2pi(double(k) / double(ring.size()));
         first += mesh.points[ring[k]] * turn.cos;
         second += mesh.points[ring[k]] * turn.sin;
     }

@@ -8,18 +8,19 @@
 
 namespace sunfleck {
 
-inline constexpr double kFullTurn = 2 * kPiDouble;
+inline constexpr double kFullCircle = 2 * kPiDouble;
 
 /// Within 2^-50. @param angle  radians, at most a turn either way.
 inline SinCos sin_cos(double angle) {
-    return sin_cos_turn(angle / kFullTurn);
+    return sin_cos_2pi(angle / kFullCircle);
 }
 
 /// Azimuths of [0, phi_max]; phi_max is brought into [0, 2 pi].
 class Sweep {
 public:
     explicit Sweep(double phi_max)
-        : angle_(std::clamp(phi_max, 0.0, kFullTurn)), is_full_(angle_ > kFullTurn * (1 - 1e-9)) {
+        : angle_(std::clamp(phi_max, 0.0, kFullCircle)),
+          is_full_(angle_ > kFullCircle * (1 - 1e-9)) {
         if (!is_full_) end_ = sin_cos(angle_);
     }
 

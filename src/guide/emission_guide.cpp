@@ -6,7 +6,7 @@
 
 namespace sunfleck {
 
-EmissionMap::Image EmissionMap::operator()(const EmissionPoint& uniform) const {
+EmissionGuide::Image EmissionGuide::operator()(const EmissionPoint& uniform) const {
     Image image{uniform, 1};
     if (is_identity()) return image;
     EmissionPoint& u = image.point;  // within the box, until it is whole
@@ -18,7 +18,7 @@ EmissionMap::Image EmissionMap::operator()(const EmissionPoint& uniform) const {
         for (std::uint32_t i = 0; i < node->shears; ++i)
             sheared[shears++] = &shears_[node->first_shear + i];
         if (node->left == 0) break;
-        const std::uint32_t s = node->slot;
+        const std::uint32_t s = node->dimension;
         if (u[s] < node->left_share) {
             u[s] /= node->left_share;
             box.high[s] = node->at;
@@ -29,28 +29,28 @@ EmissionMap::Image EmissionMap::operator()(const EmissionPoint& uniform) const {
             node = &nodes_[node->left + 1];
         }
     }
-    for (std::size_t s = 0; s < kMappedSlots; ++s)
+    for (std::size_t s = 0; s < kGuidedDimensions; ++s)
         u[s] = box.low[s] + u[s] * (box.high[s] - box.low[s]);
     while (shears > 0) sheared[--shears]->undo(u);
     image.density = node->density;
     return image;
 }
 
-double EmissionMap::density(const EmissionPoint& at) const {
+double EmissionGuide::density(const EmissionPoint& at) const {
     return is_identity() ? 1 : nodes_[box_of(at)].density;
 }
 
-std::uint32_t EmissionMap::box_of(EmissionPoint at) const {
+std::uint32_t EmissionGuide::box_of(EmissionPoint at) const {
     std::uint32_t number = 0;
     while (true) {
         const Node& node = nodes_[number];
         for (std::uint32_t i = 0; i < node.shears; ++i) shears_[node.first_shear + i].apply(at);
         if (node.left == 0) return number;
-        number = node.left + (at[node.slot] < node.at ? 0 : 1);
+        number = node.left + (at[node.dimension] < node.at ? 0 : 1);
     }
 }
 
-EmissionMap EmissionMap::where_visible(const std::vector<Trial>& trials, double least) const {
+EmissionGuide EmissionGuide::where_visible(const std::vector<Trial>& trials, double least) const {
     if (is_identity()) return {};
     std::vector<double> tried(nodes_.size());
     std::vector<double> visible(nodes_.size());
@@ -68,7 +68,7 @@ EmissionMap EmissionMap::where_visible(const std::vector<Trial>& trials, double 
     return with_masses(std::move(masses));
 }
 
-EmissionMap EmissionMap::widened(double kept) const {
+EmissionGuide EmissionGuide::widened(double kept) const {
     if (is_identity()) return {};
     std::vector<double> masses(nodes_.size());
     double roots = 0;
@@ -86,11 +86,11 @@ EmissionMap EmissionMap::widened(double kept) const {
     return with_masses(std::move(masses));
 }
 
-EmissionMap EmissionMap::with_masses(std::vector<double> masses) const {
+EmissionGuide EmissionGuide::with_masses(std::vector<double> masses) const {
     double all = 0;
     for (const double mass : masses) all += mass;
     if (!(all > 0)) return {};
-    EmissionMap map = *this;
+    EmissionGuide map = *this;
     for (std::size_t i = nodes_.size(); i-- > 0;) {  // halves come after the whole
         Node& node = map.nodes_[i];
         if (node.left == 0) {

@@ -1,11 +1,11 @@
-// A map of the emission's slots: where uniform paths should start so that more of them are seen.
+// A emission guide's dimensions: where uniform paths should start so that more of them are seen.
 //
 // In:  points of [0,1)^5 from which visible paths start. Out: a density over [0,1)^5, constant in
-// the boxes of a tree, and a map of uniform points to points of that density, continuous in every
-// slot but where boxes meet. Boxes may be sheared, slot by slot, on the way down the tree. What
-// starts with density q counts 1/q: exact for any map that was fixed before the pass, as q is
-// nowhere zero. Source: importance sampling; density trees: Ram and
-// Gray 2011; guiding of light paths by what was learned: Jensen 1995.
+// the boxes of a tree, and a guide of uniform points to points of that density, continuous in every
+// dimension but where boxes meet. Boxes may be sheared, dimension by dimension, on the way down the
+// tree. What starts with density q counts 1/q: exact for any map that was fixed before the pass, as
+// q is nowhere zero. Source: importance sampling; density trees: Ram and Gray 2011; guiding of
+// light paths by what was learned: Jensen 1995.
 #pragma once
 
 #include "guide/emission_shear.h"
@@ -15,10 +15,10 @@
 
 namespace sunfleck {
 
-class EmissionMap {
+class EmissionGuide {
 public:
     /// Maps every point to itself.
-    EmissionMap() = default;
+    EmissionGuide() = default;
 
     struct Growth {
         double uniform_share = 0.25;  // of all points that are spread evenly, in (0,1]
@@ -26,7 +26,7 @@ public:
     };
 
     /// @param points  samples of the density wanted; none: the identity.
-    static EmissionMap learned(std::vector<WeightedEmission> points, const Growth& growth);
+    static EmissionGuide learned(std::vector<WeightedEmission> points, const Growth& growth);
 
     /// What became of a path that started at a point.
     struct Trial {
@@ -37,13 +37,13 @@ public:
     /// a density in proportion to the root of how often: what uniform paths need for the least
     /// variance. Elsewhere there are no images. None anywhere: the identity.
     /// @param least  share of visible trials, positive.
-    EmissionMap where_visible(const std::vector<Trial>& trials, double least) const;
+    EmissionGuide where_visible(const std::vector<Trial>& trials, double least) const;
 
     /// The same boxes with densities in proportion to the root of what was found there, the best
     /// for boxes of which points fill an unknown small part. Where uniform points are as dense
     /// there are no images. None anywhere: the identity.
     /// @param kept  of the images, in [0,1]: spread as now.
-    EmissionMap widened(double kept) const;
+    EmissionGuide widened(double kept) const;
 
     struct Image {
         EmissionPoint point;
@@ -62,18 +62,18 @@ public:
     bool covers(const EmissionPoint& at) const { return density(at) > 0; }
 
 private:
-    friend class EmissionMapBuilder;
+    friend class EmissionGuideBuilder;
     static constexpr std::size_t kMostShears = 8;  // on the way to a box
 
     /// A box in two, or whole; sheared before that.
     struct Node {
-        double at = 0;          // where it is cut: a slot's value
+        double at = 0;          // where it is cut: a dimension's value
         double left_share = 0;  // of the box's points
         double density = 1;     // of a whole box
         double volume = 1;
-        double found = 0;        // share of the points that it was learned from
-        std::uint32_t left = 0;  // number of the left half, the right one's is next; 0: whole
-        std::uint32_t slot = 0;  // which is cut
+        double found = 0;             // share of the points that it was learned from
+        std::uint32_t left = 0;       // number of the left half, the right one's is next; 0: whole
+        std::uint32_t dimension = 0;  // which is cut
         std::uint32_t first_shear = 0;
         std::uint32_t shears = 0;
     };
@@ -82,7 +82,7 @@ private:
     std::uint32_t box_of(EmissionPoint at) const;
     /// The same boxes with other masses in proportion to these: of whole boxes, by number; those of
     /// others are filled. All zero: the identity.
-    EmissionMap with_masses(std::vector<double> masses) const;
+    EmissionGuide with_masses(std::vector<double> masses) const;
 
     std::vector<Node> nodes_;
     std::vector<EmissionShear> shears_;

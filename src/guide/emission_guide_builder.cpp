@@ -9,8 +9,8 @@
 namespace sunfleck {
 namespace {
 
-constexpr std::size_t kBins = 8;         // places where a box may be cut, by slot
-constexpr double kLeastWidth = 0x1p-32;  // of a box that is cut: slots have 52 bits
+constexpr std::size_t kBins = 8;         // places where a box may be cut, by dimension
+constexpr double kLeastWidth = 0x1p-32;  // of a box that is cut: dimensions have 52 bits
 constexpr double kLeastEffective = 12;   // points in a box that is cut
 constexpr double kLeastToShear = 40;     // points in a box that is sheared: four slopes are fitted
 constexpr double kLeastShear = 0.35;     // of log likelihood a point: half of the variance
@@ -32,7 +32,7 @@ struct Mass {
 
 struct Cut {
     double gain = 0;
-    std::uint32_t slot = 0;
+    std::uint32_t dimension = 0;
     double at = 0;
 };
 
@@ -44,7 +44,7 @@ double surprise(double share, double expected) {
 /// The cut that tells most, in nats a point.
 Cut best_cut(std::span<const WeightedEmission> points, const EmissionBox& box, const Mass& all) {
     Cut best;
-    for (std::uint32_t s = 0; s < kMappedSlots; ++s) {
+    for (std::uint32_t s = 0; s < kGuidedDimensions; ++s) {
         std::array<double, kBins> bins{};
         const double width = box.high[s] - box.low[s];
         if (width < kLeastWidth) continue;
@@ -67,18 +67,19 @@ Cut best_cut(std::span<const WeightedEmission> points, const EmissionBox& box, c
 }  // namespace
 
 /// Grows the tree, depth first.
-class EmissionMapBuilder {
+class EmissionGuideBuilder {
 public:
-    EmissionMapBuilder(std::vector<WeightedEmission>&& points, const EmissionMap::Growth& growth)
+    EmissionGuideBuilder(std::vector<WeightedEmission>&& points,
+                         const EmissionGuide::Growth& growth)
         : points_(std::move(points)), growth_(growth) {
         for (const WeightedEmission& p : points_) all_points_ += p.weight;
     }
 
-    EmissionMap build() {
-        map_.nodes_.emplace_back();
+    EmissionGuide build() {
+        guide_.nodes_.emplace_back();
         grow(0, {{}, {0, points_.size()}, 1, 1, 0});
-        if (map_.nodes_.size() == 1) map_.nodes_.clear();
-        return std::move(map_);
+        if (guide_.nodes_.size() == 1) guide_.nodes_.clear();
+        return std::move(guide_);
     }
 
 private:
@@ -99,23 +100,23 @@ private:
     double grow(std::uint32_t node, const Part& part) {
         const double even = growth_.uniform_share;
         const double mass = (1 - even) * part.share + even * part.volume;
-        map_.nodes_[node].density = mass / part.volume;
-        map_.nodes_[node].volume = part.volume;
+        guide_.nodes_[node].density = mass / part.volume;
+        guide_.nodes_[node].volume = part.volume;
         const std::span<WeightedEmission> points(points_.data() + part.range.begin,
                                                  part.range.end - part.range.begin);
         Mass all;
         for (const WeightedEmission& p : points) all.add(p.weight);
-        map_.nodes_[node].found = all.sum / all_points_;
+        guide_.nodes_[node].found = all.sum / all_points_;
         if (all.effective() < kLeastEffective) return mass;
         Cut cut = best_cut(points, part.box, all);
         const std::size_t shears = part.shears + shear(node, points, part, all, cut);
         if (cut.gain * all.effective() < growth_.least_gain) {
-            map_.shears_.resize(map_.nodes_[node].first_shear);  // they were for nothing
-            map_.nodes_[node].shears = 0;
+            guide_.shears_.resize(guide_.nodes_[node].first_shear);  // they were for nothing
+            guide_.nodes_[node].shears = 0;
             return mass;
         }
         const auto middle = std::partition(points.begin(), points.end(), [&](const auto& p) {
-            return p.point[cut.slot] < cut.at;
+            return p.point[cut.dimension] < cut.at;
         });
         Mass left;
         for (auto p = points.begin(); p != middle; ++p) left.add(p->weight);
@@ -136,10 +137,10 @@ private:
         Part left = part;
         Part right = part;
         left.shears = right.shears = d.shears;
-        left.box.high[cut.slot] = right.box.low[cut.slot] = cut.at;
+        left.box.high[cut.dimension] = right.box.low[cut.dimension] = cut.at;
         left.range.end = right.range.begin = d.split;
-        const double volume =
-            (cut.at - part.box.low[cut.slot]) / (part.box.high[cut.slot] - part.box.low[cut.slot]);
+        const double volume = (cut.at - part.box.low[cut.dimension]) /
+                              (part.box.high[cut.dimension] - part.box.low[cut.dimension]);
         // Two points more, spread evenly: no part of a box is empty for certain.
         const double to_left = (d.in_left * d.points + 2 * volume) / (d.points + 2);
         left.share *= to_left;
@@ -147,13 +148,13 @@ private:
         left.volume *= volume;
         right.volume *= 1 - volume;
 
-        const auto first = static_cast<std::uint32_t>(map_.nodes_.size());
-        map_.nodes_.resize(first + 2);
+        const auto first = static_cast<std::uint32_t>(guide_.nodes_.size());
+        guide_.nodes_.resize(first + 2);
         const double in_left = grow(first, left);
         grow(first + 1, right);
-        EmissionMap::Node& cut_node = map_.nodes_[node];
+        EmissionGuide::Node& cut_node = guide_.nodes_[node];
         cut_node.at = cut.at;
-        cut_node.slot = cut.slot;
+        cut_node.dimension = cut.dimension;
         cut_node.left = first;
         cut_node.left_share = in_left / d.mass;
         return d.mass;
@@ -163,29 +164,29 @@ private:
     /// @param cut  the best one, before and after.
     std::size_t shear(std::uint32_t node, std::span<WeightedEmission> points, const Part& part,
                       const Mass& all, Cut& cut) {
-        map_.nodes_[node].first_shear = static_cast<std::uint32_t>(map_.shears_.size());
+        guide_.nodes_[node].first_shear = static_cast<std::uint32_t>(guide_.shears_.size());
         if (all.effective() < kLeastToShear) return 0;
         std::size_t count = 0;
-        while (part.shears + count < EmissionMap::kMostShears) {
+        while (part.shears + count < EmissionGuide::kMostShears) {
             const FoundShear found = best_shear(points, part.box);
             if (found.gain < kLeastShear || found.gain < cut.gain) break;
             for (WeightedEmission& p : points) found.shear.apply(p.point);
             cut = best_cut(points, part.box, all);
-            map_.shears_.push_back(found.shear);
+            guide_.shears_.push_back(found.shear);
             ++count;
         }
-        map_.nodes_[node].shears = static_cast<std::uint32_t>(count);
+        guide_.nodes_[node].shears = static_cast<std::uint32_t>(count);
         return count;
     }
 
     std::vector<WeightedEmission> points_;
-    EmissionMap::Growth growth_;
+    EmissionGuide::Growth growth_;
     double all_points_ = 0;  // their weights
-    EmissionMap map_;
+    EmissionGuide guide_;
 };
 
-EmissionMap EmissionMap::learned(std::vector<WeightedEmission> points, const Growth& growth) {
-    return EmissionMapBuilder(std::move(points), growth).build();
+EmissionGuide EmissionGuide::learned(std::vector<WeightedEmission> points, const Growth& growth) {
+    return EmissionGuideBuilder(std::move(points), growth).build();
 }
 
 }  // namespace sunfleck

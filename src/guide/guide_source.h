@@ -20,7 +20,7 @@ struct WalkedEmission {
 };
 
 /// Where climbing may fail and maps help.
-struct MapSource {
+struct GuideSource {
     /// Walks of a pass, by their numbers.
     using Walks = std::function<WalkedEmission(PassId, PathRange)>;
 

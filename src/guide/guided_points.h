@@ -1,7 +1,7 @@
-// Uniform points whose emission slots went through a map: each counts one over its density.
+// Uniform points whose emission dimensions went through a guide: each counts one over its density.
 //
-// In:  a pass, a map fixed before it, the number of a path. Out: a slot reader, and the weight of
-// what is read.
+// In:  a pass, a guide fixed before it, the number of a path. Out: a dimension reader, and the
+// weight of what is read.
 #pragma once
 
 #include "guide/emission_guide.h"
@@ -11,43 +11,43 @@
 
 namespace sunfleck {
 
-class MappedPoints {
+class GuidedPoints {
 public:
-    /// @param pass  of a ladder, whose own points these do not share. @param map  must outlive
+    /// @param pass  of a splitting, whose own points these do not share. @param map  must outlive
     /// this.
-    MappedPoints(PassId pass, const EmissionMap& map)
-        : points_(pass.with_part(PassId::kParts / 2)), map_(map) {}
+    GuidedPoints(PassId pass, const EmissionGuide& map)
+        : points_(pass.with_part(PassId::kParts / 2)), guide_(map) {}
 
     class Reader {
     public:
         std::uint64_t operator()(std::uint32_t index) {
-            return index < kMappedSlots ? emission_[index] : rest_(index);
+            return index < kGuidedDimensions ? emission_[index] : rest_(index);
         }
         double weight() const { return weight_; }
 
     private:
-        friend class MappedPoints;
-        Reader(EmissionPoints::Reader rest, const EmissionMap& map) : rest_(rest) {
+        friend class GuidedPoints;
+        Reader(EmissionPoints::Reader rest, const EmissionGuide& map) : rest_(rest) {
             EmissionPoint uniform;
-            for (std::uint32_t s = 0; s < kMappedSlots; ++s) uniform[s] = to_unit(rest_(s));
-            const EmissionMap::Image image = map(uniform);
-            for (std::size_t s = 0; s < kMappedSlots; ++s)
+            for (std::uint32_t s = 0; s < kGuidedDimensions; ++s) uniform[s] = to_unit(rest_(s));
+            const EmissionGuide::Image image = map(uniform);
+            for (std::size_t s = 0; s < kGuidedDimensions; ++s)
                 emission_[s] = to_fraction(image.point[s]);
             weight_ = 1 / image.density;
         }
 
         EmissionPoints::Reader rest_;
-        std::array<std::uint64_t, kMappedSlots> emission_{};
+        std::array<std::uint64_t, kGuidedDimensions> emission_{};
         double weight_ = 1;
     };
 
-    Reader path(std::uint32_t number) const { return {points_.path(number), map_}; }
+    Reader path(std::uint32_t number) const { return {points_.path(number), guide_}; }
 
 private:
     EmissionPoints points_;
-    const EmissionMap& map_;
+    const EmissionGuide& guide_;
 };
 
-static_assert(SlotReader<MappedPoints::Reader>);
+static_assert(PrimarySampleReader<GuidedPoints::Reader>);
 
 }  // namespace sunfleck

@@ -31,7 +31,7 @@ public:
         rest_.remove_prefix(count);
         return taken;
     }
-    /// Takes the next byte if it is that one.
+    /// Accepts the next byte if it is that one.
     void skip(char byte) {
         if (rest_.starts_with(byte)) rest_.remove_prefix(1);
     }

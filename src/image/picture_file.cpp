@@ -54,7 +54,7 @@ bool is_picture_path(const std::string& path) {
     return find_format(path) != nullptr;
 }
 
-bool loses_layers(const std::string& path) {
+bool loses_aovs(const std::string& path) {
     const Format* format = find_format(path);
     return format != nullptr && !format->holds_layers;
 }

@@ -16,7 +16,7 @@ struct PictureFileOptions {
 bool is_picture_path(const std::string& path);
 
 /// Whether a picture of the name's ending holds R, G, B alone.
-bool loses_layers(const std::string& path);
+bool loses_aovs(const std::string& path);
 
 /// Tried before long work: the ending is known and the file can be written.
 /// @throws Error, with the endings that there are.

@@ -60,7 +60,7 @@ void on_write(png_structp png, png_bytep bytes, std::size_t count) {
 
 void on_flush(png_structp) {}
 
-/// Takes the header; every transformation that makes 8 or 16 bits a channel is set.
+/// Accepts the header; every transformation that makes 8 or 16 bits a channel is set.
 void prepare(png_structp png, png_infop info, PngJob& job) {
     png_set_user_limits(png, kMostPixelsAcross, kMostPixelsAcross);
     png_read_info(png, info);

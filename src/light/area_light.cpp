@@ -58,7 +58,7 @@ Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneS
     const SurfaceSample& on = from.on;
     const auto bound = [&](const auto& s) { return surface_error(s, on); };
     const bool back = two_sided && u[2] > 0.5;
-    // The two sides are the halves of the slot, folded so that they meet at the horizon.
+    // The two sides are the halves of the dimension, folded so that they meet at the horizon.
     const double folded = two_sided ? 2 * std::min(u[2], 1 - u[2]) : u[2];
     Vec3d local = cosine_hemisphere({folded, u[3]});
     if (back) local.z = -local.z;
@@ -72,7 +72,7 @@ Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneS
     return emission;
 }
 
-EmissionSlots AreaLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+EmissionDimensions AreaLight::emission_dimensions(const LightRay& ray, const SceneSphere&) const {
     const Vec3d normal(ray.normal);
     const Vec2d place = picture ? picture->numbers(surface, ray.origin, normal)
                                 : surface_square(surface, ray.origin, normal);

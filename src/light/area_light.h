@@ -5,8 +5,8 @@
 // Emission: with a picture, from where that is bright; else uniform by area (spheres and cylinders
 // under matrices that are no similarity: in their own frame; patches that are not flat: nearly),
 // cosine-weighted directions. Two-sided emitters choose the side by the halves of the first
-// direction slot, folded so that they meet at the horizon; Emission::normal stays on the side of
-// Hit::normal. Direct light: whole spheres under similarities are sampled in the cone that the
+// direction dimension, folded so that they meet at the horizon; Emission::normal stays on the side
+// of Hit::normal. Direct light: whole spheres under similarities are sampled in the cone that the
 // point sees (by area from inside), all else by area.
 #pragma once
 
@@ -22,7 +22,7 @@ class LaidPicture;     // light/surface_picture.h
 class PartialEmitter;  // light/partial_emitter.h
 
 struct AreaLight {
-    SpectralCurve curve;
+    Spectrum curve;
     EmittingSurface surface;
     bool two_sided = false;
     std::uint32_t shape = kNone;      // Hit::shape of the surface
@@ -35,7 +35,7 @@ struct AreaLight {
     std::shared_ptr<const PartialEmitter> alpha = nullptr;
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
-    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
+    EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;

@@ -1,6 +1,6 @@
 // Which light a photon path starts from: by power, by inverting the CDF in the list's order.
 //
-// Neighbours in the list stay neighbours in the slot, so that a small move of it changes to a
+// Neighbours in the list stay neighbours in the dimension, so that a small move of it changes to a
 // light nearby (an alias table would not).
 #pragma once
 

@@ -11,7 +11,8 @@ Emission DistantLight::sample_emission(const std::array<double, 4>& u,
             Vec3(0), 0};
 }
 
-EmissionSlots DistantLight::emission_slots(const LightRay& ray, const SceneSphere& sphere) const {
+EmissionDimensions DistantLight::emission_dimensions(const LightRay& ray,
+                                                     const SceneSphere& sphere) const {
     const Vec2d disc = scene_disc_square(sphere, direction, ray.origin);
     return {disc.x, disc.y, 0.5, 0.5};
 }

@@ -9,11 +9,11 @@
 namespace sunfleck {
 
 struct DistantLight {
-    SpectralCurve curve;
+    Spectrum curve;
     Vec3d direction;  // unit; the way that the light travels
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
-    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
+    EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay&, const SceneSphere& sphere) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;

@@ -56,7 +56,7 @@ Vec3d own_normal(const Sphere& sphere, const Vec2d& u) {
     if (zone.is_whole()) return uniform_sphere(u);
     const double z = zone.low + u.x * (zone.high - zone.low);
     const double r = std::sqrt(std::max(0.0, 1 - z * z));
-    const SinCos phi = sin_cos_turn(u.y * zone.turns);
+    const SinCos phi = sin_cos_2pi(u.y * zone.turns);
     return {r * phi.cos, r * phi.sin, z};
 }
 
@@ -69,7 +69,7 @@ SurfaceSample sample_surface(const EmittingQuadric<Sphere>& sphere, const Vec2d&
 
 SurfaceSample sample_surface(const EmittingQuadric<Cylinder>& cylinder, const Vec2d& u) {
     const Cylinder& c = cylinder.shape;
-    const SinCos phi = sin_cos_turn(u.y * std::clamp(c.phi_max / (2 * kPiDouble), 0.0, 1.0));
+    const SinCos phi = sin_cos_2pi(u.y * std::clamp(c.phi_max / (2 * kPiDouble), 0.0, 1.0));
     const Vec3d own(phi.cos, phi.sin, 0);
     const Vec3d height(0, 0, c.z_min + u.x * (c.z_max - c.z_min));
     return sample_at(cylinder, own * std::abs(c.radius) + height, own);
@@ -80,14 +80,14 @@ Vec2d surface_square(const EmittingQuadric<Sphere>& sphere, const Vec3d& on, con
     const Vec3d own = Affine(sphere.to_world).inverse().point(on).normalized();
     if (zone.is_whole()) return sphere_to_square(own);
     return {(own.z - zone.low) / (zone.high - zone.low),
-            azimuth(own.x, own.y) / (kFullTurn * zone.turns)};
+            azimuth(own.x, own.y) / (kFullCircle * zone.turns)};
 }
 
 Vec2d surface_square(const EmittingQuadric<Cylinder>& cylinder, const Vec3d& on, const Vec3d&) {
     const Cylinder& c = cylinder.shape;
     const Vec3d own = Affine(cylinder.to_world).inverse().point(on);
     const double turns = std::clamp(c.phi_max / (2 * kPiDouble), 0.0, 1.0);
-    return {(own.z - c.z_min) / (c.z_max - c.z_min), azimuth(own.x, own.y) / (kFullTurn * turns)};
+    return {(own.z - c.z_min) / (c.z_max - c.z_min), azimuth(own.x, own.y) / (kFullCircle * turns)};
 }
 
 double surface_spread(const EmittingQuadric<Sphere>& sphere, const Vec3d&, const Vec3d& normal) {

@@ -30,7 +30,7 @@ Vec2d own_point(const Disk& disk, const Vec2d& u) {
     if (is_whole(disk)) return concentric_disc(u) * disk.radius;
     const double inner2 = disk.inner_radius * disk.inner_radius;
     const double radius = std::sqrt(inner2 + u.x * (disk.radius * disk.radius - inner2));
-    const SinCos phi = sin_cos_turn(u.y * turns_of(disk));
+    const SinCos phi = sin_cos_2pi(u.y * turns_of(disk));
     return Vec2d(phi.cos, phi.sin) * radius;
 }
 
@@ -80,7 +80,7 @@ Vec2d surface_square(const EmittingQuadric<Disk>& disk, const Vec3d& on, const V
     if (is_whole(shape)) return disc_to_square(Vec2d(own.x, own.y) / shape.radius);
     const double inner2 = shape.inner_radius * shape.inner_radius;
     return {(own.x * own.x + own.y * own.y - inner2) / (shape.radius * shape.radius - inner2),
-            azimuth(own.x, own.y) / (kFullTurn * turns_of(shape))};
+            azimuth(own.x, own.y) / (kFullCircle * turns_of(shape))};
 }
 
 double surface_spread(const EmittingTriangle& triangle, const Vec3d&, const Vec3d&) {

@@ -25,8 +25,8 @@ Emission ImageInfiniteLight::sample_emission(const std::array<double, 4>& u,
             drawn.light.tint};
 }
 
-EmissionSlots ImageInfiniteLight::emission_slots(const LightRay& ray,
-                                                 const SceneSphere& sphere) const {
+EmissionDimensions ImageInfiniteLight::emission_dimensions(const LightRay& ray,
+                                                           const SceneSphere& sphere) const {
     const Vec2d disc = scene_disc_square(sphere, ray.direction, ray.origin);
     const Vec2d way = picture->numbers(place_of(to_world, -ray.direction));
     return {disc.x, disc.y, way.x, way.y};

@@ -16,12 +16,12 @@
 namespace sunfleck {
 
 struct ImageInfiniteLight {
-    SpectralCurve curve;
+    Spectrum curve;
     std::shared_ptr<const LightPicture> picture;
     Affine to_world;  // a rotation, or one with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
-    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
+    EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere& sphere) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;

@@ -12,7 +12,8 @@ Emission InfiniteLight::sample_emission(const std::array<double, 4>& u,
             0};
 }
 
-EmissionSlots InfiniteLight::emission_slots(const LightRay& ray, const SceneSphere& sphere) const {
+EmissionDimensions InfiniteLight::emission_dimensions(const LightRay& ray,
+                                                      const SceneSphere& sphere) const {
     const Vec2d disc = scene_disc_square(sphere, ray.direction, ray.origin);
     const Vec2d way = sphere_to_square(ray.direction);
     return {disc.x, disc.y, way.x, way.y};

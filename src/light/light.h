@@ -27,9 +27,9 @@ inline Emission sample_emission(const Light& light, const std::array<double, 4>&
 }
 
 /// The u that leads to a ray (light/model.h).
-inline EmissionSlots emission_slots(const Light& light, const LightRay& ray,
-                                    const SceneSphere& sphere) {
-    return std::visit([&](const auto& l) { return l.emission_slots(ray, sphere); }, light);
+inline EmissionDimensions emission_dimensions(const Light& light, const LightRay& ray,
+                                              const SceneSphere& sphere) {
+    return std::visit([&](const auto& l) { return l.emission_dimensions(ray, sphere); }, light);
 }
 
 /// Density of sample_emission() (light/model.h).
@@ -46,8 +46,8 @@ inline double power(const Light& light, const SceneSphere& sphere) {
     return std::visit([&](const auto& l) { return l.power(sphere); }, light);
 }
 
-inline const SpectralCurve& curve(const Light& light) {
-    return std::visit([](const auto& l) -> const SpectralCurve& { return l.curve; }, light);
+inline const Spectrum& curve(const Light& light) {
+    return std::visit([](const auto& l) -> const Spectrum& { return l.curve; }, light);
 }
 
 /// Do rays that leave the scene meet it?

@@ -1,10 +1,10 @@
 // What a light must offer, as a concept, and what it hands on.
 //
-// Two users: photon paths start with sample_emission(); eye paths ask sample_direct() and, when a
-// ray meets an emitter or leaves the scene, radiance() and direct_pdf() for the other half of MIS.
-// Curves are evaluated once a pass: a light's functions return a unitless or geometric factor and
-// `LightSpectra` holds each light's emission at the pass's wavelengths. A light with a picture adds
-// a tint: linear sRGB of luminance one, whose smooth spectrum multiplies the curve.
+// Two users: photon paths start with sample_emission(); camera paths ask sample_direct() and, when
+// a ray meets an emitter or leaves the scene, radiance() and direct_pdf() for the other half of
+// MIS. Curves are evaluated once a pass: a light's functions return a unitless or geometric factor
+// and `LightSpectra` holds each light's emission at the pass's wavelengths. A light with a picture
+// adds a tint: linear sRGB of luminance one, whose smooth spectrum multiplies the curve.
 #pragma once
 
 #include "geometry/ray.h"
@@ -46,7 +46,7 @@ struct LightRay {
 };
 
 /// Numbers of (0,1): position (2), direction (2).
-using EmissionSlots = std::array<double, 4>;
+using EmissionDimensions = std::array<double, 4>;
 
 /// One sample of the light that arrives straight at a point.
 struct DirectSample {
@@ -66,7 +66,8 @@ struct Beyond {
 };
 
 /// emission:   u in (0,1)^4: position (2), direction (2). Continuous and gentle in u.
-/// emission_slots: the u that sample_emission() takes to a ray: its inverse, within 1e-6; for a ray
+/// emission_dimensions: the u that sample_emission() takes to a ray: its inverse, within 1e-6; for
+/// a ray
 ///             that it cannot give, anything.
 /// emission_pdf: density of sample_emission() at a ray that it may give, per m^2 and sr (m^2 across
 ///             the ray for lights from afar); per sr alone for points, per m^2 for distant lights.
@@ -81,11 +82,11 @@ concept LightModel = std::copyable<L> &&
     requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,
              const LightRay& ray, const SceneSphere& sphere) {
     { light.sample_emission(u4, sphere) } -> std::same_as<Emission>;
-    { light.emission_slots(ray, sphere) } -> std::same_as<EmissionSlots>;
+    { light.emission_dimensions(ray, sphere) } -> std::same_as<EmissionDimensions>;
     { light.emission_pdf(ray, sphere) } -> std::same_as<double>;
     { light.sample_direct(p, u2, sphere) } -> std::same_as<std::optional<DirectSample>>;
     { light.power(sphere) } -> std::same_as<double>;
-    { light.curve } -> std::convertible_to<SpectralCurve>;
+    { light.curve } -> std::convertible_to<Spectrum>;
 };
 
 }  // namespace sunfleck

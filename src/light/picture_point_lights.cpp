@@ -36,7 +36,8 @@ Emission GoniometricLight::sample_emission(const std::array<double, 4>& u,
         drawn.light.tint};
 }
 
-EmissionSlots GoniometricLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+EmissionDimensions GoniometricLight::emission_dimensions(const LightRay& ray,
+                                                         const SceneSphere&) const {
     const Vec2d way = picture->numbers(sphere_to_square(to_local(to_world, ray.direction)));
     return {0.5, 0.5, way.x, way.y};
 }
@@ -78,7 +79,8 @@ std::optional<Vec2d> ProjectionLight::place_of(const Vec3d& direction) const {
     return (Vec2d(w.x / (half.x * w.z), w.y / (half.y * w.z)) + Vec2d(1)) / 2;
 }
 
-EmissionSlots ProjectionLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+EmissionDimensions ProjectionLight::emission_dimensions(const LightRay& ray,
+                                                        const SceneSphere&) const {
     const Vec2d way = picture->numbers(place_of(ray.direction).value_or(Vec2d(0.5)));
     return {0.5, 0.5, way.x, way.y};
 }

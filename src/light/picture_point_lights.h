@@ -14,13 +14,13 @@ namespace sunfleck {
 
 /// The picture is an equal-area octahedral map of directions (uniform_sphere() in math/warp.h).
 struct GoniometricLight {
-    SpectralCurve curve;
+    Spectrum curve;
     Vec3d position;
     std::shared_ptr<const LightPicture> picture;
     Affine to_world;  // a rotation, or one with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
-    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
+    EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;
@@ -30,14 +30,14 @@ struct GoniometricLight {
 /// The picture lies on the plane z = 1 of the light's frame, x to the right and y down. Within a
 /// texel the factor of emission follows the third power of the cosine.
 struct ProjectionLight {
-    SpectralCurve curve;
+    Spectrum curve;
     Vec3d position;
     Vec2d half;                                   // of the picture's width and height
     std::shared_ptr<const LightPicture> picture;  // of projected_picture()
     Affine to_world;                              // as above
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
-    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
+    EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;

@@ -10,7 +10,7 @@ Emission PointLight::sample_emission(const std::array<double, 4>& u, const Scene
     return {position, uniform_sphere({u[2], u[3]}), 4 * kPiDouble, Vec3(0), 0};
 }
 
-EmissionSlots PointLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+EmissionDimensions PointLight::emission_dimensions(const LightRay& ray, const SceneSphere&) const {
     const Vec2d way = sphere_to_square(ray.direction);
     return {0.5, 0.5, way.x, way.y};
 }

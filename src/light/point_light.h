@@ -1,6 +1,6 @@
 // A point that emits evenly in all directions.
 //
-// Curve: radiant intensity, W/sr. Slots: direction, equal-area on the sphere.
+// Curve: radiant intensity, W/sr. Dimensions: direction, equal-area on the sphere.
 #pragma once
 
 #include "light/model.h"
@@ -8,11 +8,11 @@
 namespace sunfleck {
 
 struct PointLight {
-    SpectralCurve curve;
+    Spectrum curve;
     Vec3d position;
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
-    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
+    EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay&, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;

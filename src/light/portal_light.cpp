@@ -33,7 +33,7 @@ Emission PortalLight::sample_emission(const std::array<double, 4>& u,
     return emission;
 }
 
-EmissionSlots PortalLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+EmissionDimensions PortalLight::emission_dimensions(const LightRay& ray, const SceneSphere&) const {
     const Vec3d out = to_local(-ray.direction);
     const Vec3d from = to_local(ray.origin - frame.origin);
     if (!(out.z > 0)) return {0.5, 0.5, 0.5, 0.5};

@@ -16,13 +16,13 @@
 namespace sunfleck {
 
 struct PortalLight {
-    SpectralCurve curve;
+    Spectrum curve;
     std::shared_ptr<const PortalPicture> picture;
     Affine frame;  // orthonormal; its origin a corner of the portal, z out to the sky
     Vec2d extent;  // of the portal, from the corner along x and along y; positive
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
-    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
+    EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;

@@ -52,7 +52,7 @@ Emission SpotLight::sample_emission(const std::array<double, 4>& u, const SceneS
     return {position, direction, 2 * kPiDouble * flux.total(), Vec3(0), 0};
 }
 
-EmissionSlots SpotLight::emission_slots(const LightRay& ray, const SceneSphere&) const {
+EmissionDimensions SpotLight::emission_dimensions(const LightRay& ray, const SceneSphere&) const {
     const SpotFlux flux(*this);
     const Vec3d local = rotate_to_z(axis, ray.direction);
     const double versine = 1 - local.z;

@@ -1,7 +1,7 @@
 // A point that emits into a cone with a smooth edge (pbrt-v4's falloff).
 //
 // Curve: radiant intensity on the axis, W/sr. Photon directions follow the intensity exactly, so
-// Emission::factor is the power; they are steep in the slots at the cone's rim alone.
+// Emission::factor is the power; they are steep in the dimensions at the cone's rim alone.
 #pragma once
 
 #include "light/model.h"
@@ -9,14 +9,14 @@
 namespace sunfleck {
 
 struct SpotLight {
-    SpectralCurve curve;
+    Spectrum curve;
     Vec3d position;
     Vec3d axis;            // unit
     double cos_total = 0;  // no light outside
     double cos_start = 1;  // full intensity inside; smoothstep of the cosine between
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
-    EmissionSlots emission_slots(const LightRay& ray, const SceneSphere& sphere) const;
+    EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;

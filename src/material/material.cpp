@@ -11,9 +11,9 @@ namespace sunfleck {
 
 namespace {
 
-Spectrum clamped(const Spectrum& s, float low, float high) {
-    Spectrum inside;
-    for (std::size_t i = 0; i < kLanes; ++i) inside[i] = std::clamp(s[i], low, high);
+SampledSpectrum clamped(const SampledSpectrum& s, float low, float high) {
+    SampledSpectrum inside;
+    for (std::size_t i = 0; i < kWavelengths; ++i) inside[i] = std::clamp(s[i], low, high);
     return inside;
 }
 
@@ -26,30 +26,30 @@ Ggx facets_of(const Vec2& alphas) {
 }
 
 /// Indices of refraction: 1 where there is none.
-Spectrum index_of(Spectrum eta) {
-    for (float& v : eta.lane)
+SampledSpectrum index_of(SampledSpectrum eta) {
+    for (float& v : eta.values)
         if (!(v > 0)) v = 1;
     return eta;
 }
 
-bool bends(const Spectrum& eta) {
-    return std::all_of(eta.lane.begin(), eta.lane.end(),
+bool bends(const SampledSpectrum& eta) {
+    return std::all_of(eta.values.begin(), eta.values.end(),
                        [](float v) { return std::abs(v - 1) > RoughDielectric::kLeastContrast; });
 }
 
 /// Complex index of a metal.
 struct MetalIndex {
-    Spectrum eta;
-    Spectrum k;
+    SampledSpectrum eta;
+    SampledSpectrum k;
 };
 
 /// The albedo below a coat with which the share `whole` of the light that has entered leaves again:
 /// whole = albedo leaving / (1 - albedo returning). Above one where it makes up for what a rough
 /// coat loses; all that is scattered is still no more than what enters.
-Spectrum base_below(const Coat& coat, const Spectrum& whole) {
+SampledSpectrum base_below(const Coat& coat, const SampledSpectrum& whole) {
     const float leaving = coat.mean_entering() / (coat.eta() * coat.eta());
-    const Spectrum needed = whole / leaving;
-    return needed / (Spectrum(1) + needed * coat.returning());
+    const SampledSpectrum needed = whole / leaving;
+    return needed / (SampledSpectrum(1) + needed * coat.returning());
 }
 
 /// One overload a material.
@@ -62,7 +62,7 @@ struct BsdfOf {
     }
 
     std::optional<Bsdf> operator()(const DielectricMaterial& m) const {
-        const Spectrum eta = index_of(m.eta.at(wavelengths));
+        const SampledSpectrum eta = index_of(m.eta.at(wavelengths));
         const Vec2 alphas = m.roughness.alphas(point);
         if (is_smooth(alphas) || !bends(eta)) return SmoothDielectric(eta);
         return RoughDielectric(eta, facets_of(alphas), m.roughness.losses());
@@ -80,7 +80,7 @@ struct BsdfOf {
     }
 
     std::optional<Bsdf> operator()(const CoatedDiffuseMaterial& m) const {
-        const Spectrum given = clamped(m.reflectance.at(point, wavelengths), 0, 1);
+        const SampledSpectrum given = clamped(m.reflectance.at(point, wavelengths), 0, 1);
         return CoatedDiffuse{m.whole ? base_below(*m.coat, given) : given, m.coat.get()};
     }
 
@@ -93,9 +93,9 @@ struct BsdfOf {
     }
 
     std::optional<Bsdf> operator()(const DiffuseTransmissionMaterial& m) const {
-        Spectrum back = clamped(m.reflectance.at(point, wavelengths), 0, 1);
-        Spectrum through = clamped(m.transmittance.at(point, wavelengths), 0, 1);
-        for (std::size_t i = 0; i < kLanes; ++i) {
+        SampledSpectrum back = clamped(m.reflectance.at(point, wavelengths), 0, 1);
+        SampledSpectrum through = clamped(m.transmittance.at(point, wavelengths), 0, 1);
+        for (std::size_t i = 0; i < kWavelengths; ++i) {
             const float over = std::max(1.0F, back[i] + through[i]);
             back[i] /= over;
             through[i] /= over;
@@ -110,8 +110,8 @@ struct BsdfOf {
         if (!m.reflectance)
             return {index_of(m.eta.at(point, wavelengths)),
                     clamped(m.k.at(point, wavelengths), 0, std::numeric_limits<float>::max())};
-        const Spectrum r = clamped(m.reflectance->at(point, wavelengths), 0, 0.9999F);
-        return {Spectrum(1), 2 * sqrt(r) / sqrt(Spectrum(1) - r)};
+        const SampledSpectrum r = clamped(m.reflectance->at(point, wavelengths), 0, 0.9999F);
+        return {SampledSpectrum(1), 2 * sqrt(r) / sqrt(SampledSpectrum(1) - r)};
     }
 };
 

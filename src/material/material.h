@@ -25,7 +25,7 @@ inline float alpha_from_roughness(float roughness) {
 }
 
 struct DiffuseMaterial {
-    SpectrumTexture reflectance = SpectralCurve::constant(0.5F);
+    SpectrumTexture reflectance = Spectrum::constant(0.5F);
 };
 
 /// Along the tangent and across: GGX alphas, or what alpha_from_roughness() makes them from.
@@ -43,12 +43,12 @@ struct Roughness {
 };
 
 struct DielectricMaterial {
-    SpectralCurve eta = SpectralCurve::constant(1.5F);  // inside over outside
+    Spectrum eta = Spectrum::constant(1.5F);  // inside over outside
     Roughness roughness;
 };
 
 struct ThinDielectricMaterial {
-    SpectralCurve eta = SpectralCurve::constant(1.5F);
+    Spectrum eta = Spectrum::constant(1.5F);
 };
 
 struct ConductorMaterial {
@@ -60,8 +60,8 @@ struct ConductorMaterial {
 
 /// Diffuse under a clear coat.
 struct CoatedDiffuseMaterial {
-    SpectrumTexture reflectance = SpectralCurve::constant(0.5F);  // of the base, without the coat
-    std::shared_ptr<const Coat> coat;                             // not null
+    SpectrumTexture reflectance = Spectrum::constant(0.5F);  // of the base, without the coat
+    std::shared_ptr<const Coat> coat;                        // not null
     bool whole = false;  // the reflectance is that of the light which enters the coat, as it leaves
 };
 
@@ -73,8 +73,8 @@ struct CoatedConductorMaterial {
 
 /// Scattered evenly, back and through. Together at most one: a larger sum is scaled down.
 struct DiffuseTransmissionMaterial {
-    SpectrumTexture reflectance = SpectralCurve::constant(0.25F);
-    SpectrumTexture transmittance = SpectralCurve::constant(0.25F);
+    SpectrumTexture reflectance = Spectrum::constant(0.25F);
+    SpectrumTexture transmittance = Spectrum::constant(0.25F);
 };
 
 /// Two materials, one of which a ray meets.

@@ -14,18 +14,18 @@ namespace {
 
 namespace data = spectra_data;
 
-using Points = std::vector<TableCurve::Point>;
-using Spectra = std::map<std::string, SpectralCurve>;
+using Points = std::vector<TabulatedSpectrum::Point>;
+using Spectra = std::map<std::string, Spectrum>;
 
 /// As pbrt-v4 has it: the first and last value hold to the ends of the visible range.
-SpectralCurve extended_table(Points points) {
+Spectrum extended_table(Points points) {
     if (points.front().nm > kFirstNm)
         points.insert(points.begin(), {kFirstNm - 1, points[0].value});
     if (points.back().nm < kLastNm) points.push_back({kLastNm + 1, points.back().value});
-    return SpectralCurve::table(std::move(points));
+    return Spectrum::table(std::move(points));
 }
 
-SpectralCurve tabulated(std::span<const double> nm, std::span<const double> values) {
+Spectrum tabulated(std::span<const double> nm, std::span<const double> values) {
     Points points;
     for (std::size_t i = 0; i < nm.size(); ++i)
         points.push_back({static_cast<float>(nm[i]), static_cast<float>(values[i])});
@@ -33,7 +33,7 @@ SpectralCurve tabulated(std::span<const double> nm, std::span<const double> valu
 }
 
 /// An illuminant given every 5 nm from `first` on, scaled to luminance one.
-SpectralCurve illuminant(float first, std::span<const double> values) {
+Spectrum illuminant(float first, std::span<const double> values) {
     Points points;
     for (const double value : values)
         points.push_back(
@@ -103,7 +103,7 @@ const Spectra& spectra() {
 
 }  // namespace
 
-std::optional<SpectralCurve> named_spectrum(const std::string& name) {
+std::optional<Spectrum> named_spectrum(const std::string& name) {
     const auto found = spectra().find(name);
     if (found == spectra().end()) return std::nullopt;
     return found->second;

@@ -1,6 +1,6 @@
 // The smooth reflectance that looks like a given colour under D65: three numbers found by a fit.
 //
-// In:  linear sRGB in [0,1]. Out: coefficients of SigmoidCurve (math/spectrum.h).
+// In:  linear sRGB in [0,1]. Out: coefficients of SigmoidSpectrum (math/spectrum.h).
 // Source: Jakob and Hanika, A Low-Dimensional Function Space for Efficient Spectral Upsampling
 // (Eurographics 2019): same family, same loss (CIELab under D65).
 #pragma once

@@ -93,13 +93,13 @@ std::array<float, 3> SigmoidTable::coefficients(const Vec3& rgb) const {
     return result;
 }
 
-Spectrum SigmoidTable::albedo(const Vec3& rgb, const Wavelengths& wavelengths) const {
+SampledSpectrum SigmoidTable::albedo(const Vec3& rgb, const Wavelengths& wavelengths) const {
     const Vec3 colour(std::clamp(rgb.x, 0.0F, 1.0F), std::clamp(rgb.y, 0.0F, 1.0F),
                       std::clamp(rgb.z, 0.0F, 1.0F));
-    if (colour.x == colour.y && colour.y == colour.z) return Spectrum(colour.x);
+    if (colour.x == colour.y && colour.y == colour.z) return SampledSpectrum(colour.x);
     const std::array<float, 3> c = coefficients(colour);
-    Spectrum result;
-    for (std::size_t i = 0; i < kLanes; ++i) {
+    SampledSpectrum result;
+    for (std::size_t i = 0; i < kWavelengths; ++i) {
         const float t =
             (wavelengths.nm[i] - static_cast<float>(kMiddleNm)) / static_cast<float>(kHalfRangeNm);
         const float x = c[0] + t * (c[1] + t * c[2]);
@@ -108,7 +108,7 @@ Spectrum SigmoidTable::albedo(const Vec3& rgb, const Wavelengths& wavelengths) c
     return result;
 }
 
-Spectrum SigmoidTable::unbounded(const Vec3& rgb, const Wavelengths& wavelengths) const {
+SampledSpectrum SigmoidTable::unbounded(const Vec3& rgb, const Wavelengths& wavelengths) const {
     const float most = std::max({rgb.x, rgb.y, rgb.z});
     if (!(most > 0)) return {};
     return albedo(rgb * (0.5F / most), wavelengths) * (2 * most);

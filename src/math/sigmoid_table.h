@@ -26,9 +26,9 @@ public:
 
     /// The reflectance that looks like rgb under D65; a grey exactly, other colours within the
     /// table's error (docs/decisions.md). @param rgb  brought into [0,1].
-    Spectrum albedo(const Vec3& rgb, const Wavelengths& wavelengths) const;
+    SampledSpectrum albedo(const Vec3& rgb, const Wavelengths& wavelengths) const;
     /// Any non-negative colour: twice its largest component times the albedo of the rest.
-    Spectrum unbounded(const Vec3& rgb, const Wavelengths& wavelengths) const;
+    SampledSpectrum unbounded(const Vec3& rgb, const Wavelengths& wavelengths) const;
 
     /// Coefficients of 1, t and t^2 (math/sigmoid_fit.h) of a colour in [0,1] that is no grey.
     std::array<float, 3> coefficients(const Vec3& rgb) const;

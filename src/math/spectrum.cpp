@@ -12,11 +12,11 @@ namespace sunfleck {
 
 namespace {
 
-float value_at(const ConstantCurve& curve, float) {
+float value_at(const ConstantSpectrum& curve, float) {
     return curve.value;
 }
 
-float value_at(const TableCurve& curve, float nm) {
+float value_at(const TabulatedSpectrum& curve, float nm) {
     if (!curve.points || curve.points->empty()) return 0;
     const auto& points = *curve.points;
     if (!(nm >= points.front().nm && nm <= points.back().nm)) return 0;
@@ -29,7 +29,7 @@ float value_at(const TableCurve& curve, float nm) {
 }
 
 /// Planck's law divided by its maximum, both written in x = h c / (nm k T).
-float value_at(const BlackbodyCurve& curve, float nm) {
+float value_at(const BlackbodySpectrum& curve, float nm) {
     constexpr float kSecondRadiation = 1.43877733e7F;  // h c / k in nm K, with pbrt-v4's constants
     constexpr float kPeak = 4.96511423F;               // x at the maximum (Wien)
     constexpr float kPeakExp = 142.324893F;            // exp(kPeak) - 1
@@ -49,7 +49,7 @@ float white_at(float nm) {
            static_cast<float>(white()[cell + 1]) * part;
 }
 
-float value_at(const SigmoidCurve& curve, float nm) {
+float value_at(const SigmoidSpectrum& curve, float nm) {
     const auto& c = curve.coefficients;
     const float reflectance = curve.scale * sigmoid((c[0] * nm + c[1]) * nm + c[2]);
     return curve.times_d65 ? reflectance * white_at(nm) : reflectance;
@@ -67,17 +67,17 @@ bool is_grey(const Triple& rgb) {
     return rgb[0] == rgb[1] && rgb[1] == rgb[2];
 }
 
-SigmoidCurve smooth(const Triple& rgb) {
+SigmoidSpectrum smooth(const Triple& rgb) {
     const Triple c = fit_sigmoid(rgb);
     return {{static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])}};
 }
 
 /// Any non-negative colour that is not grey, as pbrt-v4 has it: the smooth reflectance of half
 /// its brightest component, times the rest.
-SigmoidCurve scaled_smooth(Triple rgb) {
+SigmoidSpectrum scaled_smooth(Triple rgb) {
     const double scale = 2 * *std::max_element(rgb.begin(), rgb.end());
     for (double& value : rgb) value /= scale;
-    SigmoidCurve curve = smooth(rgb);
+    SigmoidSpectrum curve = smooth(rgb);
     curve.scale = static_cast<float>(scale);
     return curve;
 }
@@ -86,8 +86,8 @@ constexpr double kNoLimit = 1e30;
 
 }  // namespace
 
-SpectralCurve SpectralCurve::table(std::vector<TableCurve::Point> points) {
-    const auto bad = [](const TableCurve::Point& a, const TableCurve::Point& b) {
+Spectrum Spectrum::table(std::vector<TabulatedSpectrum::Point> points) {
+    const auto bad = [](const TabulatedSpectrum::Point& a, const TabulatedSpectrum::Point& b) {
         return !(a.nm < b.nm);
     };
     const bool sorted = std::adjacent_find(points.begin(), points.end(), bad) == points.end();
@@ -95,33 +95,33 @@ SpectralCurve SpectralCurve::table(std::vector<TableCurve::Point> points) {
         throw Error({"spectrum", 0, 0},
                     "a table without points, or with wavelengths that do not rise",
                     "give pairs of wavelength (nm) and value, wavelengths rising");
-    return SpectralCurve(
-        TableCurve{std::make_shared<const std::vector<TableCurve::Point>>(std::move(points))});
+    return Spectrum(TabulatedSpectrum{
+        std::make_shared<const std::vector<TabulatedSpectrum::Point>>(std::move(points))});
 }
 
-SpectralCurve SpectralCurve::rgb_albedo(const Vec3& rgb) {
+Spectrum Spectrum::rgb_albedo(const Vec3& rgb) {
     const Triple colour = usable(rgb, 1);
     if (is_grey(colour)) return constant(static_cast<float>(colour[0]));
-    return SpectralCurve(smooth(colour));
+    return Spectrum(smooth(colour));
 }
 
-SpectralCurve SpectralCurve::rgb_unbounded(const Vec3& rgb) {
+Spectrum Spectrum::rgb_unbounded(const Vec3& rgb) {
     const Triple colour = usable(rgb, kNoLimit);
     if (is_grey(colour)) return constant(static_cast<float>(colour[0]));
-    return SpectralCurve(scaled_smooth(colour));
+    return Spectrum(scaled_smooth(colour));
 }
 
-SpectralCurve SpectralCurve::rgb_illuminant(const Vec3& rgb) {
+Spectrum Spectrum::rgb_illuminant(const Vec3& rgb) {
     const Triple colour = usable(rgb, kNoLimit);
     if (is_grey(colour)) return d65().scaled(static_cast<float>(colour[0]));
-    SigmoidCurve curve = scaled_smooth(colour);
+    SigmoidSpectrum curve = scaled_smooth(colour);
     curve.times_d65 = true;
-    return SpectralCurve(curve);
+    return Spectrum(curve);
 }
 
-SpectralCurve SpectralCurve::d65() {
-    static const SpectralCurve curve = [] {
-        std::vector<TableCurve::Point> points;
+Spectrum Spectrum::d65() {
+    static const Spectrum curve = [] {
+        std::vector<TabulatedSpectrum::Point> points;
         for (std::size_t i = 0; i < kVisibleCount; i += 5) {
             points.push_back({kFirstNm + static_cast<float>(i), static_cast<float>(white()[i])});
         }
@@ -130,25 +130,25 @@ SpectralCurve SpectralCurve::d65() {
     return curve;
 }
 
-float SpectralCurve::operator()(float nm) const {
+float Spectrum::operator()(float nm) const {
     return factor_ * std::visit([nm](const auto& kind) { return value_at(kind, nm); }, kind_);
 }
 
-Spectrum SpectralCurve::at(const Wavelengths& wavelengths) const {
-    Spectrum spectrum;
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-        spectrum[lane] = (*this)(wavelengths.nm[lane]);
+SampledSpectrum Spectrum::at(const Wavelengths& wavelengths) const {
+    SampledSpectrum spectrum;
+    for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength)
+        spectrum[wavelength] = (*this)(wavelengths.nm[wavelength]);
     return spectrum;
 }
 
-float SpectralCurve::luminance() const {
+float Spectrum::luminance() const {
     double sum = 0;
     for (std::size_t i = 0; i < kVisibleCount; ++i)
         sum += luminance_response()[i] * double{(*this)(kFirstNm + static_cast<float>(i))};
     return static_cast<float>(sum);
 }
 
-Vec3 SpectralCurve::to_rgb() const {
+Vec3 Spectrum::to_rgb() const {
     Triple sum{};
     for (std::size_t i = 0; i < kVisibleCount; ++i) {
         const double value{(*this)(kFirstNm + static_cast<float>(i))};

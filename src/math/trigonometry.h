@@ -41,11 +41,11 @@ constexpr SinCos sin_cos_small(double angle) {
             1 - (square / 2 - square * square * horner(kCosineTerms, square))};
 }
 
-/// Sine and cosine of `turn` full turns. @param turn  any finite number; |turn| < 2^50 keeps the
-/// promised accuracy relative to the given double. Multiples of 1/4 give exact values.
-inline SinCos sin_cos_turn(double turn) {
-    const double quarters = std::floor(turn * 4 + 0.5);
-    const SinCos rest = sin_cos_small((turn - quarters * 0.25) * (2 * kPiDouble));
+/// Sine and cosine of 2 pi times `fraction`. @param fraction  any finite number; |fraction| < 2^50
+/// keeps the promised accuracy relative to the given double. Multiples of 1/4 give exact values.
+inline SinCos sin_cos_2pi(double fraction) {
+    const double quarters = std::floor(fraction * 4 + 0.5);
+    const SinCos rest = sin_cos_small((fraction - quarters * 0.25) * (2 * kPiDouble));
     const double quadrant = quarters - 4 * std::floor(quarters * 0.25);
     if (quadrant == 0) return rest;
     if (quadrant == 1) return {rest.cos, -rest.sin};

@@ -1,4 +1,4 @@
-// Lanes drawn by inverting the distribution of a smooth density near the eye's response.
+// Wavelengths drawn by inverting the distribution of a smooth density near the eye's response.
 #include "math/wavelengths.h"
 
 #include "math/colour.h"
@@ -13,7 +13,7 @@ namespace {
 
 /// The density's shape: two bells 1 / (1 + x^2)^2, one over the responses of green and red, one
 /// over that of blue. Centres, widths and heights were fitted (docs/method.md): the colour of D65,
-/// of smooth reflectances under it and of lamps, seen in one pass, two, four and a round, was to
+/// of smooth reflectances under it and of lamps, seen in one pass, two, four and a batch, was to
 /// have the least standard deviation over the lattice's shift. The tails are so heavy that no
 /// visible wavelength is left out, and only + - * / are needed.
 double shape(double nm) {
@@ -60,10 +60,10 @@ struct Distribution {
     }
 };
 
-/// The four bits of a pass's place in its round, reversed: 2, 4, 8 passes are lattices too.
+/// The four bits of a pass's place in its batch, reversed: 2, 4, 8 passes are lattices too.
 std::uint32_t place_in_round(std::uint32_t pass) {
-    static_assert(kRoundPasses == 16);
-    const std::uint32_t n = pass % kRoundPasses;
+    static_assert(kBatchPasses == 16);
+    const std::uint32_t n = pass % kBatchPasses;
     return (n & 1U) << 3U | (n & 2U) << 1U | (n & 4U) >> 1U | (n & 8U) >> 3U;
 }
 
@@ -71,25 +71,27 @@ std::uint32_t place_in_round(std::uint32_t pass) {
 
 Wavelengths Wavelengths::of_pass(PassId pass) {
     static const Distribution distribution;
-    RandomStream stream(pass.seed, Purpose::wavelengths, pass.number / kRoundPasses, 0);
+    RandomStream stream(pass.seed, Purpose::wavelengths, pass.number / kBatchPasses, 0);
     // The shift is of a whole pass, not of a lattice cell: then each pass is unbiased by itself,
-    // and a render that ends within a round is too.
-    const double shift = stream.next() + place_in_round(pass.number) * (1.0 / kRoundPasses);
+    // and a render that ends within a batch is too.
+    const double shift = stream.next() + place_in_round(pass.number) * (1.0 / kBatchPasses);
     const double place = shift < 1 ? shift : shift - 1;
     Wavelengths drawn;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const auto [nm, density] = distribution.at((static_cast<double>(lane) + place) / kLanes);
-        drawn.nm[lane] = static_cast<float>(nm);
-        drawn.density[lane] = static_cast<float>(density);
+    for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength) {
+        const auto [nm, density] =
+            distribution.at((static_cast<double>(wavelength) + place) / kWavelengths);
+        drawn.nm[wavelength] = static_cast<float>(nm);
+        drawn.density[wavelength] = static_cast<float>(density);
         const Triple response = rgb_response(nm);
         for (std::size_t i = 0; i < 3; ++i)
-            drawn.rgb_weight[i][lane] = static_cast<float>(response[i] / (kLanes * density));
+            drawn.rgb_weight[i][wavelength] =
+                static_cast<float>(response[i] / (kWavelengths * density));
     }
     return drawn;
 }
 
-void Wavelengths::turn_rgb(const Rows& rows) {
-    const std::array<Spectrum, 3> before = rgb_weight;
+void Wavelengths::transform_rgb(const Rows& rows) {
+    const std::array<SampledSpectrum, 3> before = rgb_weight;
     for (std::size_t i = 0; i < 3; ++i)
         rgb_weight[i] = before[0] * static_cast<float>(rows[i][0]) +
                         before[1] * static_cast<float>(rows[i][1]) +

@@ -20,7 +20,7 @@ Chromaticity chromaticity(const Triple& xyz) {
 Chromaticity daylight(double kelvin) {
     const double t = std::min(kelvin * 1.4388 / 1.4380, 25000.0);
     if (t < 4000) {
-        const SpectralCurve blackbody(BlackbodyCurve{static_cast<float>(kelvin)});
+        const Spectrum blackbody(BlackbodySpectrum{static_cast<float>(kelvin)});
         const Vec3 rgb = blackbody.to_rgb();
         return chromaticity(xyz_of_rgb({rgb.x, rgb.y, rgb.z}));
     }

@@ -38,9 +38,9 @@ struct PaperMemory {
     std::uint64_t passes = 0;
     PaperState chain;
     LocalRadii radii;
-    std::array<FixedPoints, kLayerCount> flux;  // tau / (pi R^2 paths), before normalisation
-    double shown = 0;                           // what flux was multiplied by after the last pass
-    double theta_counted = 0;                   // in the film's statistics
+    std::array<FixedPoints, kAovCount> flux;  // tau / (pi R^2 paths), before normalisation
+    double shown = 0;                         // what flux was multiplied by after the last pass
+    double theta_counted = 0;                 // in the film's statistics
     std::uint64_t floor_counted = 0;
 };
 

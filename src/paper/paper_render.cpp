@@ -27,25 +27,25 @@ PaperRender::PaperRender(const Scene& scene, const RenderSettings& settings, Pap
 PassResult PaperRender::next_pass() {
     const PassId id{settings_.seed, static_cast<std::uint32_t>(memory_.passes++)};
     const std::size_t pixels = window_.pixels();
-    PassResult result{PassImage(pixels, settings_.layers), {}, {}, 1, 0, {}};
+    PassResult result{PassImage(pixels, settings_.aovs), {}, {}, 1, 0, {}};
     Stopwatch watch;
     const PassScene scene(scene_, id);
     result.seconds.build = watch.lap();
-    auto points = trace_eye_paths({scene, settings_.transport, settings_.eye, window_, id, 1},
-                                  result.image, result.statistics);
+    auto points = trace_camera_paths({scene, settings_.transport, settings_.camera, window_, id, 1},
+                                     result.image, result.statistics);
     memory_.radii.shrink(points);
     result.radius_factor = memory_.radii.mean_factor();
-    result.seconds.eye = watch.lap();
+    result.seconds.camera = watch.lap();
     const VisiblePointIndex index(std::move(points), settings_.transport.max_depth);
     result.seconds.index = watch.lap();
-    PassImage photons(pixels, settings_.layers);
+    PassImage photons(pixels, settings_.aovs);
     PhotonCounts taken(pixels);
     const Depositor deposit(scene, index, photons, paths_, &taken);
     const Statistics counts = trace_paper_paths(
         {scene, settings_.transport, index}, {id, paths_, settings_.photon.paper.replica_exchange},
         memory_.chain, deposit);
     memory_.radii.add(taken);
-    if (result.image.has(Layer::samples)) add_samples(taken, result.image);
+    if (result.image.has(Aov::samples)) add_samples(taken, result.image);
     add_photon_light(photons, result.image);
     result.seconds.photon = watch.lap();
     result.statistics += counts;
@@ -71,17 +71,17 @@ void PaperRender::add_photon_light(const PassImage& photons, PassImage& image) {
     if (chain.splatted > 0)
         memory_.shown = chain.visible_fraction() * paths_ / static_cast<double>(chain.splatted) *
                         static_cast<double>(memory_.passes);
-    for (std::size_t l = 0; l < kLayerCount; ++l) {
-        const Layer layer = kLayers.at(l).layer;
-        if (!photons.has(layer)) continue;
+    for (std::size_t l = 0; l < kAovCount; ++l) {
+        const Aov aov = kAovs.at(l).aov;
+        if (!photons.has(aov)) continue;
         FixedPoints& flux = memory_.flux.at(l);
         flux.resize(3 * photons.pixels());
         const auto add = [&](std::size_t i) {
             const FixedPoint shown = scaled(flux[i], before);
-            flux[i] += photons.value(layer, i / 3, i % 3);
+            flux[i] += photons.value(aov, i / 3, i % 3);
             FixedPoint term = scaled(flux[i], memory_.shown);
             term += -shown;
-            image.add_term(layer, i / 3, i % 3, term);
+            image.add_term(aov, i / 3, i % 3, term);
         };
         parallel_blocks(flux.size(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) add(i);

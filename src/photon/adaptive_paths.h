@@ -1,7 +1,7 @@
-// Photon paths by the visibility ladder: the sampler `adaptive`.
+// Photon paths by the multilevel splitting by visibility: the sampler `adaptive`.
 //
-// In:  what is seen in a pass, a group of lights with its plan. Out: photons in batches, weighted
-// so that their sum is the group's light in this pass: the estimate's N is one.
+// In:  what is seen in a pass, a stratum of lights with its plan. Out: photons in chunks, weighted
+// so that their sum is the stratum's light in this pass: the estimate's N is one.
 #pragma once
 
 #include "photon/light_stratum.h"
@@ -12,17 +12,18 @@
 
 namespace sunfleck {
 
-/// Called with batches of whole paths: marks the photons that were taken. @return counts.
-using DepositBatches = std::function<Statistics(std::vector<PhotonBatch>&)>;
+/// Called with chunks of whole paths: marks the photons that were taken. @return counts.
+using DepositChunks = std::function<Statistics(std::vector<PhotonChunk>&)>;
 
 struct AdaptivePaths {
-    LadderCounts ladder;
+    SplittingCounts splitting;
     Statistics statistics;
 };
 
-/// @param octree  over the view. @param group  its plan with at least one level.
-/// @param pass  with the group's part.
-AdaptivePaths trace_adaptive_paths(const PhotonView& view, const ViewOctree& octree, PassId pass,
-                                   const PhotonGroup& group, const DepositBatches& deposit);
+/// @param octree  over the view. @param stratum  its plan with at least one level.
+/// @param pass  with the stratum's part.
+AdaptivePaths trace_adaptive_paths(const PhotonContext& view, const VisiblePointOctree& octree,
+                                   PassId pass, const LightStratum& stratum,
+                                   const DepositChunks& deposit);
 
 }  // namespace sunfleck

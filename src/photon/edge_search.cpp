@@ -110,12 +110,13 @@ Vec3 point_by(const Edge& edge, RandomStream& stream) {
 
 }  // namespace
 
-std::vector<WeightedEmission> emission_past_edges(const PhotonView& view, const LightChoice& lights,
-                                                  PassId pass, const PathRange& tries) {
+std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
+                                                  const LightChoice& lights, PassId pass,
+                                                  const PathRange& tries) {
     constexpr std::size_t kBlock = 1024;
     const Edges edges(view.scene.scene.geometry().input());
     if (edges.empty()) return {};
-    const LightHints hints(view.scene, lights);
+    const InitialGuideSamples hints(view.scene, lights);
     std::vector<std::vector<WeightedEmission>> blocks((tries.size() + kBlock - 1) / kBlock);
     parallel_blocks(tries.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {

@@ -16,7 +16,8 @@ namespace sunfleck {
 
 /// Tries begin .. end - 1, a point by an edge each. @param pass  names their random numbers.
 /// @return what arrives, all of the same weight: none in a scene without edges.
-std::vector<WeightedEmission> emission_past_edges(const PhotonView& view, const LightChoice& lights,
-                                                  PassId pass, const PathRange& tries);
+std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
+                                                  const LightChoice& lights, PassId pass,
+                                                  const PathRange& tries);
 
 }  // namespace sunfleck

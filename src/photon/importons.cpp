@@ -12,9 +12,9 @@ namespace {
 constexpr int kMostBounces = 16;
 constexpr std::uint8_t kAllKinds = 0xFF;
 
-class ViewWalk {
+class Importon {
 public:
-    ViewWalk(const PhotonView& view, const LightChoice& lights, RandomStream stream,
+    Importon(const PhotonContext& view, const LightChoice& lights, RandomStream stream,
              WalkedEmission& found)
         : scene_(view.scene), hints_(view.scene, lights), stream_(stream), found_(found) {}
 
@@ -28,23 +28,23 @@ public:
     }
 
 private:
-    /// At the walk's first point, which may leave direct light to the eye paths.
+    /// At the walk's first point, which may leave direct light to the camera paths.
     void look_for_light(const Vec3& at, const Disc& disc, const Vec3& normal) {
         const auto sample = hints_.sample(at, stream_);
         if (!sample) return;
         const float cosine = normal.dot(sample->direct.direction);
         if (!(cosine > 0)) return;
-        const double weight = weight_of(*sample, Spectrum(cosine / kPi));
+        const double weight = weight_of(*sample, SampledSpectrum(cosine / kPi));
         const int panes = hints_.panes_to({at, sample->direct.direction}, sample->direct.distance);
         const PhotonKind kind = kind_after_smooth(panes);
-        if (panes < 0 || !disc.takes_kind(kind)) return;
+        if (panes < 0 || !disc.accepts_kind(kind)) return;
         add(*sample, at, weight);
     }
 
     void go_on(Ray ray) {
         for (int bounces = 0; bounces < kMostBounces; ++bounces) {
             auto hit = scene_.scene.geometry().intersect(ray);
-            for (int panes = 0; hit && scene_.scene.passes_straight(*hit); ++panes) {
+            for (int panes = 0; hit && scene_.scene.is_null_interface(*hit); ++panes) {
                 if (panes == kMostPanes) return;
                 hit = scene_.scene.geometry().intersect(ray_from(*hit, ray.direction));
             }
@@ -52,18 +52,18 @@ private:
             std::optional<Bsdf> room;
             const Bsdf bsdf = scene_.bsdf_at(*hit, room);
             const Frame frame(hit->shading_normal, hit->tangent);
-            const Vec3 w_from = frame.to_local(-ray.direction);
+            const Vec3 wo = frame.to_local(-ray.direction);
             if (scattering(bsdf) != Scattering::specular) {
                 const auto sample = hints_.sample(hit->position, stream_);
-                if (sample) add_if_lit(*hit, frame, bsdf, w_from, *sample);
+                if (sample) add_if_lit(*hit, frame, bsdf, wo, *sample);
             }
-            const auto drawn = sample(bsdf, w_from, draw());
+            const auto drawn = sample(bsdf, wo, draw());
             if (!drawn) return;
-            const Spectrum throughput = throughput_ * drawn->weight;
+            const SampledSpectrum throughput = throughput_ * drawn->weight;
             const float survival = std::min(1.0F, throughput.sum() / throughput_.sum());
             if (!(stream_.next_float() < survival)) return;
             throughput_ = throughput / survival;
-            ray = ray_from(*hit, frame.to_world(drawn->w_to));
+            ray = ray_from(*hit, frame.to_world(drawn->wi));
         }
     }
 
@@ -73,20 +73,20 @@ private:
         return {{lobe, u, stream_.next_float()}, Transport::radiance, {}};
     }
 
-    void add_if_lit(const Hit& hit, const Frame& frame, const Bsdf& bsdf, const Vec3& w_from,
+    void add_if_lit(const Hit& hit, const Frame& frame, const Bsdf& bsdf, const Vec3& wo,
                     const LightAtPoint& sample) {
-        const Vec3 w_to = frame.to_local(sample.direct.direction);
-        const Spectrum f = eval(bsdf, w_from, w_to, Transport::radiance);
+        const Vec3 wi = frame.to_local(sample.direct.direction);
+        const SampledSpectrum f = eval(bsdf, wo, wi, Transport::radiance);
         if (f.is_zero()) return;
-        const double weight = weight_of(sample, f * std::abs(w_to.z));
+        const double weight = weight_of(sample, f * std::abs(wi.z));
         const Ray ray = ray_from(hit, sample.direct.direction);
         if (hints_.panes_to(ray, sample.direct.distance) < 0) return;
         add(sample, hit.position, weight);
     }
 
     /// What a sample brings if nothing is in the way.
-    double weight_of(const LightAtPoint& sample, const Spectrum& scattered) {
-        const Spectrum flux = throughput_ * scattered * emitted_by(sample.light);
+    double weight_of(const LightAtPoint& sample, const SampledSpectrum& scattered) {
+        const SampledSpectrum flux = throughput_ * scattered * emitted_by(sample.light);
         const double weight = static_cast<double>(flux.sum()) *
                               static_cast<double>(sample.direct.factor) / sample.probability;
         found_.possible += weight;
@@ -95,13 +95,14 @@ private:
 
     /// Of a light that is dark at the pass's wavelengths as if it were grey: what is found of it
     /// holds for other passes, too. Its luminance is what it is weighed by, over its power.
-    Spectrum emitted_by(std::size_t light) const {
-        const Spectrum& emission = scene_.emission[light];
+    SampledSpectrum emitted_by(std::size_t light) const {
+        const SampledSpectrum& emission = scene_.emission[light];
         if (!emission.is_zero()) return emission;
         const Scene& scene = scene_.scene;
         const LightChoice& all = scene.light_choice();
         const double weight = all.total() * all.probability(light);
-        return Spectrum(static_cast<float>(weight / power(scene.lights()[light], scene.sphere())));
+        return SampledSpectrum(
+            static_cast<float>(weight / power(scene.lights()[light], scene.sphere())));
     }
 
     void add(const LightAtPoint& sample, const Vec3& at, double weight) {
@@ -110,14 +111,14 @@ private:
     }
 
     const PassScene& scene_;
-    LightHints hints_;
+    InitialGuideSamples hints_;
     RandomStream stream_;
     WalkedEmission& found_;
-    Spectrum throughput_{1};
+    SampledSpectrum throughput_{1};
 };
 
 /// @param kinds  of photons that visible points take; none: what each does.
-WalkedEmission walk(const PhotonView& view, const LightChoice& lights, PassId pass,
+WalkedEmission walk(const PhotonContext& view, const LightChoice& lights, PassId pass,
                     const PathRange& walks, std::uint8_t kinds) {
     constexpr std::size_t kBlock = 1024;
     const std::size_t count = walks.size();
@@ -130,7 +131,7 @@ WalkedEmission walk(const PhotonView& view, const LightChoice& lights, PassId pa
                 static_cast<std::size_t>(stream.next() * static_cast<double>(points.size()));
             Disc disc = points[point].disc;
             disc.kinds |= kinds;
-            ViewWalk(view, lights, stream, blocks[begin / kBlock]).start(disc);
+            Importon(view, lights, stream, blocks[begin / kBlock]).start(disc);
         }
     });
     WalkedEmission all;
@@ -143,12 +144,12 @@ WalkedEmission walk(const PhotonView& view, const LightChoice& lights, PassId pa
 
 }  // namespace
 
-WalkedEmission walk_from_view(const PhotonView& view, const LightChoice& lights, PassId pass,
-                              const PathRange& walks) {
+WalkedEmission trace_importons(const PhotonContext& view, const LightChoice& lights, PassId pass,
+                               const PathRange& walks) {
     return walk(view, lights, pass, walks, 0);
 }
 
-double flux_seen(const PhotonView& view, PassId pass) {
+double flux_seen(const PhotonContext& view, PassId pass) {
     constexpr std::uint32_t kWalks = 20'000;
     const WalkedEmission found =
         walk(view, view.scene.scene.light_choice(), pass, {0, kWalks}, kAllKinds);

@@ -5,7 +5,8 @@
 
 namespace sunfleck {
 
-std::optional<LightAtPoint> LightHints::sample(const Vec3& at, RandomStream& stream) const {
+std::optional<LightAtPoint> InitialGuideSamples::sample(const Vec3& at,
+                                                        RandomStream& stream) const {
     const auto choice = lights_.choose(stream.next());
     const float first = stream.next_float();
     const Vec2 u(first, stream.next_float());
@@ -15,13 +16,13 @@ std::optional<LightAtPoint> LightHints::sample(const Vec3& at, RandomStream& str
     return LightAtPoint{choice.index, choice.probability, *direct};
 }
 
-int LightHints::panes_to(Ray ray, float distance) const {
+int InitialGuideSamples::panes_to(Ray ray, float distance) const {
     float left = distance * (1 - 1e-4F);
     for (int panes = 0; panes < kMostPanes; ++panes) {
         ray.length = left;
         auto hit = scene_.scene.geometry().intersect(ray);
         if (!hit) return panes;
-        if (!scene_.scene.passes_straight(*hit) && !is_clear(*hit, ray.direction)) return -1;
+        if (!scene_.scene.is_null_interface(*hit) && !is_clear(*hit, ray.direction)) return -1;
         left -= hit->distance;
         if (!(left > 0)) return panes + 1;
         ray = ray_from(*hit, ray.direction);
@@ -30,29 +31,29 @@ int LightHints::panes_to(Ray ray, float distance) const {
 }
 
 /// Does a smooth surface let light through?
-bool LightHints::is_clear(Hit& hit, const Vec3& direction) const {
+bool InitialGuideSamples::is_clear(Hit& hit, const Vec3& direction) const {
     std::optional<Bsdf> room;
     const Bsdf& bsdf = scene_.bsdf_at(hit, room);
     if (scattering(bsdf) != Scattering::specular) return false;
-    const Vec3 w_from = Frame(hit.shading_normal, hit.tangent).to_local(-direction);
+    const Vec3 wo = Frame(hit.shading_normal, hit.tangent).to_local(-direction);
     constexpr float kLast = 1 - 0x1p-20F;  // of the lobes: transmission
-    const auto through =
-        sunfleck::sample(bsdf, w_from, {{kLast, 0.5F, 0.5F}, Transport::radiance, {}});
-    return through && through->w_to.z * w_from.z < 0;
+    const auto through = sunfleck::sample(bsdf, wo, {{kLast, 0.5F, 0.5F}, Transport::radiance, {}});
+    return through && through->wi.z * wo.z < 0;
 }
 
-std::optional<WeightedEmission> LightHints::hint(const LightAtPoint& sample, const Vec3& at,
-                                                 double weight, RandomStream& stream) const {
+std::optional<WeightedEmission> InitialGuideSamples::hint(const LightAtPoint& sample,
+                                                          const Vec3& at, double weight,
+                                                          RandomStream& stream) const {
     const Light& light = scene_.scene.lights()[sample.light];
     const DirectSample& direct = sample.direct;
     const Vec3d to_light(direct.direction);
     Vec3d origin(at);
     if (!comes_from_afar(light)) origin += to_light * static_cast<double>(direct.distance);
-    const EmissionSlots u =
-        emission_slots(light, {origin, direct.normal, -to_light}, scene_.scene.sphere());
+    const EmissionDimensions u =
+        emission_dimensions(light, {origin, direct.normal, -to_light}, scene_.scene.sphere());
     EmissionPoint point;
     std::copy(u.begin(), u.end(), point.begin());
-    point[slot(EmissionSlot::light)] = lights_.number(sample.light, stream.next());
+    point[dimension(EmissionDimension::light)] = lights_.number(sample.light, stream.next());
     const auto is_number = [](double x) { return x > 0 && x < 1; };
     if (!(weight > 0) || !std::all_of(point.begin(), point.end(), is_number)) return {};
     return WeightedEmission{point, weight};

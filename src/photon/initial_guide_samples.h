@@ -2,7 +2,7 @@
 //
 // In:  a point of the scene, random numbers. Out: a sample of a light, whether it arrives, and the
 // primary sample of a photon that would take its way. Glass is passed straight on the way to a
-// light: what is found is a hint for maps of the emission (guide/emission_guide.h) and no part of a
+// light: what is found is a hint for emission guide (guide/emission_guide.h) and no part of a
 // picture.
 #pragma once
 
@@ -23,9 +23,9 @@ struct LightAtPoint {
     DirectSample direct;
 };
 
-class LightHints {
+class InitialGuideSamples {
 public:
-    LightHints(const PassScene& scene, const LightChoice& lights)
+    InitialGuideSamples(const PassScene& scene, const LightChoice& lights)
         : scene_(scene), lights_(lights) {}
 
     /// A light, chosen by power, and a point or direction of it.

@@ -15,7 +15,7 @@
 
 namespace sunfleck {
 
-/// @param Points  path(number) gives a slot reader.
+/// @param Points  path(number) gives a dimension reader.
 /// @param Visit   called with each photon and the number of its path.
 /// @param Ended   called with the PathEnd of each path.
 template <class Points, class Visit, class Ended>
@@ -53,8 +53,8 @@ private:
         Meeting ahead;
         bool arrived = false;  // at `hit`
         Hit hit;
-        const Lambert* surface = nullptr;  // where it takes its turn together with others
-        Turn turn;
+        const Lambert* surface = nullptr;  // where it takes its event together with others
+        ScatteringEvent event;
         std::optional<PathEnd> end;
     };
 
@@ -124,10 +124,10 @@ private:
             if (walk.read) meet(walk);
         for (Walk& walk : walks_)
             if (walk.surface != nullptr)
-                walk.turn = draw_turn(*walk.read, *walk.surface, walk.hit, walk.state);
+                walk.event = sample_scattering(*walk.read, *walk.surface, walk.hit, walk.state);
         for (Walk& walk : walks_) {
             if (walk.surface != nullptr)
-                walk.end = tracer_.turn_away(walk.turn, walk.hit, walk.state);
+                walk.end = tracer_.after_event(walk.event, walk.hit, walk.state);
             if (!walk.end) continue;
             ended_(*walk.end);
             start(walk);

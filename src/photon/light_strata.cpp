@@ -1,4 +1,4 @@
-// Pilots: a short one a light, then a ladder's a group.
+// Pilots: a short one a light, then a splitting's a stratum.
 #include "photon/light_strata.h"
 
 #include "photon/edge_search.h"
@@ -25,68 +25,68 @@ constexpr std::uint64_t kPathsOfAWalk = 8;
 using Lights = std::vector<std::uint32_t>;
 
 /// The paths of some lights, and what is seen of them.
-struct Ground {
+struct SamplingContext {
     LightChoice lights;
     PhotonTracer tracer;
     PhotonSpace space;
 
-    Ground(const PhotonView& view, const ViewOctree& octree, LightChoice some)
+    SamplingContext(const PhotonContext& view, const VisiblePointOctree& octree, LightChoice some)
         : lights(std::move(some)),
           tracer(view.scene, view.transport, lights),
           space(tracer, view.index, octree) {}
-    Ground(const Ground&) = delete;
-    Ground(Ground&&) = delete;
-    Ground& operator=(const Ground&) = delete;
-    Ground& operator=(Ground&&) = delete;
-    ~Ground() = default;
+    SamplingContext(const SamplingContext&) = delete;
+    SamplingContext(SamplingContext&&) = delete;
+    SamplingContext& operator=(const SamplingContext&) = delete;
+    SamplingContext& operator=(SamplingContext&&) = delete;
+    ~SamplingContext() = default;
 };
 
-using GroundPilot = Pilot<PhotonSpace, EmissionPoints>;
+using PhotonPilot = Pilot<PhotonSpace, EmissionPoints>;
 
 /// The view, and all lights.
-class Lighting {
+class LightSurvey {
 public:
     /// @param work  see LightPlanner.
-    Lighting(const PhotonView& view, const PhotonSettings& settings, const PilotName& name,
+    LightSurvey(const PhotonContext& view, const PhotonSettings& settings, const PilotName& name,
              std::uint64_t work)
         : view_(view), settings_(settings), name_(name), work_(work), octree_(octree_of(view)) {}
 
-    /// Lights by group.
-    std::vector<Lights> groups() const {
+    /// Lights by stratum.
+    std::vector<Lights> strata() const {
         std::vector<Lights> clusters =
             light_clusters(view_.scene.scene.light_sources(), weights(), kMostClusters);
         if (clusters.size() < 2) return clusters;
-        std::vector<Lights> groups;
-        for (const std::vector<std::size_t>& group : grouped(measured(clusters))) {
-            Lights& lights = groups.emplace_back();
-            for (const std::size_t c : group)
+        std::vector<Lights> strata;
+        for (const std::vector<std::size_t>& stratum : stratified(measured(clusters))) {
+            Lights& lights = strata.emplace_back();
+            for (const std::size_t c : stratum)
                 lights.insert(lights.end(), clusters[c].begin(), clusters[c].end());
         }
-        return groups;
+        return strata;
     }
 
-    const PhotonView& view() const { return view_; }
+    const PhotonContext& view() const { return view_; }
     const PilotName& name() const { return name_; }
-    const ViewOctree& octree() const { return octree_; }
+    const VisiblePointOctree& octree() const { return octree_; }
     const LightChoice& weights() const { return view_.scene.scene.light_choice(); }
 
-    Sets sets() const { return settings_.ladder ? Sets::as_needed : Sets::one; }
+    Sets sets() const { return settings_.splitting ? Sets::as_needed : Sets::one; }
 
-    /// @param ground  must outlive what is returned. @param groups  of lights: each is searched
+    /// @param context  must outlive what is returned. @param strata  of lights: each is searched
     /// for.
-    MapSource maps(const Ground& ground, std::size_t groups) const {
-        if (!settings_.emission_maps || !settings_.light_search || view_.index.points().empty() ||
-            ground.lights.empty())
-            return {settings_.emission_maps};
+    GuideSource maps(const SamplingContext& context, std::size_t strata) const {
+        if (!settings_.emission_guide || !settings_.light_search || view_.index.points().empty() ||
+            context.lights.empty())
+            return {settings_.emission_guide};
         return {true,
-                [this, &ground](PassId pass, const PathRange& walks) {
-                    return walk_from_view(view_, ground.lights, pass, walks);
+                [this, &context](PassId pass, const PathRange& walks) {
+                    return trace_importons(view_, context.lights, pass, walks);
                 },
-                [this, &ground](PassId pass, const PathRange& tries) {
-                    return emission_past_edges(view_, ground.lights, pass, tries);
+                [this, &context](PassId pass, const PathRange& tries) {
+                    return emission_past_edges(view_, context.lights, pass, tries);
                 },
                 [this](PassId pass) { return flux_seen(view_, pass); },
-                static_cast<std::size_t>(work_ / (kPathsOfAWalk * groups))};
+                static_cast<std::size_t>(work_ / (kPathsOfAWalk * strata))};
     }
 
 private:
@@ -110,91 +110,91 @@ private:
                                         std::uint32_t round) const {
         std::vector<MeasuredLight> lights;
         for (const Lights& cluster : clusters) {
-            const Ground ground(view_, octree_, weights().among(cluster));
+            const SamplingContext context(view_, octree_, weights().among(cluster));
             const PilotName name{name_.seed, name_.epoch, kMeasuring};
             Statistics unused;
             const LevelCounts counts =
-                uniform_level(ground.space, EmissionPoints(name.round(round)),
+                uniform_level(context.space, EmissionPoints(name.iteration(round)),
                               static_cast<std::uint32_t>(paths), kHeights, unused)
                     .counts;
-            lights.push_back({ground.lights.total(), paths, counts.at_least(kVisible)});
+            lights.push_back({context.lights.total(), paths, counts.at_least(kVisible)});
         }
         return lights;
     }
 
-    const PhotonView& view_;
+    const PhotonContext& view_;
     const PhotonSettings& settings_;
     PilotName name_;
     std::uint64_t work_;
-    ViewOctree octree_;
+    VisiblePointOctree octree_;
 };
 
-/// Lights by group, each explored by a pilot of its own.
+/// Lights by stratum, each explored by a pilot of its own.
 class Pilots {
 public:
-    Pilots(const Lighting& lighting, std::vector<LightChoice> groups)
-        : power_(lighting.weights().total()) {
-        for (LightChoice& lights : groups) {
-            grounds_.push_back(
-                std::make_unique<Ground>(lighting.view(), lighting.octree(), std::move(lights)));
-            const Ground& ground = *grounds_.back();
-            pilots_.emplace_back(ground.space, lighting.name(),
-                                 lighting.maps(ground, groups.size()), lighting.sets());
+    Pilots(const LightSurvey& survey, std::vector<LightChoice> strata)
+        : power_(survey.weights().total()) {
+        for (LightChoice& lights : strata) {
+            contexts_.push_back(std::make_unique<SamplingContext>(
+                survey.view(), survey.octree(), std::move(lights)));
+            const SamplingContext& context = *contexts_.back();
+            pilots_.emplace_back(context.space, survey.name(),
+                                 survey.maps(context, strata.size()), survey.sets());
             const HeightTail& tail = pilots_.back().explore();
-            fluxes_.push_back({ground.lights.total(), tail[kVisible], is_rare(tail)});
+            fluxes_.push_back({context.lights.total(), tail[kVisible], is_rare(tail)});
         }
     }
 
-    std::vector<PhotonGroup> plan(std::uint32_t paths) {
+    std::vector<LightStratum> plan(std::uint32_t paths) {
         const std::vector<std::uint32_t> shares = shared_paths(fluxes_, paths);
-        std::vector<PhotonGroup> groups;
+        std::vector<LightStratum> strata;
         for (std::size_t g = 0; g < pilots_.size(); ++g) {
             PilotResult learned = pilots_[g].plan(shares[g]);
-            groups.push_back({grounds_[g]->lights, std::move(learned.plan),
-                              std::move(learned.mapped), power_ > 0 ? fluxes_[g].power / power_ : 1,
+            strata.push_back({contexts_[g]->lights, std::move(learned.plan),
+                              std::move(learned.guided), power_ > 0 ? fluxes_[g].power / power_ : 1,
                               static_cast<std::uint32_t>(g)});
         }
-        return groups;
+        return strata;
     }
 
 private:
     double power_;  // of all lights
-    std::vector<std::unique_ptr<Ground>> grounds_;
-    std::vector<GroundPilot> pilots_;
-    std::vector<GroupFlux> fluxes_;
+    std::vector<std::unique_ptr<SamplingContext>> contexts_;
+    std::vector<PhotonPilot> pilots_;
+    std::vector<StratumFlux> fluxes_;
 };
 
 }  // namespace
 
 /// Pilots are sent out when a plan asks for them.
-struct LightPlanner::Learned {
-    Lighting lighting;
-    std::vector<Lights> groups;
+struct LightPlanner::State {
+    LightSurvey survey;
+    std::vector<Lights> strata;
     std::optional<Pilots> together;
     std::optional<Pilots> apart;
 
-    explicit Learned(Lighting all) : lighting(std::move(all)) {}
+    explicit State(LightSurvey all) : survey(std::move(all)) {}
 };
 
-LightPlanner::LightPlanner(const PhotonView& view, const PhotonSettings& settings,
+LightPlanner::LightPlanner(const PhotonContext& view, const PhotonSettings& settings,
                            const PilotName& name, std::uint64_t work)
-    : learned_(std::make_unique<Learned>(Lighting(view, settings, name, work))) {
-    if (settings.light_groups) learned_->groups = learned_->lighting.groups();
+    : state_(std::make_unique<State>(LightSurvey(view, settings, name, work))) {
+    if (settings.light_strata) state_->strata = state_->survey.strata();
 }
 
 LightPlanner::~LightPlanner() = default;
 
-std::vector<PhotonGroup> LightPlanner::plan(std::uint32_t paths) {
-    Learned& l = *learned_;
-    const LightChoice& all = l.lighting.weights();
-    if (l.groups.size() < 2 || paths < 2 * l.groups.size()) {
-        if (!l.together) l.together.emplace(l.lighting, std::vector{all});
+std::vector<LightStratum> LightPlanner::plan(std::uint32_t paths) {
+    State& l = *state_;
+    const LightChoice& all = l.survey.weights();
+    if (l.strata.size() < 2 || paths < 2 * l.strata.size()) {
+        if (!l.together) l.together.emplace(l.survey, std::vector{all});
         return l.together->plan(paths);
     }
     if (!l.apart) {
         std::vector<LightChoice> choices;
-        for (const Lights& lights : l.groups) choices.push_back(all.among(lights));
-        l.apart.emplace(l.lighting, std::move(choices));
+        for (const Lights& lights : l.strata) choices.push_back(all.among(lights));
+        l.apart.emplace(l.survey, std::move(choices));
     }
     return l.apart->plan(paths);
 }

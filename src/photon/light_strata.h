@@ -1,6 +1,6 @@
 // Learning which lights are sampled together, and how.
 //
-// In:  a view like that of an epoch's first pass. Out: groups of lights with their plans. Pilots
+// In:  a view like that of an epoch's first pass. Out: strata of lights with their plans. Pilots
 // are never part of a picture (chains/pilot.h).
 #pragma once
 
@@ -18,7 +18,7 @@ class LightPlanner {
 public:
     /// @param view, settings  must outlive it. @param work  camera and photon paths of the passes
     ///                        that plans are for: a long search for light costs no more.
-    LightPlanner(const PhotonView& view, const PhotonSettings& settings, const PilotName& name,
+    LightPlanner(const PhotonContext& view, const PhotonSettings& settings, const PilotName& name,
                  std::uint64_t work);
     LightPlanner(const LightPlanner&) = delete;
     LightPlanner(LightPlanner&&) = delete;
@@ -26,13 +26,13 @@ public:
     LightPlanner& operator=(LightPlanner&&) = delete;
     ~LightPlanner();
 
-    /// As many groups as the lights' visible fractions ask for (photon/stratum_rules.h), at least
+    /// As many strata as the lights' visible fractions ask for (photon/stratum_rules.h), at least
     /// one. @param paths  of a pass, at least 2.
-    std::vector<PhotonGroup> plan(std::uint32_t paths);
+    std::vector<LightStratum> plan(std::uint32_t paths);
 
 private:
-    struct Learned;
-    std::unique_ptr<Learned> learned_;
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace sunfleck

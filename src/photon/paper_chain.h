@@ -15,23 +15,23 @@
 
 namespace sunfleck {
 
-/// Eq. 9: a step of xi^exponent turns to either side, wrapped: symmetric to the last bit.
+/// Eq. 9: a step of xi^exponent events to either side, wrapped: symmetric to the last bit.
 /// @param exponent  1/theta + 1, at least 1.
 /// @param random    uniform: its lowest bit is the side, its highest bits are xi.
-inline std::uint64_t paper_step(std::uint64_t slot, float exponent, std::uint64_t random) {
-    const float turns = std::pow(to_unit_float(random), exponent);
-    const auto step = static_cast<std::uint64_t>(static_cast<double>(turns) * 0x1p64);
-    return (random & 1U) != 0 ? slot + step : slot - step;
+inline std::uint64_t paper_step(std::uint64_t dimension, float exponent, std::uint64_t random) {
+    const float events = std::pow(to_unit_float(random), exponent);
+    const auto step = static_cast<std::uint64_t>(static_cast<double>(events) * 0x1p64);
+    return (random & 1U) != 0 ? dimension + step : dimension - step;
 }
 
-/// Eq. 9 for one slot after the other.
+/// Eq. 9 for one dimension after the other.
 class PaperMove {
 public:
     /// @param theta  positive.
     PaperMove(double theta, RandomStream& stream)
         : exponent_(static_cast<float>(1 / theta + 1)), stream_(stream) {}
 
-    std::uint64_t operator()(std::uint32_t /*slot*/, std::uint64_t value) {
+    std::uint64_t operator()(std::uint32_t /*dimension*/, std::uint64_t value) {
         return paper_step(value, exponent_, stream_.next_fraction());
     }
 
@@ -47,7 +47,7 @@ private:
 class MutationSize {
 public:
     /// As printed theta can fall below zero. Here 4% of all steps are as large as the last bit of a
-    /// slot, so of the slots of most paths none or one moves (docs/decisions.md).
+    /// dimension, so of the dimensions of most paths none or one moves (docs/decisions.md).
     static constexpr double kFloor = 1.0 / 1024;
 
     explicit MutationSize(const PaperSettings& settings)
@@ -132,7 +132,8 @@ public:
     /// One iteration of Fig. 3. Without replica exchange a uniform path is taken over only as the
     /// first path of the chain; all of them are counted.
     /// @param visible  V of a uniform path.
-    /// @param take     take(sample, path) puts that path there, and the slots that it has read:
+    /// @param take     take(sample, path) puts that path there, and the dimensions that it has
+    /// read:
     ///                 called if the chain takes it over.
     /// @param splat    called with a path that is left and the number of iterations it stood.
     template <class Take, class Splat>

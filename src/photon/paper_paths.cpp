@@ -32,14 +32,14 @@ public:
     using Path = SeenPath;
     using Tally = Statistics;
 
-    explicit SeenPhotons(const PhotonView& view)
+    explicit SeenPhotons(const PhotonContext& view)
         : tracer_(view.scene, view.transport), index_(view.index) {}
 
-    template <SlotReader Reader>
+    template <PrimarySampleReader Reader>
     void trace(Reader&& read, SeenPath& path, Statistics& counts) const {
         path.clear();
         const auto visit = [&](const Photon& photon) {
-            if (index_.may_take(photon)) path.photons.push_back(photon);
+            if (index_.may_accept(photon)) path.photons.push_back(photon);
         };
         count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
         path.visible = index_.any(path.photons);
@@ -54,7 +54,7 @@ public:
                Statistics& counts) const {
         for (std::size_t i = range.begin; i < range.end; ++i) path_of(i).clear();
         const auto visit = [&](const Photon& photon, std::uint32_t i) {
-            if (index_.may_take(photon)) path_of(i).photons.push_back(photon);
+            if (index_.may_accept(photon)) path_of(i).photons.push_back(photon);
         };
         const auto ended = [&](PathEnd end) { count_end(end, counts); };
         InterleavedPaths paths(tracer_, points, visit, ended);
@@ -70,7 +70,7 @@ private:
 
 static_assert(PathSpace<SeenPhotons>);
 
-/// Uniform paths ahead of the chain, each with the slots that it has read.
+/// Uniform paths ahead of the chain, each with the dimensions that it has read.
 class UniformPathsAhead {
 public:
     UniformPathsAhead(const SeenPhotons& space, PassId pass) : space_(space), points_(pass) {}
@@ -123,9 +123,9 @@ private:
     std::vector<Place> places_;
 };
 
-/// @param number  of the path in its batch.
-void add_path(PhotonBatch& batch, const SeenPath& path, std::uint32_t number, std::uint32_t steps) {
-    for (const Photon& photon : path.photons) batch.add_copies(photon, number, steps);
+/// @param number  of the path in its chunk.
+void add_path(PhotonChunk& chunk, const SeenPath& path, std::uint32_t number, std::uint32_t steps) {
+    for (const Photon& photon : path.photons) chunk.add_copies(photon, number, steps);
 }
 
 void count_step(Statistics& counts, PaperStep step) {
@@ -137,29 +137,29 @@ void count_step(Statistics& counts, PaperStep step) {
 
 }  // namespace
 
-Statistics trace_paper_paths(const PhotonView& view, const PaperPass& pass, PaperState& state,
-                             const DepositBatches& deposit) {
+Statistics trace_paper_paths(const PhotonContext& view, const PaperPass& pass, PaperState& state,
+                             const DepositChunks& deposit) {
     const SeenPhotons space(view);
     UniformPathsAhead uniform(space, pass.id);
     Statistics counts;
-    std::vector<PhotonBatch> batches(1);
+    std::vector<PhotonChunk> chunks(1);
     for (std::uint32_t begin = 0; begin < pass.paths; begin += kAtOnce) {
         const std::uint32_t end = begin + std::min(kAtOnce, pass.paths - begin);
         PaperChain<SeenPhotons> chain(space, pass.replica_exchange, state,
                                       pass.id.stream(Purpose::chain, begin / kAtOnce), counts);
         std::uint32_t left = 0;
-        batches[0].clear();
+        chunks[0].clear();
         const auto leave = [&](const SeenPath& path, std::uint32_t steps) {
             if (!path.visible) return;
             counts[Count::visible_states] += steps;
-            add_path(batches[0], path, left++, steps);
+            add_path(chunks[0], path, left++, steps);
         };
         for (std::uint32_t i = begin; i < end; ++i) {
             if ((i - begin) % kAhead == 0) uniform.trace(i, std::min(kAhead, end - i), counts);
             count_step(counts, chain.step(uniform.visible(i), uniform.taking(i), leave, counts));
         }
         chain.finish(leave);
-        counts += deposit(batches);
+        counts += deposit(chunks);
     }
     return counts;
 }

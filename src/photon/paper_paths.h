@@ -17,7 +17,7 @@ struct PaperPass {
 
 /// Uniform paths are traced on all threads, the chain runs on one: the result does not depend on
 /// the number of threads. @return counts.
-Statistics trace_paper_paths(const PhotonView& view, const PaperPass& pass, PaperState& state,
-                             const DepositBatches& deposit);
+Statistics trace_paper_paths(const PhotonContext& view, const PaperPass& pass, PaperState& state,
+                             const DepositChunks& deposit);
 
 }  // namespace sunfleck

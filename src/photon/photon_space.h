@@ -24,13 +24,13 @@ class PhotonSpace {
 public:
     using Path = PhotonPath;
     using Tally = Statistics;
-    static_assert(ViewOctree::kFull < kVisible);
+    static_assert(VisiblePointOctree::kFull < kVisible);
 
     PhotonSpace(const PhotonTracer& tracer, const VisiblePointIndex& index,
-                const ViewOctree& octree)
+                const VisiblePointOctree& octree)
         : tracer_(tracer), index_(index), octree_(octree) {}
 
-    template <SlotReader Reader>
+    template <PrimarySampleReader Reader>
     void trace(Reader&& read, PhotonPath& path, Statistics& counts) const {
         path.photons.clear();
         path.near = 0;
@@ -40,10 +40,10 @@ public:
 
     /// Adds the next photon of a path to what is left of it.
     void see(const Photon& photon, PhotonPath& path) const {
-        if (!index_.takes_kind(photon.kind)) return;
+        if (!index_.accepts_kind(photon.kind)) return;
         const int height = octree_.height(photon.position);
         path.near = std::max(path.near, height);
-        if (height == ViewOctree::kFull) path.photons.push_back(photon);
+        if (height == VisiblePointOctree::kFull) path.photons.push_back(photon);
     }
 
     int height(const PhotonPath& path) const {
@@ -53,7 +53,7 @@ public:
 private:
     const PhotonTracer& tracer_;
     const VisiblePointIndex& index_;
-    const ViewOctree& octree_;
+    const VisiblePointOctree& octree_;
 };
 
 static_assert(PathSpace<PhotonSpace>);

@@ -52,13 +52,13 @@ struct PhotonSettings {
     /// Absent: 200,000, or two a pixel if these are more; of `paper` 200,000.
     std::optional<std::uint32_t> paths_per_pass;
     // Of the sampler `adaptive`:
-    bool ladder = true;         // sets that lead to visible paths, where these are rare
-    bool emission_maps = true;  // may learn where light starts
-    bool light_search = true;   // and look for it from the view, where chains do not lead there
-    bool light_groups = true;   // may part the lights
-    bool noisy_pixels = true;   // more camera paths where they are noisy
-    bool balance = true;        // if paths_per_pass is absent: from pass 16 on as measured
-    bool pass_weights = true;   // where passes are better by that, they count more
+    bool splitting = true;        // sets that lead to visible paths, where these are rare
+    bool emission_guide = true;   // may learn where light starts
+    bool light_search = true;     // and look for it from the view, where chains do not lead there
+    bool light_strata = true;     // may part the lights
+    bool adaptive_pixels = true;  // more camera paths where they are noisy
+    bool photon_budget = true;    // if paths_per_pass is absent: from pass 16 on as measured
+    bool pass_weights = true;     // where passes are better by that, they count more
     PaperSettings paper;
 };
 
@@ -77,21 +77,21 @@ inline std::string setting_of(const AdaptivePart& part) {
 }
 
 inline constexpr std::array<AdaptivePart, 7> kAdaptiveParts = {{
-    {&PhotonSettings::ladder, "ladder",
+    {&PhotonSettings::splitting, "ladder",
      "auto: where visible paths are rare, sets of paths that lead to them; off: one set, as in the "
      "paper"},
-    {&PhotonSettings::emission_maps, "emission-maps",
+    {&PhotonSettings::emission_guide, "emission-maps",
      "auto: where few paths are seen, learn from where light must start; off: chains alone"},
     {&PhotonSettings::light_search, "light-search",
      "auto: emission maps look for light from the view, too, where chains do not find it; off: "
      "chains alone find it"},
-    {&PhotonSettings::light_groups, "light-groups",
+    {&PhotonSettings::light_strata, "light-groups",
      "auto: lights of which much and little is seen get photon paths apart; off: all lights "
      "together"},
-    {&PhotonSettings::noisy_pixels, "noisy-pixels",
+    {&PhotonSettings::adaptive_pixels, "noisy-pixels",
      "auto: up to 64 camera paths a draw in pixels that are measured to be noisier than others; "
      "off: one in each"},
-    {&PhotonSettings::balance, "balance",
+    {&PhotonSettings::photon_budget, "balance",
      "auto: from pass 16 on as many photon paths a pass as pay beside its camera paths, measured; "
      "off: as many in all passes"},
     {&PhotonSettings::pass_weights, "pass-weights",

@@ -11,7 +11,7 @@ constexpr double kLittlePower = 0.1;
 constexpr double kLittleFlux = 0.01;
 constexpr double kLeastShare = 0.1;
 
-/// Lights that share a group, as far as it is made.
+/// Lights that share a stratum, as far as it is made.
 struct Part {
     std::vector<std::size_t> lights;
     double power = 0;
@@ -51,30 +51,32 @@ bool are_worth_parting(const Part& more, const Part& less) {
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> grouped(const std::vector<MeasuredLight>& lights) {
-    std::vector<Part> groups;
+std::vector<std::vector<std::size_t>> stratified(const std::vector<MeasuredLight>& lights) {
+    std::vector<Part> strata;
     for (const Part& part : parts_of(lights)) {
-        const bool parted = groups.empty() ||
-                            (groups.size() < kMostGroups && are_worth_parting(groups.back(), part));
-        if (parted) groups.emplace_back();
-        groups.back().add(part);
+        const bool parted = strata.empty() ||
+                            (strata.size() < kMostStrata && are_worth_parting(strata.back(), part));
+        if (parted) strata.emplace_back();
+        strata.back().add(part);
     }
     std::vector<std::vector<std::size_t>> lists;
-    for (Part& group : groups) {
-        std::sort(group.lights.begin(), group.lights.end());
-        lists.push_back(std::move(group.lights));
+    for (Part& stratum : strata) {
+        std::sort(stratum.lights.begin(), stratum.lights.end());
+        lists.push_back(std::move(stratum.lights));
     }
     return lists;
 }
 
-std::vector<std::uint32_t> shared_paths(const std::vector<GroupFlux>& groups, std::uint32_t paths) {
+std::vector<std::uint32_t> shared_paths(const std::vector<StratumFlux>& strata,
+                                        std::uint32_t paths) {
     constexpr std::uint32_t kLeast = 2;
-    constexpr double kVisibleOfLadder = 0.5;
+    constexpr double kVisibleOfSplitting = 0.5;
     std::vector<double> shares;
     double all = 0;
-    for (const GroupFlux& group : groups) {  // uniform paths: the fraction falls out
-        const double fraction = group.has_ladder ? group.visible_fraction / kVisibleOfLadder : 1;
-        shares.push_back(group.power * fraction);
+    for (const StratumFlux& stratum : strata) {  // uniform paths: the fraction falls out
+        const double fraction =
+            stratum.has_splitting ? stratum.visible_fraction / kVisibleOfSplitting : 1;
+        shares.push_back(stratum.power * fraction);
         all += shares.back();
     }
     double sum = 0;
@@ -82,11 +84,11 @@ std::vector<std::uint32_t> shared_paths(const std::vector<GroupFlux>& groups, st
         share = all > 0 ? std::max(kLeastShare, share / all) : 1;
         sum += share;
     }
-    const auto count = static_cast<std::uint32_t>(groups.size());
+    const auto count = static_cast<std::uint32_t>(strata.size());
     const std::uint32_t free = paths - count * kLeast;
     std::vector<std::uint32_t> numbers;
     std::uint32_t left = free;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (std::size_t g = 0; g < strata.size(); ++g) {
         const auto share = static_cast<std::uint32_t>(free * (shares[g] / sum));
         numbers.push_back(kLeast + std::min(share, left));
         left -= std::min(share, left);

@@ -1,8 +1,8 @@
 // A photon path as a function of its primary sample: light, then surface after surface.
 //
-// In:  a slot reader (the point u), the scene at a pass's wavelengths. Out: each photon at a
+// In:  a dimension reader (the point u), the scene at a pass's wavelengths. Out: each photon at a
 // surface that can gather goes to a visitor, which may end the path.
-// Source: adjoint correction of shading normals: Veach 1997, section 5.3.2; roulette on the
+// Source: adjoint correction of shading normals: Veach 1997, section 5.3.2; Russian roulette on the
 // throughput keeps it about constant, as the paper's binary target assumes (docs/method.md).
 #pragma once
 
@@ -23,7 +23,7 @@ concept PhotonVisitor = std::invocable<V&, const Photon&>;
 enum class PathEnd {
     no_light,  // nothing emits, or not from there
     escaped,   // left the scene
-    absorbed,  // by a surface or a medium, or by roulette
+    absorbed,  // by a surface or a medium, or by Russian roulette
     too_long   // the next event would exceed the greatest depth
 };
 
@@ -44,7 +44,7 @@ public:
         : pass_(pass), transport_(transport), lights_(lights), has_media_(pass.scene.has_media()) {}
 
     /// One whole path. @param rays  counts the rays traced.
-    template <SlotReader Reader, PhotonVisitor Visitor>
+    template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     PathEnd trace(Reader&& read, Visitor&& visit, std::uint64_t& rays) const {
         PhotonState state;
         if (!start(read, state)) return PathEnd::no_light;
@@ -58,7 +58,7 @@ public:
 
     /// The steps of a path. The first: chooses the light, and flux, place and direction there.
     /// @return false when nothing emits there.
-    template <SlotReader Reader>
+    template <PrimarySampleReader Reader>
     bool start(Reader& read, PhotonState& state) const {
         const std::optional<Emission> from = emit(read, state);
         if (!from) return false;
@@ -83,7 +83,7 @@ public:
 
     /// What happens where the ray arrives, up to the next ray. @return how the path ends, if it
     /// does.
-    template <SlotReader Reader, PhotonVisitor Visitor>
+    template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
         if (pass_.scene.has_cover(hit) && !is_there(hit, state))
@@ -92,7 +92,7 @@ public:
         if (has_media_ && !fade(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         if (constant) return meet(read, visit, *constant, hit, state);
-        if (!pass_.scene.passes_straight(hit)) return meet_varied(read, visit, hit, state);
+        if (!pass_.scene.is_null_interface(hit)) return meet_varied(read, visit, hit, state);
         leave(hit, state);
         return {};
     }
@@ -104,15 +104,16 @@ public:
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         return constant ? std::get_if<Lambert>(&*constant) : nullptr;
     }
-    /// @return how the path ends, if it does; else draw_turn() follows, and turn_away().
+    /// @return how the path ends, if it does; else sample_scattering() follows, and after_event().
     template <PhotonVisitor Visitor>
     std::optional<PathEnd> see(Visitor&& visit, const Hit& hit, const PhotonState& state) const {
         visit(arrive(hit, state));
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
         return {};
     }
-    std::optional<PathEnd> turn_away(const Turn& turn, const Hit& hit, PhotonState& state) const {
-        if (!take_turn(turn, state)) return PathEnd::absorbed;
+    std::optional<PathEnd> after_event(const ScatteringEvent& event, const Hit& hit,
+                                       PhotonState& state) const {
+        if (!apply_event(event, state)) return PathEnd::absorbed;
         leave(hit, state);
         return {};
     }
@@ -139,7 +140,7 @@ private:
 
     /// The medium takes its share on the way to the hit. @return whether anything is left.
     [[gnu::noinline]] bool fade(const Hit& hit, PhotonState& state) const {
-        const Spectrum left = pass_.left_after(state.medium, hit.distance);
+        const SampledSpectrum left = pass_.left_after(state.medium, hit.distance);
         const float before = state.flux.sum();
         state.flux *= left;
         const float kept = share_kept(before, state.flux, left);
@@ -163,11 +164,11 @@ private:
     bool is_stopped(const Hit& hit, PhotonState& state) const {
         const bool before = hit.distance < state.unlit;
         state.unlit -= hit.distance;
-        return before && !pass_.scene.passes_straight(hit);
+        return before && !pass_.scene.is_null_interface(hit);
     }
 
-    /// Gathering and scattering. @return how the path ends, if it does.
-    template <SlotReader Reader, PhotonVisitor Visitor>
+    /// GatherContext and scattering. @return how the path ends, if it does.
+    template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     [[gnu::always_inline]] inline std::optional<PathEnd> meet(Reader& read, Visitor& visit,
                                                               const Bsdf& bsdf, const Hit& hit,
                                                               PhotonState& state) const {
@@ -175,15 +176,15 @@ private:
         const bool gathers = lambert != nullptr || pass_.may_gather(pass_.scene.material_of(hit));
         if (gathers) visit(arrive(hit, state));
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
-        const bool goes_on =
-            lambert != nullptr ? turn(read, *lambert, hit, state) : scatter(read, bsdf, hit, state);
+        const bool goes_on = lambert != nullptr ? scatter_at(read, *lambert, hit, state)
+                                                : scatter(read, bsdf, hit, state);
         if (!goes_on) return PathEnd::absorbed;
         leave(hit, state);
         return {};
     }
 
     /// meet() where the material varies; apart, so as not to be in the way of the rest.
-    template <SlotReader Reader, PhotonVisitor Visitor>
+    template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     [[gnu::noinline]] std::optional<PathEnd> meet_varied(Reader& read, Visitor& visit,
                                                          const Hit& hit, PhotonState& state) const {
         Hit bent = hit;
@@ -193,18 +194,18 @@ private:
     }
 
     /// Chooses the light and the first ray; sets flux and direction.
-    template <SlotReader Reader>
+    template <PrimarySampleReader Reader>
     std::optional<Emission> emit(Reader& read, PhotonState& state) const {
-        const auto unit = [&](EmissionSlot which) { return to_unit(read(slot(which))); };
+        const auto unit = [&](EmissionDimension which) { return to_unit(read(dimension(which))); };
         if (lights_.empty()) return {};
-        const auto choice = lights_.choose(unit(EmissionSlot::light));
-        Emission start =
-            sample_emission(pass_.scene.lights()[choice.index],
-                            {unit(EmissionSlot::position_u), unit(EmissionSlot::position_v),
-                             unit(EmissionSlot::direction_u), unit(EmissionSlot::direction_v)},
-                            pass_.scene.sphere());
+        const auto choice = lights_.choose(unit(EmissionDimension::light));
+        Emission start = sample_emission(
+            pass_.scene.lights()[choice.index],
+            {unit(EmissionDimension::position_u), unit(EmissionDimension::position_v),
+             unit(EmissionDimension::direction_u), unit(EmissionDimension::direction_v)},
+            pass_.scene.sphere());
         if (!(start.factor > 0)) return {};  // from a dark place of a picture
-        state.light_layer = transport_.light_layers.of(choice.index);
+        state.light_group = transport_.light_groups.of(choice.index);
         const Vec3d normal(start.normal);
         start.origin += normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
         state.flux =
@@ -218,29 +219,30 @@ private:
     static Photon arrive(const Hit& hit, const PhotonState& state) {
         const Vec3 normal = hit.normal.dot(state.direction) > 0 ? -hit.normal : hit.normal;
         return {hit.position,      normal, -state.direction, state.bounces, state.kind,
-                state.light_layer, 1,      state.flux};
+                state.light_group, 1,      state.flux};
     }
 
     /// One scattering event. @return false when the photon is absorbed.
-    template <SlotReader Reader>
+    template <PrimarySampleReader Reader>
     static bool scatter(Reader& read, const Bsdf& at_surface, const Hit& hit, PhotonState& state) {
-        if (!is_dispersive(at_surface)) return turn(read, at_surface, hit, state);
-        choose_lane(read, state);
-        if (scattering(at_surface) != Scattering::specular) keep_lane(state.flux, state.lanes);
-        if (!state.lanes.single) return turn(read, at_surface, hit, state);
-        return turn(read, for_lane(at_surface, state.lanes.chosen), hit, state);
+        if (!is_dispersive(at_surface)) return scatter_at(read, at_surface, hit, state);
+        choose_wavelength(read, state);
+        if (scattering(at_surface) != Scattering::specular)
+            terminate_secondary(state.flux, state.hero);
+        if (!state.hero.single) return scatter_at(read, at_surface, hit, state);
+        return scatter_at(read, at_wavelength(at_surface, state.hero.chosen), hit, state);
     }
 
-    template <SlotReader Reader, class Surface>
-    static bool turn(Reader& read, const Surface& bsdf, const Hit& hit, PhotonState& state) {
-        return take_turn(draw_turn(read, bsdf, hit, state), state);
+    template <PrimarySampleReader Reader, class Surface>
+    static bool scatter_at(Reader& read, const Surface& bsdf, const Hit& hit, PhotonState& state) {
+        return apply_event(sample_scattering(read, bsdf, hit, state), state);
     }
 
-    template <SlotReader Reader>
-    static void choose_lane(Reader& read, PhotonState& state) {
-        if (state.lane_read) return;
-        state.lanes.chosen = lane_of(to_unit(read(slot(EmissionSlot::lane))));
-        state.lane_read = true;
+    template <PrimarySampleReader Reader>
+    static void choose_wavelength(Reader& read, PhotonState& state) {
+        if (state.hero_read) return;
+        state.hero.chosen = hero_of(to_unit(read(dimension(EmissionDimension::hero))));
+        state.hero_read = true;
     }
 
     const PassScene& pass_;

@@ -10,10 +10,10 @@ namespace sunfleck {
 namespace {
 
 constexpr double kDarkOfMean = 0.1;  // of the mean brightness: what is darker counts as that
-constexpr std::uint8_t kMostDoublings = 6;
+constexpr std::uint8_t kMostLog2Samples = 6;
 /// Paths of a pixel of mean noise, were all numbers allowed and spread by chance.
 constexpr std::array<double, 8> kLevels = {0.125, 0.25, 0.5, 1, 2, 4, 8, 16};
-/// Camera paths of a draw, together: their points take a few hundred bytes each.
+/// Camera paths of a subpass, together: their points take a few hundred bytes each.
 constexpr std::size_t kMostPaths = std::size_t{1} << 23U;
 
 /// Variance over cost of a path, of a picture whose brightness has been made even by roots.
@@ -25,44 +25,44 @@ PixelValues worth_of(const PixelValues& variance, const PixelValues& rays,
     return worth;
 }
 
-/// Doublings that each take away more for their cost than a path of that worth does.
+/// Log2Samples that each take away more for their cost than a path of that worth does.
 /// @param worth  over that.
-std::uint8_t doublings_for(double worth, const NetLaw& net) {
-    std::uint8_t doublings = 0;
+std::uint8_t log2_samples_for(double worth, const VarianceDecay& net) {
+    std::uint8_t log2_samples = 0;
     double gain = worth * (1 - net.doubling);
-    while (doublings < kMostDoublings && gain >= 1) {
+    while (log2_samples < kMostLog2Samples && gain >= 1) {
         gain *= net.doubling / 2;
-        ++doublings;
+        ++log2_samples;
     }
-    return doublings;
+    return log2_samples;
 }
 
 /// @param level  paths of a pixel of mean noise.
-Doublings doublings_of(const PixelValues& worth, const PixelTrials& trials, const BlockGrid& grid,
-                       double level) {
+Log2Samples log2_samples_of(const PixelValues& worth, const PixelTrials& trials,
+                            const BlockGrid& grid, double level) {
     double noise = 0;
     for (const double w : worth) noise += std::sqrt(w);
     noise /= level * static_cast<double>(worth.size());
-    Doublings doublings(worth.size());
+    Log2Samples log2_samples(worth.size());
     for (std::size_t block = 0; block < grid.count(); ++block)
         grid.for_pixels(block, [&](std::size_t i) {
-            doublings[i] = doublings_for(worth[i] / (noise * noise), trials.nets[block]);
+            log2_samples[i] = log2_samples_for(worth[i] / (noise * noise), trials.nets[block]);
         });
-    return doublings;
+    return log2_samples;
 }
 
-std::size_t paths_of(const Doublings& doublings) {
+std::size_t paths_of(const Log2Samples& log2_samples) {
     std::size_t paths = 0;
-    for (const std::uint8_t d : doublings) paths += std::size_t{1} << d;
+    for (const std::uint8_t d : log2_samples) paths += std::size_t{1} << d;
     return paths;
 }
 
 }  // namespace
 
-double mean_paths(const Doublings& doublings, const PixelValues& weights) {
+double mean_paths(const Log2Samples& log2_samples, const PixelValues& weights) {
     const double weight = std::accumulate(weights.begin(), weights.end(), 0.0);
     double paths = 0;
-    for (std::size_t i = 0; i < weights.size(); ++i) paths += weights[i] * (1U << doublings[i]);
+    for (std::size_t i = 0; i < weights.size(); ++i) paths += weights[i] * (1U << log2_samples[i]);
     return weight > 0 ? paths / weight : 1;
 }
 
@@ -94,24 +94,24 @@ std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTr
     const std::array<PixelValues, 2> of_half = {worth(one), worth(other)};
     const BlockGrid grid(window.width(), window.height(), kTrialBlock);
     for (const double level : kLevels) {
-        CameraShares shares{doublings_of(of_both, trials, grid, level), 1, {}};
-        if (paths_of(shares.doublings) > kMostPaths) break;
-        shares.work = mean_paths(shares.doublings, trials.rays);
+        CameraShares shares{log2_samples_of(of_both, trials, grid, level), 1, {}};
+        if (paths_of(shares.log2_samples) > kMostPaths) break;
+        shares.work = mean_paths(shares.log2_samples, trials.rays);
         for (const std::size_t h : {0U, 1U})
-            shares.by_half[h] = doublings_of(of_half[h], trials, grid, level);
+            shares.by_half[h] = log2_samples_of(of_half[h], trials, grid, level);
         all.push_back(std::move(shares));
     }
     return all;
 }
 
-double variance_left(const CameraShares& shares, const PixelTrials& trials, const BlockGrid& grid,
-                     std::size_t block) {
+double remaining_variance(const CameraShares& shares, const PixelTrials& trials,
+                          const BlockGrid& grid, std::size_t block) {
     double sum = 0;
     for (const std::size_t h : {0U, 1U}) {
-        const Doublings& doublings = shares.by_half[1 - h];
+        const Log2Samples& log2_samples = shares.by_half[1 - h];
         grid.for_pixels(block, [&](std::size_t i) {
             sum += trials.variance[h][i] *
-                   trials.nets[block].left(doublings.empty() ? 0U : doublings[i]);
+                   trials.nets[block].left(log2_samples.empty() ? 0U : log2_samples[i]);
         });
     }
     return sum / static_cast<double>(2 * grid.block(block).pixels());

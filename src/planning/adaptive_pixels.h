@@ -16,20 +16,20 @@ namespace sunfleck {
 
 /// A way to share them out.
 struct CameraShares {
-    Doublings doublings;  // of a draw's camera paths
-    double work = 1;      // in rays, over that of one path each
+    Log2Samples log2_samples;  // of a subpass's camera paths
+    double work = 1;           // in rays, over that of one path each
     /// What each half of the trials would have had it be. The other half knows what that is worth.
-    std::array<Doublings, 2> by_half;
+    std::array<Log2Samples, 2> by_half;
 
-    unsigned doublings_of(std::size_t pixel) const {
-        return doublings.empty() ? 0 : doublings[pixel];
+    unsigned log2_samples_of(std::size_t pixel) const {
+        return log2_samples.empty() ? 0 : log2_samples[pixel];
     }
 };
 
 /// The mean number of camera paths of a pixel, pixels weighed so; one if all weights are zero.
-double mean_paths(const Doublings& doublings, const PixelValues& weights);
+double mean_paths(const Log2Samples& log2_samples, const PixelValues& weights);
 
-/// Camera paths of a draw, at most, all pixels together.
+/// Camera paths of a subpass, at most, all pixels together.
 std::uint64_t most_camera_paths(std::uint64_t pixels);
 
 /// Are there pixels enough for shares, and not so many that there is no memory for more paths?
@@ -43,7 +43,7 @@ std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTr
 
 /// Variance of the light that needs no photon, in the mean over a block's pixels; without
 /// hindsight: what one half of the trials has seen, where paths go as the other half would have it.
-double variance_left(const CameraShares& shares, const PixelTrials& trials, const BlockGrid& grid,
-                     std::size_t block);
+double remaining_variance(const CameraShares& shares, const PixelTrials& trials,
+                          const BlockGrid& grid, std::size_t block);
 
 }  // namespace sunfleck

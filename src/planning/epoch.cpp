@@ -15,26 +15,26 @@
 namespace sunfleck {
 namespace {
 
-/// The first epoch is too short for a balance to pay, and for trials as large as those of others;
+/// The first epoch is too short for a budget to pay, and for trials as large as those of others;
 /// long ones can pay for more.
-DrawWishes wishes_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual,
-                     std::size_t pixels) {
+SubpassRequest request_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual,
+                          std::size_t pixels) {
     constexpr std::size_t kLarge = 1'000'000;  // so many know enough by every fourth
-    DrawWishes wishes;
-    wishes.usual = usual;
-    wishes.balance = settings.balance && !settings.paths_per_pass;
-    if (pixels > kLarge) wishes.cells = 2;
-    if (epoch == 0) wishes = {usual, false, true, {1, 3}, 16, 2};
-    wishes.views.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
-    wishes.shares = settings.noisy_pixels;
-    return wishes;
+    SubpassRequest request;
+    request.usual = usual;
+    request.budget = settings.photon_budget && !settings.paths_per_pass;
+    if (pixels > kLarge) request.cells = 2;
+    if (epoch == 0) request = {usual, false, true, {1, 3}, 16, 2};
+    request.views.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
+    request.shares = settings.adaptive_pixels;
+    return request;
 }
 
 /// The passes by which it is measured what learning may cost: those of the epoch, or as many as the
 /// error of a picture asks for.
 std::uint64_t worth_learning(std::uint32_t epoch) {
     const std::uint64_t passes = first_pass_of(epoch + 1) - first_pass_of(epoch);
-    return std::max(passes, kTargetRounds * kRoundPasses);
+    return std::max(passes, kTargetBatches * kBatchPasses);
 }
 
 }  // namespace
@@ -63,33 +63,37 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
         return epoch;
     }
     if (!needs_learning(scene, settings) || paths < 2) {
-        epoch.groups.push_back({scene.light_choice(), {paths, {}}, {}});
+        epoch.strata.push_back({scene.light_choice(), {paths, {}}, {}});
         return epoch;
     }
     const std::uint32_t first = first_pass_of(epoch.number);
     const PassScene at_wavelengths(scene, {settings.seed, first});
     const PilotName name{settings.seed, epoch.number};
-    const EyePass eye{
-        at_wavelengths, settings.transport,         settings.eye,
-        window,         name.round(kSeenViewRound), radius_factor(first, settings.alpha)};
+    const CameraPass camera{at_wavelengths,
+                            settings.transport,
+                            settings.camera,
+                            window,
+                            name.iteration(kExploredTrialIteration),
+                            radius_factor(first, settings.alpha)};
     watch.lap();
-    const EyeView seen = view_of(eye);
+    const CameraTrial seen = view_of(camera);
     if (view_traced) view_traced(watch.lap());
-    const PhotonView view{at_wavelengths, settings.transport, seen.index};
+    const PhotonContext view{at_wavelengths, settings.transport, seen.index};
     const std::uint64_t work = worth_learning(epoch.number) * (paths + window.pixels());
     LightPlanner planner(view, settings.photon, name, work);
-    epoch.groups = planner.plan(paths);
-    const DrawWishes wishes = wishes_of(settings.photon, epoch.number, paths, window.pixels());
-    DrawPlan plan = measured_plan(eye, seen, epoch.groups, name, wishes);
-    epoch.doublings = std::move(plan.doublings);
-    if (wishes.balance) {
-        const Balance& balance = plan.balance;
-        if (balance.paths > paths) epoch.groups = planner.plan(balance.paths);
-        if (balance.paths < paths)
-            epoch.groups = part_of(std::move(epoch.groups), paths / balance.paths);
-        epoch.paths = static_cast<std::uint32_t>(paths_of(epoch.groups));
-        epoch.draws = balance.draws;
-        epoch.weight = settings.photon.pass_weights ? balance.weight : 1;
+    epoch.strata = planner.plan(paths);
+    const SubpassRequest request =
+        request_of(settings.photon, epoch.number, paths, window.pixels());
+    SubpassPlan plan = measured_plan(camera, seen, epoch.strata, name, request);
+    epoch.log2_samples = std::move(plan.log2_samples);
+    if (request.budget) {
+        const PhotonBudget& budget = plan.budget;
+        if (budget.paths > paths) epoch.strata = planner.plan(budget.paths);
+        if (budget.paths < paths)
+            epoch.strata = part_of(std::move(epoch.strata), paths / budget.paths);
+        epoch.paths = static_cast<std::uint32_t>(paths_of(epoch.strata));
+        epoch.subpasses = budget.subpasses;
+        epoch.weight = settings.photon.pass_weights ? budget.weight : 1;
     }
     epoch.seconds = watch.seconds();
     return epoch;

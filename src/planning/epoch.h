@@ -1,11 +1,11 @@
 // Epochs: runs of passes with one plan of their photon paths.
 //
-// In:  scene, settings, number of the epoch. Out: draws of a pass, camera paths of a pixel and
-// photon paths of a draw, groups of lights and their plans, learned by pilots and trials over views
-// like that of the epoch's first pass, and by nothing else: so any pass can be rendered anywhere,
-// without those before it. The views are no part of the picture: paths that were shared out by what
-// a pass itself has seen would bias it. Radii shrink as passes go on, ever more slowly, and so do
-// epochs grow.
+// In:  scene, settings, number of the epoch. Out: subpasses of a pass, camera paths of a pixel and
+// photon paths of a subpass, strata of lights and their plans, learned by pilots and trials over
+// views like that of the epoch's first pass, and by nothing else: so any pass can be rendered
+// anywhere, without those before it. The views are no part of the picture: paths that were shared
+// out by what a pass itself has seen would bias it. Radii shrink as passes go on, ever more slowly,
+// and so do epochs grow.
 #pragma once
 
 #include "camera_paths/camera_pass.h"
@@ -32,11 +32,11 @@ constexpr std::uint32_t first_pass_of(std::uint32_t epoch) {
 /// What an epoch's passes share.
 struct Epoch {
     std::uint32_t number = 0;
-    std::uint32_t paths = 0;          // photon paths of a draw
-    std::uint32_t draws = 1;          // of a pass, which is their mean
-    std::uint32_t weight = 1;         // of a pass: how often it counts in the picture
-    Doublings doublings;              // of a draw's camera paths
-    std::vector<PhotonGroup> groups;  // at least one, unless the scene is dark
+    std::uint32_t paths = 0;           // photon paths of a subpass
+    std::uint32_t subpasses = 1;       // of a pass, which is their mean
+    std::uint32_t weight = 1;          // of a pass: how often it counts in the picture
+    Log2Samples log2_samples;          // of a subpass's camera paths
+    std::vector<LightStratum> strata;  // at least one, unless the scene is dark
     double seconds = 0;
 };
 

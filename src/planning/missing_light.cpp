@@ -24,7 +24,7 @@ int edge(int begin, int end, int i) {
 double share_lit_by_photons(const Scene& scene, const RenderSettings& settings) {
     if (settings.integrator != Integrator::sppm || scene.is_dark()) return 0;
     const PixelWindow whole = window_of(scene.film());
-    const PassId id = PilotName{settings.seed, kNoEpoch}.round(kSeenViewRound);
+    const PassId id = PilotName{settings.seed, kNoEpoch}.iteration(kExploredTrialIteration);
     const PassScene at_wavelengths(scene, id);
     std::size_t lit = 0;
     for (int block = 0; block < kBlocks * kBlocks; ++block) {
@@ -33,11 +33,11 @@ double share_lit_by_photons(const Scene& scene, const RenderSettings& settings) 
         const PixelWindow window{edge(whole.x0, whole.x1, x), edge(whole.y0, whole.y1, y),
                                  edge(whole.x0, whole.x1, x + 1), edge(whole.y0, whole.y1, y + 1)};
         if (window.pixels() == 0) continue;
-        const EyeView seen =
-            view_of({at_wavelengths, settings.transport, settings.eye, window, id});
+        const CameraTrial seen =
+            view_of({at_wavelengths, settings.transport, settings.camera, window, id});
         if (seen.index.points().empty()) continue;
-        const PhotonView view{at_wavelengths, settings.transport, seen.index};
-        const WalkedEmission found = walk_from_view(view, scene.light_choice(), id, {0, kWalks});
+        const PhotonContext view{at_wavelengths, settings.transport, seen.index};
+        const WalkedEmission found = trace_importons(view, scene.light_choice(), id, {0, kWalks});
         if (!found.hints.empty()) lit += window.pixels();
     }
     return static_cast<double>(lit) / static_cast<double>(whole.pixels());

@@ -12,7 +12,7 @@ namespace sunfleck {
 namespace {
 
 /// The first view's points, and the second's as pixels behind those of the first.
-VisiblePointIndex both(const EyeView& seen, VisiblePointLists others, std::size_t pixels,
+VisiblePointIndex both(const CameraTrial& seen, VisiblePointLists others, std::size_t pixels,
                        int max_depth) {
     const std::span<const VisiblePoint> points = seen.index.points();
     for (auto& list : others)
@@ -23,54 +23,54 @@ VisiblePointIndex both(const EyeView& seen, VisiblePointLists others, std::size_
 
 void add_light(const PassImage& image, std::size_t set, TrialPair& pair) {
     const PixelValues light = luminance_of(image);
-    const std::size_t pixels = pair.one.eye.size();
+    const std::size_t pixels = pair.one.camera.size();
     for (std::size_t i = 0; i < pixels; ++i) {
-        pair.one.lit.at(set).push_back(pair.one.eye[i] + light[i]);
-        pair.other.lit.at(set).push_back(pair.other.eye[i] + light[pixels + i]);
+        pair.one.lit.at(set).push_back(pair.one.camera[i] + light[i]);
+        pair.other.lit.at(set).push_back(pair.other.camera[i] + light[pixels + i]);
     }
 }
 
 }  // namespace
 
-EyeView view_of(const EyePass& pass) {
+CameraTrial view_of(const CameraPass& pass) {
     PassImage image(pass.window.pixels(), {});
     Statistics counts;
-    VisiblePointIndex index(trace_eye_paths(pass, image, counts), pass.transport.max_depth);
+    VisiblePointIndex index(trace_camera_paths(pass, image, counts), pass.transport.max_depth);
     return {std::move(image), counts, std::move(index)};
 }
 
-std::vector<PhotonGroup> part_of(std::vector<PhotonGroup> groups, std::uint32_t parts) {
+std::vector<LightStratum> part_of(std::vector<LightStratum> strata, std::uint32_t parts) {
     const auto part = [&](std::uint32_t& number) { number = std::max(1U, number / parts); };
-    for (PhotonGroup& group : groups) {
-        part(group.plan.uniform_paths);
-        for (LevelPlan& level : group.plan.levels) {
+    for (LightStratum& stratum : strata) {
+        part(stratum.plan.uniform_paths);
+        for (LevelPlan& level : stratum.plan.levels) {
             part(level.states);
             part(level.chains);
         }
-        if (group.mapped.paths > 0) part(group.mapped.paths);
+        if (stratum.guided.paths > 0) part(stratum.guided.paths);
     }
-    return groups;
+    return strata;
 }
 
-PhotonTrials photon_trials(const EyePass& second, const EyeView& seen,
-                           const std::vector<PhotonGroup>& groups, const PilotName& name) {
+PhotonTrials photon_trials(const CameraPass& second, const CameraTrial& seen,
+                           const std::vector<LightStratum>& strata, const PilotName& name) {
     const std::size_t pixels = second.window.pixels();
     PassImage unlit(pixels, {});
     Statistics unused;
-    VisiblePointLists points = trace_eye_paths(second, unlit, unused);
+    VisiblePointLists points = trace_camera_paths(second, unlit, unused);
     const VisiblePointIndex index =
         both(seen, std::move(points), pixels, second.transport.max_depth);
     PhotonTrials trials;
-    trials.pair.one.eye = luminance_of(seen.image);
-    trials.pair.other.eye = luminance_of(unlit);
+    trials.pair.one.camera = luminance_of(seen.image);
+    trials.pair.other.camera = luminance_of(unlit);
     trials.pair.cells = second.cells;
-    trials.pair.paths = static_cast<double>(paths_of(groups));
+    trials.pair.paths = static_cast<double>(paths_of(strata));
     PhotonCounts taken(2 * pixels);
     for (std::uint32_t set = 0; set < kPhotonSets; ++set) {
         PassImage image(2 * pixels, {});
         trials.totals.add(trace_photons({second.scene, second.transport, index},
-                                        name.round(kPhotonSetsRound + set), PhotonSampler::adaptive,
-                                        groups, {image, &taken}),
+                                        name.iteration(kPhotonSetsIteration + set),
+                                        PhotonSampler::adaptive, strata, {image, &taken}),
                           1.0 / kPhotonSets);
         add_light(image, set, trials.pair);
     }

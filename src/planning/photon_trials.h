@@ -14,17 +14,17 @@
 namespace sunfleck {
 
 /// What the camera paths of a pass brought.
-struct EyeView {
+struct CameraTrial {
     PassImage image;  // light that needs no photon
     Statistics counts;
     VisiblePointIndex index;
 };
 
-EyeView view_of(const EyePass& pass);
+CameraTrial view_of(const CameraPass& pass);
 
 /// The same sets and maps, with one of so many parts of the paths and chains: what a trial measures
-/// holds for it, as it would not for a ladder planned anew for few paths.
-std::vector<PhotonGroup> part_of(std::vector<PhotonGroup> groups, std::uint32_t parts);
+/// holds for it, as it would not for a splitting planned anew for few paths.
+std::vector<LightStratum> part_of(std::vector<LightStratum> strata, std::uint32_t parts);
 
 struct PhotonTrials {
     TrialPair pair;
@@ -33,8 +33,8 @@ struct PhotonTrials {
     double deposits = 0;  // of those
 };
 
-/// @param second  the other view's pass. @param groups  the photons of a set.
-PhotonTrials photon_trials(const EyePass& second, const EyeView& seen,
-                           const std::vector<PhotonGroup>& groups, const PilotName& name);
+/// @param second  the other view's pass. @param strata  the photons of a set.
+PhotonTrials photon_trials(const CameraPass& second, const CameraTrial& seen,
+                           const std::vector<LightStratum>& strata, const PilotName& name);
 
 }  // namespace sunfleck

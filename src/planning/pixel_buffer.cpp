@@ -20,8 +20,8 @@ PixelValues luminance_of(const PassImage& image) {
     PixelValues pixels;
     pixels.reserve(image.pixels());
     for (std::size_t i = 0; i < image.pixels(); ++i) {
-        const RgbSum sum{{image.value(Layer::total, i, 0), image.value(Layer::total, i, 1),
-                          image.value(Layer::total, i, 2)}};
+        const RgbSum sum{{image.value(Aov::total, i, 0), image.value(Aov::total, i, 1),
+                          image.value(Aov::total, i, 2)}};
         pixels.push_back(sum.mean_luminance(1));
     }
     return pixels;
@@ -51,7 +51,7 @@ PixelValues smoothed(const PixelValues& pixels, const PixelWindow& window) {
     return result;
 }
 
-PixelValues told_of_all(const PixelValues& pixels, const PixelCells& cells) {
+PixelValues upsampled(const PixelValues& pixels, const PixelCells& cells) {
     PixelValues few;
     for (int y = 0; y < cells.down(); ++y)
         for (int x = 0; x < cells.across(); ++x) few.push_back(pixels[cells.pixel_of(x, y)]);

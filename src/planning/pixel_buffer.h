@@ -22,6 +22,6 @@ double mean_value(const PixelValues& pixels);
 PixelValues smoothed(const PixelValues& pixels, const PixelWindow& window);
 
 /// What one pixel of each cell tells of all: smoothed among themselves, then each for its cell.
-PixelValues told_of_all(const PixelValues& pixels, const PixelCells& cells);
+PixelValues upsampled(const PixelValues& pixels, const PixelCells& cells);
 
 }  // namespace sunfleck

@@ -24,15 +24,15 @@ struct Spread {
 };
 
 /// Adds a net's spread, with that share. @param pass  counts the rays. @return its mean.
-PixelValues add_net(EyePass pass, double share, PixelValues& within) {
+PixelValues add_net(CameraPass pass, double share, PixelValues& within) {
     const std::size_t pixels = within.size();
     PixelValues sum(pixels, 0);
     PixelValues squares(pixels, 0);
     for (std::uint32_t view = 0; view < kNet; ++view) {
-        pass.draw = {view, kNet};
+        pass.subpass = {view, kNet};
         PassImage image(pixels, {});
         Statistics unused;
-        trace_eye_paths(pass, image, unused);
+        trace_camera_paths(pass, image, unused);
         const PixelValues light = luminance_of(image);
         for (std::size_t i = 0; i < pixels; ++i) {
             sum[i] += light[i];
@@ -47,14 +47,14 @@ PixelValues add_net(EyePass pass, double share, PixelValues& within) {
 }
 
 /// @param pass  counts the rays.
-Spread spread_of(EyePass pass, const PilotName& name, std::uint32_t pairs) {
+Spread spread_of(CameraPass pass, const PilotName& name, std::uint32_t pairs) {
     Spread spread(pass.window.pixels());
-    const PassId round = name.round(kPixelTrialsRound);
+    const PassId batch = name.iteration(kPixelTrialsIteration);
     const double share = 1.0 / pairs;
     for (std::uint32_t pair = 0; pair < pairs; ++pair) {
-        pass.id = round.draw(2 * pair);
+        pass.id = batch.subpass(2 * pair);
         const PixelValues one = add_net(pass, share, spread.within[0]);
-        pass.id = round.draw(2 * pair + 1);
+        pass.id = batch.subpass(2 * pair + 1);
         const PixelValues other = add_net(pass, share, spread.within[1]);
         for (std::size_t i = 0; i < one.size(); ++i)
             spread.between[i] += share * (one[i] - other[i]) * (one[i] - other[i]) / 2;
@@ -76,9 +76,9 @@ double sum_of(const PixelValues& pixels, const BlockGrid& grid, std::size_t bloc
 }
 
 /// The law of each block, and its noise as that of a path by chance.
-std::vector<NetLaw> laws_of(Spread& spread, const PixelWindow& window) {
+std::vector<VarianceDecay> laws_of(Spread& spread, const PixelWindow& window) {
     const BlockGrid grid(window.width(), window.height(), kTrialBlock);
-    std::vector<NetLaw> laws(grid.count());
+    std::vector<VarianceDecay> laws(grid.count());
     for (std::size_t block = 0; block < laws.size(); ++block) {
         const double within =
             (sum_of(spread.within[0], grid, block) + sum_of(spread.within[1], grid, block)) / 2;
@@ -94,13 +94,13 @@ std::vector<NetLaw> laws_of(Spread& spread, const PixelWindow& window) {
 
 }  // namespace
 
-double NetLaw::left(unsigned doublings) const {
+double VarianceDecay::left(unsigned log2_samples) const {
     double left = 1;
-    for (unsigned i = 0; i < doublings; ++i) left *= doubling;
+    for (unsigned i = 0; i < log2_samples; ++i) left *= doubling;
     return left;
 }
 
-double NetLaw::of_round() const {
+double VarianceDecay::of_batch() const {
     const double over = 2 * doubling;
     return over * over * over * over * over * over;
 }
@@ -114,18 +114,19 @@ bool PixelTrials::have_noise() const {
 
 PixelTrials no_trials(const PixelWindow& window) {
     const BlockGrid grid(window.width(), window.height(), kTrialBlock);
-    return {{}, {}, std::vector<NetLaw>(grid.count())};
+    return {{}, {}, std::vector<VarianceDecay>(grid.count())};
 }
 
-PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name, const TrialViews& views) {
+PixelTrials trials_of_pixels(const CameraPass& first, const PilotName& name,
+                             const TrialEffort& views) {
     const PixelWindow& window = first.window;
     std::vector<std::uint64_t> counts(window.pixels(), 0);
-    EyePass pass = first;
+    CameraPass pass = first;
     pass.rays = counts;
     pass.cells = views.cells;
     Spread spread = spread_of(pass, name, views.pairs_of_nets);
     const auto of_all = [&](const PixelValues& pixels) {
-        return told_of_all(pixels, {window, views.cells});
+        return upsampled(pixels, {window, views.cells});
     };
     for (PixelValues& half : spread.within) half = of_all(half);
     spread.between = of_all(spread.between);
@@ -133,7 +134,7 @@ PixelTrials trials_of_pixels(const EyePass& first, const PilotName& name, const 
     rays.reserve(counts.size());
     for (const std::uint64_t n : counts)
         rays.push_back(static_cast<double>(n) / (2 * kNet * views.pairs_of_nets));
-    std::vector<NetLaw> nets = laws_of(spread, window);
+    std::vector<VarianceDecay> nets = laws_of(spread, window);
     return {std::move(spread.within), of_all(rays), std::move(nets)};
 }
 

@@ -1,6 +1,6 @@
-// Names of the random numbers of trials: rounds of a PilotName beyond all that pilots use.
+// Names of the random numbers of trials: iterations of a PilotName beyond all that pilots use.
 //
-// Camera paths of rounds in one block of kRoundPasses are points of one net
+// Camera paths of iterations in one block of kBatchPasses are points of one net
 // (random_numbers/batch_points.h), spread more evenly than by chance. Views that are compared as
 // independent ones stand in blocks of their own.
 #pragma once
@@ -11,18 +11,21 @@
 
 namespace sunfleck {
 
-inline constexpr std::uint32_t kPixelTrialsRound = 466;  // draws of it: nets of trial paths
-inline constexpr std::uint32_t kSecondViewRound = 482;
-inline constexpr std::uint32_t kSeenViewRound = 498;    // the view that planners explore
-inline constexpr std::uint32_t kPhotonSetsRound = 501;  // of the first of two sets
+inline constexpr std::uint32_t kPixelTrialsIteration = 466;  // subpasses of it: nets of trial paths
+inline constexpr std::uint32_t kSecondTrialIteration = 482;
+inline constexpr std::uint32_t kExploredTrialIteration = 498;  // the view that planners explore
+inline constexpr std::uint32_t kPhotonSetsIteration = 501;     // of the first of two sets
 
-/// The first of a PilotName's rounds begins one.
-constexpr std::uint32_t block_of_round(std::uint32_t round) {
-    return round / kRoundPasses;
+/// The first of a PilotName's iterations begins one.
+constexpr std::uint32_t block_of_iteration(std::uint32_t iteration) {
+    return iteration / kBatchPasses;
 }
 
-static_assert(block_of_round(kPixelTrialsRound) != block_of_round(kSecondViewRound));
-static_assert(block_of_round(kPixelTrialsRound) != block_of_round(kSeenViewRound));
-static_assert(block_of_round(kSecondViewRound) != block_of_round(kSeenViewRound));
+static_assert(block_of_iteration(kPixelTrialsIteration) !=
+              block_of_iteration(kSecondTrialIteration));
+static_assert(block_of_iteration(kPixelTrialsIteration) !=
+              block_of_iteration(kExploredTrialIteration));
+static_assert(block_of_iteration(kSecondTrialIteration) !=
+              block_of_iteration(kExploredTrialIteration));
 
 }  // namespace sunfleck

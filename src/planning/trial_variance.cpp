@@ -9,7 +9,7 @@ constexpr double kDark = 0.01;  // of the picture's brightness
 /// Sums over the pixels of a block that both views have.
 struct BlockSums {
     double light = 0;
-    double eye = 0;
+    double camera = 0;
     double photon = 0;
     double pixels = 0;
 };
@@ -26,11 +26,11 @@ void add_pixel(const TrialPair& pair, std::size_t i, const Left& left, BlockSums
     const double b = pair.one.lit[1][i];
     const double c = pair.other.lit[0][i];
     const double d = pair.other.lit[1][i];
-    const double unlit = pair.one.eye[i] - pair.other.eye[i];
+    const double unlit = pair.one.camera[i] - pair.other.camera[i];
     const double shared = (a - b) * (c - d) / 2;
     const double all = ((a - b) * (a - b) + (c - d) * (c - d)) / 4;
     sums.light += (a + b + c + d) / 4;
-    sums.eye += ((a - c) * (b - d) - left.unlit * unlit * unlit) / 2 * left.camera;
+    sums.camera += ((a - c) * (b - d) - left.unlit * unlit * unlit) / 2 * left.camera;
     sums.photon += shared + (all - shared) * left.photon;
     ++sums.pixels;
 }
@@ -41,12 +41,13 @@ BlockSums sums_of(const PixelCells& cells, std::size_t block, const TrialPair& p
     const BlockGrid grid(cells.window.width(), cells.window.height(), kTrialBlock);
     grid.for_pixels(block, [&](std::size_t i) {
         if (!cells.has(i)) return;
-        const unsigned doublings = shares.doublings_of(i);
-        const Left left{trials.nets[block].left(doublings), 1.0 / (1U << doublings),
+        const unsigned log2_samples = shares.log2_samples_of(i);
+        const Left left{trials.nets[block].left(log2_samples), 1.0 / (1U << log2_samples),
                         trials.are_made() ? 1.0 : 0.0};
         add_pixel(pair, i, left, sums);
     });
-    if (trials.are_made()) sums.eye += sums.pixels * variance_left(shares, trials, grid, block);
+    if (trials.are_made())
+        sums.camera += sums.pixels * remaining_variance(shares, trials, grid, block);
     return sums;
 }
 
@@ -70,8 +71,8 @@ std::vector<BlockVariance> block_variances(const PixelWindow& window, const Tria
         const double brightness = sums.light / sums.pixels;
         if (!(brightness > floor)) continue;
         const double squares = sums.pixels * brightness * brightness;
-        variances.push_back(
-            {trials.nets[b].of_round() * sums.eye / squares, sums.photon / squares * pair.paths});
+        variances.push_back({trials.nets[b].of_batch() * sums.camera / squares,
+                             sums.photon / squares * pair.paths});
     }
     return variances;
 }

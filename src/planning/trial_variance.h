@@ -20,21 +20,21 @@ namespace sunfleck {
 inline constexpr std::uint32_t kPhotonSets = 2;  // that light both views
 
 /// One view's trial passes, pixel by pixel.
-struct TrialView {
-    PixelValues eye;                           // light that needs no photon
+struct Trial {
+    PixelValues camera;                        // light that needs no photon
     std::array<PixelValues, kPhotonSets> lit;  // all light, with each set of photons
 };
 
 struct TrialPair {
-    TrialView one;
-    TrialView other;
+    Trial one;
+    Trial other;
     int cells = 1;     // pixels a side, of which one has light in the other view
     double paths = 1;  // photon paths of a set
 };
 
 /// Of the blocks that are brighter than 1% of the picture: unbiased but for the division by their
 /// measured brightness. All of them in the order of the grid.
-/// @param shares  that the draws would have; where noise is `trials` told them, never the pair.
+/// @param shares  that the subpasses would have; where noise is `trials` told them, never the pair.
 std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
                                            const PixelTrials& trials, const CameraShares& shares);
 

@@ -13,7 +13,7 @@ constexpr std::uint32_t kFold = 8;
 std::uint32_t add_ring(Mesh& mesh, std::uint32_t count, double turn, double radius, double height) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (std::uint32_t i = 0; i < count; ++i) {
-        const SinCos at = sin_cos_turn(turn + static_cast<double>(i) / count);
+        const SinCos at = sin_cos_2pi(turn + static_cast<double>(i) / count);
         mesh.points.push_back({static_cast<float>(radius * at.cos),
                                static_cast<float>(radius * at.sin), static_cast<float>(height)});
     }
@@ -24,7 +24,7 @@ std::uint32_t add_ring(Mesh& mesh, std::uint32_t count, double turn, double radi
 
 Mesh brilliant(const BrilliantCut& cut) {
     constexpr double kHalf = 0.5 / kFold;
-    const double narrow = sin_cos_turn(kHalf).cos;  // of the way from a facet's ridge to its middle
+    const double narrow = sin_cos_2pi(kHalf).cos;  // of the way from a facet's ridge to its middle
     const double star = cut.table * narrow + cut.star * (1 - cut.table * narrow);
     const double lower = 1 - cut.lower;
     const double top = cut.girdle;

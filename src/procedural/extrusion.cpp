@@ -42,7 +42,7 @@ Polygon rectangle(double left, double front, double right, double back) {
 Polygon ellipse(double half_x, double half_y, std::size_t corners) {
     Polygon polygon;
     for (std::size_t i = 0; i < corners; ++i) {
-        const SinCos t = sin_cos_turn(static_cast<double>(i) / static_cast<double>(corners));
+        const SinCos t = sin_cos_2pi(static_cast<double>(i) / static_cast<double>(corners));
         polygon.emplace_back(half_x * t.cos, half_y * t.sin, 0);
     }
     return polygon;
@@ -52,7 +52,7 @@ Polygon arched(double left, double low, double right, double spring, std::size_t
     Polygon polygon = {{left, low, 0}, {right, low, 0}};
     const double radius = (right - left) / 2;
     for (std::size_t i = 0; i <= steps; ++i) {
-        const SinCos t = sin_cos_turn(0.5 * static_cast<double>(i) / static_cast<double>(steps));
+        const SinCos t = sin_cos_2pi(0.5 * static_cast<double>(i) / static_cast<double>(steps));
         polygon.emplace_back(left + radius + radius * t.cos, spring + radius * t.sin, 0);
     }
     return polygon;

@@ -59,7 +59,7 @@ Mesh round_table() {
     append_bezier(leg, {{{0.03, 0.25}, {0.035, 0.3}, {0.03, 0.42}}}, 8);
     leg.push_back({0, 0.42});
     for (int i = 0; i < 3; ++i) {
-        const SinCos t = sin_cos_turn(i / 3.0 + 0.2);
+        const SinCos t = sin_cos_2pi(i / 3.0 + 0.2);
         table.append(placed(revolve(leg, 32), at({0.38 * t.cos, 0.38 * t.sin, 0})));
     }
     return table;
@@ -76,14 +76,14 @@ Mesh shelves() {
 
 Mesh books(int kind) {
     Mesh books;
-    Whim whim(11);
+    SceneRandom random(11);
     int count = 0;
     for (const double z : kBoards) {
-        const double end = whim.between(0.1, 0.5);
+        const double end = random.between(0.1, 0.5);
         for (double x = -0.555; x < end; ++count) {
-            const double thick = whim.between(0.018, 0.05);
-            const double tall = whim.between(0.19, 0.31);
-            const double deep = whim.between(0.14, 0.21);
+            const double thick = random.between(0.018, 0.05);
+            const double tall = random.between(0.19, 0.31);
+            const double deep = random.between(0.14, 0.21);
             if (count % 3 == kind)
                 books.append(board({x, -0.02 - deep, z + 0.001}, {x + thick, -0.03, z + tall}));
             x += thick + 0.002;
@@ -116,15 +116,15 @@ Mesh pot() {
 
 Mesh leaves() {
     Mesh leaves;
-    Whim whim(5);
+    SceneRandom random(5);
     for (int i = 0; i < 30; ++i) {
-        const double length = whim.between(0.35, 0.6);
-        const double rise = whim.between(0.5, 1.25);
-        const double turn = 0.382 * i + whim.between(-0.03, 0.03);
+        const double length = random.between(0.35, 0.6);
+        const double rise = random.between(0.5, 1.25);
+        const double turn = 0.382 * i + random.between(-0.03, 0.03);
         // A stalk that rises and bends over; the blade is the outer half of it.
         const auto blade = [&](double around, double along) {
-            const SinCos t = sin_cos_turn(around);
-            const SinCos swell = sin_cos_turn(along / 2);
+            const SinCos t = sin_cos_2pi(around);
+            const SinCos swell = sin_cos_2pi(along / 2);
             const double reach = length * (0.04 + along * (0.5 + 0.5 * along));
             const double wide = 0.004 + 0.06 * swell.sin * along;
             const double up = 0.27 + rise * along * (1.35 - 0.75 * along);
@@ -160,7 +160,7 @@ Mesh folded_curtain(double width, double height) {
     Polygon outline;
     const auto add = [&](int i, double thick) {
         const double x = static_cast<double>(i) / kSteps;
-        outline.emplace_back(width * x, 0.035 * sin_cos_turn(folds * x + 0.03).sin + thick, 0);
+        outline.emplace_back(width * x, 0.035 * sin_cos_2pi(folds * x + 0.03).sin + thick, 0);
     };
     for (int i = 0; i <= kSteps; ++i) add(i, 0);
     for (int i = kSteps; i >= 0; --i) add(i, 0.006);
@@ -177,7 +177,7 @@ Mesh net_curtain(double width, double height) {
             const double z = static_cast<double>(j) / kRows;
             const double depth = 0.018 * (1.3 - 0.5 * z);
             const double fold =
-                sin_cos_turn(width / 0.13 * x).sin + 0.4 * sin_cos_turn(5.3 * x + 0.2 * z).sin;
+                sin_cos_2pi(width / 0.13 * x).sin + 0.4 * sin_cos_2pi(5.3 * x + 0.2 * z).sin;
             net.points.push_back(
                 rounded_point({width * x, depth * fold, 0.02 + (height - 0.02) * z}));
             const std::uint32_t at = i * (kRows + 1) + j;

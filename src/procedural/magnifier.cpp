@@ -100,7 +100,7 @@ Mesh holder() {
     const Profile section = {{4.3, -0.4}, {4.8, -0.4}, {4.8, 0.4}, {4.3, 0.4}, {4.3, -0.4}};
     Mesh holder = placed(revolve(section, 128), lens_place());
     for (const double turns : {0.03, 0.47, 0.75}) {
-        const SinCos t = sin_cos_turn(turns);
+        const SinCos t = sin_cos_2pi(turns);
         const Vec3d top = lens_place()(Vec3d(t.cos, t.sin, 0) * 4.55);
         holder.append(
             placed(extrude(ellipse(0.2, 0.2, 24), {}, 0.061, top.z), at({top.x, top.y, 0})));
@@ -109,9 +109,9 @@ Mesh holder() {
 }
 
 /// A word's letters as bars, low and tall.
-void append_word(Mesh& words, const Vec3d& start, double length, Whim& whim) {
+void append_word(Mesh& words, const Vec3d& start, double length, SceneRandom& random) {
     for (double letter = 0; letter + 0.1 < length; letter += 0.17) {
-        const double height = whim() < 0.25 ? 0.42 : 0.28;
+        const double height = random() < 0.25 ? 0.42 : 0.28;
         words.append(box_mesh(rounded_point({start.x + letter, start.y, start.z}),
                               rounded_point({start.x + letter + 0.11, start.y + height, 0.072})));
     }
@@ -120,14 +120,14 @@ void append_word(Mesh& words, const Vec3d& start, double length, Whim& whim) {
 /// Lines of words: bars of the width of words, their lengths by a small rule.
 Mesh print() {
     Mesh words;
-    Whim whim(7);
+    SceneRandom random(7);
     for (int line = 0; line < 17; ++line) {
         const double y = 6.6 - 0.8 * line;
         for (double x = -5.2; x < 5;) {
-            double length = 0.35 + 1.1 * whim();
+            double length = 0.35 + 1.1 * random();
             if (x + length > 5.2) length = 5.2 - x;
             if (line % 6 == 5 && x > -1) break;  // the end of a paragraph
-            append_word(words, {x, y, 0.05}, length, whim);
+            append_word(words, {x, y, 0.05}, length, random);
             x += length + 0.25;
         }
     }

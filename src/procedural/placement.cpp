@@ -15,12 +15,12 @@ Placement at(const Vec3d& origin) {
 }
 
 Placement turned(double turns, const Vec3d& origin) {
-    const SinCos t = sin_cos_turn(turns);
+    const SinCos t = sin_cos_2pi(turns);
     return {.x = {t.cos, t.sin, 0}, .y = {-t.sin, t.cos, 0}, .origin = origin};
 }
 
 Placement tilted(double turns, const Vec3d& origin) {
-    const SinCos t = sin_cos_turn(turns);
+    const SinCos t = sin_cos_2pi(turns);
     return {.y = {0, t.cos, t.sin}, .z = {0, -t.sin, t.cos}, .origin = origin};
 }
 

@@ -7,9 +7,9 @@ namespace sunfleck {
 
 /// Numbers of [0, 1) that vary from piece to piece, of a linear congruential rule (Numerical
 /// Recipes).
-class Whim {
+class SceneRandom {
 public:
-    explicit Whim(std::uint32_t state) : state_(state) {}
+    explicit SceneRandom(std::uint32_t state) : state_(state) {}
     double operator()() {
         state_ = state_ * 1664525U + 1013904223U;
         return static_cast<double>(state_ >> 8U) / 16777216;

@@ -82,8 +82,8 @@ Mesh fluted_knot(std::size_t along, std::size_t around) {
     constexpr int kFlutes = 5;
     constexpr int kTwists = 8;
     return ring_grid(along, around, [=](double t, double turn) {
-        const SinCos two = sin_cos_turn(2 * t);
-        const SinCos three = sin_cos_turn(3 * t);
+        const SinCos two = sin_cos_2pi(2 * t);
+        const SinCos three = sin_cos_2pi(3 * t);
         const double r = kRing + kTube * three.cos;
         const Vec3d out(three.cos * two.cos, three.cos * two.sin, three.sin);
         const Vec3d middle(r * two.cos, r * two.sin, kTube * three.sin);
@@ -91,8 +91,8 @@ Mesh fluted_knot(std::size_t along, std::size_t around) {
             Vec3d(-3 * kTube * three.sin * two.cos - 2 * r * two.sin,
                   -3 * kTube * three.sin * two.sin + 2 * r * two.cos, 3 * kTube * three.cos)
                 .normalized();
-        const SinCos flute = sin_cos_turn(kFlutes * turn + kTwists * t);
-        const SinCos a = sin_cos_turn(turn);
+        const SinCos flute = sin_cos_2pi(kFlutes * turn + kTwists * t);
+        const SinCos a = sin_cos_2pi(turn);
         const double thick = kThick * (1 + 0.17 * flute.cos);
         return middle + (out * a.cos + out.cross(way) * a.sin) * thick;
     });

@@ -63,8 +63,8 @@ Mesh link(double half_length, double half_width, double wire) {
     std::vector<Vec3d> chain;
     for (std::size_t end = 0; end < 2; ++end)
         for (std::size_t i = 0; i <= kHalf; ++i) {
-            const SinCos t = sin_cos_turn(0.5 * static_cast<double>(i) / kHalf - 0.25 +
-                                          0.5 * static_cast<double>(end));
+            const SinCos t = sin_cos_2pi(0.5 * static_cast<double>(i) / kHalf - 0.25 +
+                                         0.5 * static_cast<double>(end));
             const double shift = (half_length - half_width) * (end == 0 ? 1 : -1);
             chain.emplace_back(shift + half_width * t.cos, half_width * t.sin, 0);
         }
@@ -106,7 +106,7 @@ Mesh watch_lid() {
     append_cap(profile, {kSag - 0.7, kSag - 0.9, kLidRadius - 0.8}, {0, kLidRadius - 0.8}, 18);
     append_bezier(profile, {{{kLidRadius - 0.5, -0.4}, {kLidRadius, -0.4}, {kLidRadius, 0.3}}}, 6);
     append_cap(profile, {kSag, kSag - 0.6, kLidRadius - 0.1}, {kLidRadius - 0.1, 0}, 18);
-    const SinCos open = sin_cos_turn(kLidOpen);
+    const SinCos open = sin_cos_2pi(kLidOpen);
     const Placement opened = {
         .x = {open.cos, 0, open.sin}, .z = {-open.sin, 0, open.cos}, .origin = {-23.6, 0, 8}};
     return placed(revolve(profile, kRound), opened * at({kLidRadius + 0.9, 0, 0}));
@@ -124,7 +124,7 @@ Mesh watch_cover() {
 Mesh watch_fittings() {
     Mesh fittings = crown();
     // The bow is let into the case and leans down to the table.
-    const SinCos lean = sin_cos_turn(-0.052);
+    const SinCos lean = sin_cos_2pi(-0.052);
     const Placement leaning = {
         .x = {lean.cos, 0, lean.sin}, .z = {-lean.sin, 0, lean.cos}, .origin = {22, 0, kMiddle}};
     fittings.append(placed(torus(5.9, 0.85, 120, 32), leaning * at({5.6, 0, 0})));

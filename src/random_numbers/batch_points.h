@@ -1,6 +1,6 @@
-// Numbers for camera paths and direct light: over the 16 passes of a round, each pair of
+// Numbers for camera paths and direct light: over the 16 passes of a batch, each pair of
 // dimensions of a pixel runs through as many Owen-scrambled Sobol' points as the pixel has camera
-// paths in the round, scrambled anew each round.
+// paths in the batch, scrambled anew each batch.
 //
 // In:  a pass, a pixel; then dimensions in the order of asking. Out: numbers in (0,1).
 // Source: Owen 1995; hashed nested scrambling: Laine and Karras 2011, Burley 2020 (JCGT 9(4));
@@ -15,7 +15,7 @@
 
 namespace sunfleck {
 
-namespace round_detail {
+namespace batch_detail {
 
 constexpr std::uint32_t reverse_bits(std::uint32_t x) {
     x = ((x >> 1U) & 0x55555555U) | ((x & 0x55555555U) << 1U);
@@ -36,34 +36,36 @@ constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
     return reverse_bits(x);
 }
 
-}  // namespace round_detail
+}  // namespace batch_detail
 
-/// Which of its draws, and how many a pass has; the same number in all passes of a round.
-struct DrawOfPass {
+/// Which of its subpasses, and how many a pass has; the same number in all passes of a batch.
+struct Subpass {
     std::uint32_t number = 0;
     std::uint32_t count = 1;
 };
 
-/// One of the camera paths that a pixel has in a draw of a pass.
+/// One of the camera paths that a pixel has in a subpass of a pass.
 struct PathOfPixel {
     std::uint32_t number = 0;
-    std::uint32_t doublings = 0;  // 2^doublings there are, the same in all draws of a round
-    DrawOfPass draw = {};
+    std::uint32_t log2_samples =
+        0;  // 2^log2_samples there are, the same in all subpasses of a batch
+    Subpass subpass = {};
 
-    std::uint32_t count() const { return 1U << doublings; }
+    std::uint32_t count() const { return 1U << log2_samples; }
 };
 
-class RoundPoints {
+class BatchPoints {
 public:
     /// @param pixel  any index that no other pixel of the pass has.
-    RoundPoints(PassId pass, std::uint32_t pixel, const PathOfPixel& path = {})
+    BatchPoints(PassId pass, std::uint32_t pixel, const PathOfPixel& path = {})
         : seed_(pass.seed),
-          index_((pass.number % kRoundPasses * path.draw.count + path.draw.number) * path.count() +
+          index_((pass.number % kBatchPasses * path.subpass.count + path.subpass.number) *
+                     path.count() +
                  path.number),
           unused_(static_cast<std::uint32_t>(
-              std::countl_zero(kRoundPasses * path.draw.count * path.count() - 1))),
-          name_{0, pixel, pass.number / kRoundPasses,
-                static_cast<std::uint32_t>(Purpose::eye) | pass.part << 16U} {}
+              std::countl_zero(kBatchPasses * path.subpass.count * path.count() - 1))),
+          name_{0, pixel, pass.number / kBatchPasses,
+                static_cast<std::uint32_t>(Purpose::camera) | pass.part << 16U} {}
 
     /// The next pair of dimensions.
     Vec2d next_2d() {
@@ -71,14 +73,14 @@ public:
         ++name_[0];
         // Owen's scrambling of the index permutes the points within each power of two.
         const std::uint32_t shuffled =
-            round_detail::owen_scramble(index_ << unused_, random[2]) >> unused_;
-        return {unit(round_detail::owen_scramble(sobol(shuffled, 0), random[0])),
-                unit(round_detail::owen_scramble(sobol(shuffled, 1), random[1]))};
+            batch_detail::owen_scramble(index_ << unused_, random[2]) >> unused_;
+        return {unit(batch_detail::owen_scramble(sobol(shuffled, 0), random[0])),
+                unit(batch_detail::owen_scramble(sobol(shuffled, 1), random[1]))};
     }
 
     /// Other dimensions, for a branch of the path: as far from these as chance has it.
-    RoundPoints branch() const {
-        RoundPoints other = *this;
+    BatchPoints branch() const {
+        BatchPoints other = *this;
         other.name_[0] = name_[0] * 0x9E3779B9U + 0x7F4A7C15U;
         return other;
     }
@@ -92,7 +94,7 @@ private:
     }
 
     std::uint64_t seed_;
-    std::uint32_t index_;   // of the point in its round
+    std::uint32_t index_;   // of the point in its batch
     std::uint32_t unused_;  // bits of a word beyond those of an index
     RandomBlock name_;
 };

@@ -1,4 +1,4 @@
-// The slots that a path's emission reads, as one point of the unit cube.
+// The dimensions that a path's emission reads, as one point of the unit cube.
 #pragma once
 
 #include "random_numbers/primary_sample.h"
@@ -9,11 +9,12 @@
 
 namespace sunfleck {
 
-inline constexpr std::size_t kMappedSlots = 5;  // EmissionSlot::position_u .. light
-static_assert(kMappedSlots == kSobolDimensions && slot(EmissionSlot::light) + 1 == kMappedSlots);
+inline constexpr std::size_t kGuidedDimensions = 5;  // EmissionDimension::position_u .. light
+static_assert(kGuidedDimensions == kSobolDimensions &&
+              dimension(EmissionDimension::light) + 1 == kGuidedDimensions);
 
-/// Slots in (0,1).
-using EmissionPoint = std::array<double, kMappedSlots>;
+/// Dimensions in (0,1).
+using EmissionPoint = std::array<double, kGuidedDimensions>;
 
 struct WeightedEmission {
     EmissionPoint point{};

@@ -1,7 +1,7 @@
-// Uniform primary samples whose emission slots come from Sobol' points with a fresh digital shift
-// each pass: every path is uniform by itself, and the paths of a pass are spread evenly.
+// Uniform primary samples whose emission dimensions come from Sobol' points with a fresh digital
+// shift each pass: every path is uniform by itself, and the paths of a pass are spread evenly.
 //
-// In:  a pass and the number of a path in it. Out: a slot reader for that path.
+// In:  a pass and the number of a path in it. Out: a dimension reader for that path.
 // Why it is exact: only each path's own distribution matters for unbiasedness (docs/method.md).
 #pragma once
 
@@ -24,14 +24,14 @@ public:
     class Reader {
     public:
         std::uint64_t operator()(std::uint32_t index) {
-            return index < kSobolDimensions ? emission_[index] : slot_of(stream_, index);
+            return index < kSobolDimensions ? emission_[index] : dimension_of(stream_, index);
         }
 
     private:
         friend class EmissionPoints;
         /// Jitter below 2^-32: the four words of two hashes, and the first once more with its
-        /// halves swapped. The shift alone makes all slots of a path uniform and independent; the
-        /// jitter keeps different paths from having the same lower bits.
+        /// halves swapped. The shift alone makes all dimensions of a path uniform and independent;
+        /// the jitter keeps different paths from having the same lower bits.
         Reader(const std::array<std::uint64_t, kSobolDimensions>& shift, std::uint64_t jitter,
                std::uint32_t path, RandomStream stream)
             : stream_(stream) {
@@ -59,6 +59,6 @@ private:
     std::uint64_t jitter_ = 0;
 };
 
-static_assert(SlotReader<EmissionPoints::Reader>);
+static_assert(PrimarySampleReader<EmissionPoints::Reader>);
 
 }  // namespace sunfleck

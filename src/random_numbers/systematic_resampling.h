@@ -15,10 +15,11 @@ constexpr std::uint64_t below(std::uint64_t fraction, std::uint64_t n) {
 }
 
 /// Cuts `things` into `shares` lengths, each either floor or ceiling of the quotient.
-class SystematicLengths {
+class SystematicResampling {
 public:
     /// @param things, shares  below 2^31; shares at least 1. @param fraction  uniform.
-    constexpr SystematicLengths(std::uint64_t things, std::uint64_t shares, std::uint64_t fraction)
+    constexpr SystematicResampling(std::uint64_t things, std::uint64_t shares,
+                                   std::uint64_t fraction)
         : things_(things), shares_(shares), offset_(below(fraction, shares)) {}
 
     constexpr std::uint64_t operator()(std::uint64_t share) const {

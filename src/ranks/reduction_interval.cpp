@@ -7,17 +7,18 @@
 
 namespace sunfleck {
 
-PassRange block_of(const PassRange& turn, int rank, int size) {
+PassRange block_of(const PassRange& interval, int rank, int size) {
     const auto r = static_cast<std::uint64_t>(rank);
     const auto ranks = static_cast<std::uint64_t>(size);
-    return {turn.begin + turn.size() * r / ranks, turn.begin + turn.size() * (r + 1) / ranks};
+    return {interval.begin + interval.size() * r / ranks,
+            interval.begin + interval.size() * (r + 1) / ranks};
 }
 
-std::vector<PassRange> cut_at_rounds(const PassRange& turn) {
+std::vector<PassRange> cut_at_batches(const PassRange& interval) {
     std::vector<PassRange> parts;
-    for (std::uint64_t begin = turn.begin; begin < turn.end; begin = parts.back().end) {
-        const std::uint64_t round_end = (begin / kRoundPasses + 1) * kRoundPasses;
-        parts.push_back({begin, std::min(turn.end, round_end)});
+    for (std::uint64_t begin = interval.begin; begin < interval.end; begin = parts.back().end) {
+        const std::uint64_t round_end = (begin / kBatchPasses + 1) * kBatchPasses;
+        parts.push_back({begin, std::min(interval.end, round_end)});
     }
     return parts;
 }
@@ -27,7 +28,7 @@ PassRange common(const PassRange& a, const PassRange& b) {
     return {begin, std::max(begin, std::min(a.end, b.end))};
 }
 
-std::uint64_t passes_of_turn(const TurnLimits& limits) {
+std::uint64_t passes_of_interval(const IntervalLimits& limits) {
     constexpr double kMost = 1 << 20;  // a rank; far beyond any use
     if (limits.ranks == 1) return 1;
     const auto ranks = static_cast<std::uint64_t>(limits.ranks);
@@ -36,7 +37,7 @@ std::uint64_t passes_of_turn(const TurnLimits& limits) {
         const double wanted = std::min(limits.seconds / limits.pass_seconds, kMost);
         each = static_cast<std::uint64_t>(std::max(1.0, wanted));
     }
-    if (limits.rounds) each = std::min(each, std::max<std::uint64_t>(1, kRoundPasses / ranks));
+    if (limits.batches) each = std::min(each, std::max<std::uint64_t>(1, kBatchPasses / ranks));
     const std::uint64_t passes = each * ranks;
     return limits.at_most ? std::min(passes, *limits.at_most) : passes;
 }

@@ -24,15 +24,16 @@ void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image,
                                       PathNumbers(pass.id.stream(Purpose::pair_joints, pixel))};
             const FilterSample filtered = filter.sample(numbers.eye.next_two());
             const Vec2d film = pass.window.place(pixel, filtered.offset);
-            const Spectrum scattered = pair.trace(film, numbers);
-            const Spectrum radiance = (scattered + pair.unscattered()) *
-                                      (filtered.weight * pass.scene.scene.film().imaging_ratio);
-            image.add_light(pixel, pass.scene.wavelengths.to_rgb(radiance), Layer::total);
+            const SampledSpectrum scattered = pair.trace(film, numbers);
+            const SampledSpectrum radiance =
+                (scattered + pair.unscattered()) *
+                (filtered.weight * pass.scene.scene.film().imaging_ratio);
+            image.add_light(pixel, pass.scene.wavelengths.to_rgb(radiance), Aov::total);
             for (const FilmLight& splat : pair.splats())
                 splatter.add(splat.film, splat.light * share);
         }
         const std::lock_guard lock(guard);
-        statistics[Count::eye_rays] += pair.eye_rays();
+        statistics[Count::camera_rays] += pair.camera_rays();
         statistics[Count::photon_rays] += pair.light_rays();
     });
 }

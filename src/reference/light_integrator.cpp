@@ -32,7 +32,7 @@ public:
 
 private:
     void follow(float share) {
-        lanes_.chosen = lane_of(number());
+        hero_.chosen = hero_of(number());
         const Emission start = emit(share);
         auto unlit = static_cast<float>(start.unlit);
         direction_ = Vec3(start.direction);
@@ -47,7 +47,7 @@ private:
             const bool is_lit = !(hit.distance < unlit);
             unlit -= hit.distance;
             if (scene_.has_media()) flux_ *= pass_.scene.left_after(medium_, hit.distance);
-            if (!scene_.passes_straight(hit)) {
+            if (!scene_.is_null_interface(hit)) {
                 if (!is_lit) return;
                 if (!scatter(hit, depth)) return;
                 ++depth;
@@ -78,39 +78,38 @@ private:
 
     /// The look from the camera, then a direction to go on in. @return whether the path goes on.
     bool scatter(Hit& hit, int depth) {
-        const Bsdf bsdf = met_bsdf(pass_.scene, hit, flux_, lanes_);
+        const Bsdf bsdf = met_bsdf(pass_.scene, hit, flux_, hero_);
         const Frame frame(hit.shading_normal, hit.tangent);
-        const Vec3 w_from = frame.to_local(-direction_);
+        const Vec3 wo = frame.to_local(-direction_);
         // Flux by unit of area is that on the geometric surface; bsdfs count by the shading one.
-        const float arrived = std::abs(w_from.z / direction_.dot(hit.normal));
-        if (scattering(bsdf) != Scattering::specular) look(hit, frame, bsdf, w_from, arrived);
+        const float arrived = std::abs(wo.z / direction_.dot(hit.normal));
+        if (scattering(bsdf) != Scattering::specular) look(hit, frame, bsdf, wo, arrived);
         const BsdfDraw draw{{static_cast<float>(number()), static_cast<float>(number()),
                              static_cast<float>(number())},
                             Transport::flux,
-                            lanes_};
-        const auto drawn = sample(bsdf, w_from, draw);
+                            hero_};
+        const auto drawn = sample(bsdf, wo, draw);
         if (!drawn) return false;
-        direction_ = frame.to_world(drawn->w_to);
-        const float left = std::abs(direction_.dot(hit.normal) / drawn->w_to.z);
-        const Spectrum before = flux_;
+        direction_ = frame.to_world(drawn->wi);
+        const float left = std::abs(direction_.dot(hit.normal) / drawn->wi.z);
+        const SampledSpectrum before = flux_;
         flux_ *= drawn->weight * (arrived * left);
-        if (drawn->dispersed) lanes_.single = true;
+        if (drawn->dispersed) hero_.single = true;
         return depth < 3 || survives(before);
     }
 
-    void look(const Hit& hit, const Frame& frame, const Bsdf& bsdf, const Vec3& w_from,
-              float arrived) {
+    void look(const Hit& hit, const Frame& frame, const Bsdf& bsdf, const Vec3& wo, float arrived) {
         const auto sight = camera_.sight_of(Vec3d(hit.position), two_numbers());
         if (!sight || !splatter_.reaches(sight->film)) return;
         const Vec3 way = Vec3(sight->origin) - hit.position;
         const float distance = way.length();
         if (!(distance > 0)) return;
         const Vec3 to_camera = way / distance;
-        const Spectrum f = eval(bsdf, w_from, frame.to_local(to_camera), Transport::flux);
+        const SampledSpectrum f = eval(bsdf, wo, frame.to_local(to_camera), Transport::flux);
         if (f.is_zero()) return;
         ++rays_;
         const MediumNumber medium = scene_.medium_beyond(hit, to_camera, medium_);
-        const Spectrum seen = pass_.scene.seen_from(hit, to_camera, distance, medium);
+        const SampledSpectrum seen = pass_.scene.seen_from(hit, to_camera, distance, medium);
         if (seen.is_zero()) return;
         const float facing = std::abs(to_camera.dot(hit.normal));
         seen_ = true;
@@ -118,7 +117,7 @@ private:
                       flux_ * f * seen * (arrived * facing * static_cast<float>(sight->area)));
     }
 
-    bool survives(const Spectrum& before) {
+    bool survives(const SampledSpectrum& before) {
         const float survival = std::min(1.0F, flux_.sum() / before.sum());
         if (!(number() < static_cast<double>(survival))) return false;
         flux_ /= survival;
@@ -131,10 +130,10 @@ private:
     const Splatter& splatter_;
     RandomStream numbers_;
     std::uint64_t& rays_;
-    Spectrum flux_;
+    SampledSpectrum flux_;
     Vec3 direction_{0};
     MediumNumber medium_ = 0;
-    LaneChoice lanes_;
+    HeroWavelength hero_;
     bool seen_ = false;
 };
 

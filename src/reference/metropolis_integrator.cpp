@@ -52,7 +52,7 @@ public:
     }
 
     void count(Statistics& statistics) const {
-        statistics[Count::eye_rays] += pair_.eye_rays();
+        statistics[Count::camera_rays] += pair_.camera_rays();
         statistics[Count::photon_rays] += pair_.light_rays();
         statistics[Count::dropped_nonfinite] += not_finite_;
     }
@@ -73,7 +73,7 @@ private:
         }
         const Vec2d film(reach_[0] + u.x * (reach_[1] - reach_[0]),
                          reach_[2] + u.y * (reach_[3] - reach_[2]));
-        const Spectrum radiance = pair_.trace(film, numbers);
+        const SampledSpectrum radiance = pair_.trace(film, numbers);
         state.lights.push_back({film, radiance * static_cast<float>(area_)});
         for (const FilmLight& splat : pair_.splats()) state.lights.push_back(splat);
         for (const FilmLight& light : state.lights)

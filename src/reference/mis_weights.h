@@ -14,7 +14,7 @@
 namespace sunfleck {
 
 /// A vertex as its own subpath made it.
-struct Weighing {
+struct PathWeights {
     /// With which the subpath made it, per m^2. At a light subpath's first vertex: times the
     /// density of its start, as EndDensities count it.
     double density = 1;
@@ -37,14 +37,14 @@ struct Departure {
 
 /// Sum over all strategies that make this vertex from the other end, over the density of its own
 /// subpath: still to be multiplied by the density (per m^2) with which that end would make it.
-inline double from_other_end(const Weighing& at, const Departure& leaving) {
+inline double from_other_end(const PathWeights& at, const Departure& leaving) {
     return ((leaving.is_delta ? 0 : at.edge) + leaving.back * at.earlier) / at.density;
 }
 
 /// The next vertex of a subpath. @param cosine_here, cosine_there  of the way between them with
 /// the geometric normals. @param distance2  between them.
-inline Weighing next_weighing(const Weighing& here, const Departure& leaving, double cosine_here,
-                              double cosine_there, double distance2) {
+inline PathWeights next_weights(const PathWeights& here, const Departure& leaving,
+                                double cosine_here, double cosine_there, double distance2) {
     constexpr double kLeast = 1e-200;  // keeps quotients finite
     return {std::max(leaving.forward * cosine_there / distance2, kLeast),
             leaving.is_delta ? 0.0 : 1.0, cosine_here / distance2 * from_other_end(here, leaving)};
@@ -65,7 +65,7 @@ struct EndWeights {
 };
 
 /// @param leaving  towards the light.
-inline EndWeights end_weights(const EndDensities& end, const Weighing& vertex,
+inline EndWeights end_weights(const EndDensities& end, const PathWeights& vertex,
                               const Departure& leaving) {
     const double met = end.hit * leaving.forward;
     const double sampled = leaving.is_delta ? 0 : end.direct;
@@ -75,19 +75,19 @@ inline EndWeights end_weights(const EndDensities& end, const Weighing& vertex,
 }
 
 /// The start of a light's subpath at its first vertex.
-inline Weighing first_of_light(const EndDensities& end) {
+inline PathWeights first_of_light(const EndDensities& end) {
     return {std::max(end.emitted, 1e-200), end.direct, end.hit};
 }
 
 /// The start of the eye's subpath. @param density  of camera paths there, per m^2, if each pixel's
 /// area has one. @param light_paths  for each of these.
-inline Weighing first_of_eye(double density, double light_paths) {
+inline PathWeights first_of_eye(double density, double light_paths) {
     return {std::max(density, 1e-200), light_paths, 0};
 }
 
 /// One of two vertices that are joined.
 struct Joined {
-    const Weighing& weighing;
+    const PathWeights& weighing;
     const Departure& leaving;
     double from_other;  // the density with which the other end would make it, per m^2
 };
@@ -100,7 +100,7 @@ inline double connection_weight(const Joined& eye, const Joined& light) {
 
 /// A vertex of a light's subpath seen by the camera. @param at_light, light_paths  the two
 /// arguments of first_of_eye(), there.
-inline double light_image_weight(const Weighing& light, const Departure& from_light,
+inline double light_image_weight(const PathWeights& light, const Departure& from_light,
                                  double at_light, double light_paths) {
     return 1 / (1 + at_light * from_other_end(light, from_light) / light_paths);
 }

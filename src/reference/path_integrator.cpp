@@ -21,11 +21,11 @@ public:
           medium_(scene_.media().at_camera) {}
 
     /// Radiance along the ray. @return one sample of it.
-    Spectrum radiance(const CameraRay& view) {
+    SampledSpectrum radiance(const CameraRay& view) {
         Ray ray{Vec3(view.origin), Vec3(view.direction)};
         last_ = ray.origin;
         std::optional<Hit> met = scene_.first_hit(view);
-        lanes_.chosen = lane_of(numbers_.next());
+        hero_.chosen = hero_of(numbers_.next());
         for (int depth = 0;; ++depth) {
             auto hit = next_surface(ray, std::move(met));
             if (!hit || depth >= pass_.transport.max_depth) return sum_;
@@ -34,7 +34,7 @@ public:
             throughput_ *= drawn->weight;
             specular_ = !drawn->pdf;
             pdf_ = drawn->pdf.value_or(0);
-            if (drawn->dispersed) lanes_.single = true;
+            if (drawn->dispersed) hero_.single = true;
             scale_ *= drawn->eta * drawn->eta;
             if (depth > 2 && !survives()) return sum_;
             met = scene_.geometry().intersect(ray);
@@ -56,7 +56,7 @@ private:
                 return {};
             }
             add_emitter_at(*hit, ray.direction);
-            if (!scene_.passes_straight(*hit)) return hit;
+            if (!scene_.is_null_interface(*hit)) return hit;
             medium_ = scene_.medium_beyond(*hit, ray.direction, medium_);
             ray = ray_from(*hit, ray.direction);
             hit = scene_.geometry().intersect(ray);
@@ -81,7 +81,7 @@ private:
     }
 
     /// An emitter that the last bsdf sample found. @param light_pdf  of direct samples of it.
-    void add_emitter(std::uint32_t light, float light_pdf, const Spectrum& radiance) {
+    void add_emitter(std::uint32_t light, float light_pdf, const SampledSpectrum& radiance) {
         const auto other =
             static_cast<float>(scene_.light_tree().probability({last_, Vec3(0)}, light)) *
             light_pdf;
@@ -91,46 +91,46 @@ private:
 
     /// Direct light, then a direction to go on in: `ray` becomes the next one.
     std::optional<BsdfSample> scatter(Hit& hit, Ray& ray) {
-        const Bsdf bsdf = met_bsdf(pass_.scene, hit, throughput_, lanes_);
+        const Bsdf bsdf = met_bsdf(pass_.scene, hit, throughput_, hero_);
         const Frame frame(hit.shading_normal, hit.tangent);
-        const Vec3 w_from = frame.to_local(-ray.direction);
-        if (scattering(bsdf) != Scattering::specular) add_light_sample(hit, frame, bsdf, w_from);
+        const Vec3 wo = frame.to_local(-ray.direction);
+        if (scattering(bsdf) != Scattering::specular) add_light_sample(hit, frame, bsdf, wo);
         const BsdfDraw draw{{static_cast<float>(number()), static_cast<float>(number()),
                              static_cast<float>(number())},
                             Transport::radiance,
-                            lanes_};
-        auto drawn = sample(bsdf, w_from, draw);
-        if (drawn) ray = ray_from(hit, frame.to_world(drawn->w_to));
+                            hero_};
+        auto drawn = sample(bsdf, wo, draw);
+        if (drawn) ray = ray_from(hit, frame.to_world(drawn->wi));
         if (drawn) medium_ = scene_.medium_beyond(hit, ray.direction, medium_);
         last_ = hit.position;
         return drawn;
     }
 
-    void add_light_sample(const Hit& hit, const Frame& frame, const Bsdf& bsdf,
-                          const Vec3& w_from) {
+    void add_light_sample(const Hit& hit, const Frame& frame, const Bsdf& bsdf, const Vec3& wo) {
         const auto choice = scene_.light_tree().choose({hit.position, Vec3(0)}, number());
         if (!choice) return;
         const Vec2 u{static_cast<float>(number()), static_cast<float>(number())};
         const auto light =
             sample_direct(scene_.lights()[choice->index], hit.position, u, scene_.sphere());
         if (!light) return;
-        const Vec3 w_to = frame.to_local(light->direction);
-        const Spectrum f = eval(bsdf, w_from, w_to, Transport::radiance);
+        const Vec3 wi = frame.to_local(light->direction);
+        const SampledSpectrum f = eval(bsdf, wo, wi, Transport::radiance);
         ++rays_;
         if (f.is_zero()) return;
         const MediumNumber medium = scene_.medium_beyond(hit, light->direction, medium_);
-        const Spectrum seen = pass_.scene.seen_from(hit, light->direction, light->distance, medium);
+        const SampledSpectrum seen =
+            pass_.scene.seen_from(hit, light->direction, light->distance, medium);
         if (seen.is_zero()) return;
         const auto chosen = static_cast<float>(choice->probability);
         float weight = 1;
         if (light->pdf) {
             const float mine = *light->pdf * chosen;
-            weight = mine / (mine + pdf(bsdf, w_from, w_to, Transport::radiance));
+            weight = mine / (mine + pdf(bsdf, wo, wi, Transport::radiance));
         }
-        const Spectrum emitted =
+        const SampledSpectrum emitted =
             pass_.scene.tinted(pass_.scene.emission[choice->index], light->tint);
         sum_ +=
-            throughput_ * f * seen * emitted * (light->factor * std::abs(w_to.z) * weight / chosen);
+            throughput_ * f * seen * emitted * (light->factor * std::abs(wi.z) * weight / chosen);
     }
 
     bool survives() {
@@ -145,9 +145,9 @@ private:
     RandomStream numbers_;
     std::uint64_t& rays_;
     MediumNumber medium_;
-    Spectrum sum_;
-    Spectrum throughput_{1};
-    LaneChoice lanes_;
+    SampledSpectrum sum_;
+    SampledSpectrum throughput_{1};
+    HeroWavelength hero_;
     bool specular_ = true;
     float pdf_ = 0;
     float scale_ = 1;
@@ -169,12 +169,12 @@ void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statisti
             const Vec2d lens{numbers.next(), numbers.next()};
             const CameraRay camera = camera_ray(pass.scene.scene.camera(), film, lens);
             ReferencePath path(pass, numbers, rays);
-            const Spectrum radiance =
+            const SampledSpectrum radiance =
                 path.radiance(camera) * (filtered.weight * pass.scene.scene.film().imaging_ratio);
-            image.add_light(pixel, pass.scene.wavelengths.to_rgb(radiance), Layer::total);
+            image.add_light(pixel, pass.scene.wavelengths.to_rgb(radiance), Aov::total);
         }
         const std::lock_guard lock(guard);
-        statistics[Count::eye_rays] += rays;
+        statistics[Count::camera_rays] += rays;
     });
 }
 

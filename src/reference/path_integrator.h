@@ -1,9 +1,9 @@
 // Path tracing: the reference that photon mapping is tested against where both converge.
 //
-// Written apart from the eye pass, on purpose: it shares scene, bsdfs and lights, but neither its
-// direct light, nor its numbers, nor its idea of who brings what. It brings no caustics of point,
-// spot and distant lights: no path from the eye can find them.
-// Source: Kajiya 1986; multiple importance sampling by the balance heuristic, Veach 1997, ch. 9.
+// Written apart from the camera pass, on purpose: it shares scene, bsdfs and lights, but neither
+// its direct light, nor its numbers, nor its idea of who brings what. It brings no caustics of
+// point, spot and distant lights: no path from the eye can find them. Source: Kajiya 1986; multiple
+// importance sampling by the balance heuristic, Veach 1997, ch. 9.
 #pragma once
 
 #include "aovs/pass_image.h"

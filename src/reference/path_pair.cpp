@@ -4,18 +4,18 @@
 
 namespace sunfleck {
 
-Spectrum PathPair::trace(const Vec2d& film, Numbers& numbers) {
+SampledSpectrum PathPair::trace(const Vec2d& film, Numbers& numbers) {
     splats_.clear();
-    const std::size_t lane = lane_of(numbers.eye.next());
+    const std::size_t wavelength = hero_of(numbers.eye.next());
     const std::uint64_t before = tracer_.rays();
-    tracer_.trace_eye(film, lane, numbers.eye, eye_);
+    tracer_.trace_eye(film, wavelength, numbers.eye, eye_);
     const std::uint64_t between = tracer_.rays();
-    tracer_.trace_light(lane, numbers.light, light_);
-    eye_rays_ += between - before;
+    tracer_.trace_light(wavelength, numbers.light, light_);
+    camera_rays_ += between - before;
     light_rays_ += tracer_.rays() - between;
 
     const auto most = static_cast<std::size_t>(pass_.transport.max_depth);
-    Spectrum sum = met_lights();
+    SampledSpectrum sum = met_lights();
     for (std::size_t i = 0; i < eye_.vertices.size(); ++i) {
         const SubpathVertex& vertex = eye_.vertices[i];
         if (!vertex.is_wide()) continue;
@@ -29,8 +29,8 @@ Spectrum PathPair::trace(const Vec2d& film, Numbers& numbers) {
     return sum;
 }
 
-Spectrum PathPair::met_lights() const {
-    Spectrum sum;
+SampledSpectrum PathPair::met_lights() const {
+    SampledSpectrum sum;
     for (const MetLight& met : eye_.lights) {
         if (met.vertices == 0) continue;
         const SubpathVertex& last = eye_.vertices[met.vertices - 1];
@@ -40,21 +40,21 @@ Spectrum PathPair::met_lights() const {
     return sum;
 }
 
-Spectrum PathPair::unscattered() const {
-    Spectrum sum;
+SampledSpectrum PathPair::unscattered() const {
+    SampledSpectrum sum;
     for (const MetLight& met : eye_.lights)
         if (met.vertices == 0) sum += met.seen;
     return sum;
 }
 
 /// What media leave of light that goes straight; nothing if it cannot.
-Spectrum PathPair::seen(const SubpathVertex& from, const Vec3& way, float distance) {
-    ++eye_rays_;
+SampledSpectrum PathPair::seen(const SubpathVertex& from, const Vec3& way, float distance) {
+    ++camera_rays_;
     const MediumNumber medium = pass_.scene.scene.medium_beyond(from.hit, way, from.medium);
     return pass_.scene.seen_from(from.hit, way, distance, medium);
 }
 
-Spectrum PathPair::sampled_light(const SubpathVertex& vertex, PathNumbers& numbers) {
+SampledSpectrum PathPair::sampled_light(const SubpathVertex& vertex, PathNumbers& numbers) {
     const Scene& scene = pass_.scene.scene;
     const double which = numbers.next();
     const Vec2 place(numbers.next_two());
@@ -65,7 +65,7 @@ Spectrum PathPair::sampled_light(const SubpathVertex& vertex, PathNumbers& numbe
     if (!light) return {};
     const Scattered turned = scattered(vertex, light->direction, Transport::radiance);
     if (turned.weight.is_zero()) return {};
-    const Spectrum left = seen(vertex, light->direction, light->distance);
+    const SampledSpectrum left = seen(vertex, light->direction, light->distance);
     if (left.is_zero()) return {};
     const Vec3d way(light->direction);
     const double distance = light->distance < kInfinity ? static_cast<double>(light->distance) : 0;
@@ -73,12 +73,12 @@ Spectrum PathPair::sampled_light(const SubpathVertex& vertex, PathNumbers& numbe
     const auto number = static_cast<std::uint32_t>(choice->index);
     const EndDensities end = end_densities(scene, number, ray, vertex.hit);
     const double weight = end_weights(end, vertex.weighing, turned.leaving).sampled;
-    const Spectrum emitted = pass_.scene.tinted(pass_.scene.emission[number], light->tint);
+    const SampledSpectrum emitted = pass_.scene.tinted(pass_.scene.emission[number], light->tint);
     return vertex.arriving * turned.weight * left * emitted *
            static_cast<float>(static_cast<double>(light->factor) * weight / choice->probability);
 }
 
-Spectrum PathPair::joined(const SubpathVertex& eye, const SubpathVertex& light) {
+SampledSpectrum PathPair::joined(const SubpathVertex& eye, const SubpathVertex& light) {
     const Vec3d between = Vec3d(light.hit.position) - Vec3d(eye.hit.position);
     const double distance2 = between.length2();
     if (!(distance2 > 0)) return {};
@@ -88,17 +88,17 @@ Spectrum PathPair::joined(const SubpathVertex& eye, const SubpathVertex& light) 
     if (at_eye.weight.is_zero()) return {};
     const Scattered at_light = scattered(light, -way, Transport::flux);
     if (at_light.weight.is_zero()) return {};
-    const Spectrum left = seen(eye, way, static_cast<float>(distance));
+    const SampledSpectrum left = seen(eye, way, static_cast<float>(distance));
     if (left.is_zero()) return {};
     const double weight = connection_weight(
         {eye.weighing, at_eye.leaving,
          at_light.leaving.forward * static_cast<double>(at_eye.cosine) / distance2},
         {light.weighing, at_light.leaving,
          at_eye.leaving.forward * static_cast<double>(at_light.cosine) / distance2});
-    // Both subpaths' shares of one chosen lane count all lanes for it.
-    const double lanes = eye.lanes.single && light.lanes.single ? kLanes : 1;
+    // Both subpaths' shares of one chosen wavelength count all wavelengths for it.
+    const double count = eye.hero.single && light.hero.single ? kWavelengths : 1;
     return eye.arriving * at_eye.weight * left * at_light.weight * light.arriving *
-           static_cast<float>(weight / (distance2 * lanes));
+           static_cast<float>(weight / (distance2 * count));
 }
 
 void PathPair::splat(const SubpathVertex& vertex, PathNumbers& numbers) {
@@ -110,7 +110,7 @@ void PathPair::splat(const SubpathVertex& vertex, PathNumbers& numbers) {
     const Vec3 way = between / distance;
     const Scattered turned = scattered(vertex, way, Transport::flux);
     if (turned.weight.is_zero()) return;
-    const Spectrum left = seen(vertex, way, distance);
+    const SampledSpectrum left = seen(vertex, way, distance);
     if (left.is_zero()) return;
     const double weight =
         light_image_weight(vertex.weighing, turned.leaving,

@@ -13,12 +13,12 @@ namespace sunfleck {
 /// What a path pair brings to a point of the film.
 struct FilmLight {
     Vec2d film;
-    Spectrum light;
+    SampledSpectrum light;
 };
 
 class PathPair {
 public:
-    /// @param light_paths  for each eye path through a unit of the film's area, in pixels.
+    /// @param light_paths  for each camera path through a unit of the film's area, in pixels.
     PathPair(const ReferencePass& pass, const Projection& camera, const Splatter& splatter,
              double light_paths)
         : pass_(pass),
@@ -37,21 +37,21 @@ public:
 
     /// @return radiance along a camera ray through the point, but for what splats() brings and
     /// what lights send straight to the camera.
-    Spectrum trace(const Vec2d& film, Numbers& numbers);
+    SampledSpectrum trace(const Vec2d& film, Numbers& numbers);
     /// Of the last pair: radiance of lights that nothing scatters, along the camera ray.
-    Spectrum unscattered() const;
+    SampledSpectrum unscattered() const;
     /// Of the last pair: light times film area, as if the light's subpath were all there is.
     const std::vector<FilmLight>& splats() const { return splats_; }
 
-    std::uint64_t eye_rays() const { return eye_rays_; }
+    std::uint64_t camera_rays() const { return camera_rays_; }
     std::uint64_t light_rays() const { return light_rays_; }
 
 private:
-    Spectrum met_lights() const;
-    Spectrum sampled_light(const SubpathVertex& vertex, PathNumbers& numbers);
-    Spectrum joined(const SubpathVertex& eye, const SubpathVertex& light);
+    SampledSpectrum met_lights() const;
+    SampledSpectrum sampled_light(const SubpathVertex& vertex, PathNumbers& numbers);
+    SampledSpectrum joined(const SubpathVertex& eye, const SubpathVertex& light);
     void splat(const SubpathVertex& vertex, PathNumbers& numbers);
-    Spectrum seen(const SubpathVertex& from, const Vec3& way, float distance);
+    SampledSpectrum seen(const SubpathVertex& from, const Vec3& way, float distance);
 
     const ReferencePass& pass_;
     const Projection& camera_;
@@ -61,7 +61,7 @@ private:
     Subpath eye_;
     Subpath light_;
     std::vector<FilmLight> splats_;
-    std::uint64_t eye_rays_ = 0;
+    std::uint64_t camera_rays_ = 0;
     std::uint64_t light_rays_ = 0;
 };
 

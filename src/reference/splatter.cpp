@@ -28,7 +28,7 @@ Splatter::Splatter(const ReferencePass& pass, PassImage& image)
       wavelengths_(pass.scene.wavelengths),
       image_(image) {}
 
-void Splatter::add(const Vec2d& film, const Spectrum& light) const {
+void Splatter::add(const Vec2d& film, const SampledSpectrum& light) const {
     const Vec3 rgb = wavelengths_.to_rgb(light);
     for (const Vec2d& image : film_images(camera_, film)) add_at(image, rgb);
 }
@@ -46,7 +46,7 @@ void Splatter::add_at(const Vec2d& film, const Vec3& rgb) const {
              ++x) {
             const double weight = filter_value(filter_, film - Vec2d(x + 0.5, y + 0.5)) * scale_;
             image_.add_light(static_cast<std::size_t>((y - y0) * (x1 - x0) + x - x0),
-                             rgb * static_cast<float>(weight), Layer::total);
+                             rgb * static_cast<float>(weight), Aov::total);
         }
 }
 

@@ -16,7 +16,7 @@ public:
         return film.x > reach_[0] && film.x < reach_[1] && film.y > reach_[2] && film.y < reach_[3];
     }
     /// Any number of threads. @param light  radiance times film area, in pixels.
-    void add(const Vec2d& film, const Spectrum& light) const;
+    void add(const Vec2d& film, const SampledSpectrum& light) const;
 
     /// Where points of the film that filters reach are: x0 x1 y0 y1, in pixels.
     const std::array<double, 4>& reach() const { return reach_; }

@@ -23,21 +23,21 @@ double cosine_at(const Hit& hit, const Vec3& way) {
 
 /// Flux by unit of area is that on the geometric surface; bsdfs count by the shading one.
 float adjoint_at(const SubpathVertex& vertex, const Vec3& came) {
-    return std::abs(vertex.w_from.z / came.dot(vertex.hit.normal));
+    return std::abs(vertex.wo.z / came.dot(vertex.hit.normal));
 }
 
 }  // namespace
 
 Scattered scattered(const SubpathVertex& vertex, const Vec3& way, Transport transport) {
-    const Vec3 w_to = vertex.frame.to_local(way);
+    const Vec3 wi = vertex.frame.to_local(way);
     const auto cosine = static_cast<float>(cosine_at(vertex.hit, way));
-    const float factor = transport == Transport::flux ? vertex.adjoint * cosine : std::abs(w_to.z);
+    const float factor = transport == Transport::flux ? vertex.adjoint * cosine : std::abs(wi.z);
     Scattered result;
-    result.weight = eval(vertex.bsdf, vertex.w_from, w_to, transport) * factor;
+    result.weight = eval(vertex.bsdf, vertex.wo, wi, transport) * factor;
     result.cosine = cosine;
     if (result.weight.is_zero()) return result;
-    result.leaving = {pdf(vertex.bsdf, vertex.w_from, w_to, transport),
-                      pdf(vertex.bsdf, w_to, vertex.w_from, other(transport)), false};
+    result.leaving = {pdf(vertex.bsdf, vertex.wo, wi, transport),
+                      pdf(vertex.bsdf, wi, vertex.wo, other(transport)), false};
     return result;
 }
 
@@ -67,15 +67,15 @@ EndDensities end_densities(const Scene& scene, std::uint32_t number, const Light
     return end;
 }
 
-void SubpathTracer::trace_eye(const Vec2d& film, std::size_t lane, PathNumbers& numbers,
+void SubpathTracer::trace_eye(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers,
                               Subpath& path) {
     path.clear();
     transport_ = Transport::radiance;
     lens_ = numbers.next_two();
     const CameraRay ray = camera_ray(pass_.scene.scene.camera(), film, lens_);
     start_ = {ray.origin, Vec3(0), ray.direction};
-    throughput_ = Spectrum(1);
-    lanes_ = {lane, false};
+    throughput_ = SampledSpectrum(1);
+    hero_ = {wavelength, false};
     medium_ = pass_.scene.scene.media().at_camera;
     direction_ = Vec3(ray.direction);
     meeting_ = pass_.scene.scene.geometry().meet_precise(ray.origin, ray.direction);
@@ -84,7 +84,7 @@ void SubpathTracer::trace_eye(const Vec2d& film, std::size_t lane, PathNumbers& 
     follow(numbers, path);
 }
 
-void SubpathTracer::trace_light(std::size_t lane, PathNumbers& numbers, Subpath& path) {
+void SubpathTracer::trace_light(std::size_t wavelength, PathNumbers& numbers, Subpath& path) {
     path.clear();
     transport_ = Transport::flux;
     const Scene& scene = pass_.scene.scene;
@@ -99,7 +99,7 @@ void SubpathTracer::trace_light(std::size_t lane, PathNumbers& numbers, Subpath&
     start_ = {start.origin, start.normal, start.direction};
     throughput_ = pass_.scene.tinted(pass_.scene.emission[light_], start.tint) *
                   static_cast<float>(start.factor / choice.probability);
-    lanes_ = {lane, false};
+    hero_ = {wavelength, false};
     medium_ = pass_.scene.start_medium(light_, start, throughput_);
     direction_ = Vec3(start.direction);
     const Vec3d normal(start.normal);
@@ -132,7 +132,7 @@ bool SubpathTracer::next_surface(Subpath& path) {
         if (!met) return false;
         const bool is_lit = !(hit_.distance < unlit_);
         unlit_ -= hit_.distance;
-        if (!scene.passes_straight(hit_)) return is_lit;
+        if (!scene.is_null_interface(hit_)) return is_lit;
         medium_ = scene.medium_beyond(hit_, direction_, medium_);
         meeting_ = scene.geometry().meet(ray_from(hit_, direction_));
     }
@@ -156,7 +156,8 @@ void SubpathTracer::note_lights(bool met, Subpath& path) {
     for (const std::uint32_t i : scene.infinite_lights()) {
         const Beyond seen = beyond(scene.lights()[i], last, direction_);
         if (!(seen.factor > 0)) continue;
-        const Spectrum light = pass_.scene.tinted(pass_.scene.emission[i] * seen.factor, seen.tint);
+        const SampledSpectrum light =
+            pass_.scene.tinted(pass_.scene.emission[i] * seen.factor, seen.tint);
         path.lights.push_back(
             {vertices, i, {Vec3d(last), Vec3(0), -Vec3d(direction_)}, throughput_ * light});
     }
@@ -165,16 +166,16 @@ void SubpathTracer::note_lights(bool met, Subpath& path) {
 /// The vertex at the surface that was met.
 SubpathVertex SubpathTracer::arrive(const Subpath& path) {
     const Vec3 came = direction_;
-    Bsdf bsdf = met_bsdf(pass_.scene, hit_, throughput_, lanes_);
+    Bsdf bsdf = met_bsdf(pass_.scene, hit_, throughput_, hero_);
     const Frame frame(hit_.shading_normal, hit_.tangent);
-    SubpathVertex vertex{hit_,    frame, bsdf, frame.to_local(-came), 1, throughput_, lanes_,
+    SubpathVertex vertex{hit_,    frame, bsdf, frame.to_local(-came), 1, throughput_, hero_,
                          medium_, {},    {}};
     if (transport_ == Transport::flux) vertex.adjoint = adjoint_at(vertex, came);
     if (!path.vertices.empty()) {
         const SubpathVertex& last = path.vertices.back();
         const double distance2 = (Vec3d(hit_.position) - Vec3d(last.hit.position)).length2();
-        vertex.weighing = next_weighing(last.weighing, last.leaving, cosine_at(last.hit, came),
-                                        cosine_at(hit_, came), distance2);
+        vertex.weighing = next_weights(last.weighing, last.leaving, cosine_at(last.hit, came),
+                                       cosine_at(hit_, came), distance2);
     } else if (transport_ == Transport::flux) {
         vertex.weighing = first_of_light(end_densities(pass_.scene.scene, light_, start_, hit_));
     } else if (const auto sight = camera_.sight_of(Vec3d(hit_.position), lens_)) {
@@ -188,22 +189,22 @@ bool SubpathTracer::scatter(PathNumbers& numbers, SubpathVertex& vertex, std::si
     const BsdfDraw draw{
         {below_one(numbers.next()), below_one(numbers.next()), below_one(numbers.next())},
         transport_,
-        lanes_};
-    const auto drawn = sample(vertex.bsdf, vertex.w_from, draw);
+        hero_};
+    const auto drawn = sample(vertex.bsdf, vertex.wo, draw);
     if (!drawn) return false;
     const Vec3 came = direction_;
-    direction_ = vertex.frame.to_world(drawn->w_to);
+    direction_ = vertex.frame.to_world(drawn->wi);
     if (drawn->pdf)
-        vertex.leaving = {*drawn->pdf,
-                          pdf(vertex.bsdf, drawn->w_to, vertex.w_from, other(transport_)), false};
+        vertex.leaving = {*drawn->pdf, pdf(vertex.bsdf, drawn->wi, vertex.wo, other(transport_)),
+                          false};
     else
         vertex.leaving = {cosine_at(vertex.hit, direction_), cosine_at(vertex.hit, came), true};
-    const Spectrum before = throughput_;
+    const SampledSpectrum before = throughput_;
     throughput_ *= drawn->weight;
     if (transport_ == Transport::flux)
-        throughput_ *= vertex.adjoint * std::abs(direction_.dot(vertex.hit.normal) / drawn->w_to.z);
+        throughput_ *= vertex.adjoint * std::abs(direction_.dot(vertex.hit.normal) / drawn->wi.z);
     scale_ *= drawn->eta * drawn->eta;
-    if (drawn->dispersed) lanes_.single = true;
+    if (drawn->dispersed) hero_.single = true;
     if (throughput_.is_zero()) return false;
     if (depth > 2) {
         const float survives = survival(before);
@@ -216,7 +217,7 @@ bool SubpathTracer::scatter(PathNumbers& numbers, SubpathVertex& vertex, std::si
 }
 
 /// Importance falls as radiance does; flux stays about constant.
-float SubpathTracer::survival(const Spectrum& before) const {
+float SubpathTracer::survival(const SampledSpectrum& before) const {
     return std::min(1.0F, transport_ == Transport::radiance ? throughput_.mean() * scale_
                                                             : throughput_.sum() / before.sum());
 }

@@ -16,12 +16,12 @@ struct SubpathVertex {
     Hit hit;
     Frame frame;
     Bsdf bsdf;
-    Vec3 w_from;              // local, unit, to the vertex before
-    float adjoint = 1;        // from a light: cosines of shading over geometric normal, arriving
-    Spectrum arriving;        // importance, or flux
-    LaneChoice lanes;         // of `arriving`
-    MediumNumber medium = 0;  // in which the path came
-    Weighing weighing;
+    Vec3 wo;                   // local, unit, to the vertex before
+    float adjoint = 1;         // from a light: cosines of shading over geometric normal, arriving
+    SampledSpectrum arriving;  // importance, or flux
+    HeroWavelength hero;       // of `arriving`
+    MediumNumber medium = 0;   // in which the path came
+    PathWeights weighing;
     Departure leaving;  // the way the subpath went on, where it did
 
     bool is_wide() const { return scattering(bsdf) != Scattering::specular; }
@@ -31,8 +31,8 @@ struct SubpathVertex {
 struct MetLight {
     std::size_t vertices = 0;  // of the subpath before it
     std::uint32_t light = 0;
-    LightRay ray;   // to the last of these
-    Spectrum seen;  // radiance as it arrives, times importance
+    LightRay ray;          // to the last of these
+    SampledSpectrum seen;  // radiance as it arrives, times importance
 };
 
 struct Subpath {
@@ -47,7 +47,7 @@ struct Subpath {
 
 /// What a vertex does with light between its subpath and a direction.
 struct Scattered {
-    Spectrum
+    SampledSpectrum
         weight;  // bsdf times the cosine at the end where flux arrives, adjoint cosines included
     Departure leaving;
     float cosine = 0;  // with the geometric normal
@@ -67,10 +67,10 @@ public:
     SubpathTracer(const ReferencePass& pass, const Projection& camera, double light_paths)
         : pass_(pass), camera_(camera), light_paths_(light_paths) {}
 
-    /// From the camera. @param film  in pixels. @param lane  of dispersion.
-    void trace_eye(const Vec2d& film, std::size_t lane, PathNumbers& numbers, Subpath& path);
+    /// From the camera. @param film  in pixels. @param wavelength  of dispersion.
+    void trace_eye(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers, Subpath& path);
     /// From a light; empty where none shines. Lights are chosen by power.
-    void trace_light(std::size_t lane, PathNumbers& numbers, Subpath& path);
+    void trace_light(std::size_t wavelength, PathNumbers& numbers, Subpath& path);
 
     std::uint64_t rays() const { return rays_; }
 
@@ -80,7 +80,7 @@ private:
     void note_lights(bool met, Subpath& path);
     SubpathVertex arrive(const Subpath& path);
     bool scatter(PathNumbers& numbers, SubpathVertex& vertex, std::size_t depth);
-    float survival(const Spectrum& before) const;
+    float survival(const SampledSpectrum& before) const;
 
     const ReferencePass& pass_;
     const Projection& camera_;
@@ -89,14 +89,14 @@ private:
 
     // The path at hand.
     Transport transport_ = Transport::radiance;
-    Spectrum throughput_;
-    LaneChoice lanes_;
+    SampledSpectrum throughput_;
+    HeroWavelength hero_;
     MediumNumber medium_ = 0;
     Vec3 direction_{0};
     Meeting meeting_;
     Hit hit_;
     float unlit_ = 0;
-    float scale_ = 1;  // squared ratio of indices, for roulette
+    float scale_ = 1;  // squared ratio of indices, for Russian roulette
     Vec2d lens_{0};
     std::uint32_t light_ = 0;
     LightRay start_;  // or the camera's ray

@@ -5,15 +5,17 @@
 
 namespace sunfleck {
 
-/// The Bsdf at a hit, as the path sees it: where lanes part and the surface is not smooth, the path
-/// keeps its chosen lane from here on; a path of one lane sees that lane's Bsdf.
+/// The Bsdf at a hit, as the path sees it: where wavelengths part and the surface is not smooth,
+/// the path keeps its chosen wavelength from here on; a path of one wavelength sees that
+/// wavelength's Bsdf.
 /// @param hit  its shading normal and tangent are bent where the material has a relief.
-inline Bsdf met_bsdf(const PassScene& scene, Hit& hit, Spectrum& throughput, LaneChoice& lanes) {
+inline Bsdf met_bsdf(const PassScene& scene, Hit& hit, SampledSpectrum& throughput,
+                     HeroWavelength& hero) {
     std::optional<Bsdf> room;
     const Bsdf& bsdf = scene.bsdf_at(hit, room);
     if (!is_dispersive(bsdf)) return bsdf;
-    if (scattering(bsdf) != Scattering::specular) keep_lane(throughput, lanes);
-    return lanes.single ? for_lane(bsdf, lanes.chosen) : bsdf;
+    if (scattering(bsdf) != Scattering::specular) terminate_secondary(throughput, hero);
+    return hero.single ? at_wavelength(bsdf, hero.chosen) : bsdf;
 }
 
 }  // namespace sunfleck

@@ -80,14 +80,14 @@ struct Numbers {
     template <class Self, class Archive>
     static void visit(Self& n, Archive& archive) {
         auto& s = n.seconds;
-        archive(n.radius_factor, s.build, s.eye, s.index, s.photon, s.learn, n.total_seconds,
+        archive(n.radius_factor, s.build, s.camera, s.index, s.photon, s.learn, n.total_seconds,
                 n.cpu_seconds);
     }
 };
 
 bool is_sound(const RenderState& state) {
     const PassTimes& s = state.seconds;
-    for (const double number : {state.radius_factor, s.build, s.eye, s.index, s.photon, s.learn,
+    for (const double number : {state.radius_factor, s.build, s.camera, s.index, s.photon, s.learn,
                                 state.total_seconds, state.cpu_seconds})
         if (!(number >= 0 && number < 1e15)) return false;
     const auto& ranges = state.film.passes().ranges();

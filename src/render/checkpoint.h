@@ -1,7 +1,7 @@
 // Checkpoints: a render as it stands between two passes, to go on from after a stop or a crash.
 //
 // A file of words (film/word_file.h): magic, version; program, isa; count of the scene's files, and
-// each name and hash; radius factor, seconds of building, eye paths, index, photons, learning,
+// each name and hash; radius factor, seconds of building, camera paths, index, photons, learning,
 // all of them, and those of the processors; 1 and the memory of the sampler `paper`, or 0 with
 // other samplers; the words of a film file; checksum of all before. Real numbers are the bits of
 // their double; lists are their length and their elements. The next pass is the one after the

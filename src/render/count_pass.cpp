@@ -9,40 +9,41 @@ namespace sunfleck {
 namespace {
 
 /// Level by level, as sums over passes.
-void count_ladder(Film& film, const std::string& name, const LadderCounts& ladder) {
-    for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
+void count_splitting(Film& film, const std::string& name, const SplittingCounts& splitting) {
+    for (std::size_t k = 0; k < splitting.levels.size(); ++k) {
         const std::string level = name + "ladder." + std::to_string(k) + ".";
-        const Acceptance mutations = ladder.levels[k].mutations();
-        film.count(level + "states", ladder.levels[k].states);
-        film.count(level + "survivors", k < ladder.survivors.size() ? ladder.survivors[k] : 0);
+        const Acceptance mutations = splitting.levels[k].mutations();
+        film.count(level + "states", splitting.levels[k].states);
+        film.count(level + "survivors",
+                   k < splitting.survivors.size() ? splitting.survivors[k] : 0);
         film.count(level + "proposed", mutations.proposed);
         film.count(level + "accepted", mutations.accepted);
     }
 }
 
-void count_groups(Film& film, const std::vector<GroupCounts>& groups) {
-    if (groups.size() == 1) count_ladder(film, "", groups.front().ladder);
-    if (groups.size() < 2) return;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        const GroupCounts& group = groups[g];
+void count_strata(Film& film, const std::vector<StratumCounts>& strata) {
+    if (strata.size() == 1) count_splitting(film, "", strata.front().splitting);
+    if (strata.size() < 2) return;
+    for (std::size_t g = 0; g < strata.size(); ++g) {
+        const StratumCounts& stratum = strata[g];
         const std::string name = "group." + std::to_string(g) + ".";
         film.count(name + "passes", 1);
-        film.count(name + "paths", group.paths);
-        film.count(name + "starved_passes", group.visible_fraction > 0 ? 0 : 1);
-        film.sum(name + "power_share", group.power_share);
-        film.sum(name + "visible_fraction", group.visible_fraction);
-        count_ladder(film, name, group.ladder);
+        film.count(name + "paths", stratum.paths);
+        film.count(name + "starved_passes", stratum.visible_fraction > 0 ? 0 : 1);
+        film.sum(name + "power_share", stratum.power_share);
+        film.sum(name + "visible_fraction", stratum.visible_fraction);
+        count_splitting(film, name, stratum.splitting);
     }
 }
 
-/// How many draws, camera paths and photon paths the passes of an epoch have.
+/// How many subpasses, camera paths and photon paths the passes of an epoch have.
 void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
-    if (pass.groups.empty()) return;
+    if (pass.strata.empty()) return;
     std::uint64_t paths = 0;
-    for (const GroupCounts& group : pass.groups) paths += group.paths;
+    for (const StratumCounts& stratum : pass.strata) paths += stratum.paths;
     const std::string name = "epoch." + std::to_string(epoch_of(number)) + ".";
     film.count(name + "passes", 1);
-    film.count(name + "draws", pass.draws);
+    film.count(name + "draws", pass.subpasses);
     film.count(name + "weight", pass.weight);
     film.count(name + "camera_paths", pass.statistics[Count::camera_paths]);
     film.count(name + "paths", paths);
@@ -65,7 +66,7 @@ void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     film.sum("visible_fraction_square",
              pass.visible_fraction * pass.visible_fraction * kSquareUnits);
     count_epoch(film, number, pass);
-    count_groups(film, pass.groups);
+    count_strata(film, pass.strata);
 }
 
 }  // namespace sunfleck

@@ -9,8 +9,8 @@ namespace sunfleck {
 /// The statistic "visible_fraction_square" is in units of 1 / this: squares of 1e-9 have digits.
 inline constexpr double kSquareUnits = 0x1p32;
 
-/// Where the lights of a pass are in several groups, each has its statistics under
-/// "group.G.", G from 0; else the one ladder's are under "ladder.".
+/// Where the lights of a pass are in several strata, each has its statistics under
+/// "stratum.G.", G from 0; else the one splitting's are under "splitting.".
 void add_pass(Film& film, std::uint32_t number, const PassResult& pass);
 
 }  // namespace sunfleck

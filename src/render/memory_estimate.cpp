@@ -12,11 +12,12 @@ namespace {
 
 // Bytes, fitted to the scenes and sizes of docs/render.md.
 constexpr std::uint64_t kOnce = std::uint64_t{3} << 20U;
-/// Film, pass and picture; of the film, 20 bytes for a second group of passes (film/pass_groups.h).
+/// Film, pass and picture; of the film, 20 bytes for a second stratum of passes
+/// (film/pass_groups.h).
 constexpr std::uint64_t kReferencePixel = 224;
-/// The same without groups, and a visible point with its place in the index.
+/// The same without strata, and a visible point with its place in the index.
 constexpr std::uint64_t kPaperPixel = 580;
-/// The same with 50 bytes for a second group.
+/// The same with 50 bytes for a second stratum.
 constexpr std::uint64_t kPixel = 650;
 /// What learning holds beside these; photons are traced when it is over.
 constexpr std::uint64_t kLearningPixel = 650;
@@ -28,9 +29,9 @@ constexpr std::uint64_t kPoint = 400;
 constexpr std::uint64_t kChannel = 48;
 
 std::uint64_t channels_of(const RenderSettings& settings) {
-    std::uint64_t channels = 3 * settings.transport.light_layers.names.size();
-    for (std::size_t i = 1; i < kLayerCount; ++i)
-        if (settings.layers.at(i)) channels += kLayers.at(i).channels.size();
+    std::uint64_t channels = 3 * settings.transport.light_groups.names.size();
+    for (std::size_t i = 1; i < kAovCount; ++i)
+        if (settings.aovs.at(i)) channels += kAovs.at(i).channels.size();
     return channels;
 }
 
@@ -44,7 +45,7 @@ MemoryEstimate sppm_bytes(const RenderJob& job, std::uint64_t pixels) {
         return {all, all};
     }
     const std::uint64_t usual = pixels * kPixel + std::max(pixels * kLearningPixel, photons);
-    if (!photon.noisy_pixels) return {usual, usual};
+    if (!photon.adaptive_pixels) return {usual, usual};
     return {usual, usual + kPoint * (most_camera_paths(pixels) - pixels)};
 }
 

@@ -14,37 +14,38 @@
 namespace sunfleck {
 namespace {
 
-/// Adds one draw: camera paths and the photon paths that belong to them.
-PhotonTotals draw_sppm(const RenderSettings& settings, const EyePass& eye,
-                       const std::vector<PhotonGroup>& groups, PhotonCounts* taken,
+/// Adds one subpass: camera paths and the photon paths that belong to them.
+PhotonTotals draw_sppm(const RenderSettings& settings, const CameraPass& camera,
+                       const std::vector<LightStratum>& strata, PhotonCounts* taken,
                        PassResult& result) {
     Stopwatch watch;
-    auto points = trace_eye_paths(eye, result.image, result.statistics);
-    result.seconds.eye += watch.lap();
-    const VisiblePointIndex index(std::move(points), eye.transport.max_depth);
+    auto points = trace_camera_paths(camera, result.image, result.statistics);
+    result.seconds.camera += watch.lap();
+    const VisiblePointIndex index(std::move(points), camera.transport.max_depth);
     result.seconds.index += watch.lap();
-    PhotonTotals photons =
-        trace_photons({eye.scene, settings.transport, index}, eye.id.draw(eye.draw.number),
-                      settings.photon.sampler, groups, {result.image, taken});
+    PhotonTotals photons = trace_photons({camera.scene, settings.transport, index},
+                                         camera.id.subpass(camera.subpass.number),
+                                         settings.photon.sampler, strata, {result.image, taken});
     result.seconds.photon += watch.lap();
     return photons;
 }
 
-void render_sppm(const RenderSettings& settings, EyePass eye, const Epoch& epoch,
+void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch& epoch,
                  PassResult& result) {
     PhotonTotals photons;
-    eye.doublings = epoch.doublings;
-    const bool are_counted = result.image.has(Layer::samples);
+    camera.log2_samples = epoch.log2_samples;
+    const bool are_counted = result.image.has(Aov::samples);
     PhotonCounts taken(are_counted ? result.image.pixels() : 0);
-    for (std::uint32_t draw = 0; draw < epoch.draws; ++draw) {
-        eye.draw = {draw, epoch.draws};
-        photons.add(draw_sppm(settings, eye, epoch.groups, are_counted ? &taken : nullptr, result),
-                    1.0 / epoch.draws);
+    for (std::uint32_t subpass = 0; subpass < epoch.subpasses; ++subpass) {
+        camera.subpass = {subpass, epoch.subpasses};
+        photons.add(
+            draw_sppm(settings, camera, epoch.strata, are_counted ? &taken : nullptr, result),
+            1.0 / epoch.subpasses);
     }
     if (are_counted) add_samples(taken, result.image);
     result.statistics += photons.statistics;
     result.visible_fraction = photons.visible_fraction;
-    result.groups = std::move(photons.groups);
+    result.strata = std::move(photons.strata);
 }
 
 }  // namespace
@@ -54,33 +55,33 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     const PixelWindow window = window_of(scene.film());
     const PassId id{settings.seed, number};
     const bool has_discs = settings.integrator == Integrator::sppm;
-    PassResult result{PassImage(window.pixels(), settings.layers, has_discs,
-                                settings.transport.light_layers.names.size(), epoch.draws),
+    PassResult result{PassImage(window.pixels(), settings.aovs, has_discs,
+                                settings.transport.light_groups.names.size(), epoch.subpasses),
                       {},
                       {},
                       radius_factor(number, settings.alpha),
                       0,
                       {},
-                      epoch.draws,
+                      epoch.subpasses,
                       epoch.weight};
-    if (scene.is_dark() && settings.layers == LayerSet{}) return result;
+    if (scene.is_dark() && settings.aovs == AovSet{}) return result;
     Stopwatch watch;
     const PassScene at_wavelengths(scene, id);
     result.seconds.build = watch.lap();
-    const EyePass eye{at_wavelengths,      settings.transport, settings.eye, window, id,
-                      result.radius_factor};
+    const CameraPass camera{at_wavelengths,      settings.transport, settings.camera, window, id,
+                            result.radius_factor};
     const ReferencePass reference{at_wavelengths, settings.transport, window, id};
     switch (settings.integrator) {
         case Integrator::sppm:
-            render_sppm(settings, eye, epoch, result);
+            render_sppm(settings, camera, epoch, result);
             break;
         case Integrator::path:
             trace_reference_paths(reference, result.image, result.statistics);
-            result.seconds.eye = watch.lap();
+            result.seconds.camera = watch.lap();
             break;
         case Integrator::bdpt:
             trace_bidirectional_paths(reference, result.image, result.statistics);
-            result.seconds.eye = watch.lap();
+            result.seconds.camera = watch.lap();
             break;
         case Integrator::mlt:
             result.visible_fraction =

@@ -1,4 +1,4 @@
-// The loop over turns.
+// The loop over intervals.
 #include "render/progressive.h"
 
 #include "core/error.h"
@@ -25,17 +25,18 @@ RenderJob unlearned(const RenderJob& job) {
     return plain;
 }
 
-/// A turn is a pass, and goes into the film at once.
+/// A interval is a pass, and goes into the film at once.
 RenderResult render_alone(const RenderJob& job, const RenderHooks& hooks, RenderResult result) {
-    Overseer overseer(job, hooks, result, 1);
-    const PassHooks asked{[&](bool begins) { overseer.report_learning(begins); },
-                          [&](double seconds) { overseer.view_traced(seconds); },
-                          [&] { return overseer.cuts_learning(); },
-                          [&] { return overseer.cuts_pass(); }};
+    RenderScheduler scheduler(job, hooks, result, 1);
+    const PassHooks asked{[&](bool begins) { scheduler.report_learning(begins); },
+                          [&](double seconds) { scheduler.view_traced(seconds); },
+                          [&] { return scheduler.cuts_learning(); },
+                          [&] { return scheduler.cuts_pass(); }};
     const RenderJob plain = unlearned(job);
     std::optional<PassMaker> passes(std::in_place, job, result, asked);
-    for (PassRange turn = overseer.next_turn(); turn.size() > 0; turn = overseer.next_turn()) {
-        const auto number = static_cast<std::uint32_t>(turn.begin);
+    for (PassRange interval = scheduler.next_interval(); interval.size() > 0;
+         interval = scheduler.next_interval()) {
+        const auto number = static_cast<std::uint32_t>(interval.begin);
         auto radius_factor = passes->make(number, result.film);
         if (!radius_factor && result.film.pass_count() == 0) {
             passes.emplace(plain, result, asked);
@@ -45,39 +46,39 @@ RenderResult render_alone(const RenderJob& job, const RenderHooks& hooks, Render
         }
         if (!radius_factor) break;
         result.radius_factor = *radius_factor;
-        overseer.reached_target(turn.end);
-        overseer.turn_ended(0, false);
+        scheduler.reached_target(interval.end);
+        scheduler.interval_ended(0, false);
     }
-    overseer.finish();
+    scheduler.finish();
     return result;
 }
 
-/// Rank 0 chooses each turn and keeps the film.
+/// Rank 0 chooses each interval and keeps the film.
 RenderResult render_among(const Ranks& ranks, const RenderJob& job, const RenderHooks& hooks,
                           RenderResult result) {
     const WorkClock clock;
-    Overseer overseer(job, hooks, result, ranks.size);
-    SharedTurn shared(job, ranks, result);
+    RenderScheduler scheduler(job, hooks, result, ranks.size);
+    SharedInterval shared(job, ranks, result);
     const auto note = [&] {
         return RankNote{ranks.is_first() ? 0 : clock.cpu_seconds(),
                         hooks.interrupted != nullptr && *hooks.interrupted};
     };
     while (true) {
-        std::array<PassRange, 1> turn{};
-        if (ranks.is_first()) turn[0] = overseer.next_turn();
-        broadcast(ranks, std::as_writable_bytes(std::span(turn)));
-        if (turn[0].size() == 0) break;
+        std::array<PassRange, 1> interval{};
+        if (ranks.is_first()) interval[0] = scheduler.next_interval();
+        broadcast(ranks, std::as_writable_bytes(std::span(interval)));
+        if (interval[0].size() == 0) break;
         bool over = false;
         const auto take = [&](const PassRange& part, const Film& film, double radius_factor) {
             if (over) return;  // one machine would not have rendered it
             merge(result.film, film);
             result.radius_factor = radius_factor;
-            over = overseer.reached_target(part.end);
+            over = scheduler.reached_target(part.end);
         };
-        const RankNote all = shared.render(turn[0], note, take);
-        if (ranks.is_first()) overseer.turn_ended(all.cpu_seconds, all.interrupted);
+        const RankNote all = shared.render(interval[0], note, take);
+        if (ranks.is_first()) scheduler.interval_ended(all.cpu_seconds, all.interrupted);
     }
-    if (ranks.is_first()) overseer.finish();
+    if (ranks.is_first()) scheduler.finish();
     return result;
 }
 

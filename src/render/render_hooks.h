@@ -17,7 +17,7 @@ struct Progress {
     std::optional<std::uint32_t> of;
     double seconds = 0;
     double cpu_seconds = 0;            // of all threads
-    std::optional<TargetError> error;  // from complete rounds
+    std::optional<TargetError> error;  // from complete batches
     std::optional<double> target;
     std::optional<double> seconds_left;  // an estimate
     double bringing = 0;                 // share of photon paths that brought light
@@ -26,7 +26,7 @@ struct Progress {
 };
 
 struct RenderHooks {
-    /// After each pass, or turn of several ranks, and before and after an epoch is learned.
+    /// After each pass, or interval of several ranks, and before and after an epoch is learned.
     std::function<void(const Progress&)> report;
     /// After 1, 2, 4, 8 ... passes and at the end; its time does not count.
     std::function<void(const RenderResult&)> snapshot;

@@ -6,12 +6,12 @@ namespace sunfleck {
 FilmKey key_of(const RenderJob& job) {
     const PixelWindow window = window_of(job.scene.film());
     const Vec2i whole = job.scene.film().resolution;
-    FilmKey key{window.width(),    window.height(), job.settings.layers,
+    FilmKey key{window.width(),    window.height(), job.settings.aovs,
                 job.settings.seed, job.scene_hash,  job.settings.text()};
     key.settings += "resolution=" + std::to_string(whole.x) + "x" + std::to_string(whole.y) +
                     "\nwindow=" + std::to_string(window.x0) + "," + std::to_string(window.y0) +
                     "\n";
-    key.light_layers = job.settings.transport.light_layers.names;
+    key.light_groups = job.settings.transport.light_groups.names;
     key.sequential = is_sequential(job.settings);
     if (job.settings.integrator == Integrator::sppm && !key.sequential)
         key.alpha = job.settings.alpha;

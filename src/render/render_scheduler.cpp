@@ -1,4 +1,4 @@
-// Limits, progress, snapshots and checkpoints of a render, between its turns.
+// Limits, progress, snapshots and checkpoints of a render, between its intervals.
 #include "render/render_scheduler.h"
 
 #include "film/error_bars.h"
@@ -11,8 +11,9 @@
 namespace sunfleck {
 namespace {
 
-/// A turn should not take longer where it takes more than a pass a rank: Ctrl-C waits for its end.
-constexpr double kTurnSeconds = 10;
+/// A interval should not take longer where it takes more than a pass a rank: Ctrl-C waits for its
+/// end.
+constexpr double kIntervalSeconds = 10;
 
 /// Work that has begun goes on beyond the time asked for by less than a second, or than 5% of it.
 double end_of_grace(double seconds) {
@@ -51,7 +52,8 @@ bool is_at(const Progress& progress) {
 
 }  // namespace
 
-Overseer::Overseer(const RenderJob& job, const RenderHooks& hooks, RenderResult& state, int ranks)
+RenderScheduler::RenderScheduler(const RenderJob& job, const RenderHooks& hooks,
+                                 RenderResult& state, int ranks)
     : job_(job),
       hooks_(hooks),
       state_(state),
@@ -67,7 +69,7 @@ Overseer::Overseer(const RenderJob& job, const RenderHooks& hooks, RenderResult&
     ask_error(std::uint64_t{job.stop.first_pass} + progress_.passes);
 }
 
-bool Overseer::is_over() const {
+bool RenderScheduler::is_over() const {
     const StopSettings& stop = job_.stop;
     return interrupted_ || (hooks_.interrupted != nullptr && *hooks_.interrupted) ||
            (stop.seconds && progress_.seconds >= *stop.seconds) ||
@@ -76,47 +78,47 @@ bool Overseer::is_over() const {
 }
 
 /// Will more passes be black, too? Where no light can be, one pass tells; where nothing is in view,
-/// a round does; so it does for layers of surfaces that are not lit.
-bool Overseer::is_black() const {
+/// a batch does; so it does for aovs of surfaces that are not lit.
+bool RenderScheduler::is_black() const {
     const bool is_dark = job_.scene.is_dark();
-    if (is_dark && job_.settings.layers == LayerSet{}) return true;
-    if (progress_.passes % kRoundPasses != 0) return false;
+    if (is_dark && job_.settings.aovs == AovSet{}) return true;
+    if (progress_.passes % kBatchPasses != 0) return false;
     return is_dark ||
            (job_.settings.integrator == Integrator::sppm &&
             state_.film.statistic("visible_points") == 0 && image_mean(state_.film) == 0);
 }
 
 /// Can another pass end in time, if it is no slower than the last?
-bool Overseer::has_room_for_pass() const {
+bool RenderScheduler::has_room_for_pass() const {
     constexpr double kFaster = 0.8;
     const auto& seconds = job_.stop.seconds;
     return !seconds || progress_.seconds + kFaster * pass_seconds_ <= end_of_grace(*seconds);
 }
 
-bool Overseer::is_late() const {
+bool RenderScheduler::is_late() const {
     const auto& seconds = job_.stop.seconds;
     return seconds && seconds_now() > end_of_grace(*seconds);
 }
 
 /// Learning and the first pass are cut short when they leave a pass without learning just the time
 /// that it needs: in pictures, but not in checkpoints, which are to go on.
-bool Overseer::leaves_no_pass() const {
+bool RenderScheduler::leaves_no_pass() const {
     const auto& seconds = job_.stop.seconds;
     return seconds && !hooks_.save && seconds_now() + kPassOfView * view_seconds_ > *seconds;
 }
 
-bool Overseer::cuts_learning() const {
+bool RenderScheduler::cuts_learning() const {
     if (progress_.passes == 0) return leaves_no_pass();
     return is_late() || (hooks_.interrupted != nullptr && *hooks_.interrupted);
 }
 
-bool Overseer::cuts_pass() const {
+bool RenderScheduler::cuts_pass() const {
     if (progress_.passes > 0) return is_late();
     const bool is_learned = view_seconds_ > 0 && !state_.is_unlearned;
     return is_learned && leaves_no_pass();
 }
 
-void Overseer::report_learning(bool begins) {
+void RenderScheduler::report_learning(bool begins) {
     if (!hooks_.report) return;
     count_time();
     progress_.seconds = state_.total_seconds;
@@ -125,9 +127,9 @@ void Overseer::report_learning(bool begins) {
 }
 
 /// Until something is due, or all should meet.
-double Overseer::seconds_of_turn() const {
+double RenderScheduler::seconds_of_interval() const {
     const StopSettings& stop = job_.stop;
-    double seconds = kTurnSeconds;
+    double seconds = kIntervalSeconds;
     if (hooks_.save) seconds = std::min(seconds, hooks_.save_every);
     if (stop.seconds) seconds = std::min(seconds, *stop.seconds - progress_.seconds);
     if (stop.cpu_seconds && progress_.cpu_seconds > 0)
@@ -136,43 +138,43 @@ double Overseer::seconds_of_turn() const {
     return seconds;
 }
 
-PassRange Overseer::next_turn() {
+PassRange RenderScheduler::next_interval() {
     const std::uint64_t begin = std::uint64_t{job_.stop.first_pass} + progress_.passes;
     const auto& end = job_.stop.end_pass;
     if ((end && begin >= *end) || (progress_.passes > 0 && is_over())) return {begin, begin};
-    TurnLimits limits{
-        ranks_, pass_seconds_, seconds_of_turn(), job_.stop.target_error.has_value(), {}};
+    IntervalLimits limits{
+        ranks_, pass_seconds_, seconds_of_interval(), job_.stop.target_error.has_value(), {}};
     const auto at_most = [&](std::uint64_t passes) {
         limits.at_most = std::min(limits.at_most.value_or(passes), passes);
     };
     if (end) at_most(*end - begin);
     if (hooks_.snapshot)
         at_most(std::bit_ceil(std::uint64_t{progress_.passes} + 1) - progress_.passes);
-    turn_passes_ = passes_of_turn(limits);
+    interval_passes_ = passes_of_interval(limits);
     count_time();
-    turn_began_ = state_.total_seconds;
+    interval_began_ = state_.total_seconds;
     learned_before_ = state_.seconds.learn;
-    return {begin, begin + turn_passes_};
+    return {begin, begin + interval_passes_};
 }
 
-void Overseer::ask_error(std::uint64_t end) {
-    if (end % kRoundPasses == 0) progress_.error = target_error(state_.film, job_.stop.error_terms);
+void RenderScheduler::ask_error(std::uint64_t end) {
+    if (end % kBatchPasses == 0) progress_.error = target_error(state_.film, job_.stop.error_terms);
 }
 
-bool Overseer::reached_target(std::uint64_t end) {
+bool RenderScheduler::reached_target(std::uint64_t end) {
     ask_error(end);
     return is_at(progress_);
 }
 
-void Overseer::turn_ended(double of_others, bool interrupted) {
+void RenderScheduler::interval_ended(double of_others, bool interrupted) {
     cpu_seconds_of_others_ = of_others;
     interrupted_ = interrupted_ || interrupted;
     count_time();
     const auto ranks = static_cast<std::uint64_t>(ranks_);
-    const std::uint64_t of_a_rank = (turn_passes_ + ranks - 1) / ranks;
+    const std::uint64_t of_a_rank = (interval_passes_ + ranks - 1) / ranks;
     const double learning = state_.seconds.learn - learned_before_;
     pass_seconds_ =
-        (state_.total_seconds - turn_began_ - learning) / static_cast<double>(of_a_rank);
+        (state_.total_seconds - interval_began_ - learning) / static_cast<double>(of_a_rank);
     follow();
     if (hooks_.report) hooks_.report(progress_);
     shown_ = hooks_.snapshot && std::has_single_bit(progress_.passes);
@@ -183,20 +185,20 @@ void Overseer::turn_ended(double of_others, bool interrupted) {
     hooks_.save(state_);
 }
 
-void Overseer::finish() {
+void RenderScheduler::finish() {
     state_.interrupted = interrupted_ || (hooks_.interrupted != nullptr && *hooks_.interrupted);
     if (hooks_.snapshot && !shown_) clock_.aside([&] { hooks_.snapshot(state_); });
     if (hooks_.save && !saved_) hooks_.save(state_);
     count_time();
 }
 
-void Overseer::count_time() {
+void RenderScheduler::count_time() {
     state_.total_seconds = seconds_before_ + clock_.seconds();
     state_.cpu_seconds = cpu_seconds_before_ + clock_.cpu_seconds() + cpu_seconds_of_others_;
 }
 
 /// What the film tells.
-void Overseer::follow() {
+void RenderScheduler::follow() {
     const Film& film = state_.film;
     progress_.passes = static_cast<std::uint32_t>(film.pass_count());
     progress_.seconds = state_.total_seconds;

@@ -1,5 +1,5 @@
-// What rank 0 asks between turns: is the render over, how long is the next turn, is a snapshot or a
-// checkpoint due? With one rank a turn is a pass.
+// What rank 0 asks between intervals: is the render over, how long is the next interval, is a
+// snapshot or a checkpoint due? With one rank a interval is a pass.
 #pragma once
 
 #include "core/stopwatch.h"
@@ -10,37 +10,37 @@
 
 namespace sunfleck {
 
-class Overseer {
+class RenderScheduler {
 public:
     /// @param state   the render's, which outlives this; its passes so far are those before.
     /// @param ranks   how many there are.
-    Overseer(const RenderJob& job, const RenderHooks& hooks, RenderResult& state, int ranks);
+    RenderScheduler(const RenderJob& job, const RenderHooks& hooks, RenderResult& state, int ranks);
 
     /// Passes that are next; empty if the render is over.
-    PassRange next_turn();
+    PassRange next_interval();
 
     /// Learning begins, or is over.
     void report_learning(bool begins);
     /// Learning has traced camera paths like those of a pass, in so many seconds.
     void view_traced(double seconds) { view_seconds_ = seconds; }
     /// Is learning under way, or a pass, to be cut short, so that the render ends in time? Asked on
-    /// any thread during a turn.
+    /// any thread during a interval.
     bool cuts_learning() const;
     bool cuts_pass() const;
 
-    /// Passes up to `end` are in the film. @return is its error, asked at the end of each round,
+    /// Passes up to `end` are in the film. @return is its error, asked at the end of each batch,
     /// at the target?
     bool reached_target(std::uint64_t end);
 
-    /// All passes of the turn that count are in the film.
+    /// All passes of the interval that count are in the film.
     /// @param of_others  processor time of all other ranks since the render began.
-    void turn_ended(double of_others, bool interrupted);
+    void interval_ended(double of_others, bool interrupted);
 
-    /// The last snapshot and the last checkpoint, if those of the last turn were not.
+    /// The last snapshot and the last checkpoint, if those of the last interval were not.
     void finish();
 
 private:
-    /// Where a round ends: of other passes a render in one go knows no error, either.
+    /// Where a batch ends: of other passes a render in one go knows no error, either.
     void ask_error(std::uint64_t end);
     bool is_over() const;
     bool is_black() const;
@@ -48,7 +48,7 @@ private:
     bool is_late() const;
     bool leaves_no_pass() const;
     bool has_room_for_pass() const;
-    double seconds_of_turn() const;
+    double seconds_of_interval() const;
     void count_time();
     void follow();
 
@@ -61,11 +61,11 @@ private:
     double cpu_seconds_before_;
     double cpu_seconds_of_others_ = 0;
     Progress progress_;
-    double turn_began_ = 0;
-    double learned_before_ = 0;  // seconds of learning, up to the turn
-    double pass_seconds_ = 0;    // a rank's, in the last turn
+    double interval_began_ = 0;
+    double learned_before_ = 0;  // seconds of learning, up to the interval
+    double pass_seconds_ = 0;    // a rank's, in the last interval
     double view_seconds_ = 0;    // of camera paths while learning
-    std::uint64_t turn_passes_ = 0;
+    std::uint64_t interval_passes_ = 0;
     double saved_at_;
     bool interrupted_ = false;
     bool saved_ = false;

@@ -73,12 +73,12 @@ void check_same_render(const Ranks& ranks, const FilmKey& key) {
     if (mine != of_first) differs("a setting or the program's version");
 }
 
-RankNote SharedTurn::render(
-    const PassRange& turn, const std::function<RankNote()>& note,
+RankNote SharedInterval::render(
+    const PassRange& interval, const std::function<RankNote()>& note,
     const std::function<void(const PassRange&, const Film&, double)>& take) {
-    const PassRange block = block_of(turn, ranks_.rank, ranks_.size);
+    const PassRange block = block_of(interval, ranks_.rank, ranks_.size);
     const std::vector<PassRange> parts =
-        job_.stop.target_error ? cut_at_rounds(turn) : std::vector<PassRange>{turn};
+        job_.stop.target_error ? cut_at_batches(interval) : std::vector<PassRange>{interval};
     std::vector<Held> held(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const PassRange mine = common(parts[i], block);

@@ -57,7 +57,7 @@ EmittingPatch emitting_patch(const BilinearMesh& mesh, std::uint32_t index,
 }
 
 /// pbrt-v4's "power" is that of each light, and each triangle of a mesh is one.
-SpectralCurve radiance_of(const AreaEmission& emission, double area) {
+Spectrum radiance_of(const AreaEmission& emission, double area) {
     if (!(emission.power > 0) || !(area > 0)) return emission.radiance;
     const double sides = emission.two_sided ? 2 : 1;
     const double mean = emission.picture ? emission.picture->mean() : 1;

@@ -26,7 +26,7 @@ struct LightStatement {
 
 /// Diffuse emission of a whole shape.
 struct AreaEmission {
-    SpectralCurve radiance;
+    Spectrum radiance;
     bool two_sided = false;
     /// When positive: each light of the shape (a quadric, each triangle or patch) emits radiance *
     /// power / (pi * area * (2 if two-sided)), the curve itself not normalised (pbrt-v4); a picture

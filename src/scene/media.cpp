@@ -6,7 +6,7 @@
 namespace sunfleck {
 namespace {
 
-bool absorbs(const SpectralCurve& curve) {
+bool absorbs(const Spectrum& curve) {
     for (int nm = 360; nm <= 830; ++nm)
         if (curve(static_cast<float>(nm)) > 0) return true;
     return false;

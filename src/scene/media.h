@@ -31,7 +31,7 @@ struct MediumSides {
 
 /// All media of a scene, and who starts where.
 struct Media {
-    std::vector<SpectralCurve> absorption{SpectralCurve()};  // per unit of the world's length
+    std::vector<Spectrum> absorption{Spectrum()};  // per unit of the world's length
     MediumNumber at_camera = 0;
     std::vector<MediumSides> at_lights;  // by light; empty space where there are fewer
 
@@ -41,9 +41,9 @@ struct Media {
 
 /// Share of the light that is left after a way through a medium. @param absorption  per unit of
 /// length, not negative. @param distance  may be infinite: then all is absorbed that can be.
-inline Spectrum left_after(const Spectrum& absorption, float distance) {
-    Spectrum left;
-    for (std::size_t i = 0; i < kLanes; ++i)
+inline SampledSpectrum left_after(const SampledSpectrum& absorption, float distance) {
+    SampledSpectrum left;
+    for (std::size_t i = 0; i < kWavelengths; ++i)
         left[i] = absorption[i] > 0 ? std::exp(-absorption[i] * distance) : 1;
     return left;
 }

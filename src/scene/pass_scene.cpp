@@ -11,7 +11,7 @@ namespace {
 
 Wavelengths wavelengths_of(const FilmDescription& film, PassId pass) {
     Wavelengths drawn = Wavelengths::of_pass(pass);
-    if (film.white) drawn.turn_rgb(white_balance(*film.white));
+    if (film.white) drawn.transform_rgb(white_balance(*film.white));
     return drawn;
 }
 
@@ -21,7 +21,7 @@ PassScene::PassScene(const Scene& of, PassId pass)
     : scene(of),
       wavelengths(wavelengths_of(of.film(), pass)),
       emission(of.lights().size()),
-      white(SpectralCurve::d65().at(wavelengths)) {
+      white(Spectrum::d65().at(wavelengths)) {
     const std::size_t materials = of.materials().size();
     bsdfs.resize(materials);
     bent_.resize(materials);
@@ -38,8 +38,7 @@ PassScene::PassScene(const Scene& of, PassId pass)
     }
     may_gather_.resize(materials);
     for (std::uint32_t i = 0; i < materials; ++i) may_gather_[i] = find_whether_gathers(i) ? 1 : 0;
-    for (const SpectralCurve& curve : of.media().absorption)
-        absorption.push_back(curve.at(wavelengths));
+    for (const Spectrum& curve : of.media().absorption) absorption.push_back(curve.at(wavelengths));
     parallel_blocks(emission.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             emission[i] = curve(of.lights()[i]).at(wavelengths);
@@ -56,7 +55,7 @@ bool PassScene::find_whether_gathers(std::uint32_t material) const {
 }
 
 MediumNumber PassScene::start_medium(std::size_t light, const Emission& start,
-                                     Spectrum& flux) const {
+                                     SampledSpectrum& flux) const {
     if (!scene.has_media()) return 0;
     const MediumNumber medium =
         scene.media().at_lights[light].towards(start.normal, Vec3(start.direction));
@@ -64,14 +63,14 @@ MediumNumber PassScene::start_medium(std::size_t light, const Emission& start,
     return medium;
 }
 
-Spectrum PassScene::seen_from(const Hit& hit, const Vec3& direction, float distance,
-                              MediumNumber medium) const {
+SampledSpectrum PassScene::seen_from(const Hit& hit, const Vec3& direction, float distance,
+                                     MediumNumber medium) const {
     Ray ray = shadow_ray(hit, direction, distance);
-    if (!scene.has_media()) return Spectrum(scene.is_free(ray) ? 1 : 0);
-    Spectrum left(1);
+    if (!scene.has_media()) return SampledSpectrum(scene.is_free(ray) ? 1 : 0);
+    SampledSpectrum left(1);
     const float past_end = distance - ray.length;
     while (const auto met = scene.geometry().intersect(ray)) {
-        if (!scene.passes_straight(*met)) return Spectrum(0);
+        if (!scene.is_null_interface(*met)) return SampledSpectrum(0);
         left *= left_after(medium, met->distance);
         medium = scene.medium_beyond(*met, direction, medium);
         const float rest = ray.length - met->distance;
@@ -83,8 +82,8 @@ Spectrum PassScene::seen_from(const Hit& hit, const Vec3& direction, float dista
 }
 
 /// Greys exactly, and without asking for the table.
-Spectrum PassScene::colour(const Vec3& rgb) const {
-    if (rgb.x == rgb.y && rgb.y == rgb.z) return Spectrum(rgb.x);
+SampledSpectrum PassScene::colour(const Vec3& rgb) const {
+    if (rgb.x == rgb.y && rgb.y == rgb.z) return SampledSpectrum(rgb.x);
     return SigmoidTable::srgb().unbounded(rgb, wavelengths);
 }
 

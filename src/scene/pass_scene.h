@@ -16,9 +16,9 @@ struct PassScene {
     /// By material; nothing for an interface or a mix, and for one that varies over its surfaces or
     /// bends their shading.
     std::vector<std::optional<Bsdf>> bsdfs;
-    std::vector<Spectrum> emission;    // by light: its curve
-    std::vector<Spectrum> absorption;  // by medium, per unit of length
-    Spectrum white;                    // D65 of luminance one
+    std::vector<SampledSpectrum> emission;    // by light: its curve
+    std::vector<SampledSpectrum> absorption;  // by medium, per unit of length
+    SampledSpectrum white;                    // D65 of luminance one
 
     PassScene(const Scene& of, PassId pass);
 
@@ -36,29 +36,30 @@ struct PassScene {
     bool may_gather(std::uint32_t material) const { return may_gather_[material]; }
 
     /// What a light emits, in the colour that it has there.
-    Spectrum tinted(const Spectrum& emitted, const std::optional<Vec3>& tint) const {
+    SampledSpectrum tinted(const SampledSpectrum& emitted, const std::optional<Vec3>& tint) const {
         return tint ? emitted * colour(*tint) : emitted;
     }
 
     /// What an area light emits where it is met.
-    Spectrum emitted(std::uint32_t index, const AreaLight& light, const Hit& hit) const {
+    SampledSpectrum emitted(std::uint32_t index, const AreaLight& light, const Hit& hit) const {
         if (!light.picture) return emission[index];
         const TexelLight here = light.light_at(hit.uv);
         return tinted(emission[index] * static_cast<float>(here.luminance), here.tint);
     }
 
     /// Share of the light that is left after a way through a medium; of an endless way, too.
-    Spectrum left_after(MediumNumber medium, float distance) const {
+    SampledSpectrum left_after(MediumNumber medium, float distance) const {
         return sunfleck::left_after(absorption[medium], distance);
     }
     /// The medium in which light leaves a light, and what is left of its flux: that from afar has
     /// come an endless way already.
-    MediumNumber start_medium(std::size_t light, const Emission& start, Spectrum& flux) const;
+    MediumNumber start_medium(std::size_t light, const Emission& start,
+                              SampledSpectrum& flux) const;
     /// Share of the light of a point that arrives at a hit from there: nothing where something is
     /// in the way but surfaces passed straight; less where media are.
     /// @param direction  to the point, unit. @param medium  in which the way there starts.
-    Spectrum seen_from(const Hit& hit, const Vec3& direction, float distance,
-                       MediumNumber medium) const;
+    SampledSpectrum seen_from(const Hit& hit, const Vec3& direction, float distance,
+                              MediumNumber medium) const;
 
     /// A number by which kept() finds the Bsdf of a hit, or one of its layers, for as long as the
     /// pass lasts: that of the material, or, where this varies, of a copy. Any number of threads.
@@ -74,7 +75,7 @@ struct PassScene {
     }
 
 private:
-    Spectrum colour(const Vec3& rgb) const;
+    SampledSpectrum colour(const Vec3& rgb) const;
     const Bsdf& make_bsdf(Hit& hit, std::optional<Bsdf>& room) const;
 
     bool find_whether_gathers(std::uint32_t material) const;

@@ -46,7 +46,7 @@ public:
     const std::vector<Material>& materials() const { return surfaces_.materials(); }
     std::uint32_t material_of(const Hit& hit) const { return surfaces_.material_of(hit); }
     std::uint32_t light_of(const Hit& hit) const { return surfaces_.light_of(hit); }
-    bool passes_straight(const Hit& hit) const { return surfaces_.passes_straight(hit); }
+    bool is_null_interface(const Hit& hit) const { return surfaces_.is_null_interface(hit); }
     bool has_cover(const Hit& hit) const { return surfaces_.has_cover(hit); }
     bool is_free(const Ray& ray) const { return surfaces_.is_free(ray); }
 

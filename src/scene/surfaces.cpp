@@ -32,7 +32,7 @@ bool Surfaces::is_free(const Ray& ray) const {
     if (!has_straight_hits_) return !geometry_.occluded(ray);
     Ray rest = ray;
     while (const auto hit = geometry_.intersect(rest)) {
-        if (!passes_straight(*hit)) return false;
+        if (!is_null_interface(*hit)) return false;
         const float left = rest.length - hit->distance;
         rest = ray_from(*hit, ray.direction);
         rest.length = left;

@@ -36,7 +36,7 @@ public:
     std::uint32_t light_of(const Hit& hit) const;
     /// Is the surface no obstacle: light goes straight on, and it is no bounce? Shadow rays, eye
     /// and photon paths all ask here. (Interfaces that do not emit are not in the geometry.)
-    bool passes_straight(const Hit& hit) const {
+    bool is_null_interface(const Hit& hit) const {
         return std::holds_alternative<InterfaceMaterial>(materials_[material_of(hit)]);
     }
     /// Does any light go on beyond the surface?

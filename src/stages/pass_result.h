@@ -13,14 +13,14 @@ namespace sunfleck {
 /// Seconds.
 struct PassTimes {
     double build = 0;  // the scene at the pass's wavelengths
-    double eye = 0;
+    double camera = 0;
     double index = 0;
     double photon = 0;  // tracing and deposits
     double learn = 0;   // pilots and trials
 
     PassTimes& operator+=(const PassTimes& other) {
         build += other.build;
-        eye += other.eye;
+        camera += other.camera;
         index += other.index;
         photon += other.photon;
         learn += other.learn;
@@ -33,9 +33,9 @@ struct PassResult {
     Statistics statistics;
     PassTimes seconds;
     double radius_factor = 1;
-    double visible_fraction = 0;      // this pass's estimate, of uniform paths from all lights
-    std::vector<GroupCounts> groups;  // as the epoch's
-    std::uint32_t draws = 1;
+    double visible_fraction = 0;        // this pass's estimate, of uniform paths from all lights
+    std::vector<StratumCounts> strata;  // as the epoch's
+    std::uint32_t subpasses = 1;
     std::uint32_t weight = 1;  // how often it counts in the picture
 };
 

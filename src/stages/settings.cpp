@@ -9,8 +9,8 @@ void use_paper_mode(RenderSettings& settings) {
     settings.photon.sampler = PhotonSampler::paper;
     settings.transport.direct = DirectLight::photons;
     settings.alpha = 0.7;
-    settings.eye.indirect_radius = 1;
-    if (!settings.eye.radius_pixels) settings.eye.radius_pixels = 2;
+    settings.camera.indirect_radius = 1;
+    if (!settings.camera.radius_pixels) settings.camera.radius_pixels = 2;
 }
 
 bool is_sequential(const RenderSettings& settings) {
@@ -27,14 +27,14 @@ std::string RenderSettings::text() const {
         "radius_pixels={}\nradius={}\nindirect_radius={}\nalpha={}\n",
         name_of(integrator), name_of(photon.sampler),
         transport.direct == DirectLight::sampled ? "sampled" : "photons", transport.max_depth,
-        optional_number(photon.paths_per_pass), optional_number(eye.radius_pixels),
-        optional_number(eye.radius), optional_number(eye.indirect_radius), alpha);
+        optional_number(photon.paths_per_pass), optional_number(camera.radius_pixels),
+        optional_number(camera.radius), optional_number(camera.indirect_radius), alpha);
     if (energy_compensation) text += "energy_compensation=on\n";
-    if (!eye.light_candidates) text += "light_candidates=off\n";
+    if (!camera.ris) text += "light_candidates=off\n";
     for (const AdaptivePart& part : kAdaptiveParts)
         if (!(photon.*part.is_on)) text += setting_of(part) + "=off\n";
-    if (!transport.light_layers.names.empty())
-        text += fmt::format("light_layers={}\n", transport.light_layers.text);
+    if (!transport.light_groups.names.empty())
+        text += fmt::format("light_layers={}\n", transport.light_groups.text);
     if (photon.sampler != PhotonSampler::paper) return text;
     const PaperSettings& paper = photon.paper;
     return text + fmt::format("replica_exchange={}\nmutation_size={}\ntarget_acceptance={}\n",

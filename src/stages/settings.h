@@ -47,10 +47,10 @@ inline std::optional<Integrator> integrator_named(std::string_view name) {
 struct RenderSettings {
     Integrator integrator = Integrator::sppm;
     TransportSettings transport;
-    EyeSettings eye;
+    CameraPathSettings camera;
     PhotonSettings photon;
     double alpha = 2.0 / 3.0;  // of the radius sequence, in (0,1)
-    LayerSet layers{};
+    AovSet aovs{};
     std::uint64_t seed = 0;
     bool energy_compensation = false;  // of the scene's materials: compensate_energy()
 

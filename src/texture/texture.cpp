@@ -119,19 +119,19 @@ Vec3 marble_colour(float t) {
 
 template <class At>
 struct SpectrumValue : ValueOf<At> {
-    SpectrumValue(const TexturePoint& point, const At& at, const Wavelengths& lanes)
-        : ValueOf<At>(point, at), wavelengths(lanes) {}
+    SpectrumValue(const TexturePoint& point, const At& at, const Wavelengths& all)
+        : ValueOf<At>(point, at), wavelengths(all) {}
     using ValueOf<At>::operator();
 
-    Spectrum operator()(const SpectrumImageKind& m) const {
+    SampledSpectrum operator()(const SpectrumImageKind& m) const {
         const SigmoidTable& table = SigmoidTable::srgb();
         const Vec3 rgb = image_rgb(m, this->point_);
         if (m.use == ColourUse::albedo) return table.albedo(rgb, wavelengths);
-        const Spectrum value = table.unbounded(rgb, wavelengths);
+        const SampledSpectrum value = table.unbounded(rgb, wavelengths);
         if (m.use == ColourUse::unbounded) return value;
-        return value * SpectralCurve::d65().at(wavelengths);
+        return value * Spectrum::d65().at(wavelengths);
     }
-    Spectrum operator()(const MarbleKind& m) const {
+    SampledSpectrum operator()(const MarbleKind& m) const {
         const Vec3 p = m.mapping.at(this->point_) * m.scale;
         const float phase = p.y + m.variation * fbm(p, m.octaves);
         const float t = std::isfinite(phase) ? 0.5F + 0.5F * std::sin(phase) : 0;
@@ -158,7 +158,8 @@ SpectrumTexture::SpectrumTexture(SpectrumKind kind)
     if (has_colours) SigmoidTable::srgb();  // built now: it may not be within parallel work
 }
 
-Spectrum SpectrumTexture::varied(const TexturePoint& point, const Wavelengths& wavelengths) const {
+SampledSpectrum SpectrumTexture::varied(const TexturePoint& point,
+                                        const Wavelengths& wavelengths) const {
     const auto at = [&](const SpectrumTexture& texture) { return texture.at(point, wavelengths); };
     return std::visit(SpectrumValue<decltype(at)>(point, at, wavelengths), kind_->kind);
 }

@@ -44,20 +44,20 @@ public:
     using Number = FloatTexture;
 
     SpectrumTexture() = default;
-    SpectrumTexture(SpectralCurve curve) : curve_(std::move(curve)) {}  // NOLINT: likewise
+    SpectrumTexture(Spectrum curve) : curve_(std::move(curve)) {}  // NOLINT: likewise
     explicit SpectrumTexture(SpectrumKind kind);
 
     bool is_constant() const { return kind_ == nullptr; }
     /// Of a constant one.
-    const SpectralCurve& curve() const { return curve_; }
-    Spectrum at(const TexturePoint& point, const Wavelengths& wavelengths) const {
+    const Spectrum& curve() const { return curve_; }
+    SampledSpectrum at(const TexturePoint& point, const Wavelengths& wavelengths) const {
         return kind_ ? varied(point, wavelengths) : curve_.at(wavelengths);
     }
 
 private:
-    Spectrum varied(const TexturePoint& point, const Wavelengths& wavelengths) const;
+    SampledSpectrum varied(const TexturePoint& point, const Wavelengths& wavelengths) const;
 
-    SpectralCurve curve_;
+    Spectrum curve_;
     std::shared_ptr<const SpectrumKind> kind_;
 };
 

@@ -17,7 +17,7 @@ namespace sunfleck::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Floats = hn::CappedTag<float, kLanes>;
+using Floats = hn::CappedTag<float, kWavelengths>;
 using Integers = hn::RebindToSigned<Floats>;
 using Vector = hn::Vec<Floats>;
 constexpr std::size_t kAtOnce = hn::MaxLanes(Floats());
@@ -33,7 +33,8 @@ HWY_INLINE void add_lanes(const SortedPhotons& photons, std::span<const TakenPho
                           const Wanted& wanted, std::size_t first, BlockLight& light) {
     const Floats tag;
     const Integers numbers;
-    const auto load = [&](std::size_t i) HWY_ATTR { return hn::LoadU(tag, &light[i].lane[first]); };
+    const auto load = [&](std::size_t i)
+                          HWY_ATTR { return hn::LoadU(tag, &light[i].values[first]); };
     Vector s0 = load(0);
     Vector s1 = load(1);
     Vector s2 = load(2);
@@ -44,9 +45,9 @@ HWY_INLINE void add_lanes(const SortedPhotons& photons, std::span<const TakenPho
     Vector s7 = load(7);
     for (const TakenPhoton& t : taken) {
         const Photon& photon = photons[t.photon];
-        const unsigned takers = photon.kind == wanted.kind ? t.takers & wanted.points : 0;
-        const Vector flux = hn::LoadU(tag, &photon.flux.lane[first]);
-        const auto by = hn::Set(numbers, static_cast<std::int32_t>(takers));
+        const unsigned accepting = photon.kind == wanted.kind ? t.accepting & wanted.points : 0;
+        const Vector flux = hn::LoadU(tag, &photon.flux.values[first]);
+        const auto by = hn::Set(numbers, static_cast<std::int32_t>(accepting));
         const auto part = [&](std::int32_t bit) HWY_ATTR {
             const auto takes = hn::TestBit(by, hn::Set(numbers, bit));
             return hn::IfThenElseZero(hn::RebindMask(tag, takes), flux);
@@ -61,12 +62,12 @@ HWY_INLINE void add_lanes(const SortedPhotons& photons, std::span<const TakenPho
         s7 = hn::Add(s7, part(128));
     }
     const std::array<Vector, 8> sums = {s0, s1, s2, s3, s4, s5, s6, s7};
-    for (std::size_t i = 0; i < sums.size(); ++i) hn::StoreU(sums[i], tag, &light[i].lane[first]);
+    for (std::size_t i = 0; i < sums.size(); ++i) hn::StoreU(sums[i], tag, &light[i].values[first]);
 }
 
 void add_flux(const SortedPhotons& photons, std::span<const TakenPhoton> taken, PhotonKind kind,
               unsigned points, BlockLight& light) {
-    for (std::size_t first = 0; first < kLanes; first += kAtOnce)
+    for (std::size_t first = 0; first < kWavelengths; first += kAtOnce)
         add_lanes(photons, taken, {kind, points}, first, light);
 }
 

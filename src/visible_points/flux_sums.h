@@ -8,7 +8,7 @@
 namespace sunfleck {
 
 /// Light that arrives at the eight points of a block.
-using BlockLight = std::array<Spectrum, DiscBlock::kWidth>;
+using BlockLight = std::array<SampledSpectrum, DiscBlock::kWidth>;
 
 /// Adds to light[i], in the order of the list, the flux of every photon of that kind that point i
 /// takes, for the points whose bit is set in `points`.

@@ -100,13 +100,13 @@ HWY_INLINE Mask accept(const DiscBlock& discs, const Photon& photon, int max_dep
 HWY_INLINE Vector radii_for(const DiscBlock& discs, PhotonKind kind, std::size_t i) {
     if (kind == PhotonKind::indirect) return load(discs.indirect_radius, i);
     const Vector radius = load(discs.radius, i);
-    if (kind != PhotonKind::deep_caustic) return radius;
+    if (kind != PhotonKind::long_specular_chain) return radius;
     const Vector indirect = load(discs.indirect_radius, i);
     return hn::Sub(hn::Add(indirect, indirect), radius);
 }
 
 /// Bit i is set if disc i takes the photon. The names are those of takes().
-HWY_INLINE unsigned takers(const DiscBlock& discs, const Photon& photon, int max_depth) {
+HWY_INLINE unsigned accepting(const DiscBlock& discs, const Photon& photon, int max_depth) {
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
         const Vectors to = all(photon.position);
@@ -176,15 +176,15 @@ HWY_INLINE TakenPhotons::Block list_taken(const VisiblePointIndex& index,
     if (first + count > taken.list.size()) taken.list.resize(2 * first + count);
     const DiscBlock& discs = index.discs(block);
     std::size_t end = first;
-    std::uint32_t takers_of_any = 0;
+    std::uint32_t accepting_of_any = 0;
     for (std::size_t n = 0; n < count; ++n) {
         const std::uint32_t i = taken.near[n];
-        const unsigned by = takers(discs, photons[i], index.max_depth());
+        const unsigned by = accepting(discs, photons[i], index.max_depth());
         taken.list[end] = {i, by};
         end += by != 0 ? 1 : 0;
-        takers_of_any |= by;
+        accepting_of_any |= by;
     }
-    return {first, end - first, takers_of_any};
+    return {first, end - first, accepting_of_any};
 }
 
 bool find_taken(const VisiblePointIndex& index, const SortedPhotons& photons, std::size_t begin,
@@ -208,11 +208,11 @@ bool find_taken(const VisiblePointIndex& index, const SortedPhotons& photons, st
 
 bool is_any_taken(const VisiblePointIndex& index, std::span<const Photon> path) {
     for (const Photon& photon : path) {
-        if (!index.may_take(photon)) continue;
+        if (!index.may_accept(photon)) continue;
         const Box place{photon.position, photon.position};
         const auto near = [&](const BoxNode& node) HWY_ATTR { return touched(node, place); };
         const auto go_on = [&](std::uint32_t block) HWY_ATTR {
-            return takers(index.discs(block), photon, index.max_depth()) == 0;
+            return accepting(index.discs(block), photon, index.max_depth()) == 0;
         };
         if (index.around(photon.kind).tree.visit(near, go_on)) return true;
     }

@@ -15,8 +15,8 @@ namespace sunfleck {
 
 /// A photon, and which points of a block take it.
 struct TakenPhoton {
-    std::uint32_t photon = 0;  // of the sorted ones
-    std::uint32_t takers = 0;  // bit i: point i of the block
+    std::uint32_t photon = 0;     // of the sorted ones
+    std::uint32_t accepting = 0;  // bit i: point i of the block
 };
 
 /// The photons that some blocks take: those of one block after those of the one before.
@@ -27,7 +27,7 @@ struct TakenPhotons {
     struct Block {
         std::size_t first = 0;
         std::size_t count = 0;
-        std::uint32_t takers = 0;  // points that take any
+        std::uint32_t accepting = 0;  // points that take any
     };
 
     std::array<Block, kBlocks> blocks;

@@ -11,7 +11,7 @@ namespace sunfleck {
 class Occupancy {
 public:
     Occupancy() = default;
-    /// Marks every cell that one of the boxes touches.
+    /// VisibleFlags every cell that one of the boxes touches.
     explicit Occupancy(const std::vector<Box>& boxes);
 
     /// False only where no box is.

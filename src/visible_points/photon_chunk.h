@@ -8,9 +8,9 @@
 
 namespace sunfleck {
 
-/// Photon i belongs to path paths[i], a number within the pass or the batch, and is marked in
+/// Photon i belongs to path paths[i], a number within the pass or the chunk, and is marked in
 /// taken[i] when deposited.
-struct PhotonBatch {
+struct PhotonChunk {
     std::vector<Photon> photons;
     std::vector<std::uint32_t> paths;
     std::vector<std::uint8_t> taken;

@@ -38,12 +38,12 @@ inline double radius_factor(std::uint32_t pass, double alpha) {
 }
 
 /// Mean of the disc's area over the passes of a round, over that in pass 0.
-inline double round_area(std::uint64_t round, double alpha) {
+inline double batch_area(std::uint64_t round, double alpha) {
     DiscAreaSequence areas(alpha);
-    for (std::uint64_t p = 0; p < round * kRoundPasses; ++p) areas.next();
+    for (std::uint64_t p = 0; p < round * kBatchPasses; ++p) areas.next();
     double sum = 0;
-    for (std::uint32_t p = 0; p < kRoundPasses; ++p) sum += areas.next();
-    return sum / kRoundPasses;
+    for (std::uint32_t p = 0; p < kBatchPasses; ++p) sum += areas.next();
+    return sum / kBatchPasses;
 }
 
 }  // namespace sunfleck

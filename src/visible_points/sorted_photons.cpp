@@ -11,32 +11,32 @@
 namespace sunfleck {
 namespace {
 
-bool is_deep(const Photon& photon) {
-    return photon.kind == PhotonKind::deep_caustic;
+bool is_long_chain(const Photon& photon) {
+    return photon.kind == PhotonKind::long_specular_chain;
 }
 
-/// All photons of the batches, deep caustics last.
-MortonKeys in_order(const std::vector<PhotonBatch>& batches, const MortonGrid& grid) {
+/// All photons of the chunks, long specular chains last.
+MortonKeys in_order(const std::vector<PhotonChunk>& chunks, const MortonGrid& grid) {
     constexpr unsigned kSortedBits = 33;
     return in_morton_order(
-        batches.size(), [&](std::size_t b) { return batches[b].photons.size(); },
+        chunks.size(), [&](std::size_t b) { return chunks[b].photons.size(); },
         [&](std::size_t b, std::size_t i) {
-            const Photon& photon = batches[b].photons[i];
-            return grid.code(photon.position) >> 1U | std::uint64_t{is_deep(photon)} << 62U;
+            const Photon& photon = chunks[b].photons[i];
+            return grid.code(photon.position) >> 1U | std::uint64_t{is_long_chain(photon)} << 62U;
         },
         kSortedBits);
 }
 
-void call_into_cache(const std::vector<PhotonBatch>& batches, const MortonKey& key) {
-    const Photon& photon = batches[key.list].photons[key.item];
+void call_into_cache(const std::vector<PhotonChunk>& chunks, const MortonKey& key) {
+    const Photon& photon = chunks[key.list].photons[key.item];
     __builtin_prefetch(&photon);
-    __builtin_prefetch(&photon.flux.lane.back());
+    __builtin_prefetch(&photon.flux.values.back());
 }
 
 }  // namespace
 
-SortedPhotons::SortedPhotons(const std::vector<PhotonBatch>& batches, const MortonGrid& grid)
-    : order_(in_order(batches, grid)),
+SortedPhotons::SortedPhotons(const std::vector<PhotonChunk>& chunks, const MortonGrid& grid)
+    : order_(in_order(chunks, grid)),
       photons_(order_.size()),
       leaves_((order_.size() + kWidth - 1) / kWidth) {
     constexpr std::size_t kBlock = 512;
@@ -45,14 +45,14 @@ SortedPhotons::SortedPhotons(const std::vector<PhotonBatch>& batches, const Mort
     parallel_blocks(leaves_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         const std::size_t last = std::min(end * kWidth, order_.size());
         for (std::size_t i = begin * kWidth; i < last; ++i) {
-            if (i + kAhead < last) call_into_cache(batches, order_[i + kAhead]);
-            photons_[i] = batches[order_[i].list].photons[order_[i].item];
+            if (i + kAhead < last) call_into_cache(chunks, order_[i + kAhead]);
+            photons_[i] = chunks[order_[i].list].photons[order_[i].item];
         }
         for (std::size_t leaf = begin; leaf < end; ++leaf) boxes[leaf] = fill(leaf);
     });
     tree_ = BoxTree(std::move(boxes));
     first_deep_ = static_cast<std::size_t>(
-        std::partition_point(photons_.begin(), photons_.end(), std::not_fn(is_deep)) -
+        std::partition_point(photons_.begin(), photons_.end(), std::not_fn(is_long_chain)) -
         photons_.begin());
 }
 
@@ -70,11 +70,11 @@ Box SortedPhotons::fill(std::size_t leaf) {
 }
 
 void SortedPhotons::hand_back(const std::vector<std::uint8_t>& taken,
-                              std::vector<PhotonBatch>& batches) const {
+                              std::vector<PhotonChunk>& chunks) const {
     constexpr std::size_t kBlock = 16384;
     parallel_blocks(order_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            batches[order_[i].list].taken[order_[i].item] = taken[i];
+            chunks[order_[i].list].taken[order_[i].item] = taken[i];
     });
 }
 

@@ -1,5 +1,5 @@
-// The photons of many batches in Morton order, deep caustics last, to be asked which of them are in
-// a box.
+// The photons of many chunks in Morton order, long specular chains last, to be asked which of them
+// are in a box.
 #pragma once
 
 #include "visible_points/box_tree.h"
@@ -18,14 +18,15 @@ struct alignas(32) PhotonLeaf {
 
 class SortedPhotons {
 public:
-    /// The order depends on the photons and on the order of the batches alone.
-    SortedPhotons(const std::vector<PhotonBatch>& batches, const MortonGrid& grid);
+    /// The order depends on the photons and on the order of the chunks alone.
+    SortedPhotons(const std::vector<PhotonChunk>& chunks, const MortonGrid& grid);
 
     std::size_t size() const { return photons_.size(); }
     const Photon& operator[](std::size_t i) const { return photons_[i]; }
     /// A kind whose boxes hold photons 0 .. end - 1. @param end  may be beyond the last.
     PhotonKind widest_before(std::size_t end) const {
-        return first_deep_ < std::min(end, size()) ? PhotonKind::deep_caustic : PhotonKind::direct;
+        return first_deep_ < std::min(end, size()) ? PhotonKind::long_specular_chain
+                                                   : PhotonKind::direct;
     }
 
     /// Photons 8 l .. 8 l + 7.
@@ -34,7 +35,7 @@ public:
     const BoxTree& tree() const { return tree_; }
 
     /// Writes taken[i] to where photon i came from.
-    void hand_back(const std::vector<std::uint8_t>& taken, std::vector<PhotonBatch>& batches) const;
+    void hand_back(const std::vector<std::uint8_t>& taken, std::vector<PhotonChunk>& chunks) const;
 
 private:
     static constexpr std::size_t kWidth = BoxNode::kWidth;
@@ -45,7 +46,8 @@ private:
     UnfilledVector<Photon> photons_;
     UnfilledVector<PhotonLeaf> leaves_;
     BoxTree tree_;
-    std::size_t first_deep_ = 0;  // photons from this one on are deep caustics, and no others
+    std::size_t first_deep_ =
+        0;  // photons from this one on are long specular chains, and no others
 };
 
 }  // namespace sunfleck

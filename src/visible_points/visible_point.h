@@ -16,16 +16,16 @@ namespace sunfleck {
 
 /// How a photon reached the surface that it meets: exactly one.
 enum class PhotonKind : std::uint8_t {
-    direct = 1,       // straight from the light
-    caustic = 2,      // scattered by smooth (specular) surfaces alone, at least once
-    indirect = 4,     // scattered by a rough surface at least once
-    deep_caustic = 8  // scattered by smooth surfaces alone, kDeepCaustic times or more
+    direct = 1,              // straight from the light
+    caustic = 2,             // scattered by smooth (specular) surfaces alone, at least once
+    indirect = 4,            // scattered by a rough surface at least once
+    long_specular_chain = 8  // scattered by smooth surfaces alone, kLongSpecularChain times or more
 };
 
 /// Light that so many smooth surfaces have passed on came by a way of its own that few photons find
 /// and that spreads them far: it bears more blur. Through a full glass behind a pane there are six
-/// (docs/decisions.md, deep caustics).
-inline constexpr std::uint16_t kDeepCaustic = 7;
+/// (docs/decisions.md, long specular chains).
+inline constexpr std::uint16_t kLongSpecularChain = 7;
 
 /// A photon at a surface that can gather; or several alike, as states of a chain bring them.
 struct Photon {
@@ -34,16 +34,16 @@ struct Photon {
     Vec3 w{0};                  // unit, back along the photon
     std::uint16_t bounces = 0;  // scattering events so far
     PhotonKind kind = PhotonKind::direct;
-    std::uint8_t light_layer = kNoLightLayer;  // of the light that it comes from
+    std::uint8_t light_group = kNoLightGroup;  // of the light that it comes from
     std::uint32_t copies = 1;                  // so many alike
-    Spectrum flux;                             // of all copies
+    SampledSpectrum flux;                      // of all copies
 };
 
 /// A disc's radius for photons of a kind. @param sharp  that for direct photons and caustics.
 /// @param indirect  that for indirect ones.
 inline float radius_of_kind(PhotonKind kind, float sharp, float indirect) {
     if (kind == PhotonKind::indirect) return indirect;
-    return kind == PhotonKind::deep_caustic ? (indirect + indirect) - sharp : sharp;
+    return kind == PhotonKind::long_specular_chain ? (indirect + indirect) - sharp : sharp;
 }
 
 /// The part of a visible point that decides which photons it takes. 36 bytes.
@@ -51,28 +51,29 @@ struct Disc {
     Vec3 position{0};
     float radius = 0;           // for direct photons and caustics
     Vec3 normal{0};             // geometric, on the side that the camera path arrived at
-    std::uint16_t bounces = 0;  // scattering events of the eye path before this point
+    std::uint16_t bounces = 0;  // scattering events of the camera path before this point
     std::uint8_t kinds = 0;     // sum of the PhotonKinds that it takes
     bool both_sides = false;    // transmits: takes photons from behind, too
-    float indirect_reach = 1;   // of the disc for indirect photons, over the radius; 1 or more
+    float indirect_radius_scale =
+        1;  // of the disc for indirect photons, over the radius; 1 or more
 
     /// For photons of this kind. Light that a rough surface has scattered has few edges: a wider
-    /// disc has less noise and hardly more bias. Deep caustics have one that is wider by twice as
-    /// much.
+    /// disc has less noise and hardly more bias. long specular chains have one that is wider by
+    /// twice as much.
     float radius_for(PhotonKind kind) const {
-        return radius_of_kind(kind, radius, radius * indirect_reach);
+        return radius_of_kind(kind, radius, radius * indirect_radius_scale);
     }
-    bool takes_kind(PhotonKind kind) const {
+    bool accepts_kind(PhotonKind kind) const {
         return (kinds & static_cast<std::uint8_t>(kind)) != 0;
     }
-    /// The widest of the kinds that it takes, but for deep caustics.
+    /// The widest of the kinds that it takes, but for long specular chains.
     float usual_radius() const {
-        return takes_kind(PhotonKind::indirect) ? radius_for(PhotonKind::indirect) : radius;
+        return accepts_kind(PhotonKind::indirect) ? radius_for(PhotonKind::indirect) : radius;
     }
     /// Of all kinds that it takes.
     float widest_radius() const {
-        const bool deep = takes_kind(PhotonKind::deep_caustic);
-        return deep ? radius_for(PhotonKind::deep_caustic) : usual_radius();
+        const bool deep = accepts_kind(PhotonKind::long_specular_chain);
+        return deep ? radius_for(PhotonKind::long_specular_chain) : usual_radius();
     }
 };
 
@@ -90,7 +91,7 @@ inline bool takes(const Disc& disc, const Photon& photon, int max_depth) {
     const float radius2 = radius * radius;
     const float distance2 = d.length2();
     if (!(distance2 < 1.5F * radius2)) return false;  // a quick no: what follows is narrower
-    if (!disc.takes_kind(photon.kind)) return false;
+    if (!disc.accepts_kind(photon.kind)) return false;
     if (disc.bounces + photon.bounces >= max_depth) return false;
     float agreement = disc.normal.dot(photon.normal);
     Vec3 other = photon.normal;
@@ -111,14 +112,14 @@ struct VisiblePoint {
     Disc disc;
     Vec3 shading_normal{0};
     Vec3 tangent{0};
-    Vec3 w_from{0};       // world, unit, back towards the camera
-    Spectrum throughput;  // of the eye path, with the filter's weight; for a Lambertian surface
-                          // times albedo / pi
+    Vec3 wo{0};                  // world, unit, back towards the camera
+    SampledSpectrum throughput;  // of the camera path, with the filter's weight; for a Lambertian
+                                 // surface times albedo / pi
     std::uint32_t pixel = 0;
     std::uint32_t bsdf = 0;  // PassScene::kept() has what gathers; kLambertian: none needed
-    std::uint8_t lane = 0;   // a path that has dispersed: its lane
-    bool single_lane = false;
-    bool after_rough = false;  // the eye path has been scattered by a rough surface before
+    std::uint8_t hero = 0;   // a path that has dispersed: its wavelength
+    bool single_wavelength = false;
+    bool after_rough = false;  // the camera path has been scattered by a rough surface before
     bool shares_pixel = true;  // there may be other points of the same pixel (set by the index)
 
     /// Is there no shading normal other than the surface's own?

@@ -26,12 +26,12 @@ public:
     bool any(const Photon& photon) const { return any({&photon, 1}); }
 
     /// May any point take it? A quick no for most photons in places that are not seen.
-    bool may_take(const Photon& photon) const {
-        return takes_kind(photon.kind) &&
+    bool may_accept(const Photon& photon) const {
+        return accepts_kind(photon.kind) &&
                around(photon.kind).occupancy.may_be_in_a_box(photon.position);
     }
     /// Does any point take such photons?
-    bool takes_kind(PhotonKind kind) const {
+    bool accepts_kind(PhotonKind kind) const {
         return (kinds_ & static_cast<std::uint8_t>(kind)) != 0;
     }
 
@@ -53,7 +53,7 @@ public:
     /// Boxes that hold every photon of this kind that a point of the block takes. Those for deep
     /// caustics hold the others: they would make all questions dearer for the sake of few photons.
     const BlockBoxes& around(PhotonKind kind) const {
-        return kind == PhotonKind::deep_caustic ? all_ : usual_;
+        return kind == PhotonKind::long_specular_chain ? all_ : usual_;
     }
     int max_depth() const { return max_depth_; }
 
@@ -67,7 +67,7 @@ private:
     UnfilledVector<VisiblePoint> points_;  // in Morton order
     UnfilledVector<DiscBlock> blocks_;     // the same order: what a query reads
     std::vector<std::uint8_t> plain_;      // one bit a point of a block
-    BlockBoxes usual_;                     // around what points take but deep caustics
+    BlockBoxes usual_;                     // around what points take but long specular chains
     BlockBoxes all_;
 };
 

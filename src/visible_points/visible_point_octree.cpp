@@ -9,7 +9,8 @@
 namespace sunfleck {
 
 /// The root is larger than the scene and off its axes, so that walls do not lie on cell faces.
-ViewOctree::ViewOctree(std::span<const VisiblePoint> points, const Vec3d& centre, double radius) {
+VisiblePointOctree::VisiblePointOctree(std::span<const VisiblePoint> points, const Vec3d& centre,
+                                       double radius) {
     constexpr std::size_t kLeastPart = 4096;
     const double size = std::max(2.5 * radius, 1e-30);
     low_ = centre - Vec3d(0.4871, 0.5143, 0.5029) * size;
@@ -22,7 +23,8 @@ ViewOctree::ViewOctree(std::span<const VisiblePoint> points, const Vec3d& centre
     nodes_ = united(parts);
 }
 
-ViewOctree::Nodes ViewOctree::nodes_over(std::span<const VisiblePoint> points) const {
+VisiblePointOctree::Nodes VisiblePointOctree::nodes_over(
+    std::span<const VisiblePoint> points) const {
     Nodes nodes(1, Node{});
     Cells last{{0, 0, 0}, {0, 0, 0}, -1};
     for (const VisiblePoint& point : points) {
@@ -35,7 +37,7 @@ ViewOctree::Nodes ViewOctree::nodes_over(std::span<const VisiblePoint> points) c
 
 /// At the depth where cells are at least as wide as the box, so that it touches two an axis or
 /// fewer; never the root, which has no parent to say that it is full.
-ViewOctree::Cells ViewOctree::cells_of(const Disc& disc) const {
+VisiblePointOctree::Cells VisiblePointOctree::cells_of(const Disc& disc) const {
     constexpr double kLast = double{1U << kDeepest} - 1;
     Cells cells{};
     double widest = 0;
@@ -62,14 +64,14 @@ ViewOctree::Cells ViewOctree::cells_of(const Disc& disc) const {
     return cells;
 }
 
-void ViewOctree::fill(Nodes& nodes, const Cells& cells) {
+void VisiblePointOctree::fill(Nodes& nodes, const Cells& cells) {
     for (std::uint32_t z = cells.low[2]; z <= cells.high[2]; ++z)
         for (std::uint32_t y = cells.low[1]; y <= cells.high[1]; ++y)
             for (std::uint32_t x = cells.low[0]; x <= cells.high[0]; ++x)
                 fill(nodes, {x, y, z}, cells.depth);
 }
 
-void ViewOctree::fill(Nodes& nodes, const std::array<std::uint32_t, 3>& cell, int depth) {
+void VisiblePointOctree::fill(Nodes& nodes, const std::array<std::uint32_t, 3>& cell, int depth) {
     std::uint32_t node = 0;
     for (int bit = depth - 1; bit >= 0; --bit) {
         const std::size_t child =
@@ -89,7 +91,7 @@ void ViewOctree::fill(Nodes& nodes, const std::array<std::uint32_t, 3>& cell, in
     }
 }
 
-ViewOctree::Nodes ViewOctree::united(const std::vector<Nodes>& parts) {
+VisiblePointOctree::Nodes VisiblePointOctree::united(const std::vector<Nodes>& parts) {
     if (parts.empty()) return {Node{}};
     std::vector<std::size_t> first(parts.size() + 1, 0);
     for (std::size_t p = 0; p < parts.size(); ++p) first[p + 1] = first[p] + parts[p].size();
@@ -108,7 +110,7 @@ ViewOctree::Nodes ViewOctree::united(const std::vector<Nodes>& parts) {
     return nodes;
 }
 
-void ViewOctree::unite(Nodes& nodes, std::uint32_t into, std::uint32_t other) {
+void VisiblePointOctree::unite(Nodes& nodes, std::uint32_t into, std::uint32_t other) {
     for (std::size_t c = 0; c < Node().size(); ++c) {
         std::uint32_t& cell = nodes[into][c];
         const std::uint32_t added = nodes[other][c];

@@ -14,7 +14,7 @@
 
 namespace sunfleck {
 
-class ViewOctree {
+class VisiblePointOctree {
 public:
     /// Cells are halved at most so often.
     static constexpr int kDeepest = 24;
@@ -23,7 +23,7 @@ public:
 
     /// @param centre, radius  of a sphere around the scene, the same for every pass.
     /// Neighbours in the list should be neighbours in space.
-    ViewOctree(std::span<const VisiblePoint> points, const Vec3d& centre, double radius);
+    VisiblePointOctree(std::span<const VisiblePoint> points, const Vec3d& centre, double radius);
 
     /// 0 to kDeepest, or kFull.
     int height(const Vec3& place) const {

@@ -1,4 +1,4 @@
-// What eye paths bring is kept apart when asked for; totals and counts are as without.
+// What camera paths bring is kept apart when asked for; totals and counts are as without.
 #include "aovs/pass_image.h"
 
 #include <gtest/gtest.h>
@@ -12,12 +12,12 @@ double by_photons(const PassImage& image, std::size_t channel) {
     return image.by_photons(0, channel).to_double();
 }
 
-TEST(PassImage, photons_bring_what_eye_paths_do_not) {
+TEST(PassImage, photons_bring_what_camera_paths_do_not) {
     PassImage image(1, {}, true);
-    image.add_eye_light(0, Vec3(1, 2, 3), Layer::direct);
-    image.add_light(0, Vec3(10, 20, -30), Layer::caustic);
-    image.add_alone(0, Vec3(100, 0, 0), Layer::indirect);
-    EXPECT_EQ(image.value(Layer::total, 0, 0).to_double(), 111);
+    image.add_camera_light(0, Vec3(1, 2, 3), Aov::direct);
+    image.add_light(0, Vec3(10, 20, -30), Aov::caustic);
+    image.add_alone(0, Vec3(100, 0, 0), Aov::indirect);
+    EXPECT_EQ(image.value(Aov::total, 0, 0).to_double(), 111);
     EXPECT_EQ(by_photons(image, 0), 110);
     EXPECT_EQ(by_photons(image, 1), 20);
     EXPECT_EQ(by_photons(image, 2), -30);
@@ -27,51 +27,51 @@ TEST(PassImage, photons_bring_what_eye_paths_do_not) {
 
 TEST(PassImage, light_that_cannot_be_added_is_counted_once) {
     PassImage image(1, {}, true);
-    image.add_eye_light(0, Vec3(NAN, 1, 1), Layer::direct);
-    image.add_eye_light(0, Vec3(-0x1p60F, 1, 1), Layer::direct);
+    image.add_camera_light(0, Vec3(NAN, 1, 1), Aov::direct);
+    image.add_camera_light(0, Vec3(-0x1p60F, 1, 1), Aov::direct);
     EXPECT_EQ(image.dropped(), 1U);
     EXPECT_EQ(image.saturated(), 1U);
-    EXPECT_EQ(image.value(Layer::total, 0, 0).to_double(), -kLargestTerm);
+    EXPECT_EQ(image.value(Aov::total, 0, 0).to_double(), -kLargestTerm);
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(by_photons(image, c), 0);
 }
 
 // 4 is a power of two: shares are exact.
-TEST(PassImage, is_the_mean_over_draws) {
-    constexpr std::uint32_t kDraws = 4;
-    LayerSet all{};
+TEST(PassImage, is_the_mean_over_subpasses) {
+    constexpr std::uint32_t kSubpasses = 4;
+    AovSet all{};
     all.fill(true);
-    PassImage image(1, all, true, 1, kDraws);
-    for (std::uint32_t draw = 0; draw < kDraws; ++draw) {
-        image.add_eye_light(0, Vec3(1, 2, 3), Layer::direct);
-        image.add_light(0, Vec3(10, 20, 30), Layer::caustic);
-        image.add_alone(0, Vec3(100, 0, -40), Layer::indirect);
-        image.add_to_light_layer(0, Vec3(5, 6, 7), 0);
-        image.add_feature(0, Vec3(0.5F, 0, 0), Layer::albedo);
+    PassImage image(1, all, true, 1, kSubpasses);
+    for (std::uint32_t subpass = 0; subpass < kSubpasses; ++subpass) {
+        image.add_camera_light(0, Vec3(1, 2, 3), Aov::direct);
+        image.add_light(0, Vec3(10, 20, 30), Aov::caustic);
+        image.add_alone(0, Vec3(100, 0, -40), Aov::indirect);
+        image.add_to_light_group(0, Vec3(5, 6, 7), 0);
+        image.add_feature(0, Vec3(0.5F, 0, 0), Aov::albedo);
     }
-    EXPECT_EQ(image.value(Layer::total, 0, 0).to_double(), 111);
-    EXPECT_EQ(image.value(Layer::direct, 0, 1).to_double(), 2);
-    EXPECT_EQ(image.value(Layer::caustic, 0, 2).to_double(), 30);
-    EXPECT_EQ(image.value(Layer::indirect, 0, 2).to_double(), -40);
-    EXPECT_EQ(image.value(Layer::albedo, 0, 0).to_double(), 0.5);
+    EXPECT_EQ(image.value(Aov::total, 0, 0).to_double(), 111);
+    EXPECT_EQ(image.value(Aov::direct, 0, 1).to_double(), 2);
+    EXPECT_EQ(image.value(Aov::caustic, 0, 2).to_double(), 30);
+    EXPECT_EQ(image.value(Aov::indirect, 0, 2).to_double(), -40);
+    EXPECT_EQ(image.value(Aov::albedo, 0, 0).to_double(), 0.5);
     EXPECT_EQ(image.light_value(0, 0, 1).to_double(), 6);
     EXPECT_EQ(by_photons(image, 0), 110);
 }
 
 TEST(PassImage, layers_of_lights_count_nothing_twice) {
     PassImage image(1, {}, true, 2);
-    image.add_to_light_layer(0, Vec3(1, 2, 3), 0);
-    image.add_to_light_layer(0, Vec3(10, 0, 0), 0);
-    image.add_to_light_layer(0, Vec3(5, 5, 5), kNoLightLayer);
-    image.add_to_light_layer(0, Vec3(NAN, 1, 1), 1);
-    image.add_to_light_layer(0, Vec3(-0x1p60F, 1, 0), 1);
-    EXPECT_EQ(image.light_layers(), 2U);
+    image.add_to_light_group(0, Vec3(1, 2, 3), 0);
+    image.add_to_light_group(0, Vec3(10, 0, 0), 0);
+    image.add_to_light_group(0, Vec3(5, 5, 5), kNoLightGroup);
+    image.add_to_light_group(0, Vec3(NAN, 1, 1), 1);
+    image.add_to_light_group(0, Vec3(-0x1p60F, 1, 0), 1);
+    EXPECT_EQ(image.light_groups(), 2U);
     EXPECT_EQ(image.light_value(0, 0, 0).to_double(), 11);
     EXPECT_EQ(image.light_value(0, 0, 2).to_double(), 3);
     EXPECT_EQ(image.light_value(1, 0, 0).to_double(), -kLargestTerm);
     EXPECT_EQ(image.light_value(1, 0, 1).to_double(), 1);
     EXPECT_EQ(image.dropped(), 0U);
     EXPECT_EQ(image.saturated(), 0U);
-    EXPECT_EQ(image.value(Layer::total, 0, 0).to_double(), 0);
+    EXPECT_EQ(image.value(Aov::total, 0, 0).to_double(), 0);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST_F(AdaptiveParts, of_what_is_off_are_refused) {
     expect_refused("--pass-weights", {{"--pass-weights", "off", "--balance", "off"}});
 }
 
-TEST_F(AdaptiveParts, one_set_in_place_of_a_ladder) {
+TEST_F(AdaptiveParts, one_set_in_place_of_splitting) {
     use("cognac-4",
         {"--resolution", "16x16", "--photons-per-pass", "20000", "--emission-maps", "off"});
     EXPECT_GE(stats("0:1")["ladder"]["levels"], 3);

@@ -154,8 +154,8 @@ TEST_F(Resume, pass_ranges_go_on_and_merge) {
     EXPECT_TRUE(read_text(path("x.exr")) == read_text(path("whole.exr")));
 }
 
-/// Errors are asked for where rounds end, by a render that goes on as well: at pass 70 this one has
-/// an error that it had not at 64.
+/// Errors are asked for where batches end, by a render that goes on as well: at pass 70 this one
+/// has an error that it had not at 64.
 TEST_F(Resume, a_target_is_reached_where_it_is_in_one_go) {
     const auto error_at = [&](const std::string& passes) -> double {
         const Ran ran = render({"-o", "x.exr", "--stats", "x.json", "--passes", passes, "--quiet"});

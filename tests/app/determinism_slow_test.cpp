@@ -1,5 +1,5 @@
 // The same bytes however a render is cut: threads by splits, on a room, through glass, and by sun
-// through a window; balance, light groups and layers of lights in two epochs.
+// through a window; balance, light groups and aovs of lights in two epochs.
 #include "app/determinism_support.h"
 
 namespace sunfleck {
@@ -24,7 +24,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, DeterminismTable,
                          ::testing::Values("cornell", "cognac-1", "window-room"));
 
 /// What is learned anew in a second epoch, which begins at pass 16.
-struct Learned {
+struct LearnedCase {
     const char* name;
     const char* scene;
     testing_support::Words words;
@@ -34,15 +34,15 @@ struct Learned {
 };
 
 /// Of a test's name.
-std::ostream& operator<<(std::ostream& out, const Learned& learned) {
+std::ostream& operator<<(std::ostream& out, const LearnedCase& learned) {
     return out << learned.name;
 }
 
 class TwoEpochs : public testing_support::DeterminismTest,
-                  public ::testing::WithParamInterface<Learned> {};
+                  public ::testing::WithParamInterface<LearnedCase> {};
 
 TEST_P(TwoEpochs, have_the_same_bytes_for_any_threads_and_cuts) {
-    const Learned& learned = GetParam();
+    const LearnedCase& learned = GetParam();
     use(learned.scene, testing_support::Words{"--resolution", learned.resolution} + learned.words);
     expect_same_bytes(18, learned.cut, learned.stops);
     part("other", "1:19", 1);
@@ -52,11 +52,11 @@ TEST_P(TwoEpochs, have_the_same_bytes_for_any_threads_and_cuts) {
 INSTANTIATE_TEST_SUITE_P(
     Of, TwoEpochs,
     ::testing::Values(
-        Learned{"balance", "cornell", {}, 15, {14, 17, 18}},
-        Learned{"passes_that_count_twice", "keyhole-4", {}, 17, {14, 17, 18}, "48x48"},
-        Learned{"noisy_pixels", "iced-tea", {"--photons-per-pass", "20000"}, 15, {14, 17, 18}},
-        Learned{"light_groups", "useless-light", {"--photons-per-pass", "3000"}, 7, {4, 17, 18}},
-        Learned{"light_layers",
+        LearnedCase{"balance", "cornell", {}, 15, {14, 17, 18}},
+        LearnedCase{"passes_that_count_twice", "keyhole-4", {}, 17, {14, 17, 18}, "48x48"},
+        LearnedCase{"noisy_pixels", "iced-tea", {"--photons-per-pass", "20000"}, 15, {14, 17, 18}},
+        LearnedCase{"light_groups", "useless-light", {"--photons-per-pass", "3000"}, 7, {4, 17, 18}},
+        LearnedCase{"light_layers",
                 "useless-light",
                 {"--photons-per-pass", "3000", "--light-layer", "each"},
                 7,

@@ -39,7 +39,7 @@ TEST_F(Documentation, has_each_flag_of_each_command) {
 
 TEST_F(Documentation, has_each_layer) {
     const std::string text = page("docs/render.md");
-    for (const LayerRow& row : kLayers) {
+    for (const AovRow& row : kAovs) {
         if (row.name.empty()) continue;
         EXPECT_NE(text.find("| `" + std::string(row.name) + "."), std::string::npos) << row.name;
         EXPECT_NE(text.find("`--layers " + std::string(row.name) + "`"), std::string::npos);

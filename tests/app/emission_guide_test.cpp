@@ -7,7 +7,7 @@ namespace {
 
 using testing_support::DeterminismTest;
 
-class EmissionMaps : public DeterminismTest {
+class EmissionGuides : public DeterminismTest {
 protected:
     void SetUp() override {
         DeterminismTest::SetUp();
@@ -15,7 +15,7 @@ protected:
     }
 };
 
-TEST_F(EmissionMaps, are_told_in_the_statistics) {
+TEST_F(EmissionGuides, are_told_in_the_statistics) {
     const auto s = stats("0:2");
     EXPECT_EQ(s["photon_paths"]["mapped"], 2 * 2250);
     EXPECT_GT(s["photon_paths"]["mapped_visible"], 20);
@@ -29,11 +29,11 @@ TEST_F(EmissionMaps, are_told_in_the_statistics) {
     EXPECT_EQ(s["starved_passes"], 0);
 }
 
-TEST_F(EmissionMaps, are_left_out_where_the_user_says_so) {
+TEST_F(EmissionGuides, are_left_out_where_the_user_says_so) {
     EXPECT_EQ(stats("0:1", {"--emission-maps", "off"})["photon_paths"]["mapped"], 0);
 }
 
-TEST_F(EmissionMaps, have_the_same_bytes_for_any_threads_and_parts) {
+TEST_F(EmissionGuides, have_the_same_bytes_for_any_threads_and_parts) {
     expect_same_bytes(3, 1, {1, 3});
 }
 

@@ -140,7 +140,7 @@ TEST_F(Flags, crop_shows_the_same_part) {
     EXPECT_GT(mean(whole.picture, "depth.Z"), 1.3 * mean(part.picture, "depth.Z"));
 }
 
-TEST_F(Flags, layers) {
+TEST_F(Flags, aovs) {
     EXPECT_EQ(rendered({}).picture.channels.size(), 3U);
     const Picture picture =
         rendered({"--layers", "direct,caustic,indirect,emission,depth"}).picture;

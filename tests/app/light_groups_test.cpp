@@ -1,4 +1,4 @@
-// Layers of lights as a user meets them: the list of lights, the flag, the picture's layers, and
+// Aovs of lights as a user meets them: the list of lights, the flag, the picture's aovs, and
 // lamps dimmed afterwards.
 #include "app/determinism_support.h"
 #include "image/exr.h"
@@ -14,7 +14,7 @@ using testing_support::Words;
 using testing_support::operator+;
 using testing_support::write_text;
 
-class LightLayersApp : public DeterminismTest {
+class LightGroupsApp : public DeterminismTest {
 protected:
     void SetUp() override {
         DeterminismTest::SetUp();
@@ -23,7 +23,7 @@ protected:
     }
 
     /// Channel names, without those of the picture itself.
-    std::vector<std::string> layer_channels(const std::string& name) const {
+    std::vector<std::string> aov_channels(const std::string& name) const {
         std::vector<std::string> names;
         for (const Channel& channel : read_exr(path(name)).channels)
             if (channel.name.find('.') != std::string::npos) names.push_back(channel.name);
@@ -31,7 +31,7 @@ protected:
     }
 };
 
-TEST_F(LightLayersApp, lights_are_listed_by_number) {
+TEST_F(LightGroupsApp, lights_are_listed_by_number) {
     const Ran ran = run({"info", "useless-light.pbrt", "--lights"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     std::istringstream lines(ran.out);
@@ -50,9 +50,9 @@ TEST_F(LightLayersApp, lights_are_listed_by_number) {
     EXPECT_EQ(run({"info", "--lights"}).code, 2);
 }
 
-TEST_F(LightLayersApp, each_light_or_named_ones_have_a_layer) {
+TEST_F(LightGroupsApp, each_light_or_named_ones_have_a_layer) {
     part("each", "0:1", 2);
-    EXPECT_EQ(layer_channels("each.exr"),
+    EXPECT_EQ(aov_channels("each.exr"),
               (std::vector<std::string>{"light1.B", "light1.G", "light1.R", "light2.B", "light2.G",
                                         "light2.R"}));
     ASSERT_EQ(run({"render", "useless-light.pbrt", "--quiet", "--resolution", "12x12",
@@ -68,7 +68,7 @@ TEST_F(LightLayersApp, each_light_or_named_ones_have_a_layer) {
     EXPECT_EQ(named.metadata.at("light_layers"), "a-1 B_");
 }
 
-TEST_F(LightLayersApp, films_with_other_layers_do_not_mix) {
+TEST_F(LightGroupsApp, films_with_other_layers_do_not_mix) {
     part("a", "0:1", 1);
     const Words render{"render", "useless-light.pbrt", "--quiet", "--resolution",
                        "12x12",  "--photons-per-pass", "3000",    "--pass-range",
@@ -86,35 +86,35 @@ TEST_F(LightLayersApp, films_with_other_layers_do_not_mix) {
     }
 }
 
-TEST_F(LightLayersApp, what_cannot_be_a_layer_is_refused) {
+TEST_F(LightGroupsApp, what_cannot_be_a_layer_is_refused) {
     use("useless-light", {});
-    const auto layer = [](const std::string& text) { return Words{"--light-layer", text}; };
-    expect_refused("--light-layer", {layer(""),
-                                     layer("a"),
-                                     layer("a="),
-                                     layer("=1"),
-                                     layer("a=0"),
-                                     layer("a=3"),
-                                     layer("a=2-1"),
-                                     layer("a=1,"),
-                                     layer("a=1;2"),
-                                     layer("a=1-"),
-                                     layer("a=x"),
-                                     layer("a b=1"),
-                                     layer("1a=1"),
-                                     layer("a.b=1"),
-                                     layer("direct=1"),
-                                     layer("error=1"),
-                                     layer("bias=1"),
-                                     layer("a=1") + layer("a=2"),
-                                     layer("a=1-2") + layer("b=2"),
-                                     layer("each") + layer("b=2"),
-                                     layer("a=99999999999"),
-                                     layer("a=1") + Words{"--mode", "paper"},
-                                     layer("each") + Words{"--integrator", "path"}});
+    const auto aov = [](const std::string& text) { return Words{"--light-layer", text}; };
+    expect_refused("--light-layer", {aov(""),
+                                     aov("a"),
+                                     aov("a="),
+                                     aov("=1"),
+                                     aov("a=0"),
+                                     aov("a=3"),
+                                     aov("a=2-1"),
+                                     aov("a=1,"),
+                                     aov("a=1;2"),
+                                     aov("a=1-"),
+                                     aov("a=x"),
+                                     aov("a b=1"),
+                                     aov("1a=1"),
+                                     aov("a.b=1"),
+                                     aov("direct=1"),
+                                     aov("error=1"),
+                                     aov("bias=1"),
+                                     aov("a=1") + aov("a=2"),
+                                     aov("a=1-2") + aov("b=2"),
+                                     aov("each") + aov("b=2"),
+                                     aov("a=99999999999"),
+                                     aov("a=1") + Words{"--mode", "paper"},
+                                     aov("each") + Words{"--integrator", "path"}});
 }
 
-TEST_F(LightLayersApp, more_lights_than_layers_are_refused) {
+TEST_F(LightGroupsApp, more_lights_than_layers_are_refused) {
     std::string scene = "WorldBegin\n";
     for (int i = 0; i < 65; ++i) scene += "LightSource \"point\"\n";
     write_text(path("many.pbrt"), scene);
@@ -128,7 +128,7 @@ TEST_F(LightLayersApp, more_lights_than_layers_are_refused) {
 }
 
 /// The sun outside switched off is nearly the scene without it.
-TEST_F(LightLayersApp, a_lamp_is_dimmed_after_the_render) {
+TEST_F(LightGroupsApp, a_lamp_is_dimmed_after_the_render) {
     part("lit", "0:2", 2);
     const Picture lit = read_exr(path("lit.exr"));
     const Ran ran = run({"relight", "lit.exr", "light1=0.5", "light2=1,0,2", "-o", "dim.exr", "-o",

@@ -8,7 +8,7 @@ using testing_support::DeterminismTest;
 using testing_support::operator+;
 using testing_support::read_text;
 
-class LightGroups : public DeterminismTest {
+class LightStrata : public DeterminismTest {
 protected:
     void SetUp() override {
         DeterminismTest::SetUp();
@@ -16,7 +16,7 @@ protected:
     }
 };
 
-TEST_F(LightGroups, are_told_in_the_statistics) {
+TEST_F(LightStrata, are_told_in_the_statistics) {
     const auto s = stats("0:3", {"--seed", "7"});  // one whose pilot finds the sun's light
     ASSERT_EQ(s["light_groups"].size(), 2U);
     const auto& lamp = s["light_groups"][0];
@@ -42,7 +42,7 @@ TEST_F(LightGroups, are_told_in_the_statistics) {
     EXPECT_TRUE(stats("0:1")["light_groups"].empty());
 }
 
-TEST_F(LightGroups, are_on_unless_they_are_switched_off) {
+TEST_F(LightStrata, are_on_unless_they_are_switched_off) {
     const auto plain = stats("0:1");
     const std::string bytes = read_text(path("x.exr"));
     EXPECT_FALSE(plain["settings"].contains("light_groups"));

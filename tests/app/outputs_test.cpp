@@ -155,9 +155,9 @@ TEST_F(Outputs, of_scene_replace_no_file_that_differs) {
 }
 
 TEST_F(Outputs, hold_the_layers_that_are_asked_for) {
-    for (const Words& layer : {Words{"--layers", "depth"}, Words{"--light-layer", "each"}})
-        expect_refused({"render", "room.pbrt", "-o", "x.png", layer[0], layer[1]},
-                       layer[0] + ": a .png holds no layers; add an output that does");
+    for (const Words& aov : {Words{"--layers", "depth"}, Words{"--light-layer", "each"}})
+        expect_refused({"render", "room.pbrt", "-o", "x.png", aov[0], aov[1]},
+                       aov[0] + ": a .png holds no layers; add an output that does");
     expect_refused({"render", "room.pbrt", "-o", "x.PNG", "--layers", "depth"}, "holds no layers");
     EXPECT_EQ(render({"-o", "x.png", "-o", "x.film", "--passes", "1", "--layers", "depth"}).code,
               0);

@@ -48,7 +48,7 @@ TEST_F(Balance, is_off_where_the_user_says_so) {
     EXPECT_EQ(given["epochs"][0]["photons_per_pass"], 777);
 }
 
-TEST_F(Balance, noisy_pixels_are_told_in_the_statistics_and_can_be_left_out) {
+TEST_F(Balance, adaptive_pixels_are_told_in_the_statistics_and_can_be_left_out) {
     use("diamond", {"--resolution", "24x24"});
     const auto s = stats("15:16");
     const auto& epoch = s["epochs"][0];

@@ -95,7 +95,7 @@ TEST_F(Stats, starved_passes_are_counted_and_warned_of) {
 }
 
 /// A small part of a wall, and one photon a pass, which meets it in one of thirty: of some seed two
-/// rounds are black and the passes after them are not. An error of zero would say that the picture
+/// batches are black and the passes after them are not. An error of zero would say that the picture
 /// is known.
 TEST_F(Stats, error_of_light_in_an_open_round_alone_is_absent) {
     write_text(path("room.pbrt"),

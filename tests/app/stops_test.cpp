@@ -51,7 +51,7 @@ TEST_F(Stops, time_shorter_than_a_pass_gives_one_pass) {
     EXPECT_EQ(stats_of({"--time", "0.000001"})["passes"], 1);
 }
 
-TEST_F(Stops, target_error_ends_at_the_first_round_that_reaches_it) {
+TEST_F(Stops, target_error_ends_at_the_first_batch_that_reaches_it) {
     const Words few{"--photons-per-pass", "200"};
     const auto stats = stats_of(few + Words{"--target-error", "2%", "--passes", "5000"});
     const int passes = stats["passes"];

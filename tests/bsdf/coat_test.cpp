@@ -32,7 +32,7 @@ TEST(Coat, lets_as_much_in_as_out) {
 TEST(Coat, white_under_smooth_glass_loses_nothing) {
     const Coat coat(1.5F, {}, 0);
     for (const float cosine : {1.0F, 0.7F, 0.3F, 0.05F}) {
-        const CoatedBase base{Spectrum(1), &coat};
+        const CoatedBase base{SampledSpectrum(1), &coat};
         const Vec3 w(std::sqrt(1 - cosine * cosine), 0, cosine);
         EXPECT_NEAR(base.reflectance(w)[0] + coat.reflectance(cosine), 1, 3e-4) << cosine;
     }
@@ -40,7 +40,7 @@ TEST(Coat, white_under_smooth_glass_loses_nothing) {
 
 TEST(Coat, an_index_of_one_is_no_coat) {
     const Coat coat(1, {}, 0);
-    const CoatedDiffuse plain{Spectrum(0.6F), &coat};
+    const CoatedDiffuse plain{SampledSpectrum(0.6F), &coat};
     const Vec3 a(0.6F, 0, 0.8F);
     const Vec3 b(0, 0.8F, 0.6F);
     EXPECT_NEAR(plain.eval(a, b, Transport::radiance)[0], 0.6F / kPi, 1e-4F);
@@ -115,7 +115,7 @@ TEST(Coat, agrees_with_random_walks) {
                           Case{Ggx{0.3F, 0.3F}, 0.05F, 0.8F, 0.03}})
         for (const float cosine : {0.95F, 0.4F}) {
             const Coat coat(1.5F, c.facets, c.thickness);
-            const CoatedBase base{Spectrum(c.albedo), &coat};
+            const CoatedBase base{SampledSpectrum(c.albedo), &coat};
             const CoatReflection top{&coat};
             const Vec3 w(std::sqrt(1 - cosine * cosine), 0, cosine);
             Walk walk(coat, c.thickness, c.albedo, 5);
@@ -130,7 +130,7 @@ TEST(Coat, agrees_with_random_walks) {
             std::array<double, kRings> formula{};
             for (int i = 0; i < kWalks; ++i) {
                 const Vec3 to(cosine_hemisphere(Vec2d(random.next(), random.next())));
-                Spectrum f = base.eval(w, to, Transport::flux);
+                SampledSpectrum f = base.eval(w, to, Transport::flux);
                 if (c.facets) f += top.eval(w, to, Transport::flux);
                 formula.at(ring_of(to)) += static_cast<double>(f[0] * kPi) / kWalks;
             }

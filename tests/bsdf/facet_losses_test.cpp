@@ -12,7 +12,7 @@
 namespace sunfleck {
 namespace {
 
-/// Shares of the light from w that go on, of lane 0.
+/// Shares of the light from w that go on, of wavelength 0.
 struct Shares {
     double back = 0;
     double through = 0;
@@ -38,11 +38,11 @@ Shares shares(const Bsdf& bsdf, const Vec3& w, Transport transport = Transport::
 }
 
 RoughConductor white(const Ggx& facets) {
-    return {Spectrum(1), Spectrum(1e4F), facets, &FacetLosses::table()};
+    return {SampledSpectrum(1), SampledSpectrum(1e4F), facets, &FacetLosses::table()};
 }
 
 RoughDielectric glass(float eta, float alpha) {
-    return {Spectrum(eta), {alpha, alpha}, &FacetLosses::table()};
+    return {SampledSpectrum(eta), {alpha, alpha}, &FacetLosses::table()};
 }
 
 TEST(FacetLosses, white_metal_returns_all) {
@@ -113,10 +113,10 @@ TEST(FacetLosses, brushed_metal_is_white_in_the_mean) {
 TEST(FacetLosses, colours_deepen) {
     const RoughConductor gold{laws::gold_eta(), laws::gold_k(), {0.7F, 0.7F}};
     const RegainedByMetal lobe{FacetLosses::table(), gold.facets};
-    const Spectrum once = conductor_reflectance(0.7F, gold.eta, gold.k);
-    const Spectrum again = lobe.reflectance(gold.eta, gold.k);
-    EXPECT_LT(again[0] / again[kLanes - 1], once[0] / once[kLanes - 1]);
-    EXPECT_NEAR(lobe.reflectance(Spectrum(1), Spectrum(1e4F))[0], 1, 0.001);
+    const SampledSpectrum once = conductor_reflectance(0.7F, gold.eta, gold.k);
+    const SampledSpectrum again = lobe.reflectance(gold.eta, gold.k);
+    EXPECT_LT(again[0] / again[kWavelengths - 1], once[0] / once[kWavelengths - 1]);
+    EXPECT_NEAR(lobe.reflectance(SampledSpectrum(1), SampledSpectrum(1e4F))[0], 1, 0.001);
 }
 
 }  // namespace

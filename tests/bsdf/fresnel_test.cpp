@@ -38,13 +38,13 @@ TEST(Fresnel, dielectric_is_the_same_from_both_sides) {
 }
 
 TEST(Fresnel, conductor_is_the_textbook) {
-    Spectrum eta;
-    Spectrum k;
-    eta.lane = {0.13F, 0.2F, 1.0F, 1.5F, 2.8F, 1.0F, 0.05F, 1.6F};
-    k.lane = {4.0F, 2.5F, 7.0F, 0.0F, 3.2F, 200.0F, 1.0F, 1.9F};
+    SampledSpectrum eta;
+    SampledSpectrum k;
+    eta.values = {0.13F, 0.2F, 1.0F, 1.5F, 2.8F, 1.0F, 0.05F, 1.6F};
+    k.wavelength = {4.0F, 2.5F, 7.0F, 0.0F, 3.2F, 200.0F, 1.0F, 1.9F};
     for (const float c : kCosines) {
-        const Spectrum r = conductor_reflectance(c, eta, k);
-        for (std::size_t i = 0; i < kLanes; ++i)
+        const SampledSpectrum r = conductor_reflectance(c, eta, k);
+        for (std::size_t i = 0; i < kWavelengths; ++i)
             EXPECT_NEAR(r[i], laws::fresnel(c, {eta[i], k[i]}), 3e-5) << c << " lane " << i;
     }
 }
@@ -53,20 +53,20 @@ TEST(Fresnel, conductor_is_the_textbook) {
 TEST(Fresnel, conductor_of_given_reflectance) {
     for (const float r : {0.0F, 0.1F, 0.5F, 0.9F, 0.9999F}) {
         const float k = 2 * std::sqrt(r) / std::sqrt(1 - r);
-        EXPECT_NEAR(conductor_reflectance(1, Spectrum(1), Spectrum(k))[5], r, 1e-5F);
+        EXPECT_NEAR(conductor_reflectance(1, SampledSpectrum(1), SampledSpectrum(k))[5], r, 1e-5F);
     }
 }
 
 /// Exactly: a share of -1e-9 would make a negative weight.
 TEST(Fresnel, stays_within_zero_and_one) {
-    Spectrum k;
-    k.lane = {0, 1e-4F, 0.01F, 0.3F, 1, 3, 30, 1000};
+    SampledSpectrum k;
+    k.wavelength = {0, 1e-4F, 0.01F, 0.3F, 1, 3, 30, 1000};
     for (const float index : {0.02F, 0.5F, 1.0F, 1.001F, 1.5F, 40.0F})
         for (int i = 1; i <= 1000; ++i) {
             const float c = static_cast<float>(i) / 1000;
             const float glass = dielectric_reflectance(c, index);
             EXPECT_TRUE(glass >= 0 && glass <= 1) << c << " " << index;
-            const Spectrum r = conductor_reflectance(c, Spectrum(index), k);
+            const SampledSpectrum r = conductor_reflectance(c, SampledSpectrum(index), k);
             EXPECT_TRUE(r.min() >= 0 && r.max() <= 1) << c << " " << index;
         }
 }

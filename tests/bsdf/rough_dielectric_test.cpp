@@ -1,4 +1,4 @@
-// Rough glass: smooth glass is its limit, its lanes are one-index glasses side by side.
+// Rough glass: smooth glass is its limit, its wavelengths are one-index glasses side by side.
 #include "bsdf/rough_dielectric.h"
 
 #include "bsdf/smooth_dielectric.h"
@@ -25,9 +25,9 @@ Parting compare_with_smooth(const RoughDielectric& rough, const Vec3& w, Transpo
         const BsdfDraw draw{Vec3(lobe, u, stream.next_float()), transport, {}};
         const BsdfSample r = rough.sample(w, draw).value();
         const BsdfSample s = smooth.sample(w, draw).value();
-        if (r.w_to.z * s.w_to.z < 0) {
+        if (r.wi.z * s.wi.z < 0) {
             ++parting.elsewhere;
-        } else if ((r.w_to - s.w_to).length() > 0.03F) {
+        } else if ((r.wi - s.wi).length() > 0.03F) {
             ++parting.tail;
         } else {
             EXPECT_NEAR(r.weight[3], s.weight[3], 2e-3F * s.weight[3]);
@@ -40,7 +40,7 @@ Parting compare_with_smooth(const RoughDielectric& rough, const Vec3& w, Transpo
 /// Facets of alpha 1e-3 tilt by some 1e-3 (by t or more with probability 1e-6 / t^2): direction,
 /// weight and share approach the smooth ones, but for a tail.
 TEST(RoughDielectric, smooth_glass_is_the_limit) {
-    const RoughDielectric rough(Spectrum(1.5F), {1e-3F, 1e-3F});
+    const RoughDielectric rough(SampledSpectrum(1.5F), {1e-3F, 1e-3F});
     for (const Vec3& w : {laws::direction_at(1, 0), laws::direction_at(0.6F, 2),
                           laws::direction_at(-0.9F, 1), laws::direction_at(-0.5F, 1)})
         for (const Transport transport : {Transport::radiance, Transport::flux}) {
@@ -50,27 +50,28 @@ TEST(RoughDielectric, smooth_glass_is_the_limit) {
         }
 }
 
-void expect_lanes_apart(const RoughDielectric& prism, const Vec3& a, const Vec3& b, Transport t) {
-    const Spectrum f = prism.eval(a, b, t);
+void expect_wavelengths_apart(const RoughDielectric& prism, const Vec3& a, const Vec3& b,
+                              Transport t) {
+    const SampledSpectrum f = prism.eval(a, b, t);
     float mean_pdf = 0;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const RoughDielectric one = prism.for_lane(lane);
-        EXPECT_EQ(f[lane], one.eval(a, b, t)[lane]);
-        mean_pdf += one.pdf(a, b, t) / kLanes;
+    for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength) {
+        const RoughDielectric one = prism.at_wavelength(wavelength);
+        EXPECT_EQ(f[wavelength], one.eval(a, b, t)[wavelength]);
+        mean_pdf += one.pdf(a, b, t) / kWavelengths;
     }
     EXPECT_NEAR(prism.pdf(a, b, t), mean_pdf, 1e-5F * mean_pdf);
 }
 
-TEST(RoughDielectric, lanes_are_glasses_of_one_index) {
+TEST(RoughDielectric, wavelengths_see_glasses_of_one_index) {
     const RoughDielectric prism(laws::ramp(1.7F, 1.5F), {0.3F, 0.2F});
     ASSERT_TRUE(prism.is_dispersive());
-    EXPECT_FALSE(prism.for_lane(3).is_dispersive());
+    EXPECT_FALSE(prism.at_wavelength(3).is_dispersive());
     RandomStream stream(8, Purpose::test, 0, 0);
     for (int i = 0; i < 1000; ++i) {
         const Vec3 a = laws::random_direction(stream);
         const Vec3 b = laws::random_direction(stream);
-        expect_lanes_apart(prism, a, b, Transport::radiance);
-        expect_lanes_apart(prism, a, b, Transport::flux);
+        expect_wavelengths_apart(prism, a, b, Transport::radiance);
+        expect_wavelengths_apart(prism, a, b, Transport::flux);
     }
 }
 
@@ -78,7 +79,7 @@ TEST(RoughDielectric, lanes_are_glasses_of_one_index) {
 TEST(RoughDielectric, values_are_walters) {
     const double alpha = 0.4;
     const double eta = 1.5;
-    const RoughDielectric glass(Spectrum(1.5F), {0.4F, 0.4F});
+    const RoughDielectric glass(SampledSpectrum(1.5F), {0.4F, 0.4F});
     const Vec3d i(0.6, 0, 0.8);
     const Vec3d o = Vec3d(-0.2, 0.1, -0.7).normalized();
     const Vec3d h = (i + o * eta).normalized() * -1.0;  // h.z > 0 as eta > 1 and o is below
@@ -100,9 +101,9 @@ TEST(RoughDielectric, values_are_walters) {
     const double btdf = std::abs(ih * oh / (i.z * o.z)) * eta * eta * (1 - f) * g * d /
                         ((ih + eta * oh) * (ih + eta * oh));
     // Light comes from outside along i and leaves inside along o.
-    const Spectrum value = glass.eval(Vec3(i), Vec3(o), Transport::flux);
+    const SampledSpectrum value = glass.eval(Vec3(i), Vec3(o), Transport::flux);
     EXPECT_NEAR(value[0] / btdf, 1, 1e-5);
-    EXPECT_EQ(value, Spectrum(value[0]));
+    EXPECT_EQ(value, SampledSpectrum(value[0]));
     EXPECT_NEAR(glass.eval(Vec3(i), Vec3(o), Transport::radiance)[0] * eta * eta / btdf, 1, 1e-5);
 }
 

@@ -23,25 +23,25 @@ TEST(ThinDielectric, reflectance_is_the_sum_of_all_echoes) {
     };
     const ThinDielectric pane{laws::ramp(1.3F, 1.9F)};
     for (const float cosine : {1.0F, 0.5F, 0.1F})
-        for (std::size_t lane = 0; lane < kLanes; ++lane)
-            EXPECT_NEAR(pane.reflectance(cosine)[lane],
-                        echoes(laws::fresnel(cosine, pane.eta[lane])), 1e-5);
+        for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength)
+            EXPECT_NEAR(pane.reflectance(cosine)[wavelength],
+                        echoes(laws::fresnel(cosine, pane.eta[wavelength])), 1e-5);
 }
 
 TEST(ThinDielectric, passes_straight_on_and_mirrors) {
-    const ThinDielectric pane{Spectrum(1.5F)};
+    const ThinDielectric pane{SampledSpectrum(1.5F)};
     for (const Vec3& w : laws::probe_directions())
         for (const Transport t : {Transport::radiance, Transport::flux}) {
             const auto passed = pane.sample(w, {Vec3(1 - 0x1p-24F, 0, 0), t, {}});
-            EXPECT_EQ(passed->w_to, -w);
+            EXPECT_EQ(passed->wi, -w);
             EXPECT_EQ(passed->eta, 1);
-            EXPECT_EQ(passed->weight, Spectrum(1));
+            EXPECT_EQ(passed->weight, SampledSpectrum(1));
             const auto mirrored = pane.sample(w, {Vec3(0x1p-24F, 0, 0), t, {}});
-            EXPECT_EQ(mirrored->w_to, Vec3(-w.x, -w.y, w.z));
+            EXPECT_EQ(mirrored->wi, Vec3(-w.x, -w.y, w.z));
         }
 }
 
-TEST(ThinDielectric, keeps_all_lanes) {
+TEST(ThinDielectric, keeps_all_wavelengths) {
     const ThinDielectric pane{laws::ramp(1.3F, 1.9F)};
     const auto passed =
         pane.sample(laws::direction_at(0.5F, 0), {Vec3(0.9F, 0, 0), Transport::flux, {3, false}});

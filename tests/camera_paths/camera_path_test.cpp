@@ -25,8 +25,7 @@ SceneDescription seen_from_above(std::vector<ShapeDescription> shapes) {
     SceneDescription scene;
     scene.materials = {
         DiffuseMaterial{}, ThinDielectricMaterial{},
-        ConductorMaterial{
-            SpectralCurve::constant(0.2F), SpectralCurve::constant(4), {}, {0.3F, 0.3F}}};
+        ConductorMaterial{Spectrum::constant(0.2F), Spectrum::constant(4), {}, {0.3F, 0.3F}}};
     scene.shapes = std::move(shapes);
     Matrix camera(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 4, 1);
     scene.film.resolution = Vec2i(kPixels, kPixels);
@@ -42,32 +41,33 @@ struct Seen {
 };
 
 Seen trace(const SceneDescription& description, const TransportSettings& transport,
-           double radius_factor = 1, const EyeSettings& settings = {}, std::uint32_t number = 0) {
+           double radius_factor = 1, const CameraPathSettings& settings = {},
+           std::uint32_t number = 0) {
     const Scene scene(description);
     const PassId id{2, number};
     const PassScene pass(scene, id);
-    PassImage image(kPixels * kPixels, LayerSet{});
+    PassImage image(kPixels * kPixels, AovSet{});
     Seen seen;
     seen.points = testing_support::joined(
-        trace_eye_paths({pass, transport, settings, {0, 0, kPixels, kPixels}, id, radius_factor},
-                        image, seen.statistics));
+        trace_camera_paths({pass, transport, settings, {0, 0, kPixels, kPixels}, id, radius_factor},
+                           image, seen.statistics));
     for (std::size_t i = 0; i < image.pixels(); ++i)
-        seen.emission += image.value(Layer::total, i, 0).to_double();
+        seen.emission += image.value(Aov::total, i, 0).to_double();
     return seen;
 }
 
-/// Doublings 0 to 4, pixel by pixel.
-std::vector<std::uint8_t> mixed_doublings() {
-    std::vector<std::uint8_t> doublings(kPixels * kPixels);
-    for (std::size_t i = 0; i < doublings.size(); ++i)
-        doublings[i] = static_cast<std::uint8_t>(i % 5);
-    return doublings;
+/// Log2Samples 0 to 4, pixel by pixel.
+std::vector<std::uint8_t> mixed_log2_samples() {
+    std::vector<std::uint8_t> log2_samples(kPixels * kPixels);
+    for (std::size_t i = 0; i < log2_samples.size(); ++i)
+        log2_samples[i] = static_cast<std::uint8_t>(i % 5);
+    return log2_samples;
 }
 
 const TransportSettings kSampled{DirectLight::sampled, 64};
 const TransportSettings kPhotons{DirectLight::photons, 64};
 
-TEST(EyePath, a_diffuse_surface_ends_every_path) {
+TEST(CameraPath, a_diffuse_surface_ends_every_path) {
     const Seen seen = trace(seen_from_above({square(0, 0)}), kSampled);
     ASSERT_EQ(seen.points.size(), static_cast<std::size_t>(kPixels * kPixels));
     EXPECT_EQ(seen.statistics[Count::visible_points], seen.points.size());
@@ -87,9 +87,9 @@ TEST(EyePath, a_diffuse_surface_ends_every_path) {
 
 /// A pixel footprint, the pixel's width on the floor, for the picture is small; and the schedule's
 /// factor, and fixed.
-TEST(EyePath, first_radius) {
+TEST(CameraPath, first_radius) {
     const double pixel = 2 * 4 * std::tan(10 * kPiDouble / 180) / kPixels;
-    const auto radius = [&](double factor, const EyeSettings& settings) {
+    const auto radius = [&](double factor, const CameraPathSettings& settings) {
         return static_cast<double>(
             trace(seen_from_above({square(0, 0)}), kSampled, factor, settings)
                 .points[kPixels * kPixels / 2 + kPixels / 2]
@@ -102,14 +102,14 @@ TEST(EyePath, first_radius) {
 }
 
 /// Of a crop, too, it is that of the whole picture.
-TEST(EyePath, first_radius_goes_by_the_size_of_the_film) {
+TEST(CameraPath, first_radius_goes_by_the_size_of_the_film) {
     SceneDescription scene = seen_from_above({square(0, 0)});
     const auto first = [&] {
         const Scene whole(scene);
         const PassId id{2, 0};
         const PassScene pass(whole, id);
-        const EyeSettings settings;
-        return EyePass{pass, kSampled, settings, {3, 3, 5, 5}, id}.first_radius;
+        const CameraPathSettings settings;
+        return CameraPass{pass, kSampled, settings, {3, 3, 5, 5}, id}.first_radius;
     };
     EXPECT_EQ(first(), 1);
     scene.film.resolution = Vec2i(512, 512);
@@ -119,11 +119,11 @@ TEST(EyePath, first_radius_goes_by_the_size_of_the_film) {
 /// Of thin glass that is met head-on, by far; index 1.5: what both faces throw back together.
 constexpr double kPane = 2 * 0.04 / 1.04;
 
-TEST(EyePath, smooth_glass_is_crossed_and_counted) {
+TEST(CameraPath, smooth_glass_is_crossed_and_counted) {
     const Seen seen = trace(seen_from_above({square(0, 0), square(1, 1)}), kSampled);
     // What glass reflects goes to the sky, and is followed, too.
     ASSERT_EQ(seen.points.size(), static_cast<std::size_t>(kPixels * kPixels));
-    EXPECT_EQ(seen.statistics[Count::eye_rays], 3U * kPixels * kPixels);
+    EXPECT_EQ(seen.statistics[Count::camera_rays], 3U * kPixels * kPixels);
     for (const VisiblePoint& p : seen.points) {
         EXPECT_EQ(p.disc.position.z, 0);
         EXPECT_EQ(p.disc.bounces, 1);
@@ -135,7 +135,7 @@ TEST(EyePath, smooth_glass_is_crossed_and_counted) {
 /// Light that goes to and fro between two panes (faint, and by chance alone) arrives in the mean:
 /// half a percent of all, and .06% is the standard error. It comes in no flashes: a path that is
 /// kept by chance counts no more than the root of its branch.
-TEST(EyePath, both_ways_at_glass_are_followed_until_one_is_faint) {
+TEST(CameraPath, both_ways_at_glass_are_followed_until_one_is_faint) {
     constexpr std::uint32_t kPasses = 64;
     const SceneDescription scene = seen_from_above({square(0, 0), square(1, 1), square(2, 1)});
     const auto pixels = static_cast<std::size_t>(kPixels * kPixels);
@@ -157,7 +157,7 @@ TEST(EyePath, both_ways_at_glass_are_followed_until_one_is_faint) {
 }
 
 /// Sampled: a glossy surface takes caustics only, and the path goes on. Photons: it ends there.
-TEST(EyePath, glossy_surfaces_gather_and_go_on) {
+TEST(CameraPath, glossy_surfaces_gather_and_go_on) {
     SceneDescription scene = seen_from_above({square(0, 2), square(6, 0)});
     const Seen sampled = trace(scene, kSampled);
     int at_metal = 0;
@@ -181,7 +181,7 @@ TEST(EyePath, glossy_surfaces_gather_and_go_on) {
 /// In a mirror discs are as wide as the pixel; in brushed metal wider, by a hundredth of what the
 /// lobe is wide: .18 where it is densest, and never more than one. (Pixels off the axis are
 /// narrower, by up to .0013.)
-TEST(EyePath, discs_seen_in_a_glossy_lobe_are_a_hundredth_of_it_wider) {
+TEST(CameraPath, discs_seen_in_a_glossy_lobe_are_a_hundredth_of_it_wider) {
     constexpr double kPixel = 0.3526540 / kPixels;  // 2 tan(10 degrees), at distance one
     for (const float alpha : {0.0F, 0.05F}) {
         SceneDescription scene = seen_from_above({square(0, 2), square(6, 0)});
@@ -190,7 +190,7 @@ TEST(EyePath, discs_seen_in_a_glossy_lobe_are_a_hundredth_of_it_wider) {
         for (const VisiblePoint& p : trace(scene, kSampled).points) {
             if (p.disc.position.z == 0) continue;
             ++beyond;
-            const double ways = static_cast<double>(p.disc.position.z) / -p.w_from.z;
+            const double ways = static_cast<double>(p.disc.position.z) / -p.wo.z;
             const double added = p.disc.radius - kPixel * (4 + ways);
             EXPECT_GT(added / ways, alpha > 0 ? 0.0006 : -0.0013);
             EXPECT_LT(added / ways, alpha > 0 ? 0.0102 : 0.0004);
@@ -200,31 +200,31 @@ TEST(EyePath, discs_seen_in_a_glossy_lobe_are_a_hundredth_of_it_wider) {
 }
 
 /// Through glass too, but not beyond rough metal, whose lobe has made discs wider already.
-TEST(EyePath, discs_are_wider_for_indirect_light_but_beyond_rough_surfaces) {
-    EyeSettings settings;
+TEST(CameraPath, discs_are_wider_for_indirect_light_but_beyond_rough_surfaces) {
+    CameraPathSettings settings;
     settings.indirect_radius = 3.5;
     const SceneDescription glass = seen_from_above({square(0, 0), square(1, 1)});
     for (const VisiblePoint& p : trace(glass, kSampled, 1, settings).points)
-        EXPECT_EQ(p.disc.indirect_reach, 3.5F);
+        EXPECT_EQ(p.disc.indirect_radius_scale, 3.5F);
     int beyond = 0;
     const SceneDescription metal = seen_from_above({square(0, 2), square(6, 0)});
     for (const VisiblePoint& p : trace(metal, kSampled, 1, settings).points) {
-        EXPECT_EQ(p.disc.indirect_reach, p.after_rough ? 1.0F : 3.5F);
+        EXPECT_EQ(p.disc.indirect_radius_scale, p.after_rough ? 1.0F : 3.5F);
         beyond += p.after_rough ? 1 : 0;
     }
     EXPECT_GT(beyond, 20);
 }
 
-TEST(EyePath, depth_limits_the_eye) {
+TEST(CameraPath, depth_limits_the_eye) {
     const SceneDescription scene = seen_from_above({square(0, 0), square(1, 1)});
     EXPECT_TRUE(trace(scene, {DirectLight::sampled, 0}).points.empty());
     EXPECT_TRUE(trace(scene, {DirectLight::sampled, 1}).points.empty());
     EXPECT_FALSE(trace(scene, {DirectLight::sampled, 2}).points.empty());
 }
 
-TEST(EyePath, the_sky_is_emission) {
+TEST(CameraPath, the_sky_is_emission) {
     SceneDescription scene = seen_from_above({});
-    scene.lights = {InfiniteLight{SpectralCurve::d65()}};
+    scene.lights = {InfiniteLight{Spectrum::d65()}};
     const Seen seen = trace(scene, kSampled);
     EXPECT_TRUE(seen.points.empty());
     EXPECT_GT(seen.emission, 0.5 * kPixels * kPixels);
@@ -232,35 +232,35 @@ TEST(EyePath, the_sky_is_emission) {
 
 // Light, features and throughputs of a flat surface below a camera far away: alike in all pixels,
 // whatever their numbers of paths.
-TEST(EyePath, the_paths_of_a_pixel_share_its_light) {
+TEST(CameraPath, the_paths_of_a_pixel_share_its_light) {
     SceneDescription description = seen_from_above({square(0, 0)});
-    description.lights.push_back(InfiniteLight{SpectralCurve::constant(0)});
+    description.lights.push_back(InfiniteLight{Spectrum::constant(0)});
     const Scene scene(description);
     const PassId id{2, 0};
     const PassScene at(scene, id);
-    const std::vector<std::uint8_t> doublings = mixed_doublings();
-    LayerSet layers{};
-    layers.at(static_cast<std::size_t>(Layer::normal)) = true;
-    layers.at(static_cast<std::size_t>(Layer::albedo)) = true;
-    PassImage image(kPixels * kPixels, layers);
+    const std::vector<std::uint8_t> log2_samples = mixed_log2_samples();
+    AovSet aovs{};
+    aovs.at(static_cast<std::size_t>(Aov::normal)) = true;
+    aovs.at(static_cast<std::size_t>(Aov::albedo)) = true;
+    PassImage image(kPixels * kPixels, aovs);
     std::vector<std::uint64_t> rays(kPixels * kPixels, 3);
-    EyePass pass{at, kPhotons, {}, {0, 0, kPixels, kPixels}, id};
-    pass.doublings = doublings;
+    CameraPass pass{at, kPhotons, {}, {0, 0, kPixels, kPixels}, id};
+    pass.log2_samples = log2_samples;
     pass.rays = rays;
     Statistics statistics;
-    const auto points = testing_support::joined(trace_eye_paths(pass, image, statistics));
+    const auto points = testing_support::joined(trace_camera_paths(pass, image, statistics));
     std::vector<double> throughput(kPixels * kPixels, 0);
     std::vector<std::uint64_t> paths(kPixels * kPixels, 0);
     for (const VisiblePoint& p : points) {
         throughput[p.pixel] += static_cast<double>(p.throughput[0]);
         ++paths[p.pixel];
     }
-    for (std::size_t i = 0; i < doublings.size(); ++i) {
-        EXPECT_EQ(paths[i], 1U << doublings[i]);
+    for (std::size_t i = 0; i < log2_samples.size(); ++i) {
+        EXPECT_EQ(paths[i], 1U << log2_samples[i]);
         EXPECT_EQ(rays[i], 3 + paths[i]);
         EXPECT_NEAR(throughput[i], 0.5 / kPiDouble, 1e-6);
-        EXPECT_NEAR(image.value(Layer::normal, i, 2).to_double(), 1, 1e-6);
-        EXPECT_NEAR(image.value(Layer::albedo, i, 1).to_double(), 0.5, 1e-3);
+        EXPECT_NEAR(image.value(Aov::normal, i, 2).to_double(), 1, 1e-6);
+        EXPECT_NEAR(image.value(Aov::albedo, i, 1).to_double(), 0.5, 1e-3);
     }
     EXPECT_EQ(statistics[Count::camera_paths], points.size());
 }

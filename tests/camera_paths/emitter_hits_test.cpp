@@ -23,7 +23,7 @@ TEST(EmitterHits, emitter_at_a_hit) {
         return emitter_at(point.pass(), hit.value(), &at, direction);
     };
     const EmitterMet front = met(from + Vec3(0, 0, 0.5F), {0, 0, 1});
-    EXPECT_EQ(front.radiance, Spectrum(2));
+    EXPECT_EQ(front.radiance, SampledSpectrum(2));
     // Two triangles of area 2 and equal power: distance^2 / (cos * 2) / 2.
     EXPECT_NEAR(front.pdf, 1.5 * 1.5 / 2 / 2, 1e-5);
     EXPECT_TRUE(met(from + Vec3(0, 0, 3), {0, 0, -1}).radiance.is_zero());
@@ -35,7 +35,7 @@ TEST(EmitterHits, emitters_beyond) {
     SceneDescription scene = floor_of();
     scene.shapes.push_back(lamp(quad(kCeiling), 2));
     for (const float radiance : {0.1F, 0.3F, 0.2F})
-        scene.lights.emplace_back(InfiniteLight{SpectralCurve::constant(radiance)});
+        scene.lights.emplace_back(InfiniteLight{Spectrum::constant(radiance)});
     const LitPoint point(std::move(scene));
     const LightTree& tree = point.scene().light_tree();
     const double skies =

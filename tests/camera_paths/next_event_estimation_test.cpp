@@ -14,9 +14,9 @@ namespace {
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
 /// What a candidate's weight was, and what a bsdf sample into the same direction would weigh.
-void expect_weights_sum_to_one(const LitPoint& point, const LightCandidate& candidate) {
+void expect_weights_sum_to_one(const LitPoint& point, const RisCandidate& candidate) {
     const PassScene& pass = point.pass();
-    const EyeVertex& vertex = point.vertex();
+    const CameraVertex& vertex = point.vertex();
     if (candidate.arriving.is_zero()) return;
     const Receiver from = receiver_at(pass.scene, vertex);
     const Ray ray = ray_from(vertex.hit, candidate.direction);
@@ -27,14 +27,14 @@ void expect_weights_sum_to_one(const LitPoint& point, const LightCandidate& cand
     const auto density =
         static_cast<float>(pass.scene.light_tree().probability(from, candidate.light)) *
         (hit ? 1 : 1 / (4 * kPi));
-    const Vec3 w_to = vertex.frame.to_local(candidate.direction);
-    const Spectrum f = eval(vertex.bsdf, vertex.w_from, w_to, Transport::radiance);
-    const float of_all = static_cast<float>(light_candidates(vertex)) * (hit ? met.pdf : density);
+    const Vec3 wi = vertex.frame.to_local(candidate.direction);
+    const SampledSpectrum f = eval(vertex.bsdf, vertex.wo, wi, Transport::radiance);
+    const float of_all = static_cast<float>(ris_candidates(vertex)) * (hit ? met.pdf : density);
     const float light_weight = candidate.arriving[0] * of_all /
-                               (f[0] * std::abs(w_to.z) * pass.emission[candidate.light][0]);
+                               (f[0] * std::abs(wi.z) * pass.emission[candidate.light][0]);
     Statistics statistics;
-    const BsdfSample drawn{Spectrum(1), w_to,
-                           pdf(vertex.bsdf, vertex.w_from, w_to, Transport::radiance)};
+    const BsdfSample drawn{SampledSpectrum(1), wi,
+                           pdf(vertex.bsdf, vertex.wo, wi, Transport::radiance)};
     const float bsdf_weight =
         follow_bsdf_sample(pass, vertex, drawn, statistics)[0] / met.radiance[0];
     EXPECT_NEAR(light_weight + bsdf_weight, 1, 2e-4) << light_weight << ' ' << bsdf_weight;
@@ -52,13 +52,13 @@ TEST(LightSample, weights_of_light_and_bsdf_samples_sum_to_one) {
         place.translate(Vec3d(3, 0, 0));
         scene.shapes.push_back(lamp({{Disk{0, 0.7}, place, true}, 0, {}, {}}, 3, true));
         for (const float radiance : {0.1F, 0.3F})
-            scene.lights.emplace_back(InfiniteLight{SpectralCurve::constant(radiance)});
+            scene.lights.emplace_back(InfiniteLight{Spectrum::constant(radiance)});
         LitPoint point(std::move(scene));
         RandomStream random(3, Purpose::test, 0, material);
         for (int i = 0; i < 300; ++i) {
             if (i == 200) point.leave_candidates_out();
             const LightNumbers u{random.next(), {random.next(), random.next()}, 0};
-            for (const LightCandidate& light : candidates_at(point.pass(), point.vertex(), u))
+            for (const RisCandidate& light : candidates_at(point.pass(), point.vertex(), u))
                 expect_weights_sum_to_one(point, light);
             if (HasFailure()) return;
         }
@@ -81,8 +81,8 @@ TEST(LightSample, a_sample_has_the_light_of_all_candidates) {
             LightNumbers u{random.next(), {random.next(), random.next()}, 0};
             double seen = 0;
             unsigned many = 0;
-            for (const LightCandidate& light : candidates_at(point.pass(), point.vertex(), u)) {
-                const Spectrum left =
+            for (const RisCandidate& light : candidates_at(point.pass(), point.vertex(), u)) {
+                const SampledSpectrum left =
                     point.pass().seen_from(point.vertex().hit, light.direction, light.distance, 0);
                 seen += static_cast<double>((light.arriving * left)[0]);
                 many += light.arriving.is_zero() ? 0 : 1;
@@ -97,7 +97,7 @@ TEST(LightSample, a_sample_has_the_light_of_all_candidates) {
                 mean += static_cast<double>(point.by_light(u, statistics)[0]) / picks;
             }
             EXPECT_NEAR(mean, seen, (each ? 1e-6 : 0.01) * std::max(seen, 0.01)) << i;
-            EXPECT_EQ(statistics[Count::eye_rays], picks * (each ? many : many > 0 ? 1 : 0));
+            EXPECT_EQ(statistics[Count::camera_rays], picks * (each ? many : many > 0 ? 1 : 0));
         }
         EXPECT_GT(hidden, 20) << material;
     }
@@ -110,7 +110,7 @@ TEST(LightSample, one_candidate_brings_the_light_of_all) {
         LitPoint point(std::move(scene));
         const Interval several = reflected(point);
         point.leave_candidates_out();
-        EXPECT_EQ(light_candidates(point.vertex()), 1U);
+        EXPECT_EQ(ris_candidates(point.vertex()), 1U);
         const Interval one = reflected(point);
         EXPECT_NEAR(one.mean, several.mean, 0.004 * several.mean);
         EXPECT_LT(one.half + several.half, 0.003 * several.mean);
@@ -122,9 +122,9 @@ TEST(LightSample, one_candidate_brings_the_light_of_all) {
 TEST(LightSample, candidates_fill_the_lights_evenly) {
     for (const std::uint32_t material : {0U, 1U}) {
         SceneDescription scene = floor_of(material);
-        scene.lights = {InfiniteLight{SpectralCurve::constant(1)}};
+        scene.lights = {InfiniteLight{Spectrum::constant(1)}};
         const LitPoint point(std::move(scene));
-        const std::size_t count = light_candidates(point.vertex());
+        const std::size_t count = ris_candidates(point.vertex());
         RandomStream random(6, Purpose::test, 0, material);
         const auto many = static_cast<double>(count);
         constexpr std::size_t kSamples = 20'000;
@@ -133,8 +133,8 @@ TEST(LightSample, candidates_fill_the_lights_evenly) {
         for (std::size_t i = 0; i < kSamples; ++i) {
             const LightNumbers u{random.next(), {random.next(), random.next()}, 0};
             std::array<double, 2> light{};
-            const LightCandidates candidates = candidates_at(point.pass(), point.vertex(), u);
-            for (const LightCandidate& candidate : candidates)
+            const RisCandidates candidates = candidates_at(point.pass(), point.vertex(), u);
+            for (const RisCandidate& candidate : candidates)
                 light[1] += static_cast<double>(candidate.arriving[0]);
             light[0] = static_cast<double>(candidates.at(i % count).arriving[0]);
             for (const std::size_t k : {0U, 1U}) {

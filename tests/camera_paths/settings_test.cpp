@@ -18,44 +18,46 @@ TEST(FirstRadius, is_one_pixel_in_small_pictures_and_two_in_large_ones) {
 }
 
 TEST(FirstRadius, is_what_the_user_says) {
-    EyeSettings settings;
+    CameraPathSettings settings;
     settings.radius_pixels = 7;
     EXPECT_EQ(first_radius(settings, {16, 12}), 7);
     EXPECT_EQ(first_radius(settings, {1920, 1080}), 7);
 }
 
 double indirect_pixels(const Vec2i& resolution) {
-    return first_radius({}, resolution) * indirect_reach({}, resolution);
+    return first_radius({}, resolution) * indirect_radius_scale({}, resolution);
 }
 
-TEST(IndirectReach, grows_with_the_picture) {
+TEST(IndirectRadiusScale, grows_with_the_picture) {
     EXPECT_DOUBLE_EQ(indirect_pixels({256, 256}), 4);
     EXPECT_DOUBLE_EQ(indirect_pixels({1024, 64}), 4);
     EXPECT_DOUBLE_EQ(indirect_pixels({512, 512}), 4 * std::exp2(0.625));
     EXPECT_NEAR(indirect_pixels({1920, 1080}), 4 * std::pow(5.625, 0.625), 1e-12);
 }
 
-TEST(IndirectReach, is_not_less_than_two_pixels) {
+TEST(IndirectRadiusScale, is_not_less_than_two_pixels) {
     EXPECT_GT(indirect_pixels({86, 86}), 2);
     EXPECT_EQ(indirect_pixels({84, 84}), 2);
     EXPECT_EQ(indirect_pixels({1, 1}), 2);
 }
 
-TEST(IndirectReach, is_what_the_user_says) {
-    EyeSettings settings;
+TEST(IndirectRadiusScale, is_what_the_user_says) {
+    CameraPathSettings settings;
     settings.indirect_radius = 7;
-    EXPECT_EQ(indirect_reach(settings, {16, 12}), 7);
-    EXPECT_EQ(indirect_reach(settings, {1920, 1080}), 7);
+    EXPECT_EQ(indirect_radius_scale(settings, {16, 12}), 7);
+    EXPECT_EQ(indirect_radius_scale(settings, {1920, 1080}), 7);
 }
 
-TEST(IndirectReach, of_radii_that_the_user_says_is_that_of_two_pixels) {
+TEST(IndirectRadiusScale, of_radii_that_the_user_says_is_that_of_two_pixels) {
     for (const int side : {16, 84, 256, 512, 1000}) {
-        EyeSettings pixels;
+        CameraPathSettings pixels;
         pixels.radius_pixels = 7;
-        EyeSettings length;
+        CameraPathSettings length;
         length.radius = 0.3;
-        EXPECT_EQ(indirect_reach(pixels, {side, side}), indirect_reach(length, {side, side}));
-        EXPECT_DOUBLE_EQ(2 * indirect_reach(pixels, {side, side}), indirect_pixels({side, side}));
+        EXPECT_EQ(indirect_radius_scale(pixels, {side, side}),
+                  indirect_radius_scale(length, {side, side}));
+        EXPECT_DOUBLE_EQ(2 * indirect_radius_scale(pixels, {side, side}),
+                         indirect_pixels({side, side}));
     }
 }
 

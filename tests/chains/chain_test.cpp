@@ -1,4 +1,5 @@
-// Chains: uniform in their set once, they stay so, though which slots exist depends on the path.
+// Chains: uniform in their set once, they stay so, though which dimensions exist depends on the
+// path.
 #include "chains/chain.h"
 
 #include "laws/toy_paths.h"
@@ -29,8 +30,8 @@ StoredSample uniform_in_set(const Islands& islands, int least_height, RandomStre
     }
 }
 
-/// Which of 48 parts of the visible set: 2 islands, 6 parts of each, 4 of the slot that depends on
-/// the part. Those of right halves are `open` as large as those of left halves.
+/// Which of 48 parts of the visible set: 2 islands, 6 parts of each, 4 of the dimension that
+/// depends on the part. Those of right halves are `open` as large as those of left halves.
 std::size_t part_of(const Islands& islands, const StoredSample& sample) {
     const double u = to_unit(sample[0]);
     const std::size_t island = u < 0.5 ? 0 : 1;

@@ -20,20 +20,20 @@ double turns(std::uint64_t step) {
 TEST(Moved, is_undone_by_the_other_side) {
     RandomStream stream = numbers(0);
     for (int i = 0; i < 100'000; ++i) {
-        const std::uint64_t slot = stream.next_fraction();
+        const std::uint64_t dimension = stream.next_fraction();
         const std::uint32_t random = stream.next_word();
         const float scale = std::exp2(-30 * stream.next_float() + 4);
-        const std::uint64_t there = moved(slot, scale, random);
-        EXPECT_EQ(moved(there, scale, random ^ 1U), slot);
+        const std::uint64_t there = moved(dimension, scale, random);
+        EXPECT_EQ(moved(there, scale, random ^ 1U), dimension);
     }
 }
 
 TEST(Moved, does_not_depend_on_where_it_starts) {
     RandomStream stream = numbers(1);
     for (int i = 0; i < 1000; ++i) {
-        const std::uint64_t slot = stream.next_fraction();
+        const std::uint64_t dimension = stream.next_fraction();
         const std::uint32_t random = stream.next_word();
-        EXPECT_EQ(moved(slot, 0.3F, random) - slot, moved(0, 0.3F, random));
+        EXPECT_EQ(moved(dimension, 0.3F, random) - dimension, moved(0, 0.3F, random));
     }
 }
 
@@ -66,8 +66,8 @@ TEST(Moved, goes_around_the_ends) {
     EXPECT_NEAR(to_unit(moved(0, 3.25F, kOutwards | 1U)), 0.25, 1e-4);  // three times around
 }
 
-// 100,000 mutations in 30 bins: chi-square at 0.1%. Two slots of one mutation differ by a decade at
-// most, and its magnitude lies within a decade and a half of the scale.
+// 100,000 mutations in 30 bins: chi-square at 0.1%. Two dimensions of one mutation differ by a
+// decade at most, and its magnitude lies within a decade and a half of the scale.
 TEST(LogUniformMove, magnitudes_are_log_uniform_over_three_decades) {
     constexpr int kBins = 30;
     constexpr int kMutations = 100'000;
@@ -85,7 +85,7 @@ TEST(LogUniformMove, magnitudes_are_log_uniform_over_three_decades) {
         ASSERT_LE(*most / *least, 10.001);
         ASSERT_GT(*least, 0.99 * std::pow(10, -2));
         ASSERT_LT(*most, 1.01 * std::pow(10, 2));
-        // The mean over slots blurs the magnitude; the middle of the range stays flat.
+        // The mean over dimensions blurs the magnitude; the middle of the range stays flat.
         const double decades = std::log10(product);
         if (std::abs(decades) < 1) ++seen.at(static_cast<std::size_t>((decades + 1.5) * kBins / 3));
     }
@@ -113,8 +113,8 @@ TEST(ApproximateExp2, is_near_and_rises_without_a_step) {
 }
 
 TEST(LogUniformMove, the_second_kind_moves_bounces_farther) {
-    const std::uint32_t bounce = slot(0, BounceSlot::direction_u);
-    const std::uint32_t emission = slot(EmissionSlot::direction_u);
+    const std::uint32_t bounce = dimension(0, BounceDimension::direction_u);
+    const std::uint32_t emission = dimension(EmissionDimension::direction_u);
     for (std::uint32_t i = 0; i < 100; ++i) {
         std::array<double, 4> step{};
         for (const std::size_t kind : {0U, 1U}) {
@@ -130,7 +130,7 @@ TEST(LogUniformMove, the_second_kind_moves_bounces_farther) {
     }
 }
 
-TEST(LogUniformMove, every_slot_has_its_own_step) {
+TEST(LogUniformMove, every_dimension_has_its_own_step) {
     RandomStream stream = numbers(7);
     LogUniformMove move({{0.1F, 0.2F}}, 1, stream);
     EXPECT_NE(move(0, 0), move(1, 0));

@@ -10,7 +10,7 @@
 namespace sunfleck {
 namespace {
 
-using testing_support::first_slots;
+using testing_support::first_dimensions;
 using testing_support::Islands;
 
 constexpr std::uint32_t kPaths = 200'000;
@@ -32,8 +32,8 @@ struct Dark : Islands {
 std::vector<Islands> spaces() {
     return {
         {"two slots", {0, 6, 1, 2, 3, 4}, {{0.25, 0.02, 0.5, 1}, {0.7, 0.03, 0.5, 8}}},
-        {"eight slots", first_slots(8), {{0.3, 0.01, 0.45, 1}, {0.7, 0.02, 0.4, 5}}},
-        {"64 slots", first_slots(64), {{0.25, 0.005, 0.495, 1}, {0.8, 0.005, 0.49, 3}}},
+        {"eight slots", first_dimensions(8), {{0.3, 0.01, 0.45, 1}, {0.7, 0.02, 0.4, 5}}},
+        {"64 slots", first_dimensions(64), {{0.25, 0.005, 0.495, 1}, {0.8, 0.005, 0.49, 3}}},
         {"1e-7", {0, 6, 1, 2, 3, 4}, {{0.3, 1.5e-4, 0.5, 1}, {0.7, 0.8e-4, 0.5, 5}}},
     };
 }
@@ -42,8 +42,8 @@ PilotResult learn(const Islands& space, std::uint64_t seed) {
     return Pilot<Islands, EmissionPoints>(space, {seed, 0}).run(kPaths);
 }
 
-// The pilot picks its sets by what it sees, so it finds a little too much; the mean of six seeds
-// has a standard error of up to 20%.
+// The pilot picks its sets by what it sees, so it finds a little too much; the mean of six
+// survivors has a standard error of up to 20%.
 TEST(Pilot, finds_how_rare_visible_paths_are) {
     for (const Islands& space : spaces()) {
         double mean = 0;
@@ -58,7 +58,7 @@ TEST(Pilot, finds_how_rare_visible_paths_are) {
     }
 }
 
-// Acceptance of a full pass with what was learned, by level and kind, at seed 1. Of what a map
+// Acceptance of a full pass with what was learned, by level and kind, at seed 1. Of what a guide
 // leaves out, which may be slivers, scales are learned less well.
 TEST(Pilot, learns_scales_that_accept_as_often_as_asked) {
     int alone = 0;
@@ -68,13 +68,13 @@ TEST(Pilot, learns_scales_that_accept_as_often_as_asked) {
         Nowhere nowhere;
         Islands::Tally tally;
         const EmissionPoints points(pass);
-        const LadderCounts counts =
-            Ladder(space, points, pass, result.plan, result.mapped).run(nowhere, tally);
+        const SplittingCounts counts =
+            Splitting(space, points, pass, result.plan, result.guided).run(nowhere, tally);
         ASSERT_EQ(counts.levels.size(), result.plan.levels.size() + 1) << space.name;
-        const bool is_alone = result.plan.levels.size() == 1 && result.mapped.paths == 0;
+        const bool is_alone = result.plan.levels.size() == 1 && result.guided.paths == 0;
         alone += is_alone ? 1 : 0;
         for (std::size_t k = 1; k < counts.levels.size(); ++k) {
-            const bool is_rest = result.mapped.paths > 0 && k + 1 == counts.levels.size();
+            const bool is_rest = result.guided.paths > 0 && k + 1 == counts.levels.size();
             for (const Acceptance& kind : counts.levels[k].acceptances)
                 EXPECT_NEAR(static_cast<double>(kind.accepted) / static_cast<double>(kind.proposed),
                             is_alone ? kTargetOfOneSet : kTargetAcceptance, is_rest ? 0.25 : 0.07)
@@ -84,14 +84,14 @@ TEST(Pilot, learns_scales_that_accept_as_often_as_asked) {
     EXPECT_GT(alone, 0);
 }
 
-TEST(Pilot, plans_the_ladder_that_the_rules_ask_for) {
+TEST(Pilot, plans_the_levels_that_the_rules_ask_for) {
     EXPECT_EQ(learn(spaces()[0], 1).plan.levels.size(), 1U);
     const PilotResult rare = learn(spaces()[3], 1);
-    EXPECT_EQ(rare.plan.levels.size(), ladder_plan(rare.tail, kPaths).levels.size());
+    EXPECT_EQ(rare.plan.levels.size(), splitting_plan(rare.tail, kPaths).levels.size());
     EXPECT_GE(rare.plan.levels.size(), 4U);
     EXPECT_EQ(rare.last.levels.size(), rare.plan.levels.size() + 1);
     const Islands wide{"wide", {0}, {{0.5, 0.2, 0.5, 1}}, 1};
-    EXPECT_EQ(learn(wide, 1).plan, (LadderPlan{kPaths, {}}));
+    EXPECT_EQ(learn(wide, 1).plan, (SplittingPlan{kPaths, {}}));
 }
 
 TEST(Pilot, plans_the_same_for_any_number_of_threads) {
@@ -117,7 +117,7 @@ TEST(Pilot, other_seeds_and_epochs_draw_other_numbers) {
 
 TEST(Pilot, ends_where_nothing_is_visible) {
     Dark dark;
-    dark.slots = {0, 6};
+    dark.dimensions = {0, 6};
     dark.islands = {{0.3, 0.001, 0.5, 1}};
     const PilotResult result = Pilot<Dark, EmissionPoints>(dark, {1, 0}).run(kPaths);
     EXPECT_EQ(result.tail[kVisible], 0);
@@ -127,7 +127,8 @@ TEST(Pilot, ends_where_nothing_is_visible) {
     Nowhere nowhere;
     Islands::Tally tally;
     const EmissionPoints points(pass);
-    const LadderCounts counts = Ladder(dark, points, pass, result.plan, {}).run(nowhere, tally);
+    const SplittingCounts counts =
+        Splitting(dark, points, pass, result.plan, {}).run(nowhere, tally);
     EXPECT_EQ(counts.visible_fraction, 0);
     const Islands nowhere_near{"empty", {0}, {}, 1};
     const PilotResult none = learn(nowhere_near, 1);
@@ -142,7 +143,7 @@ struct Hidden : Islands {
 
 Hidden hidden() {
     Hidden space;
-    space.slots = {0, 6, 1, 2, 3, 4};
+    space.dimensions = {0, 6, 1, 2, 3, 4};
     space.islands = {{0.3, 1e-6, 0.5, 1}, {0.7, 5e-7, 0.5, 1}};
     space.narrow = 1;
     return space;
@@ -164,27 +165,27 @@ WalkedEmission hints_of_hidden(PassId pass, const PathRange& walks) {
 
 // Two islands of 2.4e-6 in all: among 20,000 uniform paths none is found, and no height leads
 // there.
-TEST(Pilot, starts_from_hints_where_climbing_fails) {
+TEST(Pilot, starts_from_guide_samples_where_climbing_fails) {
     const Hidden space = hidden();
     const PilotName name{1, 0};
     const PilotResult lost = Pilot<Hidden, EmissionPoints>(space, name).run(kPaths);
     EXPECT_EQ(lost.tail[kVisible], 0);
-    EXPECT_EQ(lost.mapped.paths, 0U);
+    EXPECT_EQ(lost.guided.paths, 0U);
     const PilotResult found =
         Pilot<Hidden, EmissionPoints>(space, name, {true, hints_of_hidden}).run(kPaths);
     EXPECT_NEAR(found.tail[kVisible] / space.visible_fraction(), 1, 0.1);
-    EXPECT_GT(found.mapped.paths, kPaths / 2);
-    EXPECT_EQ(found.mapped.paths + found.plan.paths(), kPaths);
+    EXPECT_GT(found.guided.paths, kPaths / 2);
+    EXPECT_EQ(found.guided.paths + found.plan.paths(), kPaths);
     for (const double centre : {0.3, 0.7})
-        EXPECT_GT(found.mapped.map.density({centre, 0.5, 0.5, 0.5, 0.5}), 1e4) << centre;
+        EXPECT_GT(found.guided.map.density({centre, 0.5, 0.5, 0.5, 0.5}), 1e4) << centre;
     const PilotResult off =
         Pilot<Hidden, EmissionPoints>(space, name, {false, hints_of_hidden}).run(kPaths);
-    EXPECT_EQ(off.mapped.paths, 0U);
+    EXPECT_EQ(off.guided.paths, 0U);
 }
 
 // Two islands of 1.2e-4 in all: of 20,000 uniform paths two or three are visible, often on one
 // island alone. Climbing from these is luck.
-TEST(Pilot, asks_for_hints_where_climbing_was_luck) {
+TEST(Pilot, asks_for_guide_samples_where_climbing_was_luck) {
     Hidden space = hidden();
     space.islands = {{0.3, 4e-5, 0.5, 1}, {0.7, 2e-5, 0.5, 1}};
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -192,41 +193,41 @@ TEST(Pilot, asks_for_hints_where_climbing_was_luck) {
             Pilot<Hidden, EmissionPoints>(space, {seed, 0}, {true, hints_of_hidden}).run(kPaths);
         EXPECT_NEAR(found.tail[kVisible] / space.visible_fraction(), 1, 0.2) << seed;
         for (const double centre : {0.3, 0.7})
-            EXPECT_GT(found.mapped.map.density({centre, 0.5, 0.5, 0.5, 0.5}), 1e3) << seed;
+            EXPECT_GT(found.guided.map.density({centre, 0.5, 0.5, 0.5, 0.5}), 1e3) << seed;
     }
 }
 
 // One light sample in a million arrives. It is looked for where it would be all that is seen, and
 // where it would be a thousandth of that soon no more.
-TEST(Pilot, looks_for_hints_while_they_may_matter) {
+TEST(Pilot, looks_for_guide_samples_while_they_may_matter) {
     const Hidden space = hidden();
     for (const bool matters : {true, false}) {
         std::size_t walked = 0;
-        const MapSource blocked{true,
-                                [&](PassId, const PathRange& walks) {
-                                    walked = walks.end;
-                                    return WalkedEmission{{}, double(walks.end - walks.begin)};
-                                },
-                                {},
-                                [&](PassId) { return matters ? 1e-6 : 1e-3; }};
+        const GuideSource blocked{true,
+                                  [&](PassId, const PathRange& walks) {
+                                      walked = walks.end;
+                                      return WalkedEmission{{}, double(walks.end - walks.begin)};
+                                  },
+                                  {},
+                                  [&](PassId) { return matters ? 1e-6 : 1e-3; }};
         Pilot<Hidden, EmissionPoints>(space, {1, 0}, blocked).run(kPaths);
         EXPECT_EQ(walked, matters ? 8'000'000U : 400'000U);
     }
 }
 
 // A picture of little work is not worth a search that takes longer than it does.
-TEST(Pilot, looks_for_hints_no_longer_than_the_picture_is_worth) {
+TEST(Pilot, looks_for_guide_samples_no_longer_than_the_picture_is_worth) {
     const Hidden space = hidden();
     for (const std::size_t worth : {1'000UL, 850'000UL, 100'000'000UL}) {
         std::size_t walked = 0;
-        const MapSource sealed{true,
-                               [&](PassId, const PathRange& walks) {
-                                   walked = walks.end;
-                                   return WalkedEmission{{}, double(walks.end - walks.begin)};
-                               },
-                               {},
-                               {},
-                               worth};
+        const GuideSource sealed{true,
+                                 [&](PassId, const PathRange& walks) {
+                                     walked = walks.end;
+                                     return WalkedEmission{{}, double(walks.end - walks.begin)};
+                                 },
+                                 {},
+                                 {},
+                                 worth};
         Pilot<Hidden, EmissionPoints>(space, {1, 0}, sealed).run(kPaths);
         EXPECT_EQ(walked, std::clamp<std::size_t>(worth / 100'000 * 100'000, 500'000, 8'000'000));
     }
@@ -239,44 +240,44 @@ TEST(Pilot, starts_from_points_by_edges_where_walks_find_nothing) {
     for (const bool matters : {true, false}) {
         std::size_t walked = 0;
         std::size_t tried = 0;
-        const MapSource by_edges{true,
-                                 [&](PassId, const PathRange& walks) {
-                                     walked = walks.end;
-                                     return WalkedEmission{{}, double(walks.end - walks.begin)};
-                                 },
-                                 [&](PassId pass, const PathRange& tries) {
-                                     tried = tries.end;
-                                     std::vector<WeightedEmission> all =
-                                         hints_of_hidden(pass, {0, tries.end * 20}).hints;
-                                     all.resize(tries.end, {{0.1, 0.5, 0.5, 0.5, 0.5}, 1});
-                                     return all;
-                                 },
-                                 [&](PassId) { return matters ? 1e-6 : 1e-3; }};
+        const GuideSource by_edges{true,
+                                   [&](PassId, const PathRange& walks) {
+                                       walked = walks.end;
+                                       return WalkedEmission{{}, double(walks.end - walks.begin)};
+                                   },
+                                   [&](PassId pass, const PathRange& tries) {
+                                       tried = tries.end;
+                                       std::vector<WeightedEmission> all =
+                                           hints_of_hidden(pass, {0, tries.end * 20}).hints;
+                                       all.resize(tries.end, {{0.1, 0.5, 0.5, 0.5, 0.5}, 1});
+                                       return all;
+                                   },
+                                   [&](PassId) { return matters ? 1e-6 : 1e-3; }};
         const PilotResult found =
             Pilot<Hidden, EmissionPoints>(space, {1, 0}, by_edges).run(kPaths);
         EXPECT_EQ(walked, matters ? 500'000U : 400'000U);
         EXPECT_EQ(tried, matters ? 200'000U : 20'000U);
         EXPECT_NEAR(found.tail[kVisible] / space.visible_fraction(), 1, 0.1);
-        EXPECT_GT(found.mapped.paths, kPaths / 2);
+        EXPECT_GT(found.guided.paths, kPaths / 2);
     }
 }
 
-// Where uniform paths are not seen often there is a map, and it covers most of what is seen.
+// Where uniform paths are not seen often there is a guide, and it covers most of what is seen.
 TEST(Pilot, maps_what_is_seldom_seen) {
     const Islands often{"often", {0, 1, 6, 2, 3, 4}, {{0.3, 0.15, 0.5, 1}, {0.7, 0.1, 0.5, 5}}};
-    EXPECT_EQ(learn(often, 1).mapped.paths, 0U);
+    EXPECT_EQ(learn(often, 1).guided.paths, 0U);
     const Islands seldom{"8e-3", {0, 1, 6, 2, 3, 4}, {{0.3, 0.04, 0.5, 1}, {0.7, 0.03, 0.5, 5}}};
     const PilotResult of_seldom = learn(seldom, 1);
-    EXPECT_EQ(ladder_plan(of_seldom.tail, kPaths).levels.size(), 1U);
-    EXPECT_GT(of_seldom.mapped.paths, kPaths / 20);
+    EXPECT_EQ(splitting_plan(of_seldom.tail, kPaths).levels.size(), 1U);
+    EXPECT_GT(of_seldom.guided.paths, kPaths / 20);
     const Islands space{"1e-5", {0, 1, 6, 2, 3, 4}, {{0.3, 1.5e-3, 0.5, 1}, {0.7, 0.8e-3, 0.5, 5}}};
     const PilotResult learned = learn(space, 1);
-    EXPECT_GT(learned.mapped.paths, kPaths / 20);
-    EXPECT_EQ(learned.mapped.paths + learned.plan.paths(), kPaths);
-    EXPECT_GT(learned.mapped.map.density({0.3, 0.3, 0.5, 0.5, 0.5}), 100);
+    EXPECT_GT(learned.guided.paths, kPaths / 20);
+    EXPECT_EQ(learned.guided.paths + learned.plan.paths(), kPaths);
+    EXPECT_GT(learned.guided.map.density({0.3, 0.3, 0.5, 0.5, 0.5}), 100);
     const PilotResult off = Pilot<Islands, EmissionPoints>(space, {1, 0}, {false, {}}).run(kPaths);
-    EXPECT_EQ(off.mapped.paths, 0U);
-    EXPECT_EQ(off.plan.levels.size(), ladder_plan(off.tail, kPaths).levels.size());
+    EXPECT_EQ(off.guided.paths, 0U);
+    EXPECT_EQ(off.plan.levels.size(), splitting_plan(off.tail, kPaths).levels.size());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Populations: seeds are drawn as often as they weigh.
+// Populations: survivors are drawn as often as they weigh.
 #include "chains/population.h"
 
 #include <gtest/gtest.h>
@@ -6,16 +6,16 @@
 namespace sunfleck {
 namespace {
 
-/// A seed whose first slot says which it is.
-Seed seed(std::uint64_t number, std::uint32_t units, int height = kVisible) {
-    Seed s;
+/// A seed whose first dimension says which it is.
+Survivor seed(std::uint64_t number, std::uint32_t units, int height = kVisible) {
+    Survivor s;
     s.sample.set(0, number << 60U);
     s.units = units;
     s.height = height;
     return s;
 }
 
-/// How often each of four seeds is at one of so many even places.
+/// How often each of four survivors is at one of so many even places.
 std::array<int, 4> drawn(const Population& population, int places, double offset) {
     std::array<int, 4> times{};
     for (int j = 0; j < places; ++j) {
@@ -28,7 +28,7 @@ std::array<int, 4> drawn(const Population& population, int places, double offset
 Population four() {
     Population population;
     for (const std::uint32_t units : {3U, 1U, 5U, 2U})
-        population.add(seed(population.seeds().size(), units));
+        population.add(seed(population.survivors().size(), units));
     return population;
 }
 
@@ -55,21 +55,22 @@ TEST(Population, those_not_high_enough_are_left_out) {
     EXPECT_EQ(population.at_least(2).units(), 18U);
 }
 
-// The map covers the lower half of the first slot, but its seam: the first two seeds.
-TEST(Population, what_a_map_covers_is_left_out) {
+// The map covers the lower half of the first dimension, but its seam: the first two survivors.
+TEST(Population, what_is_guided_is_left_out) {
     std::vector<WeightedEmission> starts;
-    std::vector<EmissionMap::Trial> trials;
+    std::vector<EmissionGuide::Trial> trials;
     for (int i = 0; i < 200; ++i) {
         starts.push_back({{0.1 * i / 200, 0.5, 0.5, 0.5, 0.5}, 1});
         trials.push_back({starts.back().point, true});
     }
-    const EmissionMap map = EmissionMap::learned(starts, {0.5}).where_visible(trials, 1e-9);
-    const Population population = four();  // first slots 0, 1/16, 2/16, 3/16
-    const MapCover cover{&map, 0.25};
-    ASSERT_TRUE(cover.contains(population.seeds()[0].sample));
-    ASSERT_FALSE(cover.contains(population.seeds()[3].sample));
+    const EmissionGuide map = EmissionGuide::learned(starts, {0.5}).where_visible(trials, 1e-9);
+    const Population population = four();  // first dimensions 0, 1/16, 2/16, 3/16
+    const GuidedRegion cover{&map, 0.25};
+    ASSERT_TRUE(cover.contains(population.survivors()[0].sample));
+    ASSERT_FALSE(cover.contains(population.survivors()[3].sample));
     std::uint64_t expected = 0;
-    for (const Seed& s : population.seeds()) expected += cover.contains(s.sample) ? 0 : s.units;
+    for (const Survivor& s : population.survivors())
+        expected += cover.contains(s.sample) ? 0 : s.units;
     const Population rest = four().uncovered(cover, 0.5);
     EXPECT_EQ(rest.units(), expected);
     EXPECT_DOUBLE_EQ(rest.weight(), 0.5 * static_cast<double>(expected));

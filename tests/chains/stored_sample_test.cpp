@@ -6,12 +6,12 @@
 namespace sunfleck {
 namespace {
 
-/// Gives 1000 + slot and counts how often it is asked.
+/// Gives 1000 + dimension and counts how often it is asked.
 struct CountingReader {
     int* asked;
-    std::uint64_t operator()(std::uint32_t slot) const {
+    std::uint64_t operator()(std::uint32_t dimension) const {
         ++*asked;
-        return 1000 + slot;
+        return 1000 + dimension;
     }
 };
 
@@ -101,7 +101,7 @@ TEST(MutatingReader, forgets_what_the_new_path_does_not_read) {
     EXPECT_EQ(fresh, numbers().next_fraction());
 }
 
-TEST(MutatingReader, unread_slots_are_never_drawn) {
+TEST(MutatingReader, unread_dimensions_are_never_drawn) {
     StoredSample parent;
     for (std::uint32_t i = 0; i < 10; ++i) parent.set(i, i);
     StoredSample child;

@@ -109,8 +109,8 @@ TEST(RandomStream, every_part_of_the_name_makes_another_stream) {
 
 TEST(RandomStream, a_pass_names_its_streams) {
     const PassId pass{11, 12};
-    RandomStream named = pass.stream(Purpose::eye, 13);
-    RandomStream same(11, Purpose::eye, 12, 13);
+    RandomStream named = pass.stream(Purpose::camera, 13);
+    RandomStream same(11, Purpose::camera, 12, 13);
     EXPECT_EQ(named.next_fraction(), same.next_fraction());
 }
 

@@ -16,13 +16,13 @@ FeatureTable small_table() {
                          {"film", {"small", "large"}, {}}});
 }
 
-TEST(Covering, pairs_without_a_meaning_are_not_asked_for) {
+TEST(GuideCoverage, pairs_without_a_meaning_are_not_asked_for) {
     const FeatureTable table = small_table();
     // light-shape 2, light-side 2, light-film 4, shape-side 2, shape-film 4, side-film 4.
     EXPECT_EQ(PairCoverage(table).possible(), 18U);
 }
 
-TEST(Covering, a_value_without_a_meaning_covers_no_pair) {
+TEST(GuideCoverage, a_value_without_a_meaning_covers_no_pair) {
     const FeatureTable table = small_table();
     PairCoverage coverage(table);
     coverage.add({0, 0, 0, 0});  // a point light: its shape says nothing
@@ -34,19 +34,19 @@ TEST(Covering, a_value_without_a_meaning_covers_no_pair) {
     EXPECT_EQ(coverage.missing().size(), 11U);
 }
 
-TEST(Covering, what_a_need_needs_is_needed_too) {
+TEST(GuideCoverage, what_a_need_needs_is_needed_too) {
     const FeatureTable table = small_table();
     EXPECT_FALSE(table.has_meaning({0, 0, 1, 0}, 2));
     EXPECT_EQ(table.value({0, 0, 1, 0}, "side"), "");
     EXPECT_EQ(table.value({1, 0, 1, 0}, "side"), "down");
 }
 
-TEST(Covering, a_name_that_is_not_in_the_table_is_an_error) {
+TEST(GuideCoverage, a_name_that_is_not_in_the_table_is_an_error) {
     EXPECT_THROW(FeatureTable({{"shape", {"disk"}, {{"lamp", {"area"}}}}}), Error);
     EXPECT_THROW(scene_features({"shape=cube"}), Error);
 }
 
-TEST(Covering, all_pairs_of_the_scene_language_in_few_scenes) {
+TEST(GuideCoverage, all_pairs_of_the_scene_language_in_few_scenes) {
     const FeatureTable table = scene_features();
     CoveringChoices choices(table, 1);
     PairCoverage coverage(table);
@@ -54,7 +54,7 @@ TEST(Covering, all_pairs_of_the_scene_language_in_few_scenes) {
     EXPECT_TRUE(coverage.missing().empty());
 }
 
-TEST(Covering, a_seed_gives_the_same_choices_and_another_one_others) {
+TEST(GuideCoverage, a_seed_gives_the_same_choices_and_another_one_others) {
     const FeatureTable table = small_table();
     const auto of_seed = [&](std::uint64_t seed) {
         CoveringChoices choices(table, seed);

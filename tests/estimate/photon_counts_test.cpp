@@ -20,9 +20,9 @@ protected:
             VisiblePoint p;
             p.disc.position = Vec3(random_.next_float(), random_.next_float(), 0);
             p.disc.radius = 0.02F + 0.1F * random_.next_float();
-            p.disc.normal = p.shading_normal = p.w_from = Vec3(0, 0, 1);
+            p.disc.normal = p.shading_normal = p.wo = Vec3(0, 0, 1);
             p.disc.kinds = static_cast<std::uint8_t>(1 + i % 15);
-            p.throughput = Spectrum(random_.next_float());
+            p.throughput = SampledSpectrum(random_.next_float());
             p.pixel = static_cast<std::uint32_t>(i % kPixels);
             p.bsdf = kLambertian;
             points_.push_back(p);
@@ -32,39 +32,39 @@ protected:
             photon.position = Vec3(1.2F * random_.next_float() - 0.1F, random_.next_float(), 0);
             photon.normal = photon.w = Vec3(0, 0, 1);
             photon.kind = static_cast<PhotonKind>(1U << (i % 4));
-            photon.flux = Spectrum(random_.next_float());
+            photon.flux = SampledSpectrum(random_.next_float());
             photons_.push_back(photon);
         }
     }
 
     static std::uint32_t copies_of(std::size_t i) { return 1 + static_cast<std::uint32_t>(i % 9); }
-    std::vector<PhotonBatch> together() const {
-        std::vector<PhotonBatch> batches(2);
+    std::vector<PhotonChunk> together() const {
+        std::vector<PhotonChunk> chunks(2);
         for (std::uint32_t i = 0; i < photons_.size(); ++i)
-            batches[i % 2].add_copies(photons_[i], i, copies_of(i));
-        return batches;
+            chunks[i % 2].add_copies(photons_[i], i, copies_of(i));
+        return chunks;
     }
-    std::vector<PhotonBatch> one_by_one() const {
-        std::vector<PhotonBatch> batches(1);
+    std::vector<PhotonChunk> one_by_one() const {
+        std::vector<PhotonChunk> chunks(1);
         for (std::uint32_t i = 0; i < photons_.size(); ++i)
-            for (std::uint32_t k = 0; k < copies_of(i); ++k) batches[0].add(photons_[i], i);
-        return batches;
+            for (std::uint32_t k = 0; k < copies_of(i); ++k) chunks[0].add(photons_[i], i);
+        return chunks;
     }
 
     struct Result {
-        PassImage image = PassImage(kPixels, all_layers());
+        PassImage image = PassImage(kPixels, all_aovs());
         PhotonCounts taken = PhotonCounts(kPixels);
         Statistics counts;
     };
-    static LayerSet all_layers() {
-        LayerSet layers;
-        layers.fill(true);
-        return layers;
+    static AovSet all_aovs() {
+        AovSet aovs;
+        aovs.fill(true);
+        return aovs;
     }
-    Result deposited(std::vector<PhotonBatch> batches) const {
+    Result deposited(std::vector<PhotonChunk> chunks) const {
         Result result;
         const VisiblePointIndex index({points_}, kMaxDepth);
-        result.counts = Depositor(pass_, index, result.image, kPaths, &result.taken)(batches);
+        result.counts = Depositor(pass_, index, result.image, kPaths, &result.taken)(chunks);
         return result;
     }
 
@@ -78,11 +78,11 @@ protected:
 TEST_F(PhotonCopies, bring_the_light_of_as_many_photons) {
     const Result result = deposited(together());
     const Result expected = deposited(one_by_one());
-    for (const Layer layer : {Layer::total, Layer::direct, Layer::caustic, Layer::indirect})
+    for (const Aov aov : {Aov::total, Aov::direct, Aov::caustic, Aov::indirect})
         for (std::size_t i = 0; i < kPixels; ++i) {
-            const double value = expected.image.value(layer, i, 1).to_double();
+            const double value = expected.image.value(aov, i, 1).to_double();
             EXPECT_GT(value, 0);
-            ASSERT_NEAR(result.image.value(layer, i, 1).to_double(), value, 1e-5 * value);
+            ASSERT_NEAR(result.image.value(aov, i, 1).to_double(), value, 1e-5 * value);
         }
     for (std::size_t i = 0; i < kPixels; ++i) EXPECT_EQ(result.taken[i], expected.taken[i]) << i;
 }
@@ -113,12 +113,12 @@ TEST_F(PhotonCopies, of_all_deposits_add_up_on_any_number_of_threads) {
     const VisiblePointIndex index({points_}, kMaxDepth);
     const auto counted = [&](std::size_t threads) {
         const ThreadLimit limit(threads);
-        PassImage image(kPixels, all_layers());
+        PassImage image(kPixels, all_aovs());
         PhotonCounts taken(kPixels);
         const Depositor deposit(pass_, index, image, kPaths, &taken);
-        auto batches = together();
-        deposit(batches);
-        deposit(batches);
+        auto chunks = together();
+        deposit(chunks);
+        deposit(chunks);
         return std::vector<std::uint64_t>(taken.begin(), taken.end());
     };
     const std::vector<std::uint64_t> three = counted(3);

@@ -17,14 +17,14 @@ SharedTerms::Term term(std::size_t i) {
     RandomStream random(1, Purpose::test, 0, static_cast<std::uint32_t>(i));
     const float place = random.next_float();
     const auto pixel = static_cast<std::uint32_t>(place * place * place * kPixels);
-    const Layer owner = random.next_float() < 0.5F ? Layer::caustic : Layer::indirect;
+    const Aov owner = random.next_float() < 0.5F ? Aov::caustic : Aov::indirect;
     return {Vec3(random.next_float(), -random.next_float(), 1e-9F * random.next_float()), pixel,
             owner};
 }
 
 PassImage image() {
-    LayerSet wanted{};
-    wanted[static_cast<std::size_t>(Layer::caustic)] = true;
+    AovSet wanted{};
+    wanted[static_cast<std::size_t>(Aov::caustic)] = true;
     return {kPixels, wanted};
 }
 
@@ -40,10 +40,10 @@ TEST(SharedTerms, sums_are_those_of_terms_added_one_by_one) {
         for (std::size_t i = begin; i < end; ++i) terms.add(term(i));
         terms.flush();
     });
-    for (const Layer layer : {Layer::total, Layer::caustic})
+    for (const Aov aov : {Aov::total, Aov::caustic})
         for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
             for (std::size_t c = 0; c < 3; ++c)
-                ASSERT_EQ(shared.value(layer, pixel, c), expected.value(layer, pixel, c));
+                ASSERT_EQ(shared.value(aov, pixel, c), expected.value(aov, pixel, c));
 }
 
 }  // namespace

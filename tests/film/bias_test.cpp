@@ -19,34 +19,34 @@ using testing_support::Line;
 using testing_support::line_film;
 using testing_support::line_key;
 using testing_support::numbers;
-using testing_support::weight_of_round;
+using testing_support::weight_of_batch;
 
 /// Mean of the discs' areas over passes [0, end), each as often as it counts in the picture.
-double mean_area(std::uint32_t end, std::uint32_t (*weight)(std::uint64_t round)) {
+double mean_area(std::uint32_t end, std::uint32_t (*weight)(std::uint64_t batch)) {
     double sum = 0;
     double count = 0;
     for (std::uint32_t p = 0; p < end; ++p) {
-        const std::uint32_t held = std::min(end - p / kRoundPasses * kRoundPasses, kRoundPasses);
-        const double share = weight(p / kRoundPasses) * (held / double{kRoundPasses});
+        const std::uint32_t held = std::min(end - p / kBatchPasses * kBatchPasses, kBatchPasses);
+        const double share = weight(p / kBatchPasses) * (held / double{kBatchPasses});
         sum += share * std::pow(radius_factor(p, 2.0 / 3), 2);
         count += share;
     }
     return sum / count;
 }
 
-/// Pixel i has slope i / 10, whatever rounds are complete: from all passes, to the last digits.
+/// Pixel i has slope i / 10, whatever batches are complete: from all passes, to the last digits.
 TEST(Bias, of_a_line_without_noise_is_found) {
     std::vector<std::uint32_t> passes = numbers(0, 73);
     for (const std::uint32_t pass : numbers(90, 141)) passes.push_back(pass);
     const auto line = [](std::size_t i) {
         Line of_pixel{1, static_cast<double>(i) / 10};
-        of_pixel.weight = weight_of_round;
+        of_pixel.weight = weight_of_batch;
         return of_pixel;
     };
     const Film film = line_film(line_key(9, 9, 1), passes, line);
     double area = 0;
     for (const std::uint32_t pass : passes)
-        area += film.share_of_pass(pass) * weight_of_round(pass / kRoundPasses) *
+        area += film.share_of_pass(pass) * weight_of_batch(pass / kBatchPasses) *
                 std::pow(radius_factor(pass, 2.0 / 3), 2) / film.picture_weight();
     const auto pixels = pixel_biases(film);
     ASSERT_EQ(pixels.size(), 81U);
@@ -79,7 +79,7 @@ TEST(Bias, is_not_known_where_photons_have_lit_an_open_round_alone) {
         Film film(key);
         for (const std::uint32_t pass : numbers(0, 70)) {
             PassImage image(6, {}, true);
-            if (is_lit && pass > 64) image.add_light(0, Vec3(1), Layer::caustic);
+            if (is_lit && pass > 64) image.add_light(0, Vec3(1), Aov::caustic);
             film.add_pass(pass, image);
         }
         EXPECT_EQ(image_bias(film).has_value(), !is_lit) << "black: no bias";
@@ -104,7 +104,7 @@ struct Estimates {
 };
 
 constexpr std::uint32_t kSeeds = 400;
-constexpr std::uint32_t kPasses = 133;  // eight rounds and five passes
+constexpr std::uint32_t kPasses = 133;  // eight batches and five passes
 constexpr double kQuantile = 2.447;     // of t with six degrees of freedom
 
 /// The picture's luminance less its bias.
@@ -174,12 +174,12 @@ protected:
 
 class NoisyPhotonsOfWeight : public NoisyLines {
 protected:
-    NoisyPhotonsOfWeight() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 0, weight_of_round}) {}
+    NoisyPhotonsOfWeight() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 0, weight_of_batch}) {}
 };
 
-class NoisyEyePaths : public NoisyLines {
+class NoisyCameraPaths : public NoisyLines {
 protected:
-    NoisyEyePaths() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 1, weight_of_round}) {}
+    NoisyCameraPaths() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 1, weight_of_batch}) {}
 };
 
 TEST_F(NoisyPhotons, bias_is_unbiased_and_its_error_is_true) {
@@ -190,8 +190,8 @@ TEST_F(NoisyPhotonsOfWeight, bias_is_unbiased_and_its_error_is_true) {
     expect_all_is_true();
 }
 
-/// Noise of eye paths, three times that of photons, is in the picture's error and in no slope.
-TEST_F(NoisyEyePaths, leave_the_bias_alone) {
+/// Noise of camera paths, three times that of photons, is in the picture's error and in no slope.
+TEST_F(NoisyCameraPaths, leave_the_bias_alone) {
     EXPECT_NEAR(block_.values.mean(), truth_, 4 * block_.values.standard_error());
     EXPECT_LT(block_.values.standard_error(), 0.02 * truth_);
     EXPECT_NEAR(block_.ratio(), 1, 0.15);

@@ -32,11 +32,11 @@ TEST(DiscAreas, are_sums_over_rounds_and_passes) {
     ASSERT_TRUE(areas);
     double mean = 0;
     double squares = 0;
-    for (const std::uint32_t round : {0U, 1U, 3U, 4U, 5U}) {
-        mean += round_area(round, 2.0 / 3) / 5;
-        squares += std::pow(round_area(round, 2.0 / 3), 2);
+    for (const std::uint32_t batch : {0U, 1U, 3U, 4U, 5U}) {
+        mean += batch_area(batch, 2.0 / 3) / 5;
+        squares += std::pow(batch_area(batch, 2.0 / 3), 2);
     }
-    EXPECT_EQ(areas->rounds, 5);
+    EXPECT_EQ(areas->batches, 5);
     EXPECT_NEAR(areas->mean, mean, 1e-14);
     EXPECT_NEAR(areas->squares, squares - 5 * mean * mean, 1e-14);
     double of_picture = 0;
@@ -59,7 +59,7 @@ TEST(DiscAreas, need_four_complete_rounds_and_discs) {
     EXPECT_FALSE(disc_areas(Film(line_key(1, 1, 1))));
 }
 
-/// Over rounds 0 to 3 a bias is known 3.4 times less well than a mean, over 4 to 7 19 times.
+/// Over batches 0 to 3 a bias is known 3.4 times less well than a mean, over 4 to 7 19 times.
 TEST(DiscAreas, need_radii_that_shrink) {
     const auto areas = disc_areas(dark(numbers(0, 64)));
     EXPECT_NEAR(std::sqrt(areas->bias_variance() * 4), 3.40, 0.01);

@@ -1,6 +1,6 @@
 // Error bars against the true spread over 400 renders of synthetic noise.
 //
-// The noise of a pass: stratified within its round (so that passes are not independent and errors
+// The noise of a pass: stratified within its batch (so that passes are not independent and errors
 // taken from them would be wrong), times a brightness that all pixels share. Seeds 0 to 399; the
 // spread over 400 is itself known to 3.5% (one sigma), so that an error bar wrong by a factor of
 // 1.1 or more is seen at 10% tolerance for what is averaged over many pixels or blocks.
@@ -17,10 +17,10 @@
 namespace sunfleck {
 namespace {
 
-using testing_support::film_by_round;
+using testing_support::film_by_batch;
 
 constexpr std::uint32_t kSeeds = 400;
-constexpr std::uint32_t kPasses = 101;  // six rounds and five passes
+constexpr std::uint32_t kPasses = 101;  // six batches and five passes
 constexpr int kWidth = 12;              // blocks of 8 x 8 and of 4 x 8 pixels
 constexpr int kHeight = 8;
 
@@ -31,16 +31,16 @@ Film noisy_film(std::uint64_t seed) {
     for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
         RandomStream shared(seed, Purpose::test, pass, 0xFFFF);
         const float brightness = 0.8F + 0.4F * shared.next_float();
-        PassImage image(key.pixels(), key.layers);
+        PassImage image(key.pixels(), key.aovs);
         for (std::uint32_t i = 0; i < key.pixels(); ++i) {
-            RandomStream shift(seed, Purpose::test, pass / kRoundPasses, 0x10000 + i);
-            const auto stratum = static_cast<float>(pass % kRoundPasses) / kRoundPasses;
+            RandomStream shift(seed, Purpose::test, pass / kBatchPasses, 0x10000 + i);
+            const auto stratum = static_cast<float>(pass % kBatchPasses) / kBatchPasses;
             float u = stratum + shift.next_float();
             if (u >= 1) u -= 1;
             RandomStream own(seed, Purpose::test, pass, i);
             const auto level = static_cast<float>(1 + i % 3);
             const float value = level * brightness * (u + own.next_float());
-            image.add_light(i, Vec3(value, value, value), Layer::direct);
+            image.add_light(i, Vec3(value, value, value), Aov::direct);
         }
         film.add_pass(pass, image);
     }
@@ -99,8 +99,8 @@ TEST(ErrorBars, need_complete_rounds) {
 
 TEST(ErrorBars, two_rounds_by_hand) {
     // Rounds of 1 and 3, and an open one of 100 that must not count: mean 2, error 1.
-    const Film film = film_by_round(3, 2, 37, [](std::uint32_t round, std::size_t) {
-        return round == 0 ? 1.0F : round == 1 ? 3.0F : 100.0F;
+    const Film film = film_by_batch(3, 2, 37, [](std::uint32_t batch, std::size_t) {
+        return batch == 0 ? 1.0F : batch == 1 ? 3.0F : 100.0F;
     });
     EXPECT_NEAR(pixel_errors(film)[4].mean, 2, 1e-12);
     EXPECT_NEAR(pixel_errors(film)[4].standard_error, 1, 1e-12);
@@ -111,31 +111,31 @@ TEST(ErrorBars, two_rounds_by_hand) {
 }
 
 TEST(ErrorBars, of_a_pixel_that_only_an_open_round_has_lit_is_its_light) {
-    const Film film = film_by_round(3, 2, 37, [](std::uint32_t round, std::size_t pixel) {
-        return round == 2 && pixel == 4 ? 100.0F : 0.0F;
+    const Film film = film_by_batch(3, 2, 37, [](std::uint32_t batch, std::size_t pixel) {
+        return batch == 2 && pixel == 4 ? 100.0F : 0.0F;
     });
     EXPECT_EQ(pixel_errors(film)[4].mean, 0);
     EXPECT_NEAR(pixel_errors(film)[4].standard_error, 5 * 100 / 37.0, 1e-9);
     EXPECT_EQ(pixel_errors(film)[3].standard_error, 0);
-    // As of a complete round among black ones.
-    const Film complete = film_by_round(3, 2, 48, [](std::uint32_t round, std::size_t pixel) {
-        return round == 2 && pixel == 4 ? 100.0F : 0.0F;
+    // As of a complete batch among black ones.
+    const Film complete = film_by_batch(3, 2, 48, [](std::uint32_t batch, std::size_t pixel) {
+        return batch == 2 && pixel == 4 ? 100.0F : 0.0F;
     });
     EXPECT_NEAR(pixel_errors(complete)[4].standard_error, 16 * 100 / 48.0, 1e-9);
 }
 
 TEST(ErrorBars, a_round_that_counts_three_times_by_hand) {
     // 1 once and 3 three times: mean 2.5, squares 7; an open one of 100, whose passes count twice.
-    const Film film = film_by_round(
+    const Film film = film_by_batch(
         3, 2, 37,
-        [](std::uint32_t round, std::size_t) {
-            return round == 0 ? 1.0F : round == 1 ? 3.0F : 100.0F;
+        [](std::uint32_t batch, std::size_t) {
+            return batch == 0 ? 1.0F : batch == 1 ? 3.0F : 100.0F;
         },
-        [](std::uint64_t round) {
-            return std::array{1U, 3U, 2U}.at(round);
+        [](std::uint64_t batch) {
+            return std::array{1U, 3U, 2U}.at(batch);
         });
     EXPECT_EQ(film.weight(), 16 + 16 * 3 + 5 * 2);
-    EXPECT_EQ(film.weight_of_rounds(), 4);
+    EXPECT_EQ(film.weight_of_batches(), 4);
     const double error = std::sqrt(7 - 2.5 * 2.5);
     for (const MeanError& seen :
          {pixel_errors(film)[4], block_errors(film)[0], *image_error(film)}) {
@@ -145,39 +145,39 @@ TEST(ErrorBars, a_round_that_counts_three_times_by_hand) {
     EXPECT_NEAR(image_mean(film), (16 * 1 + 48 * 3 + 8 * 0.25 * 100) / (64 + 8 * 0.25), 1e-12);
 }
 
-/// Noise whose variance is as one over how often a round counts; and that is the same in all.
+/// Noise whose variance is as one over how often a batch counts; and that is the same in all.
 TEST(ErrorBars, of_rounds_that_count_unlike) {
     for (const bool is_as_foretold : {true, false}) {
         Spread pixels;
         for (std::uint32_t seed = 0; seed < kSeeds; ++seed)
-            pixels.add(pixel_errors(film_by_round(
-                8, 8, 8 * kRoundPasses,
-                [&](std::uint32_t round, std::size_t i) {
-                    RandomStream random(seed, Purpose::test, round, static_cast<std::uint32_t>(i));
+            pixels.add(pixel_errors(film_by_batch(
+                8, 8, 8 * kBatchPasses,
+                [&](std::uint32_t batch, std::size_t i) {
+                    RandomStream random(seed, Purpose::test, batch, static_cast<std::uint32_t>(i));
                     const float noise = random.next_float() - 0.5F;
-                    return 1 + (is_as_foretold && round > 0 ? noise / 2 : noise);
+                    return 1 + (is_as_foretold && batch > 0 ? noise / 2 : noise);
                 },
-                [](std::uint64_t round) { return round > 0 ? 4U : 1U; })));
+                [](std::uint64_t batch) { return batch > 0 ? 4U : 1U; })));
         EXPECT_NEAR(pixels.ratio(), is_as_foretold ? 1 : 0.96, 0.02);
     }
 }
 
-/// Normal noise of a round's pixel, by Box and Muller.
-float normal_noise(std::uint32_t round, std::size_t pixel) {
-    RandomStream random(17, Purpose::test, round, static_cast<std::uint32_t>(pixel));
+/// Normal noise of a batch's pixel, by Box and Muller.
+float normal_noise(std::uint32_t batch, std::size_t pixel) {
+    RandomStream random(17, Purpose::test, batch, static_cast<std::uint32_t>(pixel));
     const float size = std::sqrt(-2 * std::log(1 - random.next_float()));
     return size * std::cos(6.2831853F * random.next_float());
 }
 
 /// Share of 1024 pixels of normal noise whose true value, 10, lies within two errors as films
 /// report them. Known to .65% (one sigma); without Student's t it is 70, 82, 86 and 91% of 2, 3, 4
-/// and 8 rounds.
-double covered(std::uint32_t rounds, float noise_of_others,
-               std::uint32_t (*weight)(std::uint64_t round)) {
-    const Film film = film_by_round(
-        32, 32, rounds * kRoundPasses,
-        [&](std::uint32_t round, std::size_t pixel) {
-            return 10 + (round == 0 ? 1 : noise_of_others) * normal_noise(round, pixel);
+/// and 8 batches.
+double covered(std::uint32_t batches, float noise_of_others,
+               std::uint32_t (*weight)(std::uint64_t batch)) {
+    const Film film = film_by_batch(
+        32, 32, batches * kBatchPasses,
+        [&](std::uint32_t batch, std::size_t pixel) {
+            return 10 + (batch == 0 ? 1 : noise_of_others) * normal_noise(batch, pixel);
         },
         weight);
     const auto means = pixel_errors(film);
@@ -189,29 +189,30 @@ double covered(std::uint32_t rounds, float noise_of_others,
 }
 
 TEST(ErrorBars, as_reported_hold_the_truth_as_often_for_few_rounds_as_for_many) {
-    for (const std::uint32_t rounds : {2U, 3U, 4U, 8U})
-        EXPECT_NEAR(covered(rounds, 1, [](std::uint64_t) { return 1U; }), 0.9545, 0.022) << rounds;
+    for (const std::uint32_t batches : {2U, 3U, 4U, 8U})
+        EXPECT_NEAR(covered(batches, 1, [](std::uint64_t) { return 1U; }), 0.9545, 0.022)
+            << batches;
 }
 
 /// Of variances as one over the weights, and equal ones. What is lost of 95.4% is what the
 /// standard error is too small by (error_bars.h), or too many degrees.
 TEST(ErrorBars, as_reported_hold_the_truth_where_rounds_count_unlike) {
-    const auto heavy = [](std::uint64_t round) { return round > 0 ? 4U : 1U; };
-    for (const std::uint32_t rounds : {2U, 3U, 4U, 8U})
+    const auto heavy = [](std::uint64_t batch) { return batch > 0 ? 4U : 1U; };
+    for (const std::uint32_t batches : {2U, 3U, 4U, 8U})
         for (const float noise : {0.5F, 1.0F}) {
-            const double share = covered(rounds, noise, heavy);
-            EXPECT_GT(share, 0.925) << rounds;
-            EXPECT_LT(share, 0.99) << rounds;
+            const double share = covered(batches, noise, heavy);
+            EXPECT_GT(share, 0.925) << batches;
+            EXPECT_LT(share, 0.99) << batches;
         }
 }
 
 TEST(ErrorBars, degrees_of_freedom_are_fewer_where_rounds_count_unlike) {
-    const auto degrees = [](std::uint32_t rounds, std::uint32_t (*weight)(std::uint64_t)) {
+    const auto degrees = [](std::uint32_t batches, std::uint32_t (*weight)(std::uint64_t)) {
         const auto grey = [](std::uint32_t, std::size_t) { return 1.0F; };
-        return error_degrees(film_by_round(1, 1, rounds * kRoundPasses + 3, grey, weight));
+        return error_degrees(film_by_batch(1, 1, batches * kBatchPasses + 3, grey, weight));
     };
     const auto alike = [](std::uint64_t) { return 3U; };
-    const auto heavy = [](std::uint64_t round) { return round > 0 ? 4U : 1U; };
+    const auto heavy = [](std::uint64_t batch) { return batch > 0 ? 4U : 1U; };
     EXPECT_NEAR(degrees(5, alike), 4, 1e-12);
     EXPECT_NEAR(degrees(2, heavy), 1, 1e-12);
     EXPECT_NEAR(degrees(3, heavy), 1.6, 1e-12);
@@ -221,15 +222,15 @@ TEST(ErrorBars, degrees_of_freedom_are_fewer_where_rounds_count_unlike) {
 /// An error of zero would say that the light is known.
 TEST(ErrorBars, of_light_in_an_open_round_alone_are_not_known) {
     for (const std::uint32_t lit : {2U, 9U}) {
-        const Film film = film_by_round(
-            3, 2, 37, [&](std::uint32_t round, std::size_t) { return round < lit ? 0.0F : 1.0F; });
+        const Film film = film_by_batch(
+            3, 2, 37, [&](std::uint32_t batch, std::size_t) { return batch < lit ? 0.0F : 1.0F; });
         EXPECT_EQ(image_error(film).has_value(), lit == 9) << "but that of a black picture is";
         EXPECT_NEAR(image_mean(film), lit == 9 ? 0 : 1 / 33.0, 1e-12);
     }
 }
 
 TEST(ErrorBars, equal_rounds_have_no_error) {
-    const Film film = film_by_round(3, 2, 64, [](std::uint32_t, std::size_t) { return 0.1F; });
+    const Film film = film_by_batch(3, 2, 64, [](std::uint32_t, std::size_t) { return 0.1F; });
     EXPECT_LT(pixel_errors(film)[0].standard_error, 1e-8);
 }
 

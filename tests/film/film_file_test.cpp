@@ -84,7 +84,7 @@ std::string with_word(std::string bytes, std::size_t place, std::uint64_t word) 
 }
 
 TEST_F(FilmFile, a_sequence_of_radii_that_cannot_be_is_refused) {
-    constexpr std::size_t kLayersPlace = 4;
+    constexpr std::size_t kAovsPlace = 4;
     constexpr std::size_t kAlphaPlace = 5;
     FilmKey key = small_key(3, 2);
     const auto fault_with = [&](double alpha) {
@@ -96,17 +96,17 @@ TEST_F(FilmFile, a_sequence_of_radii_that_cannot_be_is_refused) {
         EXPECT_NE(fault_with(alpha), "") << alpha;
     const std::string bytes = bytes_of(film_of(key, numbers(0, 16)));
     std::uint64_t held = 0;
-    std::memcpy(&held, bytes.data() + 8 * kLayersPlace, 8);
-    EXPECT_EQ(fault_of(with_word(bytes, kLayersPlace, held)), "");
+    std::memcpy(&held, bytes.data() + 8 * kAovsPlace, 8);
+    EXPECT_EQ(fault_of(with_word(bytes, kAovsPlace, held)), "");
     const std::uint64_t sequential = std::uint64_t{1} << 63U;
-    EXPECT_NE(fault_of(with_word(bytes, kLayersPlace, held | sequential)), "");
+    EXPECT_NE(fault_of(with_word(bytes, kAovsPlace, held | sequential)), "");
     key.alpha = 0;
     EXPECT_EQ(fault_with(0.0), "");
     EXPECT_NE(fault_with(-0.0), "");  // one film has one file
 }
 
 TEST_F(FilmFile, weights_that_cannot_be_are_refused) {
-    const Film film = film_of(small_key(3, 2), numbers(0, 40));  // rounds of 1, 4 and 3
+    const Film film = film_of(small_key(3, 2), numbers(0, 40));  // batches of 1, 4 and 3
     const auto fault_with = [&](std::uint32_t weight, const std::vector<PassRange>& ranges) {
         FilmSums sums = film.sums();
         PassSet& passes = sums.heavy[weight];
@@ -214,13 +214,13 @@ TEST_F(FilmFile, another_kind_of_file_is_named) {
     }
 }
 
-/// Names that no picture could hold beside its other layers.
+/// Names that no picture could hold beside its other aovs.
 TEST_F(FilmFile, light_layers_have_names_of_layers) {
     FilmKey key = small_key();
-    key.light_layers = {"lamps", "sun-2"};
+    key.light_groups = {"lamps", "sun-2"};
     EXPECT_EQ(fault_of(bytes_of(film_of(key, numbers(0, 2)))), "");
     for (const char* name : {"a b", "", "2nd", "error", "bias", "direct", "d.R"}) {
-        key.light_layers[1] = name;
+        key.light_groups[1] = name;
         EXPECT_NE(fault_of(bytes_of(film_of(key, numbers(0, 2)))), "") << name;
     }
 }

@@ -15,7 +15,7 @@ using testing_support::film_of;
 using testing_support::noise_pass;
 using testing_support::numbers;
 using testing_support::small_key;
-using testing_support::weight_of_round;
+using testing_support::weight_of_batch;
 
 double luminance_at(const Picture& picture, std::size_t i) {
     return luminance(
@@ -36,29 +36,29 @@ TEST(FilmPicture, is_the_mean_over_passes) {
     double lamp = 0;
     for (std::uint32_t pass = 0; pass < 20; ++pass) {
         const PassImage image = noise_pass(key, pass);
-        const double share = (pass < kRoundPasses ? 1 : 4 * 0.25) / 20;  // 4 of 16 count less
-        red += share * image.value(Layer::total, 33, 0).to_double();
-        caustic += share * image.value(Layer::caustic, 33, 1).to_double();
-        depth += share * image.value(Layer::depth, 33, 0).to_double();
+        const double share = (pass < kBatchPasses ? 1 : 4 * 0.25) / 20;  // 4 of 16 count less
+        red += share * image.value(Aov::total, 33, 0).to_double();
+        caustic += share * image.value(Aov::caustic, 33, 1).to_double();
+        depth += share * image.value(Aov::depth, 33, 0).to_double();
         lamp += share * image.light_value(1, 33, 2).to_double();
     }
     EXPECT_FLOAT_EQ(picture.find("R")->values[33], static_cast<float>(red));
     EXPECT_FLOAT_EQ(picture.find("caustic.G")->values[33], static_cast<float>(caustic));
     EXPECT_FLOAT_EQ(picture.find("depth.Z")->values[33], static_cast<float>(depth));
     EXPECT_FLOAT_EQ(picture.find("lamp.B")->values[33], static_cast<float>(lamp));
-    EXPECT_EQ(picture.metadata.at(kLightLayerNames), "sun lamp");
+    EXPECT_EQ(picture.metadata.at(kLightGroupNames), "sun lamp");
 }
 
 /// As if a lamp of three lines lit a white wall, and nothing else made noise.
 Film film_of_wavelengths(std::uint64_t seed, std::uint32_t passes, std::uint32_t late_weight) {
-    const SpectralCurve lamp = *named_spectrum("stdillum-F11");
+    const Spectrum lamp = *named_spectrum("stdillum-F11");
     const FilmKey key{1, 1, {}, seed, 0, ""};
     Film film(key);
     for (std::uint32_t pass = 0; pass < passes; ++pass) {
         const Wavelengths drawn = Wavelengths::of_pass({seed, pass});
-        PassImage image(1, key.layers);
-        image.add_light(0, drawn.to_rgb(lamp.at(drawn)), Layer::direct);
-        film.add_pass(pass, image, pass < kRoundPasses ? 1 : late_weight);
+        PassImage image(1, key.aovs);
+        image.add_light(0, drawn.to_rgb(lamp.at(drawn)), Aov::direct);
+        film.add_pass(pass, image, pass < kBatchPasses ? 1 : late_weight);
     }
     return film;
 }
@@ -78,7 +78,7 @@ double wavelength_error(std::uint32_t passes, std::uint32_t late_weight) {
 }
 
 /// Passes that count like the others, or four times, made up to 3.7 and 12.7%.
-TEST(FilmPicture, of_passes_beyond_a_round_is_hardly_off_by_their_wavelengths) {
+TEST(FilmPicture, of_passes_beyond_a_batch_is_hardly_off_by_their_wavelengths) {
     EXPECT_LT(wavelength_error(16, 1), 0.004);
     for (std::uint32_t passes = 17; passes < 32; ++passes) {
         EXPECT_LT(wavelength_error(passes, 1), 0.008) << passes;
@@ -91,17 +91,17 @@ TEST(FilmPicture, of_a_part_of_one_round_is_the_plain_mean) {
     const Film film = film_of(key, numbers(16, 27));
     EXPECT_EQ(film.picture_weight(), film.weight());
     EXPECT_FLOAT_EQ(film_picture(film).find("R")->values[33],
-                    static_cast<float>(film.sums().layers[0][99].to_double() / film.weight()));
+                    static_cast<float>(film.sums().aovs[0][99].to_double() / film.weight()));
 }
 
-/// Parts of rounds: 12 passes of one, 3 of another, none complete; the first counts in full.
+/// Parts of batches: 12 passes of one, 3 of another, none complete; the first counts in full.
 TEST(FilmPicture, of_two_parts_of_rounds_weighs_them_by_their_passes) {
     const FilmKey key{1, 1, {}, 1, 0, ""};
     Film film(key);
     for (const std::uint32_t pass :
          {0U, 1U, 2U, 16U, 17U, 18U, 19U, 20U, 21U, 22U, 23U, 24U, 25U, 26U, 27U}) {
-        PassImage image(1, key.layers);
-        image.add_light(0, Vec3(pass < 16 ? 1 : 2), Layer::direct);
+        PassImage image(1, key.aovs);
+        image.add_light(0, Vec3(pass < 16 ? 1 : 2), Aov::direct);
         film.add_pass(pass, image);
     }
     EXPECT_NEAR(luminance_at(film_picture(film), 0), (3 * 0.25 + 2 * 12) / (3 * 0.25 + 12), 1e-6);

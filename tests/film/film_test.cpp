@@ -16,7 +16,7 @@ using testing_support::numbers;
 using testing_support::shuffle;
 using testing_support::small_key;
 
-constexpr std::uint32_t kPasses = 51;  // three rounds and three passes
+constexpr std::uint32_t kPasses = 51;  // three batches and three passes
 
 const Film& whole() {
     static const Film film = film_of(small_key(), numbers(0, kPasses));
@@ -28,10 +28,10 @@ TEST(Film, sums_are_exact) {
     const float tiny = 0x1p-60F;
     for (std::uint32_t pass = 0; pass < 3; ++pass) {
         PassImage image(1, {});
-        image.add_light(0, Vec3(pass == 1 ? -0x1p40F : 0x1p39F, tiny, 0.1F), Layer::direct);
+        image.add_light(0, Vec3(pass == 1 ? -0x1p40F : 0x1p39F, tiny, 0.1F), Aov::direct);
         film.add_pass(pass, image);
     }
-    const FixedPoints& total = film.sums().layers[0];
+    const FixedPoints& total = film.sums().aovs[0];
     EXPECT_EQ(total[0], FixedPoint{});
     EXPECT_EQ(total[1], (FixedPoint{0, 3 * 16}));
     EXPECT_EQ(total[2].to_double(), 3 * static_cast<double>(0.1F));
@@ -86,7 +86,7 @@ TEST(Film, ranks_that_take_every_nth_pass_leave_no_trace) {
         std::vector<std::uint32_t> passes;
         for (std::uint32_t pass = rank; pass < kPasses; pass += 5) passes.push_back(pass);
         const Film part = film_of(small_key(), passes);
-        EXPECT_EQ(part.rounds(), 0U);
+        EXPECT_EQ(part.batches(), 0U);
         merge(all, part);
     }
     EXPECT_EQ(all.sums(), whole().sums());
@@ -98,31 +98,31 @@ std::vector<std::uint64_t> firsts_of_groups(const Film& film) {
     return firsts;
 }
 
-TEST(Film, only_groups_of_incomplete_rounds_keep_their_own_sums) {
-    EXPECT_EQ(whole().rounds(), 3U);
+TEST(Film, only_groups_of_incomplete_batches_keep_their_own_sums) {
+    EXPECT_EQ(whole().batches(), 3U);
     EXPECT_EQ(firsts_of_groups(whole()), (std::vector<std::uint64_t>{48, 50}));
     const Film film = film_of(small_key(), numbers(15, 33));
-    EXPECT_EQ(film.rounds(), 1U);
+    EXPECT_EQ(film.batches(), 1U);
     EXPECT_EQ(firsts_of_groups(film), (std::vector<std::uint64_t>{12, 32}));
 }
 
-/// Two passes of round 0 and one of round 1, by hand: eye paths bring 5, photons 2, 4 and 8.
+/// Two passes of batch 0 and one of batch 1, by hand: camera paths bring 5, photons 2, 4 and 8.
 TEST(Film, what_photons_bring_is_summed_by_area) {
     FilmKey key{1, 1, {}, 1, 1, ""};
     key.alpha = 0.5;
     Film film(key);
     for (const std::uint32_t pass : {3U, 7U, 20U}) {
         PassImage image(1, {}, true);
-        image.add_light(0, Vec3(pass == 3 ? 2 : pass == 7 ? 4 : 8), Layer::caustic);
-        image.add_eye_light(0, Vec3(5), Layer::direct);
+        image.add_light(0, Vec3(pass == 3 ? 2 : pass == 7 ? 4 : 8), Aov::caustic);
+        image.add_camera_light(0, Vec3(5), Aov::direct);
         film.add_pass(pass, image);
     }
     const FilmSums& sums = film.sums();
     for (std::size_t c = 0; c < 3; ++c) {
-        EXPECT_EQ(sums.layers[0][c].to_double(), 14 + 15);
+        EXPECT_EQ(sums.aovs[0][c].to_double(), 14 + 15);
         EXPECT_EQ(sums.photons.rgb[c].to_double(), 14);
         EXPECT_NEAR(sums.photons.rgb_by_area[c].to_double(),
-                    (2 + 4) * round_area(0, 0.5) + 8 * round_area(1, 0.5), 1e-15);
+                    (2 + 4) * batch_area(0, 0.5) + 8 * batch_area(1, 0.5), 1e-15);
         EXPECT_EQ(sums.open_groups.at(2).photon_blocks[c].to_double(), 2);
         EXPECT_EQ(sums.open_groups.at(4).photon_blocks[c].to_double(), 4);
         EXPECT_EQ(sums.open_groups.at(20).photon_blocks[c].to_double(), 8);
@@ -136,8 +136,8 @@ TEST(Film, squares_of_what_photons_bring_are_those_of_complete_rounds) {
     for (std::uint32_t pass = 0; pass < 20; ++pass) {
         PassImage image(9, {}, true);
         for (std::size_t i = 0; i < 9; ++i) {
-            image.add_light(i, Vec3(i < 8 ? 2 : 11), Layer::caustic);
-            image.add_eye_light(i, Vec3(5), Layer::direct);
+            image.add_light(i, Vec3(i < 8 ? 2 : 11), Aov::caustic);
+            image.add_camera_light(i, Vec3(5), Aov::direct);
         }
         film.add_pass(pass, image);
     }
@@ -155,19 +155,19 @@ TEST(Film, statistics_add_up) {
     EXPECT_EQ(whole().statistic("unheard of"), 0);
     Film film(FilmKey{1, 1, {}, 1, 1, ""});
     PassImage image(1, {});
-    image.add_light(0, Vec3(0x1p50F, 0, 0), Layer::direct);
-    image.add_light(0, Vec3(NAN, 0, 0), Layer::direct);
+    image.add_light(0, Vec3(0x1p50F, 0, 0), Aov::direct);
+    image.add_light(0, Vec3(NAN, 0, 0), Aov::direct);
     film.add_pass(0, image);
     EXPECT_EQ(film.statistic("saturated"), 1);
     EXPECT_EQ(film.statistic("dropped_nonfinite"), 1);
-    EXPECT_EQ(film.sums().layers[0][0], FixedPoint::from_double(kLargestTerm));
+    EXPECT_EQ(film.sums().aovs[0][0], FixedPoint::from_double(kLargestTerm));
 }
 
 TEST(Film, squares_too_large_are_cut_and_counted) {
     Film film(FilmKey{1, 1, {}, 1, 1, ""});
     for (std::uint32_t pass = 0; pass < 16; ++pass) {
         PassImage image(1, {});
-        image.add_light(0, Vec3(0x1p30F), Layer::direct);
+        image.add_light(0, Vec3(0x1p30F), Aov::direct);
         film.add_pass(pass, image);
     }
     EXPECT_EQ(film.statistic("saturated_squares"), 3);  // of the pixel, its block, the picture
@@ -209,11 +209,11 @@ TEST(Film, parts_of_other_renders_are_refused_by_name) {
     key.alpha = 0.5;
     starts(merge_fault(key, {90}), other + "sequence of radii differs;");
     key = small_key();
-    key.layers[static_cast<std::size_t>(Layer::direct)] = true;
+    key.aovs[static_cast<std::size_t>(Aov::direct)] = true;
     starts(merge_fault(key, {90}),
            other + "set of layers differs: RGB caustic depth sun lamp and RGB dir");
     key = small_key();
-    key.light_layers[1] = "lamps";
+    key.light_groups[1] = "lamps";
     starts(merge_fault(key, {90}),
            other + "set of layers differs: RGB caustic depth sun lamp and RGB");
     EXPECT_EQ(merge_fault(small_key(), {90}), "");
@@ -256,18 +256,18 @@ TEST(Film, a_pass_that_does_not_fit_is_refused) {
     EXPECT_EQ(film.sums(), film_of(small_key(), {3}).sums());
 }
 
-/// Layers are compared one by one: their names in a row would be the same.
+/// Aovs are compared one by one: their names in a row would be the same.
 TEST(Film, layers_of_other_names_are_of_another_render) {
     FilmKey key = small_key();
-    key.light_layers = {"a", "b"};
+    key.light_groups = {"a", "b"};
     FilmKey other = key;
-    other.light_layers = {"a b"};
+    other.light_groups = {"a b"};
     EXPECT_TRUE(difference(key, other).has_value());
     EXPECT_FALSE(difference(key, key).has_value());
-    key.light_layers = {"direct"};
-    other.light_layers = {};
-    other.layers[static_cast<std::size_t>(Layer::direct)] = true;
-    key.layers[static_cast<std::size_t>(Layer::direct)] = false;
+    key.light_groups = {"direct"};
+    other.light_groups = {};
+    other.aovs[static_cast<std::size_t>(Aov::direct)] = true;
+    key.aovs[static_cast<std::size_t>(Aov::direct)] = false;
     EXPECT_TRUE(difference(key, other).has_value());
 }
 

@@ -24,11 +24,12 @@ double largest_gap(const PassRange& group) {
     std::vector<float> fractions;
     for (std::uint64_t pass = group.begin; pass < group.end; ++pass) {
         const Wavelengths drawn = Wavelengths::of_pass({5, static_cast<std::uint32_t>(pass)});
-        for (std::size_t lane = 0; lane < kLanes; ++lane) nm.push_back(drawn.nm[lane]);
+        for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength)
+            nm.push_back(drawn.nm[wavelength]);
     }
     // Places of the finest lattice, of all 16 passes: ranks among its wavelengths.
     std::vector<float> all;
-    for (std::uint32_t pass = 0; pass < kRoundPasses; ++pass) {
+    for (std::uint32_t pass = 0; pass < kBatchPasses; ++pass) {
         const Wavelengths drawn = Wavelengths::of_pass({5, pass});
         all.insert(all.end(), drawn.nm.begin(), drawn.nm.end());
     }

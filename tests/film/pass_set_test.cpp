@@ -41,13 +41,13 @@ TEST(PassSet, agrees_with_a_table) {
     }
 }
 
-TEST(PassSet, complete_rounds) {
+TEST(PassSet, complete_batches) {
     PassSet passes;
     passes.insert({9, 20});
     passes.insert({32, 64});
-    EXPECT_EQ(complete_rounds(passes), 2U);
+    EXPECT_EQ(complete_batches(passes), 2U);
     passes.insert({20, 32});
-    EXPECT_EQ(complete_rounds(passes), 3U);
+    EXPECT_EQ(complete_batches(passes), 3U);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ using testing_support::film_of;
 using testing_support::numbers;
 using testing_support::small_key;
 
-/// Two pixels: RGB, of which "sun" and "lamp" are parts; and a layer of each other kind.
+/// Two pixels: RGB, of which "sun" and "lamp" are parts; and a aov of each other kind.
 Picture two_lights() {
-    Picture picture{2, 1, {}, {{kLightLayerNames, "sun lamp"}, {"software", "x"}}};
+    Picture picture{2, 1, {}, {{kLightGroupNames, "sun lamp"}, {"software", "x"}}};
     const auto add = [&](const std::string& name, float first, float second) {
         picture.add(name).values = {first, second};
     };
@@ -72,7 +72,7 @@ TEST(Relight, of_a_film_keeps_its_picture_when_nothing_changes) {
 }
 
 TEST(Relight, refuses_what_is_not_there) {
-    const auto fault = [](const Picture& picture, const std::vector<LayerFactor>& factors) {
+    const auto fault = [](const Picture& picture, const std::vector<LightGroupFactor>& factors) {
         try {
             relit(picture, factors, "x.exr");
         } catch (const Error& error) {

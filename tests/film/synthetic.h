@@ -11,42 +11,41 @@
 
 namespace sunfleck::testing_support {
 
-/// With discs: photons bring a part of the light. With layers of two lights.
+/// With discs: photons bring a part of the light. With aovs of two lights.
 inline FilmKey small_key(int width = 19, int height = 10) {
     FilmKey key{width, height, {}, 7, 0xABCDEF, "alpha=0.667\nphotons_per_pass=1000\n"};
     key.alpha = 2.0 / 3;
-    key.layers[static_cast<std::size_t>(Layer::caustic)] = true;
-    key.layers[static_cast<std::size_t>(Layer::depth)] = true;
-    key.light_layers = {"sun", "lamp"};
+    key.aovs[static_cast<std::size_t>(Aov::caustic)] = true;
+    key.aovs[static_cast<std::size_t>(Aov::depth)] = true;
+    key.light_groups = {"sun", "lamp"};
     return key;
 }
 
 /// A pass of skewed noise, some of it negative, of many magnitudes: a function of (seed, number).
 inline PassImage noise_pass(const FilmKey& key, std::uint32_t number) {
-    PassImage image(key.pixels(), key.layers, key.has_discs(), key.light_layers.size());
+    PassImage image(key.pixels(), key.aovs, key.has_discs(), key.light_groups.size());
     for (std::size_t i = 0; i < key.pixels(); ++i) {
         RandomStream random(key.seed, Purpose::test, number, static_cast<std::uint32_t>(i));
         const float size = std::exp(20 * random.next_float() - 12);
         const Vec3 rgb(size, random.next_float() * size, -0.01F * size);
-        image.add_light(i, rgb, random.next_float() < 0.5F ? Layer::caustic : Layer::indirect);
-        image.add_eye_light(i, Vec3(random.next_float(), 2 * size, 1), Layer::direct);
-        image.add_feature(i, Vec3(3 + random.next_float(), 0, 0), Layer::depth);
-        for (std::size_t layer = 0; layer < image.light_layers(); ++layer)
-            image.add_to_light_layer(i, rgb * random.next_float(),
-                                     static_cast<std::uint8_t>(layer));
+        image.add_light(i, rgb, random.next_float() < 0.5F ? Aov::caustic : Aov::indirect);
+        image.add_camera_light(i, Vec3(random.next_float(), 2 * size, 1), Aov::direct);
+        image.add_feature(i, Vec3(3 + random.next_float(), 0, 0), Aov::depth);
+        for (std::size_t aov = 0; aov < image.light_groups(); ++aov)
+            image.add_to_light_group(i, rgb * random.next_float(), static_cast<std::uint8_t>(aov));
     }
     return image;
 }
 
-/// How often the passes of a round count: 1, 4, 3, 2, 1, 4 ... times.
-inline std::uint32_t weight_of_round(std::uint64_t round) {
-    return 1 + 3 * static_cast<std::uint32_t>(round) % 4;
+/// How often the passes of a batch count: 1, 4, 3, 2, 1, 4 ... times.
+inline std::uint32_t weight_of_batch(std::uint64_t batch) {
+    return 1 + 3 * static_cast<std::uint32_t>(batch) % 4;
 }
 
 inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes) {
     Film film(key);
     for (const std::uint32_t pass : passes) {
-        film.add_pass(pass, noise_pass(key, pass), weight_of_round(pass / kRoundPasses));
+        film.add_pass(pass, noise_pass(key, pass), weight_of_batch(pass / kBatchPasses));
         film.count("rays", 100 + pass);
         film.sum("visible_fraction", 0.1 / (pass + 1));
     }
@@ -54,18 +53,18 @@ inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes
 }
 
 /// A film whose pass values are given by value(round, pixel), grey.
-/// @param weight  of a round's passes.
+/// @param weight  of a batch's passes.
 template <class Value>
-Film film_by_round(
+Film film_by_batch(
     int width, int height, std::uint32_t passes, const Value& value,
-    std::uint32_t (*weight)(std::uint64_t round) = [](std::uint64_t) { return 1U; }) {
+    std::uint32_t (*weight)(std::uint64_t batch) = [](std::uint64_t) { return 1U; }) {
     const FilmKey key{width, height, {}, 1, 0, ""};
     Film film(key);
     for (std::uint32_t pass = 0; pass < passes; ++pass) {
-        PassImage image(key.pixels(), key.layers);
+        PassImage image(key.pixels(), key.aovs);
         for (std::size_t i = 0; i < key.pixels(); ++i)
-            image.add_light(i, Vec3(value(pass / kRoundPasses, i)), Layer::direct);
-        film.add_pass(pass, image, weight(pass / kRoundPasses));
+            image.add_light(i, Vec3(value(pass / kBatchPasses, i)), Aov::direct);
+        film.add_pass(pass, image, weight(pass / kBatchPasses));
     }
     return film;
 }

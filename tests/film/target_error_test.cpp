@@ -11,7 +11,7 @@
 namespace sunfleck {
 namespace {
 
-using testing_support::film_by_round;
+using testing_support::film_by_batch;
 using testing_support::Line;
 using testing_support::line_film;
 using testing_support::line_key;
@@ -25,24 +25,24 @@ TEST(TargetError, needs_four_rounds) {
 
 TEST(TargetError, of_noise_is_the_95th_percentile_of_bright_blocks) {
     // 40 bright blocks whose relative error rises from 1 to 40 steps; 10 dark ones of wild error.
-    const auto value = [](std::uint32_t round, std::size_t pixel) {
+    const auto value = [](std::uint32_t batch, std::size_t pixel) {
         const std::size_t block = pixel % 400 / 8;
-        const float sign = round % 2 == 0 ? 1.0F : -1.0F;
+        const float sign = batch % 2 == 0 ? 1.0F : -1.0F;
         if (block >= 40) return 1e-4F * (1 + sign);
         return 1 + sign * 0.01F * static_cast<float>(block + 1);
     };
-    const Film film = film_by_round(400, 8, 64, value);
-    // Four rounds of 1 +- d: standard error d / sqrt(3), widened for three degrees of freedom. 38
+    const Film film = film_by_batch(400, 8, 64, value);
+    // Four batches of 1 +- d: standard error d / sqrt(3), widened for three degrees of freedom. 38
     // of 40 blocks are at or below the 38th.
     EXPECT_NEAR(target_error(film, {})->noise, 1.6534 * 0.38 / std::sqrt(3.0), 1e-4);
     EXPECT_EQ(target_error(film, {})->bias, 0);  // no discs
     EXPECT_FALSE(relative_bias(film));
-    const Film black = film_by_round(8, 8, 64, [](std::uint32_t, std::size_t) { return 0.0F; });
+    const Film black = film_by_batch(8, 8, 64, [](std::uint32_t, std::size_t) { return 0.0F; });
     EXPECT_FALSE(target_error(black, {}).has_value());
 }
 
 TEST(TargetError, without_noise_is_nothing) {
-    const Film film = film_by_round(3, 2, 64, [](std::uint32_t, std::size_t) { return 0.1F; });
+    const Film film = film_by_batch(3, 2, 64, [](std::uint32_t, std::size_t) { return 0.1F; });
     EXPECT_LT(target_error(film, {})->value(), 1e-7);
 }
 
@@ -61,7 +61,7 @@ TEST(TargetError, joins_noise_and_bias) {
         const double bias = slope * areas->mean;
         squares += std::pow(bias / (4 + bias), 2) / 3;
     }
-    // The lines have no noise; what rounds differ by is their slope.
+    // The lines have no noise; what batches differ by is their slope.
     EXPECT_NEAR(*relative_bias(film), std::sqrt(squares), 1e-5);
     EXPECT_NEAR(target_error(film, {})->bias, std::sqrt(squares), 1e-5);
     EXPECT_EQ(target_error(film, {false, false})->bias, 0);
@@ -105,22 +105,22 @@ TEST(TargetError, says_how_many_passes_are_left) {
     EXPECT_NEAR(std::hypot(0.06, 0.04) / std::sqrt(both), 0.02, 1e-6);
 }
 
-/// After a round that counts once and three that count four times half the error takes three times
+/// After a batch that counts once and three that count four times half the error takes three times
 /// the weight of 16 + 48 * 4, in passes that count four times.
 TEST(TargetError, says_how_many_passes_are_left_that_count_as_the_latest) {
     const auto value = [](std::uint32_t, std::size_t) { return 1.0F; };
     const Film film =
-        film_by_round(1, 1, 64, value, [](std::uint64_t round) { return round > 0 ? 4U : 1U; });
+        film_by_batch(1, 1, 64, value, [](std::uint64_t batch) { return batch > 0 ? 4U : 1U; });
     EXPECT_NEAR(passes_left(film, {0.04, 0}, 0.02, 0.5), 3 * (16 + 48 * 4) / 4, 1e-4);
-    EXPECT_NEAR(passes_left(film_by_round(1, 1, 64, value), {0.04, 0}, 0.02, 0.5), 3 * 64, 1e-4);
+    EXPECT_NEAR(passes_left(film_by_batch(1, 1, 64, value), {0.04, 0}, 0.02, 0.5), 3 * 64, 1e-4);
     EXPECT_NEAR(passes_left(film, {0.01, 0}, 0.02, 0.5), 0, 1e-4);
 }
 
 /// Or a render would end before the light is in any round.
 TEST(TargetError, is_not_known_where_complete_rounds_are_black) {
-    const Film film = film_by_round(
-        8, 8, 70, [](std::uint32_t round, std::size_t) { return round < 4 ? 0.0F : 1.0F; });
-    EXPECT_EQ(film.rounds(), kTargetRounds);
+    const Film film = film_by_batch(
+        8, 8, 70, [](std::uint32_t batch, std::size_t) { return batch < 4 ? 0.0F : 1.0F; });
+    EXPECT_EQ(film.batches(), kTargetBatches);
     EXPECT_FALSE(target_error(film, {}).has_value());
 }
 

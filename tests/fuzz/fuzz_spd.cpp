@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     };
     try {
         const auto read = sunfleck::read_pbrt_text(scene, "fuzz.pbrt", files);
-        const sunfleck::SpectralCurve& light = sunfleck::curve(read.lights.at(0));
+        const sunfleck::Spectrum& light = sunfleck::curve(read.lights.at(0));
         for (const float nm : {360.0F, 555.0F, 830.0F})
             if (!(light(nm) >= 0 && std::isfinite(light(nm)))) std::abort();
     } catch (const sunfleck::Error& error) {

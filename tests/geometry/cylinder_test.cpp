@@ -22,7 +22,7 @@ std::optional<Vec3d> nearest_by_textbook(const Cylinder& c, const Vec3d& o, cons
     if (rest < 0) return {};
     for (const double root : {-std::sqrt(rest), std::sqrt(rest)}) {
         const Vec3d p = o + d * ((root - b) / a);
-        const double angle = std::atan2(p.y, p.x) + (p.y < 0 ? kFullTurn : 0);
+        const double angle = std::atan2(p.y, p.x) + (p.y < 0 ? kFullCircle : 0);
         if (root > b && p.z > c.z_min && p.z < c.z_max && angle < c.phi_max) return p;
     }
     return {};
@@ -31,7 +31,7 @@ std::optional<Vec3d> nearest_by_textbook(const Cylinder& c, const Vec3d& o, cons
 TEST(Cylinder, is_a_sector_between_its_heights) {
     Dice dice(13);
     int hits = 0;
-    for (const double turn : {1.0, 3.0, 5.0, kFullTurn}) {
+    for (const double turn : {1.0, 3.0, 5.0, kFullCircle}) {
         const Cylinder cylinder{1.5, -0.5, 2, turn};
         const Geometry geometry = of_one(cylinder);
         for (int i = 0; i < 5000; ++i) {
@@ -42,7 +42,7 @@ TEST(Cylinder, is_a_sector_between_its_heights) {
             EXPECT_EQ(geometry.occluded(ray), p.has_value());
             if (!hit) continue;
             ++hits;
-            const double angle = std::atan2(p->y, p->x) + (p->y < 0 ? kFullTurn : 0);
+            const double angle = std::atan2(p->y, p->x) + (p->y < 0 ? kFullCircle : 0);
             EXPECT_LT(distance(Vec3d(hit->position), *p), 1e-6);
             EXPECT_LT(distance(Vec3d(hit->normal), Vec3d(p->x, p->y, 0) / 1.5), 1e-6);
             EXPECT_NEAR(hit->uv.x, angle / turn, 1e-6);

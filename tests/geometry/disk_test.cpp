@@ -15,14 +15,14 @@ using test::of_one;
 
 TEST(Disk, is_a_sector_of_a_ring_at_its_height) {
     Dice dice(11);
-    for (const double turn : {1.0, 3.0, 5.0, kFullTurn}) {
+    for (const double turn : {1.0, 3.0, 5.0, kFullCircle}) {
         const Geometry geometry = of_one(Disk{0.5, 2, 0.75, turn});
         for (int i = 0; i < 5000; ++i) {
             const Ray ray = test::ray_between(dice.direction() * 6, dice.in_box(2));
             const double t = (0.5 - double{ray.origin.z}) / ray.direction.z;
             const Vec3d p = Vec3d(ray.origin) + Vec3d(ray.direction) * t;
             const double r = std::sqrt(p.x * p.x + p.y * p.y);
-            const double angle = std::atan2(p.y, p.x) + (p.y < 0 ? kFullTurn : 0);
+            const double angle = std::atan2(p.y, p.x) + (p.y < 0 ? kFullCircle : 0);
             const bool there = t > 0 && r < 2 && r > 0.75 && angle < turn;
             const auto hit = geometry.intersect(ray);
             ASSERT_EQ(hit.has_value(), there);

@@ -49,7 +49,7 @@ TEST(Measure, stretched_spheres) {
 TEST(Measure, half_a_stretched_sphere_is_half) {
     const Matrix any = scaling(1, 2, 3);
     const double whole = surface_area({Sphere{}, any, false});
-    EXPECT_NEAR(surface_area({Sphere{1, 0, 1, kFullTurn}, any, false}) / whole, 0.5, 1e-6);
+    EXPECT_NEAR(surface_area({Sphere{1, 0, 1, kFullCircle}, any, false}) / whole, 0.5, 1e-6);
     EXPECT_NEAR(surface_area({Sphere{1, -1, 1, kPiDouble / 2}, any, false}) / whole, 0.25, 1e-6);
 }
 

@@ -17,7 +17,7 @@ using test::ray_between;
 TEST(Sphere, hits_are_where_the_quadratic_equation_has_them) {
     Dice dice(7);
     const Vec3d center(3, -2, 5);
-    const Geometry geometry = of_one(Sphere{2, -2, 2, kFullTurn}, test::translation(center));
+    const Geometry geometry = of_one(Sphere{2, -2, 2, kFullCircle}, test::translation(center));
     int hits = 0;
     for (int i = 0; i < 20000; ++i) {
         const Ray ray = ray_between(center + dice.direction() * 5, center + dice.in_box(2.2));
@@ -59,7 +59,7 @@ TEST(Sphere, does_not_meet_itself) {
         const double radius = dice.magnitude(-2, 3);
         const Vec3d center = dice.in_box(1) * radius * dice.magnitude(-2, 2);
         const Geometry geometry =
-            of_one(Sphere{radius, -radius, radius, kFullTurn},
+            of_one(Sphere{radius, -radius, radius, kFullCircle},
                    test::rotation(dice.direction(), dice.number(0, 6)) * test::translation(center));
         for (int j = 0; j < 100; ++j) {
             const auto hit = geometry.intersect(
@@ -77,12 +77,12 @@ TEST(Sphere, does_not_meet_itself) {
 
 TEST(Sphere, parts_are_cut_by_height_and_azimuth) {
     Dice dice(10);
-    for (const double turn : {0.5, 2.0, 4.0, kFullTurn}) {
+    for (const double turn : {0.5, 2.0, 4.0, kFullCircle}) {
         const Sphere part{1, -0.3, 0.7, turn};
         const Geometry geometry = of_one(part);
         const auto is_there = [&](const Vec3d& p) {
             double angle = std::atan2(p.y, p.x);
-            if (angle < 0) angle += kFullTurn;
+            if (angle < 0) angle += kFullCircle;
             return p.z > -0.3 && p.z < 0.7 && angle < turn;
         };
         for (int i = 0; i < 5000; ++i) {
@@ -119,7 +119,7 @@ TEST(Sphere, coordinates_and_tangent_are_those_of_pbrt) {
 }
 
 TEST(Sphere, grazing_far_and_tiny_spheres_give_finite_hits) {
-    const Geometry tiny = of_one(Sphere{1e-4, -1e-4, 1e-4, kFullTurn});
+    const Geometry tiny = of_one(Sphere{1e-4, -1e-4, 1e-4, kFullCircle});
     const auto hit = tiny.intersect({{0, 0, 1000}, {0, 0, -1}});
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->position.z, 1e-4, 1e-10);

@@ -19,17 +19,18 @@ TEST(Sweep, sine_and_cosine_are_good_to_the_last_bits) {
 TEST(Sweep, a_point_is_inside_when_its_azimuth_is) {
     test::Dice dice(2);
     for (int i = 0; i < 20000; ++i) {
-        const double end = dice.number(0, kFullTurn);
+        const double end = dice.number(0, kFullCircle);
         const double x = dice.number(-1, 1);
         const double y = dice.number(-1, 1);
-        const double angle = std::atan2(y, x) < 0 ? std::atan2(y, x) + kFullTurn : std::atan2(y, x);
+        const double angle =
+            std::atan2(y, x) < 0 ? std::atan2(y, x) + kFullCircle : std::atan2(y, x);
         if (std::abs(angle - end) < 1e-9) continue;
         EXPECT_EQ(Sweep(end).contains(x, y), angle <= end) << end << " " << x << " " << y;
     }
 }
 
 TEST(Sweep, the_whole_turn_holds_everything_and_no_turn_nothing) {
-    for (const double y : {-1e-300, 0.0, 1e-300}) EXPECT_TRUE(Sweep(kFullTurn).contains(1, y));
+    for (const double y : {-1e-300, 0.0, 1e-300}) EXPECT_TRUE(Sweep(kFullCircle).contains(1, y));
     EXPECT_TRUE(Sweep(100).contains(-1, -1));
     EXPECT_FALSE(Sweep(0).contains(1, 1e-9));
     EXPECT_FALSE(Sweep(-1).contains(0, 1));

@@ -16,7 +16,8 @@ namespace {
 
 using Points = std::vector<WeightedEmission>;
 
-/// Points of a box of side `width` around 0.3 in the slots of `narrow`, anywhere in the others.
+/// Points of a box of side `width` around 0.3 in the dimensions of `narrow`, anywhere in the
+/// others.
 Points around(double width, const std::vector<std::size_t>& narrow, std::size_t count = 4000) {
     RandomStream random(1, Purpose::test, 0, 0);
     Points points;
@@ -39,12 +40,12 @@ EmissionPoint uniform(RandomStream& random) {
     return u;
 }
 
-/// Off the middle line of a slanted tube, which slots 0 and 1 run along.
+/// Off the middle line of a slanted tube, which dimensions 0 and 1 run along.
 double off_line(const EmissionPoint& p, std::size_t s) {
     return p.at(s) - (0.4 + 0.7 * (p[0] - 0.3) - 0.3 * (p[s - 2] - 0.3));
 }
 
-/// Points of a tube: a square of side .4 times the tube's width, in slots 2 and 3.
+/// Points of a tube: a square of side .4 times the tube's width, in dimensions 2 and 3.
 Points tube(double width, std::size_t count = 4000) {
     Points points = around(0.4, {0, 1}, count);
     for (WeightedEmission& p : points)
@@ -53,20 +54,20 @@ Points tube(double width, std::size_t count = 4000) {
     return points;
 }
 
-/// What is measured in every map: one that is broad, narrow, thin in one slot, of two clusters,
-/// of a slanted tube, and cut down to where trials were visible.
-std::vector<EmissionMap> maps() {
+/// What is measured in every map: one that is broad, narrow, thin in one dimension, of two
+/// clusters, of a slanted tube, and cut down to where trials were visible.
+std::vector<EmissionGuide> maps() {
     Points two = around(0.01, {0, 1});
     for (std::size_t i = 0; i < two.size(); i += 3) {
         two[i].point[0] += 0.5;
         two[i].weight = 5;
     }
-    std::vector<EmissionMap> all = {EmissionMap::learned(around(0.5, {0, 1}), {0.25}),
-                                    EmissionMap::learned(around(0.02, {0, 3}), {0.5}),
-                                    EmissionMap::learned(around(0.1, {4}), {0.1}),
-                                    EmissionMap::learned(two, {0.25}),
-                                    EmissionMap::learned(tube(0.01), {0.25})};
-    std::vector<EmissionMap::Trial> trials;
+    std::vector<EmissionGuide> all = {EmissionGuide::learned(around(0.5, {0, 1}), {0.25}),
+                                      EmissionGuide::learned(around(0.02, {0, 3}), {0.5}),
+                                      EmissionGuide::learned(around(0.1, {4}), {0.1}),
+                                      EmissionGuide::learned(two, {0.25}),
+                                      EmissionGuide::learned(tube(0.01), {0.25})};
+    std::vector<EmissionGuide::Trial> trials;
     for (const WeightedEmission& p : two) trials.push_back({p.point, p.point[2] < 0.5});
     for (const WeightedEmission& p : tube(0.01)) trials.push_back({p.point, p.point[0] < 0.3});
     all.push_back(all[3].where_visible(trials, 0.05));
@@ -75,10 +76,10 @@ std::vector<EmissionMap> maps() {
     return all;
 }
 
-// 200,000 points a map: the mean of f / density over images is the integral of f over what is
+// 200,000 points a guide: the mean of f / density over images is the integral of f over what is
 // covered, which uniform points tell; differences below five standard errors.
-TEST(EmissionMap, images_have_the_density_that_they_say) {
-    for (const EmissionMap& map : maps()) {
+TEST(EmissionGuide, images_have_the_density_that_they_say) {
+    for (const EmissionGuide& map : maps()) {
         RandomStream random(2, Purpose::test, 0, 0);
         const auto f = [](const EmissionPoint& p) {
             return 1 + 2 * p[0] + p[1] * p[4] + p[2] * p[3];
@@ -86,7 +87,7 @@ TEST(EmissionMap, images_have_the_density_that_they_say) {
         RunningMean by_map;
         RunningMean by_uniform;
         for (int i = 0; i < 200'000; ++i) {
-            const EmissionMap::Image image = map(uniform(random));
+            const EmissionGuide::Image image = map(uniform(random));
             for (const double x : image.point) ASSERT_TRUE(x >= 0 && x <= 1);
             ASSERT_EQ(map.density(image.point), image.density);
             by_map.add(f(image.point) / image.density);
@@ -99,9 +100,9 @@ TEST(EmissionMap, images_have_the_density_that_they_say) {
     }
 }
 
-TEST(EmissionMap, most_images_lie_where_the_points_did) {
+TEST(EmissionGuide, most_images_lie_where_the_points_did) {
     for (const double width : {0.3, 1e-2, 1e-4, 1e-6}) {
-        const EmissionMap map = EmissionMap::learned(around(width, {0, 1}), {0.25});
+        const EmissionGuide map = EmissionGuide::learned(around(width, {0, 1}), {0.25});
         RandomStream random(3, Purpose::test, 0, 0);
         int inside = 0;
         for (int i = 0; i < 10'000; ++i)
@@ -112,9 +113,9 @@ TEST(EmissionMap, most_images_lie_where_the_points_did) {
 }
 
 // Boxes along the tube would be 40 and 400 by 40 and 400.
-TEST(EmissionMap, follows_a_slanted_tube) {
+TEST(EmissionGuide, follows_a_slanted_tube) {
     for (const double width : {1e-2, 1e-3}) {
-        const EmissionMap map = EmissionMap::learned(tube(width), {0.25});
+        const EmissionGuide map = EmissionGuide::learned(tube(width), {0.25});
         EXPECT_GE(map.shears(), 2U);
         RandomStream random(6, Purpose::test, 0, 0);
         int inside = 0;
@@ -129,55 +130,55 @@ TEST(EmissionMap, follows_a_slanted_tube) {
     }
 }
 
-TEST(EmissionMap, is_nowhere_zero_unless_it_is_asked_to_be) {
-    const EmissionMap map = EmissionMap::learned(around(1e-3, {0, 1}), {0.25});
+TEST(EmissionGuide, is_nowhere_zero_unless_it_is_asked_to_be) {
+    const EmissionGuide map = EmissionGuide::learned(around(1e-3, {0, 1}), {0.25});
     RandomStream random(4, Purpose::test, 0, 0);
     for (int i = 0; i < 1000; ++i) EXPECT_GE(map.density(uniform(random)), 0.25 * (1 - 1e-12));
-    std::vector<EmissionMap::Trial> trials;
+    std::vector<EmissionGuide::Trial> trials;
     for (const WeightedEmission& p : around(1e-3, {0, 1})) trials.push_back({p.point, true});
-    const EmissionMap cut = map.where_visible(trials, 0.05);
+    const EmissionGuide cut = map.where_visible(trials, 0.05);
     EXPECT_FALSE(cut.covers({0.9, 0.9, 0.5, 0.5, 0.5}));
     EXPECT_TRUE(cut.covers({0.3, 0.3, 0.5, 0.5, 0.5}));
 }
 
 // Of trials that are visible one time in ten in one half, and always in the other.
-TEST(EmissionMap, where_visible_goes_by_the_root_of_how_often) {
-    std::vector<EmissionMap::Trial> trials;
+TEST(EmissionGuide, where_visible_goes_by_the_root_of_how_often) {
+    std::vector<EmissionGuide::Trial> trials;
     Points points = around(1, {});
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool left = points[i].point[0] < 0.5;
         points[i].weight = left ? 1 : 4;
         trials.push_back({points[i].point, !left || i % 10 == 0});
     }
-    const EmissionMap map = EmissionMap::learned(points, {0.25});
+    const EmissionGuide map = EmissionGuide::learned(points, {0.25});
     ASSERT_GE(map.boxes(), 2U);
-    const EmissionMap cut = map.where_visible(trials, 0.05);
+    const EmissionGuide cut = map.where_visible(trials, 0.05);
     const EmissionPoint left{0.25, 0.5, 0.5, 0.5, 0.5};
     const EmissionPoint right{0.75, 0.5, 0.5, 0.5, 0.5};
     EXPECT_NEAR(cut.density(left) / cut.density(right), std::sqrt(0.1), 0.05);
     EXPECT_FALSE(map.where_visible(trials, 0.3).covers(left));
-    for (EmissionMap::Trial& trial : trials) trial.visible = false;
+    for (EmissionGuide::Trial& trial : trials) trial.visible = false;
     EXPECT_TRUE(map.where_visible(trials, 0.05).is_identity());
 }
 
 // A ninth of the points in one half of a slab, the others in its other half; nothing outside.
-TEST(EmissionMap, widened_goes_by_the_root_of_what_was_found) {
+TEST(EmissionGuide, widened_goes_by_the_root_of_what_was_found) {
     Points points = around(1, {}, 9000);
     for (std::size_t i = 0; i < points.size(); ++i)
         points[i].point[0] = 0.25 + points[i].point[0] / 16 + (i % 9 == 0 ? 0 : 0.0625);
-    const EmissionMap map = EmissionMap::learned(points, {0.25});
-    const EmissionMap wide = map.widened(0);
+    const EmissionGuide map = EmissionGuide::learned(points, {0.25});
+    const EmissionGuide wide = map.widened(0);
     const auto at = [](double x) { return EmissionPoint{x, 0.5, 0.5, 0.5, 0.5}; };
     EXPECT_NEAR(wide.density(at(0.35)) / wide.density(at(0.28)), std::sqrt(8.0), 0.3);
     EXPECT_EQ(wide.density(at(0.7)), 0);
-    const EmissionMap kept = map.widened(1);
+    const EmissionGuide kept = map.widened(1);
     EXPECT_NEAR(kept.density(at(0.35)) / kept.density(at(0.28)),
                 map.density(at(0.35)) / map.density(at(0.28)), 1e-9);
     EXPECT_EQ(kept.density(at(0.7)), 0);
 }
 
-TEST(EmissionMap, without_points_it_is_the_identity) {
-    const EmissionMap map = EmissionMap::learned({}, {0.25});
+TEST(EmissionGuide, without_points_it_is_the_identity) {
+    const EmissionGuide map = EmissionGuide::learned({}, {0.25});
     EXPECT_TRUE(map.is_identity());
     const EmissionPoint p{0.1, 0.2, 0.3, 0.4, 0.5};
     EXPECT_EQ(map(p).point, p);
@@ -185,25 +186,25 @@ TEST(EmissionMap, without_points_it_is_the_identity) {
     EXPECT_TRUE(map.covers(p));
 }
 
-// A box must hold many numbers of a slot, or a rounded image could fall out of its box.
-TEST(EmissionMap, equal_points_do_not_make_boxes_too_small) {
-    const EmissionMap map = EmissionMap::learned(around(0, {0, 1}), {0.25});
+// A box must hold many numbers of a dimension, or a rounded image could fall out of its box.
+TEST(EmissionGuide, equal_points_do_not_make_boxes_too_small) {
+    const EmissionGuide map = EmissionGuide::learned(around(0, {0, 1}), {0.25});
     RandomStream random(5, Purpose::test, 0, 0);
     for (int i = 0; i < 10'000; ++i) {
-        const EmissionMap::Image image = map(uniform(random));
+        const EmissionGuide::Image image = map(uniform(random));
         EmissionPoint rounded;
-        for (std::size_t s = 0; s < kMappedSlots; ++s)
+        for (std::size_t s = 0; s < kGuidedDimensions; ++s)
             rounded[s] = to_unit(to_fraction(image.point[s]));
         ASSERT_EQ(map.density(rounded), image.density);
     }
 }
 
-// Mapped paths have the emission that the map says, and weigh one over its density.
-TEST(MappedPoints, weigh_what_they_should) {
-    const EmissionMap map = EmissionMap::learned(around(0.05, {0, 1}), {0.25});
+// Mapped paths have the emission that the guide says, and weigh one over its density.
+TEST(GuidedPoints, weigh_what_they_should) {
+    const EmissionGuide map = EmissionGuide::learned(around(0.05, {0, 1}), {0.25});
     const PassId pass{1, 2};
     const PassId beside = pass.with_part(PassId::kParts / 2);
-    const MappedPoints points(pass, map);
+    const GuidedPoints points(pass, map);
     RunningMean volume;
     for (std::uint32_t i = 0; i < 4096; ++i) {
         auto read = points.path(i);

@@ -18,7 +18,7 @@ struct BsdfExample {
     std::string name;
     /// Only the test that looks makes it: the table of what facets lose takes its time.
     std::function<Bsdf()> make;
-    Spectrum inside = Spectrum(1);  // index of the side -z over that of +z
+    SampledSpectrum inside = SampledSpectrum(1);  // index of the side -z over that of +z
 };
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
@@ -30,18 +30,18 @@ inline std::string name_of(const auto& info) {
     return info.param.name;
 }
 
-/// From first to last, evenly over the lanes.
-inline Spectrum ramp(float first, float last) {
-    Spectrum s;
-    for (std::size_t i = 0; i < kLanes; ++i)
-        s[i] = first + (last - first) * static_cast<float>(i) / (kLanes - 1);
+/// From first to last, evenly over the wavelengths.
+inline SampledSpectrum ramp(float first, float last) {
+    SampledSpectrum s;
+    for (std::size_t i = 0; i < kWavelengths; ++i)
+        s[i] = first + (last - first) * static_cast<float>(i) / (kWavelengths - 1);
     return s;
 }
 
-inline Spectrum gold_eta() {
+inline SampledSpectrum gold_eta() {
     return ramp(1.6F, 0.15F);
 }
-inline Spectrum gold_k() {
+inline SampledSpectrum gold_k() {
     return ramp(1.9F, 4.5F);
 }
 
@@ -66,10 +66,11 @@ inline const Coats& coats() {
 inline std::function<Bsdf()> fixed(const Bsdf& bsdf) {
     return [bsdf] { return bsdf; };
 }
-inline std::function<Bsdf()> kept_metal(const Spectrum& eta, const Spectrum& k, Ggx facets) {
+inline std::function<Bsdf()> kept_metal(const SampledSpectrum& eta, const SampledSpectrum& k,
+                                        Ggx facets) {
     return [=] { return RoughConductor{eta, k, facets, &FacetLosses::table()}; };
 }
-inline std::function<Bsdf()> kept_glass(const Spectrum& eta, Ggx facets) {
+inline std::function<Bsdf()> kept_glass(const SampledSpectrum& eta, Ggx facets) {
     return [=] { return RoughDielectric(eta, facets, &FacetLosses::table()); };
 }
 
@@ -77,16 +78,16 @@ inline std::function<Bsdf()> kept_glass(const Spectrum& eta, Ggx facets) {
 
 /// Those that have delta lobes alone.
 inline std::vector<BsdfExample> delta_examples() {
-    const Spectrum glass(1.5F);
-    const Spectrum bubble(1 / 1.33F);
-    const Spectrum flint = ramp(1.62F, 1.54F);
+    const SampledSpectrum glass(1.5F);
+    const SampledSpectrum bubble(1 / 1.33F);
+    const SampledSpectrum flint = ramp(1.62F, 1.54F);
     return {
         {"glass", fixed(SmoothDielectric(glass)), glass},
         {"bubble", fixed(SmoothDielectric(bubble)), bubble},
         {"prism", fixed(SmoothDielectric(flint)), flint},
         {"pane", fixed(ThinDielectric{glass})},
         {"coloured_pane", fixed(ThinDielectric{ramp(1.3F, 1.9F)})},
-        {"mirror", fixed(SmoothConductor{Spectrum(1), Spectrum(2000)})},
+        {"mirror", fixed(SmoothConductor{SampledSpectrum(1), SampledSpectrum(2000)})},
         {"gold", fixed(SmoothConductor{gold_eta(), gold_k()})},
         {"coated_gold", fixed(CoatedConductor(gold_eta(), gold_k(), {}, &coats().smooth))},
         {"varnish", fixed(CoatReflection{&coats().smooth})},
@@ -95,30 +96,32 @@ inline std::vector<BsdfExample> delta_examples() {
 
 /// Those that spread light over a solid angle.
 inline std::vector<BsdfExample> spread_examples() {
-    const Spectrum glass(1.5F);
-    const Spectrum bubble(1 / 1.33F);
-    const Spectrum flint = ramp(1.62F, 1.54F);
+    const SampledSpectrum glass(1.5F);
+    const SampledSpectrum bubble(1 / 1.33F);
+    const SampledSpectrum flint = ramp(1.62F, 1.54F);
     return {
         {"grey", fixed(Lambert{ramp(0.2F, 0.8F)})},
-        {"white", fixed(Lambert{Spectrum(1)})},
+        {"white", fixed(Lambert{SampledSpectrum(1)})},
         {"rough_glass", fixed(RoughDielectric(glass, {0.3F, 0.3F})), glass},
         {"brushed_glass", fixed(RoughDielectric(glass, {0.1F, 0.4F})), glass},
         {"rough_bubble", fixed(RoughDielectric(bubble, {0.25F, 0.15F})), bubble},
         {"rough_prism", fixed(RoughDielectric(flint, {0.2F, 0.2F})), flint},
-        {"rough_mirror", fixed(RoughConductor{Spectrum(1), Spectrum(2000), {0.5F, 0.1F}})},
+        {"rough_mirror",
+         fixed(RoughConductor{SampledSpectrum(1), SampledSpectrum(2000), {0.5F, 0.1F}})},
         {"rough_gold", fixed(RoughConductor{gold_eta(), gold_k(), {0.2F, 0.2F}})},
         {"chalky_gold", fixed(RoughConductor{gold_eta(), gold_k(), {1, 0.6F}})},
-        {"kept_mirror", kept_metal(Spectrum(1), Spectrum(2000), {0.5F, 0.5F})},
+        {"kept_mirror", kept_metal(SampledSpectrum(1), SampledSpectrum(2000), {0.5F, 0.5F})},
         {"kept_gold", kept_metal(gold_eta(), gold_k(), {0.2F, 0.2F})},
         {"kept_brushed_gold", kept_metal(gold_eta(), gold_k(), {1, 0.6F})},
         {"frosted_glass", kept_glass(glass, {0.5F, 0.5F}), glass},
         {"frosted_bubble", kept_glass(bubble, {0.25F, 0.25F}), bubble},
         {"frosted_prism", kept_glass(flint, {0.4F, 0.4F}), flint},
         {"leaf", fixed(DiffuseTransmission{ramp(0.2F, 0.5F), ramp(0.4F, 0.1F)})},
-        {"milk_glass", fixed(DiffuseTransmission{Spectrum(0.05F), Spectrum(0.9F)})},
+        {"milk_glass", fixed(DiffuseTransmission{SampledSpectrum(0.05F), SampledSpectrum(0.9F)})},
         {"hair", fixed(DiffuseTransmission{ramp(0.25F, 0.13F), ramp(0.74F, 0.2F)})},
         {"skin", fixed(CoatedDiffuse{ramp(0.9F, 0.3F), &coats().oily})},
-        {"white_skin", fixed(CoatedDiffuse{Spectrum(coats().whole_below_oil()), &coats().oily})},
+        {"white_skin",
+         fixed(CoatedDiffuse{SampledSpectrum(coats().whole_below_oil()), &coats().oily})},
         {"coated_rough_gold",
          fixed(CoatedConductor(gold_eta(), gold_k(), Ggx{0.3F, 0.2F}, &coats().smooth))},
         {"satin_gold", fixed(CoatedConductor(gold_eta(), gold_k(), {}, &coats().frosted))},
@@ -148,22 +151,22 @@ inline Vec3 direction_at(float cosine, float azimuth) {
 }
 
 /// From straight on to grazing, from both sides; the last is beyond the prism's critical angle in
-/// some lanes and not in others.
+/// some wavelengths and not in others.
 inline std::vector<Vec3> probe_directions() {
     return {direction_at(1, 0),        direction_at(0.8F, 0.4F),   direction_at(0.35F, 2.5F),
             direction_at(0.05F, 4.0F), direction_at(-0.9F, 1.2F),  direction_at(-0.6F, 5.0F),
             direction_at(-0.2F, 3.0F), direction_at(-0.03F, 0.1F), direction_at(-0.775F, 3.3F)};
 }
 
-/// Number i of n draws: lanes in turn, the lobe's number stratified, the direction random.
-inline BsdfDraw draw_number(std::size_t i, std::size_t n, RandomStream& stream) {
-    const std::size_t lane = i % kLanes;
-    const std::size_t stratum = i / kLanes;
-    const std::size_t strata = (n + kLanes - 1) / kLanes;
+/// Number i of n draws: wavelengths in turn, the lobe's number stratified, the direction random.
+inline BsdfDraw subpass_number(std::size_t i, std::size_t n, RandomStream& stream) {
+    const std::size_t wavelength = i % kWavelengths;
+    const std::size_t stratum = i / kWavelengths;
+    const std::size_t strata = (n + kWavelengths - 1) / kWavelengths;
     const auto lobe = static_cast<float>((static_cast<double>(stratum) + stream.next()) /
                                          static_cast<double>(strata));
     const float u = stream.next_float();
-    return {Vec3(lobe, u, stream.next_float()), Transport::flux, {lane, false}};
+    return {Vec3(lobe, u, stream.next_float()), Transport::flux, {wavelength, false}};
 }
 
 }  // namespace sunfleck::laws

@@ -14,7 +14,9 @@ namespace {
 class BsdfLaws : public testing::TestWithParam<BsdfExample> {
 protected:
     const Bsdf& bsdf() const { return bsdf_; }
-    float index(float z, std::size_t lane) const { return z > 0 ? 1 : GetParam().inside[lane]; }
+    float index(float z, std::size_t wavelength) const {
+        return z > 0 ? 1 : GetParam().inside[wavelength];
+    }
 
     const Bsdf bsdf_ = GetParam().make();
     RandomStream stream_{1, Purpose::test, 0, 0};
@@ -42,14 +44,14 @@ TEST(BsdfExamples, stand_where_they_belong) {
 }
 
 /// Radiance gathered from b towards a is flux sent from b towards a.
-TEST_P(BsdfLaws, eye_and_photon_paths_agree) {
+TEST_P(BsdfLaws, camera_and_photon_paths_agree) {
     for (int i = 0; i < 2000; ++i) {
         const Vec3 a = random_direction(stream_);
         const Vec3 b = random_direction(stream_);
-        const Spectrum gathered = eval(bsdf(), a, b, Transport::radiance);
-        const Spectrum sent = eval(bsdf(), b, a, Transport::flux);
-        for (std::size_t lane = 0; lane < kLanes; ++lane)
-            expect_close(gathered[lane], sent[lane], 1e-5F);
+        const SampledSpectrum gathered = eval(bsdf(), a, b, Transport::radiance);
+        const SampledSpectrum sent = eval(bsdf(), b, a, Transport::flux);
+        for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength)
+            expect_close(gathered[wavelength], sent[wavelength], 1e-5F);
     }
 }
 
@@ -58,30 +60,30 @@ TEST_P(BsdfLaws, reciprocity) {
     for (int i = 0; i < 2000; ++i) {
         const Vec3 a = random_direction(stream_);
         const Vec3 b = random_direction(stream_);
-        const Spectrum to_a = eval(bsdf(), a, b, Transport::radiance);
-        const Spectrum to_b = eval(bsdf(), b, a, Transport::radiance);
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            const float at_a = index(a.z, lane);
-            const float at_b = index(b.z, lane);
-            expect_close(to_a[lane] / (at_a * at_a), to_b[lane] / (at_b * at_b), 1e-5F);
+        const SampledSpectrum to_a = eval(bsdf(), a, b, Transport::radiance);
+        const SampledSpectrum to_b = eval(bsdf(), b, a, Transport::radiance);
+        for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength) {
+            const float at_a = index(a.z, wavelength);
+            const float at_b = index(b.z, wavelength);
+            expect_close(to_a[wavelength] / (at_a * at_a), to_b[wavelength] / (at_b * at_b), 1e-5F);
         }
     }
 }
 
 /// The lobe is stratified, so smooth ones are exact to 1e-4, and every weight of the white Lambert
 /// is one; of others the mean has an error, of which four are allowed.
-TEST_P(BsdfLaws, no_lane_gains_energy) {
+TEST_P(BsdfLaws, no_wavelength_gains_energy) {
     constexpr std::size_t kSamples = 1U << 14U;
-    for (const Vec3& w_from : probe_directions()) {
-        std::array<RunningMean, kLanes> means;
+    for (const Vec3& wo : probe_directions()) {
+        std::array<RunningMean, kWavelengths> means;
         for (std::size_t i = 0; i < kSamples; ++i) {
-            const auto drawn = sample(bsdf(), w_from, draw_number(i, kSamples, stream_));
-            for (std::size_t lane = 0; lane < kLanes; ++lane)
-                means.at(lane).add(drawn ? drawn->weight[lane] : 0);
+            const auto drawn = sample(bsdf(), wo, subpass_number(i, kSamples, stream_));
+            for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength)
+                means.at(wavelength).add(drawn ? drawn->weight[wavelength] : 0);
         }
         const bool spreads = scattering(bsdf()) != Scattering::specular;
         for (const RunningMean& mean : means)
-            EXPECT_LE(mean.mean(), 1 + 1e-3 + (spreads ? 4 * mean.standard_error() : 0)) << w_from;
+            EXPECT_LE(mean.mean(), 1 + 1e-3 + (spreads ? 4 * mean.standard_error() : 0)) << wo;
     }
 }
 
@@ -90,33 +92,33 @@ TEST_P(BsdfLaws, samples_say_what_eval_and_pdf_say) {
     constexpr std::size_t kSamples = 4000;
     const Scattering kind = scattering(bsdf());
     for (std::size_t i = 0; i < kSamples; ++i) {
-        BsdfDraw draw = draw_number(i, kSamples, stream_);
+        BsdfDraw draw = subpass_number(i, kSamples, stream_);
         draw.transport = i % 3 == 0 ? Transport::radiance : Transport::flux;
-        const Vec3 w_from = random_direction(stream_);
-        const auto drawn = sample(bsdf(), w_from, draw);
+        const Vec3 wo = random_direction(stream_);
+        const auto drawn = sample(bsdf(), wo, draw);
         if (!drawn) continue;
-        EXPECT_NEAR(drawn->w_to.length(), 1, 1e-6F);
+        EXPECT_NEAR(drawn->wi.length(), 1, 1e-6F);
         EXPECT_TRUE(drawn->weight.is_finite() && drawn->weight.min() >= 0);
-        const std::size_t lane = draw.lanes.chosen;
-        expect_close(drawn->eta, index(drawn->w_to.z, lane) / index(w_from.z, lane), 1e-6F);
+        const std::size_t wavelength = draw.hero.chosen;
+        expect_close(drawn->eta, index(drawn->wi.z, wavelength) / index(wo.z, wavelength), 1e-6F);
         const bool delta = !drawn->pdf;
         ASSERT_TRUE(kind != Scattering::specular || delta);
         ASSERT_TRUE(kind != Scattering::diffuse || !delta);
         if (delta) {
             if (kind != Scattering::specular) continue;  // another lobe may go there, too
-            EXPECT_TRUE(eval(bsdf(), w_from, drawn->w_to, draw.transport).is_zero());
-            EXPECT_EQ(pdf(bsdf(), w_from, drawn->w_to, draw.transport), 0);
+            EXPECT_TRUE(eval(bsdf(), wo, drawn->wi, draw.transport).is_zero());
+            EXPECT_EQ(pdf(bsdf(), wo, drawn->wi, draw.transport), 0);
             continue;
         }
-        // A dispersed sample says what its lane alone would say, for all lanes.
-        const Bsdf one = drawn->dispersed ? for_lane(bsdf(), lane) : bsdf();
-        const float share = drawn->dispersed ? static_cast<float>(kLanes) : 1;
-        const float density = pdf(one, w_from, drawn->w_to, draw.transport);
-        const Spectrum f = eval(one, w_from, drawn->w_to, draw.transport);
+        // A dispersed sample says what its wavelength alone would say, for all wavelengths.
+        const Bsdf one = drawn->dispersed ? at_wavelength(bsdf(), wavelength) : bsdf();
+        const float share = drawn->dispersed ? static_cast<float>(kWavelengths) : 1;
+        const float density = pdf(one, wo, drawn->wi, draw.transport);
+        const SampledSpectrum f = eval(one, wo, drawn->wi, draw.transport);
         expect_close(*drawn->pdf, density, 2e-3F);
-        for (std::size_t l = 0; l < kLanes; ++l) {
-            const bool kept = !drawn->dispersed || l == lane;
-            const float says = f[l] * std::abs(drawn->w_to.z) / density * share;
+        for (std::size_t l = 0; l < kWavelengths; ++l) {
+            const bool kept = !drawn->dispersed || l == wavelength;
+            const float says = f[l] * std::abs(drawn->wi.z) / density * share;
             expect_close(drawn->weight[l], kept ? says : 0, 2e-3F);
         }
     }
@@ -138,22 +140,23 @@ TEST_P(BsdfLaws, gathers_tells_where_eval_is_not_zero) {
     EXPECT_FALSE(gathers(bsdf(), 0.5F, 0));
 }
 
-/// A path that has lost its other lanes goes on as if the BSDF had that lane's index alone.
-TEST_P(BsdfLaws, single_lane_is_the_lane_alone) {
+/// A path that has lost its other wavelengths goes on as if the BSDF had that wavelength's index
+/// alone.
+TEST_P(BsdfLaws, a_single_wavelength_stands_alone) {
     constexpr std::size_t kSamples = 2000;
     for (std::size_t i = 0; i < kSamples; ++i) {
-        BsdfDraw draw = draw_number(i, kSamples, stream_);
-        draw.lanes.single = true;
-        const Vec3 w_from = random_direction(stream_);
-        const std::size_t lane = draw.lanes.chosen;
-        const auto here = sample(bsdf(), w_from, draw);
-        const auto alone = sample(for_lane(bsdf(), lane), w_from, draw);
+        BsdfDraw draw = subpass_number(i, kSamples, stream_);
+        draw.hero.single = true;
+        const Vec3 wo = random_direction(stream_);
+        const std::size_t wavelength = draw.hero.chosen;
+        const auto here = sample(bsdf(), wo, draw);
+        const auto alone = sample(at_wavelength(bsdf(), wavelength), wo, draw);
         ASSERT_EQ(here.has_value(), alone.has_value());
         if (!here) continue;
         EXPECT_FALSE(here->dispersed);
         EXPECT_TRUE(here->weight.is_finite());
-        EXPECT_EQ(here->w_to, alone->w_to);
-        EXPECT_EQ(here->weight[lane], alone->weight[lane]);
+        EXPECT_EQ(here->wi, alone->wi);
+        EXPECT_EQ(here->weight[wavelength], alone->weight[wavelength]);
     }
 }
 
@@ -167,7 +170,7 @@ TEST_P(BsdfLaws, edges_are_finite) {
                     sample(bsdf(), w, {{lobe, u, 1 - u}, Transport::flux, {3, false}});
                 if (!drawn) continue;
                 EXPECT_TRUE(drawn->weight.is_finite()) << w << lobe << u;
-                EXPECT_NEAR(drawn->w_to.length(), 1, 1e-6F) << w << lobe << u;
+                EXPECT_NEAR(drawn->wi.length(), 1, 1e-6F) << w << lobe << u;
                 EXPECT_TRUE(!drawn->pdf || std::isfinite(*drawn->pdf)) << w << lobe << u;
             }
 }
@@ -178,13 +181,13 @@ TEST_P(BsdfLaws, direction_is_continuous_in_u) {
     constexpr std::size_t kSamples = 20000;
     std::size_t jumps = 0;
     for (std::size_t i = 0; i < kSamples; ++i) {
-        BsdfDraw draw = draw_number(i, kSamples, stream_);
-        const Vec3 w_from = random_direction(stream_);
-        const auto here = sample(bsdf(), w_from, draw);
+        BsdfDraw draw = subpass_number(i, kSamples, stream_);
+        const Vec3 wo = random_direction(stream_);
+        const auto here = sample(bsdf(), wo, draw);
         draw.u += Vec3(0, 1e-4F, -1e-4F);
-        const auto near = sample(bsdf(), w_from, draw);
-        if (!here || !near || here->w_to.z * near->w_to.z <= 0) continue;
-        if ((here->w_to - near->w_to).length() > 100 * 1e-4F) ++jumps;
+        const auto near = sample(bsdf(), wo, draw);
+        if (!here || !near || here->wi.z * near->wi.z <= 0) continue;
+        if ((here->wi - near->wi).length() > 100 * 1e-4F) ++jumps;
     }
     EXPECT_LE(jumps, kSamples / 500);
 }

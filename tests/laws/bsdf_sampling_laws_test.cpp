@@ -85,11 +85,11 @@ class BsdfSamplingLaws : public testing::TestWithParam<BsdfExample> {
 protected:
     const Bsdf& bsdf() const { return bsdf_; }
 
-    RunningMean mean_weight(const Vec3& w_from, std::size_t lane) {
+    RunningMean mean_weight(const Vec3& wo, std::size_t wavelength) {
         RunningMean mean;
         for (std::size_t i = 0; i < kSamples / 4; ++i) {
-            const auto drawn = sample(bsdf(), w_from, draw_number(i, kSamples / 4, stream_));
-            mean.add(drawn && drawn->pdf ? drawn->weight[lane] : 0);
+            const auto drawn = sample(bsdf(), wo, subpass_number(i, kSamples / 4, stream_));
+            mean.add(drawn && drawn->pdf ? drawn->weight[wavelength] : 0);
         }
         return mean;
     }
@@ -105,22 +105,22 @@ std::vector<Vec3> few_directions() {
 
 /// Delta samples of a coat count with those that are absorbed.
 TEST_P(BsdfSamplingLaws, samples_are_spread_as_the_pdf_says) {
-    for (const Vec3& w_from : few_directions()) {
+    for (const Vec3& wo : few_directions()) {
         std::vector<double> expected =
-            integrals(32, [&](const Vec3& w) { return pdf(bsdf(), w_from, w, Transport::flux); });
+            integrals(32, [&](const Vec3& w) { return pdf(bsdf(), wo, w, Transport::flux); });
         const double kept = total(expected);
-        EXPECT_LE(kept, 1 + 1e-3) << w_from;
+        EXPECT_LE(kept, 1 + 1e-3) << wo;
         expected.push_back(std::max(0.0, 1 - kept));
         for (double& e : expected) e *= static_cast<double>(kSamples);
 
         std::vector<double> counts(expected.size(), 0);
         for (std::size_t i = 0; i < kSamples; ++i) {
-            BsdfDraw draw{{}, Transport::flux, {i % kLanes, false}};
+            BsdfDraw draw{{}, Transport::flux, {i % kWavelengths, false}};
             draw.u = {stream_.next_float(), stream_.next_float(), stream_.next_float()};
-            const auto drawn = sample(bsdf(), w_from, draw);
-            ++counts[drawn && drawn->pdf ? bin_of(drawn->w_to) : kRows * kColumns];
+            const auto drawn = sample(bsdf(), wo, draw);
+            ++counts[drawn && drawn->pdf ? bin_of(drawn->wi) : kRows * kColumns];
         }
-        EXPECT_GT(chi_square(counts, expected), kSignificance) << w_from;
+        EXPECT_GT(chi_square(counts, expected), kSignificance) << wo;
     }
 }
 
@@ -128,16 +128,16 @@ TEST_P(BsdfSamplingLaws, samples_are_spread_as_the_pdf_says) {
 /// standard errors and 1e-3 for the quadrature.
 TEST_P(BsdfSamplingLaws, mean_weight_is_the_integral_of_eval) {
     std::ostringstream losses;
-    for (const Vec3& w_from : few_directions())
-        for (const std::size_t lane : {std::size_t{0}, kLanes - 1}) {
+    for (const Vec3& wo : few_directions())
+        for (const std::size_t wavelength : {std::size_t{0}, kWavelengths - 1}) {
             const double albedo = total(integrals(40, [&](const Vec3& w) {
-                return eval(bsdf(), w_from, w, Transport::flux)[lane] * std::abs(w.z);
+                return eval(bsdf(), wo, w, Transport::flux)[wavelength] * std::abs(w.z);
             }));
             EXPECT_LE(albedo, 1 + 1e-3);
             losses << ' ' << 1 - albedo;
-            const RunningMean mean = mean_weight(w_from, lane);
+            const RunningMean mean = mean_weight(wo, wavelength);
             EXPECT_NEAR(mean.mean(), albedo, 4 * mean.standard_error() + 1e-3)
-                << w_from << " lane " << lane;
+                << wo << " lane " << wavelength;
         }
     std::cout << "loss, first and last lane, per direction:" << losses.str() << "\n";
 }

@@ -42,7 +42,7 @@ double emitted(const Light& light, const Emission& e) {
 }
 
 /// Every emission leads back to its numbers. Where two numbers give one ray, as at the seams of
-/// azimuths, and for slots that a light does not read, the ray that they give is the same.
+/// azimuths, and for dimensions that a light does not read, the ray that they give is the same.
 TEST_P(EmissionLaws, rays_lead_back_to_their_numbers) {
     constexpr int kSamples = 4096;
     const auto apart = [](const Emission& a, const Emission& b) {
@@ -53,8 +53,8 @@ TEST_P(EmissionLaws, rays_lead_back_to_their_numbers) {
     int missed = 0;
     for (int i = 0; i < kSamples; ++i) {
         const Emission e = sample_emission(light_, random_4d(), kExampleSphere);
-        const EmissionSlots u =
-            emission_slots(light_, {e.origin, e.normal, e.direction}, kExampleSphere);
+        const EmissionDimensions u =
+            emission_dimensions(light_, {e.origin, e.normal, e.direction}, kExampleSphere);
         for (const double x : u) ASSERT_TRUE(x >= -1e-6 && x <= 1 + 1e-6) << x;
         if (!(apart(e, sample_emission(light_, u, kExampleSphere)) < 2e-5)) ++missed;
     }

@@ -1,7 +1,7 @@
 // The energy ledger: what lights emit is absorbed, escapes or is cut at the greatest depth, and
 // every surface sees the flux that it should.
 //
-// Grey scenes: roulette keeps the flux of a path constant, so paths count as energy.
+// Grey scenes: Russian roulette keeps the flux of a path constant, so paths count as energy.
 #include "photon/uniform_paths.h"
 
 #include <gtest/gtest.h>
@@ -29,11 +29,11 @@ ShapeDescription shape(PlacedShape placed, std::uint32_t material) {
 }
 
 DiffuseMaterial grey(float albedo) {
-    return {SpectralCurve::constant(albedo)};
+    return {Spectrum::constant(albedo)};
 }
 
 struct Ledger {
-    double emitted = 0;   // flux of lane 0, of all paths
+    double emitted = 0;   // flux of wavelength 0, of all paths
     double arrived = 0;   // at surfaces that gather
     double absorbed = 0;  // by path ends, in units of flux
     double escaped = 0;
@@ -78,7 +78,7 @@ SceneDescription lamp_in_box(float albedo) {
     SceneDescription scene;
     scene.materials = {grey(albedo)};
     scene.shapes = {shape(box_of(1, true), 0)};
-    scene.lights = {PointLight{SpectralCurve::constant(3), {0.3, 0.2, -0.1}}};
+    scene.lights = {PointLight{Spectrum::constant(3), {0.3, 0.2, -0.1}}};
     return scene;
 }
 
@@ -132,8 +132,8 @@ TEST(Ledger, a_medium_absorbs_what_does_not_arrive) {
     scene.materials = {grey(0.8F)};
     scene.shapes = {shape({Sphere{}, Matrix(), true}, 0)};
     scene.shapes[0].media = {0, 1};
-    scene.lights = {PointLight{SpectralCurve::constant(3), {0, 0, 0}}};
-    scene.media.absorption.push_back(SpectralCurve::constant(0.45F));
+    scene.lights = {PointLight{Spectrum::constant(3), {0, 0, 0}}};
+    scene.media.absorption.push_back(Spectrum::constant(0.45F));
     scene.media.at_lights = {{1, 1}};
     scene.media.at_camera = 1;
     const double a = 2 * 0.45;
@@ -152,7 +152,7 @@ TEST(Ledger, an_open_scene_lets_the_rest_escape) {
     SceneDescription scene;
     scene.materials = {grey(0.3F)};
     scene.shapes = {shape({Sphere{}, Matrix(), false}, 0)};
-    scene.lights = {DistantLight{SpectralCurve::constant(2), {0, 0, -1}}};
+    scene.lights = {DistantLight{Spectrum::constant(2), {0, 0, -1}}};
     const Ledger ledger = ledger_of(scene, 64);
     // The scene's sphere is the ball's box's: radius sqrt(3); the ball fills a third of the disc.
     const double met = ledger.arrived / ledger.emitted;

@@ -156,7 +156,7 @@ std::vector<double> shining_solid_angles(const AreaLight& light, const Vec3d& po
     constexpr int kColumns = DirectionBins::kColumns * 48;
     std::vector<double> sums(DirectionBins::kCount, 0);
     for (int column = 0; column < kColumns; ++column) {
-        const SinCos phi = sin_cos_turn((column + 0.5) / kColumns);
+        const SinCos phi = sin_cos_2pi((column + 0.5) / kColumns);
         for (int row = 0; row < kRows; ++row) {
             const double x = 2 * (row + 0.5) / kRows - 1;
             const double r = std::sqrt(1 - x * x);

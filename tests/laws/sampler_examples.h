@@ -5,13 +5,13 @@
 
 namespace sunfleck::laws {
 
-using testing_support::first_slots;
+using testing_support::first_dimensions;
 
-/// A ladder over nested sets of these heights.
+/// A splitting over nested sets of these heights.
 /// @param scale  of mutations, both kinds.
-inline LadderPlan plan_over(const std::vector<int>& heights, std::uint32_t uniform,
-                            std::uint32_t states, std::uint32_t chains, float scale) {
-    LadderPlan plan{uniform, {}};
+inline SplittingPlan plan_over(const std::vector<int>& heights, std::uint32_t uniform,
+                               std::uint32_t states, std::uint32_t chains, float scale) {
+    SplittingPlan plan{uniform, {}};
     for (const int height : heights) {
         LevelPlan& level = plan.levels.emplace_back();
         level.height = height;
@@ -29,34 +29,35 @@ inline std::vector<int> top(int sets) {
     return heights;
 }
 
-/// A map that covers places where the first slot lies in [low, high], and nothing else.
+/// A map that covers places where the first dimension lies in [low, high], and nothing else.
 /// @param importance  to the chains, of what it covers. @param own_share  of the light from there.
-inline MappedPlan mapped_over(double low, double high, std::uint32_t paths, double importance,
+inline GuidedPlan guided_over(double low, double high, std::uint32_t paths, double importance,
                               double own_share) {
     RandomStream random(3, Purpose::test, 0, 0);
     std::vector<WeightedEmission> starts;
-    std::vector<EmissionMap::Trial> trials;
+    std::vector<EmissionGuide::Trial> trials;
     for (int i = 0; i < 4000; ++i) {
         WeightedEmission& start = starts.emplace_back();
         for (double& x : start.point) x = random.next();
         start.point[0] = low + (high - low) * start.point[0];
         trials.push_back({start.point, true});
     }
-    return {EmissionMap::learned(starts, {0.25}).where_visible(trials, 0.5), paths, importance,
+    return {EmissionGuide::learned(starts, {0.25}).where_visible(trials, 0.5), paths, importance,
             own_share};
 }
 
 /// Passes are as many as the bands of the laws need.
 inline std::vector<SamplerExample> sampler_examples() {
     const Islands two{"two", {0, 6}, {{0.25, 0.2, 0.5, 1}, {0.7, 0.18, 0.5, 2}}};
-    const Islands eight{"eight", first_slots(8), {{0.3, 0.2, 0.49, 1}, {0.8, 0.19, 0.49, 2}}};
+    const Islands eight{"eight", first_dimensions(8), {{0.3, 0.2, 0.49, 1}, {0.8, 0.19, 0.49, 2}}};
     Islands line{"line", {0, 6}, {{0.2, 0.09, 0.5, 1}, {0.7, 0.07, 0.5, 2}}, 1};
     line.growth = 1.2;
     Islands emission = line;  // reads all that maps are made of
-    emission.slots = {0, 6, 1, 2, 3, 4};
-    Islands many{"many", first_slots(64), {{0.2, 0.1, 0.499, 1}, {0.7, 0.07, 0.499, 2}}, 1};
+    emission.dimensions = {0, 6, 1, 2, 3, 4};
+    Islands many{"many", first_dimensions(64), {{0.2, 0.1, 0.499, 1}, {0.7, 0.07, 0.499, 2}}, 1};
     many.growth = 1.4;
-    const Islands sticky{"sticky", first_slots(3), {{0.2, 0.1, 0.5, 1}, {0.7, 0.004, 0.5, 2}}, 1};
+    const Islands sticky{
+        "sticky", first_dimensions(3), {{0.2, 0.1, 0.5, 1}, {0.7, 0.004, 0.5, 2}}, 1};
     const NestedBoxes nested{"nested", {{0.3, 0.3}, {0.15, 0.1}, {0.02, 0.1}}};
     const std::vector<int> boxes = {1, 2, kVisible};
     return {
@@ -67,7 +68,7 @@ inline std::vector<SamplerExample> sampler_examples() {
          {1000, 105000},
          0.01,
          0.001,
-         mapped_over(0.14, 0.3, 512, 0.2, 0.5)},
+         guided_over(0.14, 0.3, 512, 0.2, 0.5)},
         {"mapped_beside_two_sets",
          emission,
          true,
@@ -75,7 +76,7 @@ inline std::vector<SamplerExample> sampler_examples() {
          {2500, 360000},
          0.01,
          0.002,
-         mapped_over(0.17, 0.24, 512, 0.05, 0)},
+         guided_over(0.17, 0.24, 512, 0.05, 0)},
         {"mapped_in_eight_slots",
          eight,
          true,
@@ -83,7 +84,7 @@ inline std::vector<SamplerExample> sampler_examples() {
          {1000, 105000},
          0.01,
          0.001,
-         mapped_over(0.1, 0.4, 512, 0.3, 1)},
+         guided_over(0.1, 0.4, 512, 0.3, 1)},
         {"random_points", two, false, {1000, {}}, {1500, 195000}},
         {"sobol_points", eight, true, {1024, {}}, {500, 66000}},
         {"one_set_copies", eight, true, plan_over(top(1), 512, 512, 256, 0.3F), {1000, 105000}},

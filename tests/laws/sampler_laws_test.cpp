@@ -25,7 +25,7 @@ TEST_P(SamplerLaws, estimates_are_unbiased) {
 
 /// States and chains as planned; all in their set; each step counted; weights add up to b.
 TEST_P(SamplerLaws, counts_are_what_the_plan_says) {
-    const LadderPlan& plan = GetParam().plan;
+    const SplittingPlan& plan = GetParam().plan;
     for (std::uint32_t p = 0; p < 20; ++p) {
         const PassSums sums = run_pass(GetParam(), {1, p});
         EXPECT_NEAR(sums.weight, sums.visible_fraction, 1e-9);

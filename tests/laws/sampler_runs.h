@@ -26,14 +26,14 @@ struct SamplerExample {
     std::string name;
     ToySpace space;
     bool sobol = true;
-    LadderPlan plan;  // no levels: uniform paths alone
+    SplittingPlan plan;  // no levels: uniform paths alone
     struct Passes {
         std::uint32_t quick = 0;
         std::uint32_t slow = 0;
     } passes;
     double quick_band = 0.01;  // relative: where the interval of the mean must lie
     double slow_band = 0.001;
-    MappedPlan mapped = {};  // paths besides, through a map
+    GuidedPlan guided = {};  // paths besides, through a guide
 };
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
@@ -47,7 +47,7 @@ struct PassSums {
     double weight = 0;            // sum of weights
     double visible_fraction = 0;  // an estimate of E V
     std::uint64_t bytes = 0;      // a hash of every flux and weight, in order
-    LadderCounts counts;
+    SplittingCounts counts;
 };
 
 /// A sink that sums, and hashes what it is given, chain by chain.
@@ -81,13 +81,13 @@ struct SummingSink {
 };
 
 template <PathSpace Space, class Points>
-PassSums run_pass(const Space& space, const Points& points, PassId pass, const LadderPlan& plan,
-                  const MappedPlan& mapped = {}) {
+PassSums run_pass(const Space& space, const Points& points, PassId pass, const SplittingPlan& plan,
+                  const GuidedPlan& guided = {}) {
     PassSums sums;
     SummingSink sink{sums};
     ToyTally tally;
     if (!plan.levels.empty()) {
-        sums.counts = Ladder(space, points, pass, plan, mapped).run(sink, tally);
+        sums.counts = Splitting(space, points, pass, plan, guided).run(sink, tally);
         sums.visible_fraction = sums.counts.visible_fraction;
         return sums;
     }
@@ -106,7 +106,7 @@ inline PassSums run_pass(const SamplerExample& example, PassId pass) {
     return std::visit(
         [&](const auto& space) {
             const auto run = [&](const auto& points) {
-                return run_pass(space, points, pass, example.plan, example.mapped);
+                return run_pass(space, points, pass, example.plan, example.guided);
             };
             return example.sobol ? run(EmissionPoints(pass)) : run(IndependentPoints(pass));
         },

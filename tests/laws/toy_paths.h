@@ -27,37 +27,37 @@ struct ToyPath {
 
 /// A box of [0,1)^D around a point, wrapped around, with the flux of the paths in it.
 struct Island {
-    double centre = 0;      // in each slot
-    double half_width = 0;  // in the first slots, as many as the space says
-    double others = 0.5;    // half width in the other slots
+    double centre = 0;      // in each dimension
+    double half_width = 0;  // in the first dimensions, as many as the space says
+    double others = 0.5;    // half width in the other dimensions
     double flux = 1;
 };
 
-/// A path that reads `slots` in turn and then, on an island, one slot more, in which its flux is
-/// linear: slot 100 on the left half, slot 101 on the right half, where it is visible only if that
-/// is below `open`. How high a path stands elsewhere says how often the nearest island would have
-/// to grow by `growth`.
+/// A path that reads `dimensions` in turn and then, on an island, one dimension more, in which its
+/// flux is linear: dimension 100 on the left half, dimension 101 on the right half, where it is
+/// visible only if that is below `open`. How high a path stands elsewhere says how often the
+/// nearest island would have to grow by `growth`.
 struct Islands {
     using Path = ToyPath;
     using Tally = ToyTally;
-    static constexpr std::size_t kMostSlots = 64;
+    static constexpr std::size_t kMostDimensions = 64;
 
     std::string name;
-    std::vector<std::uint32_t> slots;
+    std::vector<std::uint32_t> dimensions;
     std::vector<Island> islands;
-    std::size_t narrow = 2;  // slots in which islands have `half_width`
+    std::size_t narrow = 2;  // dimensions in which islands have `half_width`
     double open = 0.6;
     double growth = 2;
 
-    template <SlotReader Reader>
+    template <PrimarySampleReader Reader>
     void trace(Reader&& read, Path& path, Tally& tally) const {
         ++tally.traced;
-        std::array<double, kMostSlots> u{};
-        for (std::size_t i = 0; i < slots.size(); ++i) u[i] = to_unit(read(slots[i]));
+        std::array<double, kMostDimensions> u{};
+        for (std::size_t i = 0; i < dimensions.size(); ++i) u[i] = to_unit(read(dimensions[i]));
         path = {};
         for (const Island& island : islands) {
             double apart = 0;  // in half widths
-            for (std::size_t i = 0; i < slots.size(); ++i) {
+            for (std::size_t i = 0; i < dimensions.size(); ++i) {
                 const double d = std::abs(u[i] - island.centre);
                 const double half = i < narrow ? island.half_width : island.others;
                 apart = std::max(apart, std::min(d, 1 - d) / half);
@@ -99,14 +99,14 @@ private:
     }
     double measure(const Island& island) const {
         double product = 1;
-        for (std::size_t i = 0; i < slots.size(); ++i)
+        for (std::size_t i = 0; i < dimensions.size(); ++i)
             product *= 2 * (i < narrow ? island.half_width : island.others);
         return product;
     }
 };
 
-/// Nested boxes of two slots, the flux linear in the first and in a third one. A state near the
-/// origin stands longer, so how often one is repeated depends on where it is.
+/// Nested boxes of two dimensions, the flux linear in the first and in a third one. A state near
+/// the origin stands longer, so how often one is repeated depends on where it is.
 struct NestedBoxes {
     using Path = ToyPath;
     using Tally = ToyTally;
@@ -118,7 +118,7 @@ struct NestedBoxes {
     std::string name;
     std::vector<Box> boxes;  // each in the one before; the heights 1, 2, ..., the last kVisible
 
-    template <SlotReader Reader>
+    template <PrimarySampleReader Reader>
     void trace(Reader&& read, Path& path, Tally& tally) const {
         ++tally.traced;
         const double x = to_unit(read(0));
@@ -135,8 +135,8 @@ struct NestedBoxes {
     double mean_flux() const { return visible_fraction() * (1 + 10 * boxes.back().x + 0.5); }
 };
 
-/// Slots 0 .. 5 of the emission, then those of bounces.
-inline std::vector<std::uint32_t> first_slots(std::uint32_t n) {
+/// Dimensions 0 .. 5 of the emission, then those of bounces.
+inline std::vector<std::uint32_t> first_dimensions(std::uint32_t n) {
     std::vector<std::uint32_t> list;
     for (std::uint32_t i = 0; i < n; ++i) list.push_back(i);
     return list;

@@ -1,6 +1,6 @@
 // Area lights against closed forms: areas, irradiance of disks, spheres and rectangles; sides.
 //
-// Irradiance by the midpoint rule over the slots of sample_direct(): no randomness.
+// Irradiance by the midpoint rule over the dimensions of sample_direct(): no randomness.
 #include "light/area_light.h"
 
 #include "light/partial_emitter.h"
@@ -133,8 +133,8 @@ TEST(AreaLight, one_sided_ones_are_dark_behind) {
     }
 }
 
-/// The two halves of the slot meet at the horizon, and so do its two ends.
-TEST(AreaLight, two_sides_share_the_slot_without_a_jump) {
+/// The two halves of the dimension meet at the horizon, and so do its two ends.
+TEST(AreaLight, two_sides_share_the_dimension_without_a_jump) {
     const EmittingTriangle triangle{Vec3d(0), Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)};
     const AreaLight light = light_of(triangle, true);
     const auto direction = [&](double u) {
@@ -179,7 +179,7 @@ TEST(AreaLight, areas_are_the_closed_forms) {
 /// Rays do not meet it, so its light samples are not weighed against any.
 TEST(AreaLight, that_nothing_meets_is_sampled_as_a_point_light) {
     AreaLight light;
-    light.curve = SpectralCurve::constant(1);
+    light.curve = Spectrum::constant(1);
     light.surface = EmittingQuadric<Disk>{Disk{0, 1, 0, 2 * kPiDouble}, Matrix()};
     const auto seen = light.sample_direct({0, 0, 1}, {0.3F, 0.6F}, {});
     light.unseen = true;

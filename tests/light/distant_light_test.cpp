@@ -67,7 +67,7 @@ TEST(InfiniteLight, irradiance_is_pi_in_the_open) {
 }
 
 /// concentric_disc() backwards.
-Vec2d disc_slots(const Vec2d& p) {
+Vec2d disc_dimensions(const Vec2d& p) {
     const double eighth = kPiDouble / 4;
     const bool wide = std::abs(p.x) > std::abs(p.y);
     const double far = std::copysign(p.length(), wide ? p.x : p.y);
@@ -80,23 +80,24 @@ struct Target {
     double radius;
 };
 
-/// Irradiance of the target's cross-section, from a square of slots that aims at it: midpoints,
-/// no randomness. @param side  of the square, in slots.
+/// Irradiance of the target's cross-section, from a square of dimensions that aims at it:
+/// midpoints, no randomness. @param side  of the square, in dimensions.
 template <class Light>
-double aimed_irradiance(const Light& light, const Target& target, const Vec2d& slots, double side) {
+double aimed_irradiance(const Light& light, const Target& target, const Vec2d& dimensions,
+                        double side) {
     constexpr int kSide = 1500;
     double sum = 0;
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
             const Vec2d off((x + 0.5) / kSide - 0.5, (y + 0.5) / kSide - 0.5);
-            const Vec2d u = slots + off * side;
+            const Vec2d u = dimensions + off * side;
             const Emission e = light.sample_emission({u.x, u.y, 0.6, 0.8}, kFarWorld);
             const Vec3d to_target = target.center - e.origin;
             const double aside2 = to_target.cross(e.direction).length2();
             if (aside2 < target.radius * target.radius) sum += e.factor;
         }
-    const double per_slot = side * side / (kSide * kSide);
-    return sum * per_slot / (kPiDouble * target.radius * target.radius);
+    const double per_dimension = side * side / (kSide * kSide);
+    return sum * per_dimension / (kPiDouble * target.radius * target.radius);
 }
 
 /// A target of 1 mm in a world of 10 km gets 4e-15 of the photons, and gets them right.
@@ -106,8 +107,9 @@ TEST(DistantLight, hits_a_millimetre_from_ten_kilometres) {
         const Vec3d aside = center - kFarWorld.center;
         const Vec3d x = rotate_z_to(light.direction, {1, 0, 0});
         const Vec3d y = rotate_z_to(light.direction, {0, 1, 0});
-        const Vec2d slots = disc_slots(Vec2d(aside.dot(x), aside.dot(y)) / kFarWorld.radius);
-        const double got = aimed_irradiance(light, {center, 5e-4}, slots, 2e-7);
+        const Vec2d dimensions =
+            disc_dimensions(Vec2d(aside.dot(x), aside.dot(y)) / kFarWorld.radius);
+        const double got = aimed_irradiance(light, {center, 5e-4}, dimensions, 2e-7);
         EXPECT_NEAR(got, 1, 1e-3) << center;
     }
 }
@@ -119,13 +121,14 @@ TEST(InfiniteLight, hits_a_millimetre_from_ten_kilometres) {
     const Vec3d aside = center - kFarWorld.center;
     const Vec3d x = rotate_z_to(direction, {1, 0, 0});
     const Vec3d y = rotate_z_to(direction, {0, 1, 0});
-    const Vec2d slots = disc_slots(Vec2d(aside.dot(x), aside.dot(y)) / kFarWorld.radius);
+    const Vec2d dimensions = disc_dimensions(Vec2d(aside.dot(x), aside.dot(y)) / kFarWorld.radius);
     // Radiance one over the whole sphere of directions, of which one is looked at.
-    EXPECT_NEAR(aimed_irradiance(light, {center, 5e-4}, slots, 2e-7), 4 * kPiDouble,
+    EXPECT_NEAR(aimed_irradiance(light, {center, 5e-4}, dimensions, 2e-7), 4 * kPiDouble,
                 0.004 * kPiDouble);
 }
 
-/// Neighbouring slots (2^-50 apart) give neighbouring positions, evenly, far below a micrometre.
+/// Neighbouring dimensions (2^-50 apart) give neighbouring positions, evenly, far below a
+/// micrometre.
 TEST(DistantLight, positions_are_resolved_far_below_a_micrometre) {
     const DistantLight light{{}, Vec3d(2, -1, -3).normalized()};
     const auto origin = [&](double u) {

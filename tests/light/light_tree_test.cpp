@@ -30,12 +30,12 @@ std::vector<Light> many_lights(int count) {
         t.edge1 = uniform_sphere({random.next(), random.next()}) * 0.3;
         t.edge2 = t.edge1.cross(uniform_sphere({random.next(), random.next()}));
         t.normal = t.edge1.cross(t.edge2).normalized();
-        AreaLight light{SpectralCurve::constant(0.5F + random.next_float()), t, i % 7 == 0};
+        AreaLight light{Spectrum::constant(0.5F + random.next_float()), t, i % 7 == 0};
         lights.emplace_back(light);
     }
     for (const LightExample& example : light_examples()) {
         lights.push_back(example.make());
-        std::visit([](auto& l) { l.curve = SpectralCurve::constant(1); }, lights.back());
+        std::visit([](auto& l) { l.curve = Spectrum::constant(1); }, lights.back());
     }
     lights.emplace_back(PointLight{{}, Vec3d(0)});
     return lights;
@@ -63,7 +63,7 @@ TEST(LightTree, a_lamp_keeps_its_share_beside_the_sun_and_the_sun_beside_lamps) 
     const EmittingTriangle half{corner, Vec3d(0, 2, 0), Vec3d(2, 0, 0), {0, 0, -1}};
     const EmittingTriangle other{
         -corner + Vec3d(0, 0, 4), Vec3d(0, -2, 0), Vec3d(-2, 0, 0), {0, 0, -1}};
-    const SpectralCurve one = SpectralCurve::constant(1);
+    const Spectrum one = Spectrum::constant(1);
     const std::vector<Light> lights = {DistantLight{one, {0, 0, -1}}, AreaLight{one, half, false},
                                        AreaLight{one, other, false}};
     const Receiver below{Vec3(0), Vec3(0, 0, 1)};
@@ -137,7 +137,7 @@ TEST(LightTree, probabilities_sum_to_one_and_are_those_of_choose) {
 TEST(LightTree, chooses_as_often_as_its_probabilities_say) {
     std::vector<Light> lights = many_lights(12);
     lights.resize(12);
-    lights.emplace_back(InfiniteLight{SpectralCurve::constant(1e-4F)});
+    lights.emplace_back(InfiniteLight{Spectrum::constant(1e-4F)});
     const LightTree tree(lights, weights_of(lights));
     constexpr int kSteps = 100000;
     const Receiver at{{7, 8, 2}, {0, 0, 1}};
@@ -207,7 +207,7 @@ TEST(LightTree, chooses_what_arrives) {
 }
 
 TEST(LightTree, of_one_light_takes_it_and_of_none_nothing) {
-    const std::vector<Light> one = {PointLight{SpectralCurve::constant(1), Vec3d(0, 0, 1)}};
+    const std::vector<Light> one = {PointLight{Spectrum::constant(1), Vec3d(0, 0, 1)}};
     const LightTree tree(one, {3});
     const auto chosen = tree.choose({{1, 2, 3}, {0, 0, 1}}, 0.7);
     ASSERT_TRUE(chosen);

@@ -61,7 +61,7 @@ TEST(SpotLight, power_is_the_integral_of_the_falloff) {
 }
 
 /// The share of photons inside each cosine is the integral of the falloff: to rounding, not noise.
-/// Along a line of slots from the middle, the disc's radius squared is that share.
+/// Along a line of dimensions from the middle, the disc's radius squared is that share.
 TEST(SpotLight, directions_are_exact_quantiles) {
     for (const auto& [start, total] :
          {std::pair(0.9, 0.5), {1.0, -0.3}, {0.6, 0.6}, {1.0, 0.999}, {0.99999, 0.99998}}) {
@@ -83,7 +83,7 @@ TEST(SpotLight, directions_are_exact_quantiles) {
     }
 }
 
-/// Slots that end near the rim of the cone: the quartic's root to the last of its digits.
+/// Dimensions that end near the rim of the cone: the quartic's root to the last of its digits.
 TEST(SpotLight, the_rim_is_reached_and_never_passed) {
     const SpotLight light = spot(0.9, 0.5);
     for (int power = 2; power <= 52; ++power) {
@@ -97,7 +97,7 @@ TEST(SpotLight, the_rim_is_reached_and_never_passed) {
     }
 }
 
-TEST(SpotLight, directions_move_gently_with_their_slots) {
+TEST(SpotLight, directions_move_gently_with_their_dimensions) {
     const SpotLight light = spot(0.9, 0.5);
     RandomStream random(11, Purpose::test, 0, 0);
     constexpr double kStep = 1e-7;

@@ -11,13 +11,13 @@ namespace {
 
 Wavelengths some_wavelengths() {
     Wavelengths w;
-    for (std::size_t i = 0; i < kLanes; ++i) w.nm.at(i) = 400 + 40 * static_cast<float>(i);
+    for (std::size_t i = 0; i < kWavelengths; ++i) w.nm.at(i) = 400 + 40 * static_cast<float>(i);
     return w;
 }
 
-/// value(nm) = nm / 1000: lanes that differ, known by heart.
-SpectralCurve rising() {
-    return SpectralCurve::table({{300, 0.3F}, {900, 0.9F}});
+/// value(nm) = nm / 1000: wavelengths that differ, known by heart.
+Spectrum rising() {
+    return Spectrum::table({{300, 0.3F}, {900, 0.9F}});
 }
 
 template <class B>
@@ -29,13 +29,13 @@ B as(const Material& material) {
 
 TEST(Material, diffuse_takes_its_curve_at_each_wavelength) {
     const auto b = as<Lambert>(DiffuseMaterial{rising()});
-    for (std::size_t i = 0; i < kLanes; ++i)
+    for (std::size_t i = 0; i < kWavelengths; ++i)
         EXPECT_NEAR(b.albedo[i], 0.4F + 0.04F * static_cast<float>(i), 1e-6F);
 }
 
 TEST(Material, diffuse_is_held_in_zero_and_one) {
-    EXPECT_EQ(as<Lambert>(DiffuseMaterial{SpectralCurve::constant(1.5F)}).albedo, Spectrum(1));
-    EXPECT_EQ(as<Lambert>(DiffuseMaterial{SpectralCurve::constant(-1)}).albedo, Spectrum(0));
+    EXPECT_EQ(as<Lambert>(DiffuseMaterial{Spectrum::constant(1.5F)}).albedo, SampledSpectrum(1));
+    EXPECT_EQ(as<Lambert>(DiffuseMaterial{Spectrum::constant(-1)}).albedo, SampledSpectrum(0));
 }
 
 /// White below a coat without losses is white; and what is asked for, leaves.
@@ -43,8 +43,8 @@ TEST(Material, coated_diffuse_may_be_told_its_whole_reflectance) {
     for (const auto& facets : {std::optional<Ggx>(), std::optional<Ggx>({0.3F, 0.3F})}) {
         const auto coat = std::make_shared<Coat>(1.33F, facets, 0);
         for (const float whole : {0.0F, 0.3F, 0.9F, 1.0F}) {
-            const auto b = as<CoatedDiffuse>(
-                CoatedDiffuseMaterial{SpectralCurve::constant(whole), coat, true});
+            const auto b =
+                as<CoatedDiffuse>(CoatedDiffuseMaterial{Spectrum::constant(whole), coat, true});
             const Vec3 from(0.6F, 0, 0.8F);
             const float entered = coat->entering(0.8F);
             const float left = b.base().reflectance(from)[0] / entered;
@@ -54,50 +54,50 @@ TEST(Material, coated_diffuse_may_be_told_its_whole_reflectance) {
 }
 
 TEST(Material, dielectric_is_smooth_below_the_limit_in_both) {
-    const SpectralCurve eta = SpectralCurve::constant(1.5F);
-    EXPECT_EQ(as<SmoothDielectric>(DielectricMaterial{eta, {}}).eta(), Spectrum(1.5F));
+    const Spectrum eta = Spectrum::constant(1.5F);
+    EXPECT_EQ(as<SmoothDielectric>(DielectricMaterial{eta, {}}).eta(), SampledSpectrum(1.5F));
     as<SmoothDielectric>(DielectricMaterial{eta, {0.9e-3F, 0.9e-3F}});
     const auto rough = as<RoughDielectric>(DielectricMaterial{eta, {0, 0.2F}});
     EXPECT_EQ(rough.facets().alpha_x, 1e-4F);
     EXPECT_EQ(rough.facets().alpha_y, 0.2F);
-    EXPECT_EQ(rough.eta(), Spectrum(1.5F));
+    EXPECT_EQ(rough.eta(), SampledSpectrum(1.5F));
 }
 
 TEST(Material, dielectric_without_an_index_is_air) {
-    as<SmoothDielectric>(DielectricMaterial{SpectralCurve::constant(1), {0.3F, 0.3F}});
-    EXPECT_EQ(as<SmoothDielectric>(DielectricMaterial{SpectralCurve::constant(0), {}}).eta(),
-              Spectrum(1));
+    as<SmoothDielectric>(DielectricMaterial{Spectrum::constant(1), {0.3F, 0.3F}});
+    EXPECT_EQ(as<SmoothDielectric>(DielectricMaterial{Spectrum::constant(0), {}}).eta(),
+              SampledSpectrum(1));
 }
 
 TEST(Material, dielectric_that_depends_on_the_wavelength_is_dispersive) {
-    const SpectralCurve glass = SpectralCurve::table({{300, 1.6F}, {900, 1.5F}});
+    const Spectrum glass = Spectrum::table({{300, 1.6F}, {900, 1.5F}});
     EXPECT_TRUE(as<SmoothDielectric>(DielectricMaterial{glass, {}}).is_dispersive());
     EXPECT_TRUE(as<RoughDielectric>(DielectricMaterial{glass, {0.1F, 0.1F}}).is_dispersive());
-    const SpectralCurve plain = SpectralCurve::constant(1.5F);
+    const Spectrum plain = Spectrum::constant(1.5F);
     EXPECT_FALSE(as<SmoothDielectric>(DielectricMaterial{plain, {}}).is_dispersive());
 }
 
 TEST(Material, thin_dielectric_keeps_its_index) {
-    const SpectralCurve eta = SpectralCurve::constant(1.4F);
-    EXPECT_EQ(as<ThinDielectric>(ThinDielectricMaterial{eta}).eta, Spectrum(1.4F));
+    const Spectrum eta = Spectrum::constant(1.4F);
+    EXPECT_EQ(as<ThinDielectric>(ThinDielectricMaterial{eta}).eta, SampledSpectrum(1.4F));
 }
 
 TEST(Material, conductor_by_index_and_by_reflectance) {
     ConductorMaterial metal;
-    metal.eta = SpectralCurve::constant(0.2F);
+    metal.eta = Spectrum::constant(0.2F);
     metal.k = rising();
     const auto smooth = as<SmoothConductor>(metal);
-    EXPECT_EQ(smooth.eta, Spectrum(0.2F));
+    EXPECT_EQ(smooth.eta, SampledSpectrum(0.2F));
     EXPECT_NEAR(smooth.k[7], 0.68F, 1e-6F);
 
     metal.roughness = {0.3F, 0.1F};
-    metal.reflectance = SpectralCurve::constant(0.8F);
+    metal.reflectance = Spectrum::constant(0.8F);
     const auto rough = as<RoughConductor>(metal);
     EXPECT_EQ(rough.facets.alpha_x, 0.3F);
     EXPECT_EQ(rough.facets.alpha_y, 0.1F);
     EXPECT_NEAR(conductor_reflectance(1, rough.eta, rough.k)[2], 0.8F, 1e-6F);
 
-    metal.reflectance = SpectralCurve::constant(1);
+    metal.reflectance = Spectrum::constant(1);
     EXPECT_TRUE(as<RoughConductor>(metal).k.is_finite());
 }
 
@@ -113,12 +113,12 @@ TexturePoint at_u(float u) {
 TEST(Material, textures_are_asked_at_the_point) {
     const Wavelengths wavelengths = some_wavelengths();
     const SpectrumTexture grey_u(SpectrumKind{
-        ScaledKind<SpectrumTexture>{SpectrumTexture(SpectralCurve::constant(1)), u_itself()}});
+        ScaledKind<SpectrumTexture>{SpectrumTexture(Spectrum::constant(1)), u_itself()}});
     const Material diffuse = DiffuseMaterial{grey_u};
     EXPECT_TRUE(is_textured(diffuse));
     EXPECT_EQ(std::get<Lambert>(*bsdf_of(diffuse, wavelengths, at_u(0.25F))).albedo,
-              Spectrum(0.25F));
-    const Material glass = DielectricMaterial{SpectralCurve::constant(1.5F), {u_itself(), 0.2F}};
+              SampledSpectrum(0.25F));
+    const Material glass = DielectricMaterial{Spectrum::constant(1.5F), {u_itself(), 0.2F}};
     EXPECT_TRUE(is_textured(glass));
     const Bsdf rough = *bsdf_of(glass, wavelengths, at_u(0.3F));
     EXPECT_EQ(std::get<RoughDielectric>(rough).facets().alpha_x, 0.3F);
@@ -133,7 +133,7 @@ TEST(Material, textures_are_asked_at_the_point) {
     EXPECT_TRUE(std::holds_alternative<SmoothConductor>(*bsdf_of(metal, wavelengths, at_u(0))));
     metal = ConductorMaterial{grey_u, grey_u, {}, {}};
     EXPECT_EQ(std::get<SmoothConductor>(*bsdf_of(metal, wavelengths, at_u(0.75F))).k,
-              Spectrum(0.75F));
+              SampledSpectrum(0.75F));
     EXPECT_FALSE(is_textured(DiffuseMaterial{}));
     EXPECT_FALSE(is_textured(InterfaceMaterial{}));
 }

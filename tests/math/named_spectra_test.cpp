@@ -97,7 +97,7 @@ TEST(NamedSpectra, values_between_points_are_linear) {
 }
 
 TEST(NamedSpectra, values_at_the_ends_hold_to_the_ends_of_the_visible) {
-    const SpectralCurve lamp = *named_spectrum("stdillum-F2");
+    const Spectrum lamp = *named_spectrum("stdillum-F2");
     EXPECT_FLOAT_EQ(lamp(360), lamp(380));
     EXPECT_FLOAT_EQ(lamp(830), lamp(780));
     EXPECT_GT(lamp(830), 0);

@@ -59,25 +59,25 @@ TEST(SigmoidTable, evaluates_at_the_wavelengths) {
     const Wavelengths wavelengths = Wavelengths::of_pass({5, 2});
     const Vec3 rgb(0.7F, 0.2F, 0.4F);
     const auto c = table.coefficients(rgb);
-    const Spectrum albedo = table.albedo(rgb, wavelengths);
-    for (std::size_t i = 0; i < kLanes; ++i) {
+    const SampledSpectrum albedo = table.albedo(rgb, wavelengths);
+    for (std::size_t i = 0; i < kWavelengths; ++i) {
         const double t = (double{wavelengths.nm[i]} - 595) / 235;
         EXPECT_NEAR(albedo[i], sigmoid(c[0] + t * (c[1] + t * c[2])), 1e-6);
     }
-    const Spectrum half = table.albedo(Vec3(0.5F), wavelengths);
-    EXPECT_EQ(half, Spectrum(0.5F));
+    const SampledSpectrum half = table.albedo(Vec3(0.5F), wavelengths);
+    EXPECT_EQ(half, SampledSpectrum(0.5F));
     EXPECT_EQ(table.albedo({-1, 2, 2}, wavelengths), table.albedo({0, 1, 1}, wavelengths));
-    EXPECT_EQ(table.albedo(Vec3(0), wavelengths), Spectrum(0));
+    EXPECT_EQ(table.albedo(Vec3(0), wavelengths), SampledSpectrum(0));
 }
 
 TEST(SigmoidTable, bright_colours_are_scaled) {
     const SigmoidTable& table = SigmoidTable::srgb();
     const Wavelengths wavelengths = Wavelengths::of_pass({5, 2});
-    const Spectrum bright = table.unbounded({40, 10, 20}, wavelengths);
-    const Spectrum half = table.albedo({0.5F, 0.125F, 0.25F}, wavelengths);
-    for (std::size_t i = 0; i < kLanes; ++i) EXPECT_FLOAT_EQ(bright[i], 80 * half[i]);
-    EXPECT_EQ(table.unbounded(Vec3(0), wavelengths), Spectrum(0));
-    EXPECT_EQ(table.unbounded(Vec3(3), wavelengths), Spectrum(3));
+    const SampledSpectrum bright = table.unbounded({40, 10, 20}, wavelengths);
+    const SampledSpectrum half = table.albedo({0.5F, 0.125F, 0.25F}, wavelengths);
+    for (std::size_t i = 0; i < kWavelengths; ++i) EXPECT_FLOAT_EQ(bright[i], 80 * half[i]);
+    EXPECT_EQ(table.unbounded(Vec3(0), wavelengths), SampledSpectrum(0));
+    EXPECT_EQ(table.unbounded(Vec3(3), wavelengths), SampledSpectrum(3));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 constexpr long double kTwoPi = 6.283185307179586476925286766559L;
 
 double worst_error(double turn) {
-    const SinCos got = sin_cos_turn(turn);
+    const SinCos got = sin_cos_2pi(turn);
     const long double angle = kTwoPi * static_cast<long double>(turn);
     const long double sine = std::abs(std::sin(angle) - static_cast<long double>(got.sin));
     const long double cosine = std::abs(std::cos(angle) - static_cast<long double>(got.cos));
@@ -32,7 +32,7 @@ TEST(Trigonometry, is_within_3e_16_where_quadrants_meet) {
 TEST(Trigonometry, quarters_are_exact) {
     const std::array<double, 4> sines = {0, 1, 0, -1};
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
-        const SinCos got = sin_cos_turn(static_cast<double>(quarter) / 4 - 1);
+        const SinCos got = sin_cos_2pi(static_cast<double>(quarter) / 4 - 1);
         EXPECT_EQ(got.sin, sines[quarter]);
         EXPECT_EQ(got.cos, sines[(quarter + 1) % 4]);
     }
@@ -40,8 +40,8 @@ TEST(Trigonometry, quarters_are_exact) {
 
 TEST(Trigonometry, whole_turns_change_nothing) {
     for (const double turn : {0.125, 0.3125, 0.84375}) {
-        EXPECT_EQ(sin_cos_turn(turn).sin, sin_cos_turn(turn + 1048576).sin);
-        EXPECT_EQ(sin_cos_turn(turn).cos, sin_cos_turn(turn - 1048576).cos);
+        EXPECT_EQ(sin_cos_2pi(turn).sin, sin_cos_2pi(turn + 1048576).sin);
+        EXPECT_EQ(sin_cos_2pi(turn).cos, sin_cos_2pi(turn - 1048576).cos);
     }
 }
 

@@ -135,7 +135,7 @@ TEST(Warp, no_map_jumps_or_is_steep) {
             // A third of the points lie on the lines where the formulas change.
             if (i % 6 == 0) u.y = u.x;
             if (i % 6 == 1) u.x = 0.5;
-            const SinCos way = sin_cos_turn(random.next());
+            const SinCos way = sin_cos_2pi(random.next());
             const Vec2d step = Vec2d(way.cos, way.sin) * kStep;
             ASSERT_LE((m.map(u + step) - m.map(u)).length(), m.steepest * kStep)
                 << m.name << " at " << u;

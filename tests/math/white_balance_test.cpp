@@ -29,7 +29,7 @@ TEST(WhiteBalance, below_4000_kelvin_daylight_is_a_blackbody) {
     EXPECT_NEAR(c.y, 0.4075, 3e-4);
 }
 
-Vec3d balanced(const SpectralCurve& light, double kelvin) {
+Vec3d balanced(const Spectrum& light, double kelvin) {
     const Vec3 rgb = light.to_rgb();
     Vec3d result(0);
     const auto rows = white_balance(kelvin);
@@ -42,15 +42,15 @@ Vec3d balanced(const SpectralCurve& light, double kelvin) {
 
 TEST(WhiteBalance, its_illuminant_becomes_white) {
     for (const auto& [name, kelvin] : {std::pair("stdillum-D50", 5000.0), {"stdillum-A", 2856.0}}) {
-        const SpectralCurve light = *named_spectrum(name);
+        const Spectrum light = *named_spectrum(name);
         const Vec3d rgb = balanced(light.scaled(1 / light.luminance()), kelvin);
         EXPECT_NEAR(rgb.x, 1, 0.003) << name;
         EXPECT_NEAR(rgb.y, 1, 0.003) << name;
         EXPECT_NEAR(rgb.z, 1, 0.006) << name;
     }
-    const Vec3d white = balanced(SpectralCurve::d65(), 6500);  // 6504 K by today's constants
+    const Vec3d white = balanced(Spectrum::d65(), 6500);  // 6504 K by today's constants
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(white[i], 1, 0.001);
-    EXPECT_GT(balanced(SpectralCurve::d65(), 4000).z, 1.3) << "daylight is blue for indoor film";
+    EXPECT_GT(balanced(Spectrum::d65(), 4000).z, 1.3) << "daylight is blue for indoor film";
 }
 
 }  // namespace

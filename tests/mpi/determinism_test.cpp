@@ -87,11 +87,11 @@ protected:
     }
 
     /// Whole, resumed from pass 8, and merged from two parts, both with passes that count twice.
-    /// @param threads  three numbers, taken in turn.
+    /// @param threads  three numbers, taken in interval.
     void expect_alike(int ranks, const std::array<const char*, 3>& threads) const {
         const std::string by = std::to_string(ranks) + " ranks, ";
-        const auto job = [&](std::size_t turn, const Words& more) {
-            return run_job(ranks, words({"--nthreads", threads.at(turn)}) + more);
+        const auto job = [&](std::size_t interval, const Words& more) {
+            return run_job(ranks, words({"--nthreads", threads.at(interval)}) + more);
         };
         expect_made(job(0, {"--passes", kEnd, "-o", "job.film"}), "job.film", by + "whole");
         const Words keep{"--passes", "8", "--checkpoint", "job.ckpt", "-o", "x.film"};

@@ -1,17 +1,17 @@
-// A BSDF whose pdf() cannot be told from a weight of eight lanes is refused.
+// A BSDF whose pdf() cannot be told from a weight of eight wavelengths is refused.
 // Refused with: constraint|BsdfModel
 #include "bsdf/bsdf.h"
 
 namespace sunfleck {
 
 #ifdef FAULT
-using Density = Spectrum;
+using Density = SampledSpectrum;
 #else
 using Density = float;
 #endif
 
 struct Muddled {
-    Spectrum eval(const Vec3&, const Vec3&, Transport) const { return Spectrum(); }
+    SampledSpectrum eval(const Vec3&, const Vec3&, Transport) const { return SampledSpectrum(); }
     Density pdf(const Vec3&, const Vec3&, Transport) const { return Density(0); }
     std::optional<BsdfSample> sample(const Vec3&, const BsdfDraw&) const { return {}; }
     static Scattering scattering() { return Scattering::diffuse; }

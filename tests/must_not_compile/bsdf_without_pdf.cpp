@@ -5,7 +5,7 @@
 namespace sunfleck {
 
 struct Incomplete {
-    Spectrum eval(const Vec3&, const Vec3&, Transport) const { return Spectrum(); }
+    SampledSpectrum eval(const Vec3&, const Vec3&, Transport) const { return SampledSpectrum(); }
 #ifndef FAULT
     float pdf(const Vec3&, const Vec3&, Transport) const {
         return 0;

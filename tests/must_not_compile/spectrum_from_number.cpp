@@ -1,14 +1,14 @@
-// A number does not silently become a spectrum that has it in every lane.
+// A number does not silently become a spectrum that has it in every wavelength.
 // Refused with: conversion from|could not convert|no viable conversion
 #include "math/sampled_spectrum.h"
 
 namespace sunfleck {
 
-Spectrum albedo() {
+SampledSpectrum albedo() {
 #ifdef FAULT
     return 0.5F;
 #else
-    return Spectrum(0.5F);
+    return SampledSpectrum(0.5F);
 #endif
 }
 

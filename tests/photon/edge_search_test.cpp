@@ -63,9 +63,9 @@ ShapeDescription described(const Shape& shape, const Matrix& to_world = {}) {
 /// Below the sun, which shines straight down.
 SceneDescription scene_below_the_sun(std::vector<ShapeDescription> shapes) {
     SceneDescription scene;
-    scene.materials = {DiffuseMaterial{SpectralCurve::constant(0.5F)}};
+    scene.materials = {DiffuseMaterial{Spectrum::constant(0.5F)}};
     scene.shapes = std::move(shapes);
-    scene.lights = {DistantLight{SpectralCurve::constant(1), {0, 0, -1}}};
+    scene.lights = {DistantLight{Spectrum::constant(1), {0, 0, -1}}};
     return scene;
 }
 
@@ -81,7 +81,7 @@ Found found_in(const SceneDescription& description) {
     const PassScene pass(scene, id);
     const TransportSettings transport;
     const VisiblePointIndex index({}, 8);
-    const PhotonView view{pass, transport, index};
+    const PhotonContext view{pass, transport, index};
     Found found;
     for (const auto& [point, weight] :
          emission_past_edges(view, scene.light_choice(), id, {0, 20'000})) {

@@ -13,12 +13,12 @@ struct Found {
 };
 
 /// From a point of a white floor below a sun of that colour.
-Found found_of(const SpectralCurve& sun) {
+Found found_of(const Spectrum& sun) {
     TriangleMesh floor;
     floor.positions = {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
     floor.triangles = {{0, 1, 2}, {0, 2, 3}};
     SceneDescription description;
-    description.materials = {DiffuseMaterial{SpectralCurve::constant(1)}};
+    description.materials = {DiffuseMaterial{Spectrum::constant(1)}};
     description.shapes = {{{floor, Matrix(), false}, 0, {}, {}}};
     description.lights = {DistantLight{sun, {0, 0, -1}}};
     const Scene scene(description);
@@ -30,17 +30,17 @@ Found found_of(const SpectralCurve& sun) {
     point.disc.kinds = static_cast<std::uint8_t>(PhotonKind::direct);
     const TransportSettings transport;
     const VisiblePointIndex index({{point}}, 8);
-    const PhotonView view{pass, transport, index};
-    const WalkedEmission found = walk_from_view(view, scene.light_choice(), id, {0, 1000});
+    const PhotonContext view{pass, transport, index};
+    const WalkedEmission found = trace_importons(view, scene.light_choice(), id, {0, 1000});
     return {found.hints.size(), flux_seen(view, id), pass.emission[0].is_zero()};
 }
 
 /// Few passes meet a lamp of 585 to 590 nm. Where one is dark it counts as if it were grey.
-TEST(ViewWalks, find_a_light_that_is_dark_in_their_pass) {
-    const Found white = found_of(SpectralCurve::constant(1));
+TEST(Importons, find_a_light_that_is_dark_in_their_pass) {
+    const Found white = found_of(Spectrum::constant(1));
     ASSERT_FALSE(white.is_dark);
     EXPECT_GT(white.hints, 900U);
-    const auto sodium = SpectralCurve::table({{585, 0}, {586, 1}, {589, 1}, {590, 0}});
+    const auto sodium = Spectrum::table({{585, 0}, {586, 1}, {589, 1}, {590, 0}});
     const Found dark = found_of(sodium);
     ASSERT_TRUE(dark.is_dark);
     EXPECT_EQ(dark.hints, white.hints);

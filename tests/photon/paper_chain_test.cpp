@@ -69,7 +69,7 @@ Walk walk_of(const Islands& islands, const PaperSettings& settings, std::uint32_
     return walk;
 }
 
-/// A small place in six slots: two of every ten thousand uniform paths get there.
+/// A small place in six dimensions: two of every ten thousand uniform paths get there.
 Islands close_up() {
     return {"close-up", {0, 1, 2, 3, 6, 7}, {{0.6, 0.05, 0.15, 1}}, 1};
 }
@@ -187,7 +187,7 @@ TEST(PaperStep, has_the_law_of_equation_9) {
 }
 
 // 200,000 steps at the floor of theta; chi-square at 0.1% with 20 degrees of freedom. The first bin
-// has the steps below 2^-52 of a turn, of which most are no step at all.
+// has the steps below 2^-52 of a event, of which most are no step at all.
 TEST(PaperStep, has_the_law_of_equation_9_at_the_floor) {
     constexpr int kSteps = 200'000;
     constexpr std::uint64_t kFrom = 0x0123456789ABCDEF;
@@ -219,7 +219,9 @@ TEST(PaperStep, wraps_around_at_both_ends) {
     const std::uint64_t down = kHalf;  // xi = 1/2, to the lower side
     const std::uint64_t up = kHalf | 1U;
     constexpr double kOne = 0x1p64;
-    const auto as_turns = [&](std::uint64_t slot) { return static_cast<double>(slot) / kOne; };
+    const auto as_turns = [&](std::uint64_t dimension) {
+        return static_cast<double>(dimension) / kOne;
+    };
     EXPECT_NEAR(as_turns(paper_step(kHalf / 4, 1, down)), 0.125 + 1 - 0.5, 1e-6);
     EXPECT_NEAR(as_turns(paper_step(kHalf / 4 * 7, 1, up)), 0.875 - 0.5, 1e-6);
     EXPECT_NEAR(as_turns(paper_step(kHalf / 4, 2, down)), 0.125 + 1 - 0.25, 1e-6);

@@ -18,7 +18,7 @@ public:
     PlainPhotons(const PhotonTracer& tracer, const VisiblePointIndex& index)
         : tracer_(tracer), index_(index) {}
 
-    template <SlotReader Reader>
+    template <PrimarySampleReader Reader>
     void trace(Reader&& read, Path& path, Statistics& counts) const {
         path.clear();
         const auto visit = [&](const Photon& photon) { path.push_back(photon); };
@@ -107,9 +107,9 @@ TEST_P(PaperPaths, are_those_of_a_plain_walk) {
     for (const float x : {0.0F, -1.5F}) {  // the second goes on from the first, in another view
         const VisiblePointIndex index({patch(x)}, 8);
         const Statistics expected = plain(index, kPaths, expected_state, expected_splats);
-        const auto deposit = [&](const std::vector<PhotonBatch>& batches) {
-            for (const PhotonBatch& batch : batches)
-                for (const Photon& photon : batch.photons) splats.add(index, photon, photon.copies);
+        const auto deposit = [&](const std::vector<PhotonChunk>& chunks) {
+            for (const PhotonChunk& chunk : chunks)
+                for (const Photon& photon : chunk.photons) splats.add(index, photon, photon.copies);
             return Statistics();
         };
         const Statistics counts = trace_paper_paths({pass_, transport_, index},

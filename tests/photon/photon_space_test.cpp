@@ -32,7 +32,8 @@ TEST(PhotonSpace, visible_is_what_the_index_takes) {
     const PhotonTracer tracer(pass, transport);
     for (const int kinds : {1, 4, 6, 7}) {
         const VisiblePointIndex index({patch(static_cast<std::uint8_t>(kinds))}, 8);
-        const ViewOctree octree(index.points(), scene.sphere().center, scene.sphere().radius);
+        const VisiblePointOctree octree(index.points(), scene.sphere().center,
+                                        scene.sphere().radius);
         const PhotonSpace space(tracer, index, octree);
         int visible = 0;
         for (std::uint32_t i = 0; i < 40'000; ++i) {

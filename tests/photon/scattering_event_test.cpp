@@ -1,4 +1,5 @@
-// What a surface does to a photon's flux: roulette keeps it, and what grew fades before roulette.
+// What a surface does to a photon's flux: Russian roulette keeps it, and what grew fades before
+// Russian roulette.
 #include "photon/scattering_event.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 /// A photon that comes straight down onto a grey floor.
 PhotonState falling(float throughput) {
     PhotonState state;
-    state.flux = Spectrum(6 * throughput);
+    state.flux = SampledSpectrum(6 * throughput);
     state.direction = {0, 0, -1};
     state.throughput = throughput;
     return state;
@@ -24,20 +25,21 @@ Hit floor_hit() {
     return hit;
 }
 
-/// One turn, the photon then falling again. @param roulette  the number that it reads.
+/// One event, the photon then falling again. @param Russian roulette  the number that it reads.
 /// @return whether it survives.
 bool bounce(PhotonState& state, float albedo, float roulette) {
-    const std::uint32_t number = slot(state.bounces, BounceSlot::roulette);
+    const std::uint32_t number = dimension(state.bounces, BounceDimension::roulette);
     const auto read = [&](std::uint32_t index) {
         return to_fraction(index == number ? static_cast<double>(roulette) : 0.5);
     };
-    const Turn turn = draw_turn(read, Lambert{Spectrum(albedo)}, floor_hit(), state);
-    const bool survives = take_turn(turn, state);
+    const ScatteringEvent event =
+        sample_scattering(read, Lambert{SampledSpectrum(albedo)}, floor_hit(), state);
+    const bool survives = apply_event(event, state);
     state.direction = {0, 0, -1};
     return survives;
 }
 
-TEST(Turn, roulette_keeps_the_flux) {
+TEST(ScatteringEvent, roulette_keeps_the_flux) {
     PhotonState state = falling(1);
     ASSERT_TRUE(bounce(state, 0.5F, 0.49F));
     EXPECT_NEAR(state.flux[0], 6, 1e-5);
@@ -45,7 +47,7 @@ TEST(Turn, roulette_keeps_the_flux) {
     EXPECT_FALSE(bounce(state, 0.5F, 0.51F));
 }
 
-TEST(Turn, a_photon_that_grew_fades_before_roulette_begins) {
+TEST(ScatteringEvent, a_photon_that_grew_fades_before_roulette_begins) {
     PhotonState state = falling(3);
     ASSERT_TRUE(bounce(state, 0.5F, 0.999F));
     EXPECT_NEAR(state.flux[0], 9, 1e-5);
@@ -57,7 +59,7 @@ TEST(Turn, a_photon_that_grew_fades_before_roulette_begins) {
     EXPECT_EQ(state.throughput, 1);
 }
 
-TEST(Turn, what_a_medium_took_counts) {
+TEST(ScatteringEvent, what_a_medium_took_counts) {
     PhotonState state = falling(0.5F);
     EXPECT_FALSE(bounce(state, 0.5F, 0.26F));
     state = falling(0.5F);
@@ -66,16 +68,17 @@ TEST(Turn, what_a_medium_took_counts) {
 }
 
 /// It grazes the facet, but not the smooth surface that the shading normal stands for.
-TEST(Turn, a_shading_normal_makes_a_photon_heavy) {
+TEST(ScatteringEvent, a_shading_normal_makes_a_photon_heavy) {
     PhotonState state = falling(1);
     state.direction = {0.995F, 0, -std::sqrt(1 - 0.995F * 0.995F)};
     Hit hit = floor_hit();
     hit.shading_normal = Vec3(-0.6F, 0, 0.8F);
     const auto read = [](std::uint32_t) { return to_fraction(0.5); };
-    const Turn turn = draw_turn(read, Lambert{Spectrum(0.8F)}, hit, state);
-    EXPECT_GT(turn.throughput, 2);
-    EXPECT_NEAR(turn.flux[0], 6 * turn.throughput, 1e-4);
-    ASSERT_TRUE(take_turn(turn, state));
+    const ScatteringEvent event =
+        sample_scattering(read, Lambert{SampledSpectrum(0.8F)}, hit, state);
+    EXPECT_GT(event.throughput, 2);
+    EXPECT_NEAR(event.flux[0], 6 * event.throughput, 1e-4);
+    ASSERT_TRUE(apply_event(event, state));
     EXPECT_NEAR(state.flux[0], 6 * state.throughput, 1e-4);
 }
 
@@ -96,11 +99,11 @@ struct Tilted {
         for (int i = 0; i < kSteps * kSteps; ++i) {
             const auto read = [&](std::uint32_t index) {
                 const int step =
-                    index == slot(0, BounceSlot::direction_u) ? i / kSteps : i % kSteps;
+                    index == dimension(0, BounceDimension::direction_u) ? i / kSteps : i % kSteps;
                 return to_fraction((step + 0.5) / kSteps);
             };
-            const Turn turn = draw_turn(read, surface, hit, state);
-            sum += f(turn);
+            const ScatteringEvent event = sample_scattering(read, surface, hit, state);
+            sum += f(event);
         }
         return sum / kSteps / kSteps;
     }
@@ -108,9 +111,9 @@ struct Tilted {
 
 /// By quadrature over the hemisphere of the shading normal: f |n_g.w| of the light on the surface,
 /// which the shading normal makes 1 / 0.8 times that on the facet.
-TEST(Turn, lambertian_flux_goes_where_bsdf_and_normals_say) {
+TEST(ScatteringEvent, lambertian_flux_goes_where_bsdf_and_normals_say) {
     Tilted at;
-    const Lambert grey{Spectrum(0.5F)};
+    const Lambert grey{SampledSpectrum(0.5F)};
     constexpr int kSteps = 512;
     const Frame frame(at.hit.shading_normal);
     Vec3d expected(0);
@@ -124,21 +127,26 @@ TEST(Turn, lambertian_flux_goes_where_bsdf_and_normals_say) {
     }
     expected *= 2 * kPiDouble / kSteps / kSteps;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto value = [&](const Turn& turn) {
-            return static_cast<double>(turn.flux[0] * turn.direction[axis]);
+        const auto value = [&](const ScatteringEvent& event) {
+            return static_cast<double>(event.flux[0] * event.direction[axis]);
         };
         EXPECT_NEAR(at.mean(grey, value), expected[axis], 0.002) << axis;
     }
-    const auto below = [](const Turn& turn) { return turn.direction.z < 0 ? 1.0 : 0.0; };
+    const auto below = [](const ScatteringEvent& event) {
+        return event.direction.z < 0 ? 1.0 : 0.0;
+    };
     EXPECT_NEAR(at.mean(grey, below), (1 - 0.8) / 2, 0.002);
 }
 
-TEST(Turn, no_direction_of_lambertian_flux_weighs_more_than_another) {
+TEST(ScatteringEvent, no_direction_of_lambertian_flux_weighs_more_than_another) {
     Tilted at;
-    const Lambert grey{Spectrum(0.5F)};
+    const Lambert grey{SampledSpectrum(0.5F)};
     const float expected = 0.5F / 0.8F;
-    EXPECT_NEAR(at.mean(grey, [](const Turn& turn) { return turn.throughput; }), expected, 1e-4);
-    const auto spread = [&](const Turn& turn) { return std::abs(turn.throughput - expected); };
+    EXPECT_NEAR(at.mean(grey, [](const ScatteringEvent& event) { return event.throughput; }),
+                expected, 1e-4);
+    const auto spread = [&](const ScatteringEvent& event) {
+        return std::abs(event.throughput - expected);
+    };
     EXPECT_NEAR(at.mean(grey, spread), 0, 1e-5);
     EXPECT_GT(at.mean(Bsdf{grey}, spread), 0.1);
 }

@@ -19,11 +19,10 @@ inline ShapeDescription square(float z, std::uint32_t material) {
 inline SceneDescription sunny(std::vector<ShapeDescription> shapes) {
     SceneDescription scene;
     scene.materials = {
-        DiffuseMaterial{}, ThinDielectricMaterial{}, DiffuseMaterial{SpectralCurve::constant(1)},
-        ConductorMaterial{
-            SpectralCurve::constant(0.2F), SpectralCurve::constant(4), {}, {0.3F, 0.3F}}};
+        DiffuseMaterial{}, ThinDielectricMaterial{}, DiffuseMaterial{Spectrum::constant(1)},
+        ConductorMaterial{Spectrum::constant(0.2F), Spectrum::constant(4), {}, {0.3F, 0.3F}}};
     scene.shapes = std::move(shapes);
-    scene.lights = {DistantLight{SpectralCurve::constant(1), {0, 0, -1}}};
+    scene.lights = {DistantLight{Spectrum::constant(1), {0, 0, -1}}};
     return scene;
 }
 

@@ -48,7 +48,8 @@ TEST(PhotonTracer, kinds_follow_what_scattered_the_photon) {
 
 /// Between panes some light goes to and fro: few events or many, by smooth surfaces alone.
 TEST(PhotonTracer, many_smooth_surfaces_make_a_deep_caustic) {
-    for (const int panes : {int{kDeepCaustic} - 1, int{kDeepCaustic}, int{kDeepCaustic} + 3}) {
+    for (const int panes :
+         {int{kLongSpecularChain} - 1, int{kLongSpecularChain}, int{kLongSpecularChain} + 3}) {
         std::vector<ShapeDescription> sheets = {square(0, 0)};
         for (int i = 1; i <= panes; ++i) sheets.push_back(square(0.1F * static_cast<float>(i), 1));
         int deep = 0;
@@ -56,20 +57,21 @@ TEST(PhotonTracer, many_smooth_surfaces_make_a_deep_caustic) {
         for (const Path& path : paths_of(sunny(sheets), 64)) {
             if (path.photons.empty()) continue;
             const Photon& first = path.photons.front();
-            const bool is_deep = first.bounces >= kDeepCaustic;
-            EXPECT_EQ(first.kind, is_deep ? PhotonKind::deep_caustic : PhotonKind::caustic);
-            ++(is_deep ? deep : shallow);
+            const bool is_long_chain = first.bounces >= kLongSpecularChain;
+            EXPECT_EQ(first.kind,
+                      is_long_chain ? PhotonKind::long_specular_chain : PhotonKind::caustic);
+            ++(is_long_chain ? deep : shallow);
             for (const Photon& later : std::span(path.photons).subspan(1))
                 EXPECT_EQ(later.kind, PhotonKind::indirect);
         }
         EXPECT_GT(deep, 20);
-        EXPECT_EQ(shallow > 20, panes < kDeepCaustic);
+        EXPECT_EQ(shallow > 20, panes < kLongSpecularChain);
     }
 }
 
 TEST(PhotonTracer, photons_from_below_have_their_normal_below) {
     SceneDescription scene = sunny({square(0, 0)});
-    scene.lights = {DistantLight{SpectralCurve::constant(1), {0, 0, 1}}};
+    scene.lights = {DistantLight{Spectrum::constant(1), {0, 0, 1}}};
     int met = 0;
     for (const Path& path : paths_of(scene, 64))
         for (const Photon& photon : path.photons) {
@@ -82,7 +84,7 @@ TEST(PhotonTracer, photons_from_below_have_their_normal_below) {
 /// Between white sheets: paths end by leaving or by depth, never by absorption.
 TEST(PhotonTracer, depth_counts_events) {
     SceneDescription scene = sunny({square(0, 2), square(0.1F, 2)});
-    scene.lights = {PointLight{SpectralCurve::constant(1), {0, 0, 0.05}}};
+    scene.lights = {PointLight{Spectrum::constant(1), {0, 0, 0.05}}};
     for (const int depth : {1, 3, 10}) {
         int cut = 0;
         for (const Path& path : paths_of(scene, depth)) {
@@ -107,33 +109,33 @@ TEST(PhotonTracer, glossy_surfaces_keep_photons_and_make_them_indirect) {
     EXPECT_GT(second, 5);
 }
 
-/// Bounce slots of the first event, read by any of 200 paths onto a surface of that material.
-std::set<BounceSlot> read_at(std::uint32_t material) {
+/// Bounce dimensions of the first event, read by any of 200 paths onto a surface of that material.
+std::set<BounceDimension> read_at(std::uint32_t material) {
     const Scene scene(sunny({square(0, material)}));
     const PassScene pass(scene, {1, 0});
     const TransportSettings transport{DirectLight::photons, 2};
     const PhotonTracer tracer(pass, transport);
-    std::set<BounceSlot> slots;
+    std::set<BounceDimension> dimensions;
     std::uint64_t rays = 0;
     for (std::uint32_t i = 0; i < 200; ++i) {
         IndependentReader numbers(PassId{1, 0}.stream(Purpose::test, i));
         const auto read = [&](std::uint32_t index) {
-            const std::uint32_t first = slot(0, BounceSlot{});
-            if (index >= first) slots.insert(static_cast<BounceSlot>(index - first));
+            const std::uint32_t first = dimension(0, BounceDimension{});
+            if (index >= first) dimensions.insert(static_cast<BounceDimension>(index - first));
             return numbers(index);
         };
         tracer.trace(
             read, [](const Photon&) { return true; }, rays);
     }
-    return slots;
+    return dimensions;
 }
 
 TEST(PhotonTracer, a_surface_reads_the_numbers_that_it_needs) {
-    using enum BounceSlot;
+    using enum BounceDimension;
     EXPECT_EQ(read_at(0), (std::set{direction_u, direction_v, roulette}));
     EXPECT_EQ(read_at(2), (std::set{direction_u, direction_v}));  // white: nothing is absorbed
     EXPECT_EQ(read_at(3), (std::set{lobe, direction_u, direction_v, roulette}));
-    const std::set<BounceSlot> glass = read_at(1);
+    const std::set<BounceDimension> glass = read_at(1);
     EXPECT_TRUE(glass.contains(lobe));
     EXPECT_FALSE(glass.contains(direction_u) || glass.contains(direction_v));
 }
@@ -156,12 +158,12 @@ ShapeDescription plate(float z, float x0, float x1, std::uint32_t material = 0) 
 /// sky over x < 0, an interface all of it.
 SceneDescription window() {
     SceneDescription scene;
-    scene.materials = {DiffuseMaterial{SpectralCurve::constant(1)}, InterfaceMaterial{}};
+    scene.materials = {DiffuseMaterial{Spectrum::constant(1)}, InterfaceMaterial{}};
     ShapeDescription veil = plate(1.2F, -3, 3, 1);
-    veil.emission = AreaEmission{SpectralCurve::constant(1e-15F), false, 0};  // or it is left out
+    veil.emission = AreaEmission{Spectrum::constant(1e-15F), false, 0};  // or it is left out
     scene.shapes = {plate(0, -3, 3), plate(1.5F, -3, 0), veil};
     PortalLight light;
-    light.curve = SpectralCurve::constant(1);
+    light.curve = Spectrum::constant(1);
     light.picture = std::make_shared<const PortalPicture>(16, [](const Vec3d&) { return Vec3(1); });
     light.frame.origin = {-0.5, -0.5, 1};
     light.extent = {1, 1};

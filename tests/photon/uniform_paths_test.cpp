@@ -51,11 +51,11 @@ TEST_P(UniformPathsTest, side_by_side_are_those_one_by_one) {
         const Seen one_by_one = expected(count);
         Seen seen;
         const auto all = [](const Photon&) { return true; };
-        for (const PhotonBatch& batch :
-             trace_batches(tracer_, {GetParam(), id_, count}, {0, count}, all)) {
-            for (std::size_t i = 0; i < batch.photons.size(); ++i)
-                seen.photons[batch.paths[i]].push_back(batch.photons[i]);
-            seen.statistics += batch.statistics;
+        for (const PhotonChunk& chunk :
+             trace_chunks(tracer_, {GetParam(), id_, count}, {0, count}, all)) {
+            for (std::size_t i = 0; i < chunk.photons.size(); ++i)
+                seen.photons[chunk.paths[i]].push_back(chunk.photons[i]);
+            seen.statistics += chunk.statistics;
         }
         EXPECT_EQ(seen.statistics, one_by_one.statistics);
         ASSERT_EQ(seen.photons.size(), one_by_one.photons.size());
@@ -86,14 +86,14 @@ TEST_P(UniformPathsTest, counts_the_visible_paths_and_keeps_what_is_wanted) {
                         [&](const Photon& p) { return wanted(p) && taken(p); }))
             ++visible;
     std::size_t calls = 0;
-    const auto deposit = [&](std::vector<PhotonBatch>& batches) {
+    const auto deposit = [&](std::vector<PhotonChunk>& chunks) {
         ++calls;
         Statistics counted;
-        for (PhotonBatch& batch : batches)
-            for (std::size_t i = 0; i < batch.photons.size(); ++i) {
-                EXPECT_TRUE(wanted(batch.photons[i]));
-                batch.taken[i] = taken(batch.photons[i]) ? 1 : 0;
-                counted[Count::photons_stored] += batch.taken[i];
+        for (PhotonChunk& chunk : chunks)
+            for (std::size_t i = 0; i < chunk.photons.size(); ++i) {
+                EXPECT_TRUE(wanted(chunk.photons[i]));
+                chunk.taken[i] = taken(chunk.photons[i]) ? 1 : 0;
+                counted[Count::photons_stored] += chunk.taken[i];
             }
         return counted;
     };

@@ -36,8 +36,8 @@ TEST(Surfaces, a_tube_closes_around_a_knotted_chain) {
     constexpr std::uint32_t kSteps = 200;
     std::vector<Vec3d> chain;
     for (std::uint32_t i = 0; i < kSteps; ++i) {
-        const SinCos two = sin_cos_turn(2.0 * i / kSteps);
-        const SinCos three = sin_cos_turn(3.0 * i / kSteps);
+        const SinCos two = sin_cos_2pi(2.0 * i / kSteps);
+        const SinCos three = sin_cos_2pi(3.0 * i / kSteps);
         const double r = 3 + three.cos;
         chain.emplace_back(r * two.cos, r * two.sin, three.sin);
     }

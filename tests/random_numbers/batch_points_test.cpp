@@ -1,4 +1,4 @@
-// Round points: within a round every pixel's pairs are a net; rounds are fresh; all are uniform.
+// Round points: within a batch every pixel's pairs are a net; batches are fresh; all are uniform.
 #include "random_numbers/batch_points.h"
 
 #include <gtest/gtest.h>
@@ -11,13 +11,13 @@
 namespace sunfleck {
 namespace {
 
-TEST(RoundPoints, a_round_is_a_net_in_every_pair) {
+TEST(BatchPoints, a_round_is_a_net_in_every_pair) {
     for (const std::uint32_t pixel : {0U, 77U}) {
         for (unsigned split = 0; split <= 4; ++split) {
             for (int pair = 0; pair < 5; ++pair) {
                 std::set<int> cells;
                 for (std::uint32_t pass = 32; pass < 48; ++pass) {
-                    RoundPoints points({5, pass}, pixel);
+                    BatchPoints points({5, pass}, pixel);
                     Vec2d u;
                     for (int skip = 0; skip <= pair; ++skip) u = points.next_2d();
                     const int x = static_cast<int>(u.x * (1 << split));
@@ -35,7 +35,7 @@ std::set<std::uint32_t> cells_of(const std::vector<std::pair<PassId, PathOfPixel
                                  std::uint32_t columns, std::uint32_t rows) {
     std::set<std::uint32_t> cells;
     for (const auto& [pass, path] : paths) {
-        RoundPoints points(pass, 77, path);
+        BatchPoints points(pass, 77, path);
         points.next_2d();
         points.next_2d();
         const Vec2d u = points.next_2d();
@@ -46,58 +46,58 @@ std::set<std::uint32_t> cells_of(const std::vector<std::pair<PassId, PathOfPixel
     return cells;
 }
 
-TEST(RoundPoints, several_paths_of_a_pixel_are_a_net_in_a_pass_and_a_finer_one_in_the_round) {
-    for (std::uint32_t doublings = 1; doublings <= 6; ++doublings) {
-        std::vector<std::pair<PassId, PathOfPixel>> round;
+TEST(BatchPoints, several_paths_of_a_pixel_are_a_net_in_a_pass_and_a_finer_one_in_the_round) {
+    for (std::uint32_t log2_samples = 1; log2_samples <= 6; ++log2_samples) {
+        std::vector<std::pair<PassId, PathOfPixel>> batch;
         for (std::uint32_t pass = 32; pass < 48; ++pass) {
             std::vector<std::pair<PassId, PathOfPixel>> here;
-            for (std::uint32_t number = 0; number < 1U << doublings; ++number)
-                here.push_back({{5, pass}, {number, doublings}});
-            for (std::uint32_t split = 0; split <= doublings; ++split)
-                EXPECT_EQ(cells_of(here, split, doublings - split).size(), here.size());
-            round.insert(round.end(), here.begin(), here.end());
+            for (std::uint32_t number = 0; number < 1U << log2_samples; ++number)
+                here.push_back({{5, pass}, {number, log2_samples}});
+            for (std::uint32_t split = 0; split <= log2_samples; ++split)
+                EXPECT_EQ(cells_of(here, split, log2_samples - split).size(), here.size());
+            batch.insert(batch.end(), here.begin(), here.end());
         }
-        for (std::uint32_t split = 0; split <= 4 + doublings; ++split)
-            EXPECT_EQ(cells_of(round, split, 4 + doublings - split).size(), round.size());
+        for (std::uint32_t split = 0; split <= 4 + log2_samples; ++split)
+            EXPECT_EQ(cells_of(batch, split, 4 + log2_samples - split).size(), batch.size());
     }
 }
 
-TEST(RoundPoints, draws_of_a_pass_are_a_net_together) {
-    constexpr std::uint32_t kDraws = 4;
-    std::vector<std::pair<PassId, PathOfPixel>> round;
+TEST(BatchPoints, subpasses_of_a_pass_are_a_net_together) {
+    constexpr std::uint32_t kSubpasses = 4;
+    std::vector<std::pair<PassId, PathOfPixel>> batch;
     for (std::uint32_t pass = 16; pass < 32; ++pass)
-        for (std::uint32_t draw = 0; draw < kDraws; ++draw)
+        for (std::uint32_t subpass = 0; subpass < kSubpasses; ++subpass)
             for (const std::uint32_t number : {0U, 1U})
-                round.push_back({{5, pass}, {number, 1, {draw, kDraws}}});
+                batch.push_back({{5, pass}, {number, 1, {subpass, kSubpasses}}});
     for (std::uint32_t split = 0; split <= 7; ++split)
-        EXPECT_EQ(cells_of(round, split, 7 - split).size(), round.size());
+        EXPECT_EQ(cells_of(batch, split, 7 - split).size(), batch.size());
 }
 
-// Three draws are no power of two: of 64 points 48, no two in one cell.
-TEST(RoundPoints, any_number_of_draws_has_points_of_its_own) {
-    std::vector<std::pair<PassId, PathOfPixel>> round;
+// Three subpasses are no power of two: of 64 points 48, no two in one cell.
+TEST(BatchPoints, any_number_of_subpasses_has_points_of_its_own) {
+    std::vector<std::pair<PassId, PathOfPixel>> batch;
     for (std::uint32_t pass = 0; pass < 16; ++pass)
-        for (std::uint32_t draw = 0; draw < 3; ++draw)
-            round.push_back({{5, pass}, {0, 0, {draw, 3}}});
-    EXPECT_EQ(cells_of(round, 3, 3).size(), round.size());
+        for (std::uint32_t subpass = 0; subpass < 3; ++subpass)
+            batch.push_back({{5, pass}, {0, 0, {subpass, 3}}});
+    EXPECT_EQ(cells_of(batch, 3, 3).size(), batch.size());
 }
 
-TEST(RoundPoints, rounds_pixels_and_draws_differ) {
-    EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints(PassId{5, 0}.draw(1), 1).next());
-    EXPECT_NE(RoundPoints({5, 0}, 1, {0, 0, {0, 2}}).next(),
-              RoundPoints({5, 0}, 1, {0, 0, {1, 2}}).next());
-    EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({5, 16}, 1).next());
-    EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({5, 0}, 2).next());
-    EXPECT_NE(RoundPoints({5, 0}, 1).next(), RoundPoints({6, 0}, 1).next());
+TEST(BatchPoints, batches_pixels_and_subpasses_differ) {
+    EXPECT_NE(BatchPoints({5, 0}, 1).next(), BatchPoints(PassId{5, 0}.subpass(1), 1).next());
+    EXPECT_NE(BatchPoints({5, 0}, 1, {0, 0, {0, 2}}).next(),
+              BatchPoints({5, 0}, 1, {0, 0, {1, 2}}).next());
+    EXPECT_NE(BatchPoints({5, 0}, 1).next(), BatchPoints({5, 16}, 1).next());
+    EXPECT_NE(BatchPoints({5, 0}, 1).next(), BatchPoints({5, 0}, 2).next());
+    EXPECT_NE(BatchPoints({5, 0}, 1).next(), BatchPoints({6, 0}, 1).next());
 }
 
 // 65,536 pixels of one pass: means of x, y and xy within 4 standard errors (sees 0.005).
-TEST(RoundPoints, one_pass_is_uniform_over_pixels) {
+TEST(BatchPoints, one_pass_is_uniform_over_pixels) {
     constexpr std::uint32_t kPixels = 65536;
     Vec2d sum(0);
     double product = 0;
     for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
-        RoundPoints points({9, 3}, pixel);
+        BatchPoints points({9, 3}, pixel);
         points.next();
         const Vec2d u = points.next_2d();
         sum += u;

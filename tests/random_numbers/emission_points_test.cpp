@@ -9,7 +9,7 @@
 namespace sunfleck {
 namespace {
 
-TEST(EmissionPoints, same_slot_same_number) {
+TEST(EmissionPoints, same_dimension_same_number) {
     const EmissionPoints points({7, 3});
     auto once = points.path(11);
     auto again = points.path(11);
@@ -32,7 +32,7 @@ TEST(EmissionPoints, one_path_is_uniform_over_passes) {
     double sum_of_squares = 0;
     for (std::uint32_t pass = 0; pass < kPasses; ++pass) {
         const EmissionPoints points({1, pass});
-        const double u = to_unit(points.path(5)(slot(EmissionSlot::direction_v)));
+        const double u = to_unit(points.path(5)(dimension(EmissionDimension::direction_v)));
         sum += u;
         sum_of_squares += u * u;
     }
@@ -41,18 +41,19 @@ TEST(EmissionPoints, one_path_is_uniform_over_passes) {
     EXPECT_NEAR(sum_of_squares / kPasses, 1.0 / 3, 4 * error);
 }
 
-// Slots of paths from Sobol' points and of independent ones: no two have the same highest 32 bits.
-TEST(EmissionPoints, every_slot_has_numbers_of_its_own) {
+// Dimensions of paths from Sobol' points and of independent ones: no two have the same highest 32
+// bits.
+TEST(EmissionPoints, every_dimension_has_numbers_of_its_own) {
     const PassId pass{7, 3};
     std::set<std::uint64_t> seen;
-    constexpr std::uint32_t kSlots = 50;
+    constexpr std::uint32_t kDimensions = 50;
     for (const std::uint32_t number : {0U, 1U}) {
         auto even = EmissionPoints(pass).path(number);
-        for (std::uint32_t i = 0; i < kSlots; ++i) seen.insert(even(i) >> 32U);
+        for (std::uint32_t i = 0; i < kDimensions; ++i) seen.insert(even(i) >> 32U);
         auto independent = IndependentPoints(pass.with_part(1)).path(number);
-        for (std::uint32_t i = 0; i < kSlots; ++i) seen.insert(independent(i) >> 32U);
+        for (std::uint32_t i = 0; i < kDimensions; ++i) seen.insert(independent(i) >> 32U);
     }
-    EXPECT_EQ(seen.size(), 4 * kSlots);
+    EXPECT_EQ(seen.size(), 4 * kDimensions);
 }
 
 // The error of a pass's mean of an indicator falls faster than independent numbers allow, and the

@@ -27,11 +27,11 @@ TEST(Below, each_number_has_its_stretch_of_fractions) {
     }
 }
 
-TEST(SystematicLengths, sum_to_the_whole_and_hardly_differ) {
+TEST(SystematicResampling, sum_to_the_whole_and_hardly_differ) {
     for (std::uint64_t things = 0; things <= 24; ++things)
         for (std::uint64_t shares = 1; shares <= 13; ++shares)
             for (std::uint64_t offset = 0; offset < shares; ++offset) {
-                const SystematicLengths length(things, shares, fraction_of(offset, shares));
+                const SystematicResampling length(things, shares, fraction_of(offset, shares));
                 std::uint64_t sum = 0;
                 for (std::uint64_t j = 0; j < shares; ++j) {
                     sum += length(j);
@@ -42,12 +42,12 @@ TEST(SystematicLengths, sum_to_the_whole_and_hardly_differ) {
             }
 }
 
-TEST(SystematicLengths, every_share_has_the_same_distribution) {
+TEST(SystematicResampling, every_share_has_the_same_distribution) {
     for (std::uint64_t things = 0; things <= 24; ++things)
         for (std::uint64_t shares = 1; shares <= 13; ++shares) {
             std::vector<std::map<std::uint64_t, int>> seen(shares);
             for (std::uint64_t offset = 0; offset < shares; ++offset) {
-                const SystematicLengths length(things, shares, fraction_of(offset, shares));
+                const SystematicResampling length(things, shares, fraction_of(offset, shares));
                 for (std::uint64_t j = 0; j < shares; ++j) ++seen[j][length(j)];
             }
             for (const auto& lengths : seen) EXPECT_EQ(lengths, seen[0]) << things << "/" << shares;
@@ -56,7 +56,7 @@ TEST(SystematicLengths, every_share_has_the_same_distribution) {
 
 TEST(Systematic, large_numbers_do_not_overflow) {
     constexpr std::uint64_t kMost = (1ULL << 31U) - 1;
-    const SystematicLengths length(kMost, kMost - 1, ~0ULL);
+    const SystematicResampling length(kMost, kMost - 1, ~0ULL);
     std::uint64_t longest = 0;
     for (const std::uint64_t j : {std::uint64_t{0}, kMost / 2, kMost - 2})
         longest = std::max(longest, length(j));

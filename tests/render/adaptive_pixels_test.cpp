@@ -20,11 +20,11 @@ constexpr int kSide = 32;
 constexpr std::size_t kPixels = std::size_t{kSide} * kSide;
 const PixelWindow kWindow{0, 0, kSide, kSide};
 
-constexpr NetLaw kByChance{0.5};
+constexpr VarianceDecay kByChance{0.5};
 
 /// Trials of so much noise in all pixels, and as many rays.
 PixelTrials trials_of(const PixelWindow& window, double variance, double rays,
-                      const NetLaw& law = kByChance) {
+                      const VarianceDecay& law = kByChance) {
     PixelTrials trials = no_trials(window);
     trials.nets.assign(trials.nets.size(), law);
     trials.variance.fill(PixelValues(window.pixels(), variance));
@@ -33,7 +33,7 @@ PixelTrials trials_of(const PixelWindow& window, double variance, double rays,
 }
 
 /// Noise in columns 8 to 11 alone, where paths need so many rays.
-PixelTrials stripe(double variance, double rays, const NetLaw& law = kByChance) {
+PixelTrials stripe(double variance, double rays, const VarianceDecay& law = kByChance) {
     PixelTrials trials = trials_of(kWindow, 0, 1, law);
     for (std::size_t i = 0; i < kPixels; ++i) {
         if (i % kSide / 4 != 2) continue;
@@ -45,21 +45,21 @@ PixelTrials stripe(double variance, double rays, const NetLaw& law = kByChance) 
 
 // The stripe is an eighth of the pixels, its noise eight times the mean: levels 1/8 to 8 give it 1
 // to 64 paths, and 16 no more.
-TEST(NoisyPixels, get_paths_in_proportion_to_their_noise) {
+TEST(AdaptivePixels, get_paths_in_proportion_to_their_noise) {
     const PixelTrials trials = stripe(9, 1);
     const auto all = camera_shares(kWindow, trials, PixelValues(kPixels, 5));
     constexpr std::array<std::uint32_t, 8> kPaths = {1, 2, 4, 8, 16, 32, 64, 64};
     ASSERT_EQ(all.size(), kPaths.size());
     for (std::size_t level = 0; level < all.size(); ++level) {
         for (std::size_t i = 0; i < kPixels; ++i)
-            EXPECT_EQ(1U << all[level].doublings[i],
+            EXPECT_EQ(1U << all[level].log2_samples[i],
                       trials.variance[0][i] > 0 ? kPaths.at(level) : 1U);
         EXPECT_NEAR(all[level].work, 1 + (kPaths.at(level) - 1) / 8.0, 1e-12);
     }
 }
 
 // 3000 x 2000 pixels have six million paths with one each.
-TEST(NoisyPixels, have_no_more_paths_than_there_is_memory_for) {
+TEST(AdaptivePixels, have_no_more_paths_than_there_is_memory_for) {
     const PixelWindow window{0, 0, 3000, 2000};
     PixelTrials trials = trials_of(window, 1, 1);
     for (std::size_t i = 0; i < window.pixels(); i += 8)
@@ -73,11 +73,11 @@ TEST(NoisyPixels, have_no_more_paths_than_there_is_memory_for) {
 
 // Four paths of a pixel leave an eighth of its variance, where by chance they would leave a
 // quarter.
-TEST(NoisyPixels, need_fewer_paths_where_nets_serve_them_better) {
-    const NetLaw smooth{0.354};
-    const auto paths = [&](const NetLaw& law, std::size_t level) {
+TEST(AdaptivePixels, need_fewer_paths_where_nets_serve_them_better) {
+    const VarianceDecay smooth{0.354};
+    const auto paths = [&](const VarianceDecay& law, std::size_t level) {
         const auto all = camera_shares(kWindow, stripe(9, 1, law), PixelValues(kPixels, 5));
-        return 1U << all.at(level).doublings[9];
+        return 1U << all.at(level).log2_samples[9];
     };
     EXPECT_EQ(paths(smooth, 1), paths(kByChance, 1)) << "the first paths are worth more";
     EXPECT_EQ(paths(smooth, 5), 16U);
@@ -86,7 +86,7 @@ TEST(NoisyPixels, need_fewer_paths_where_nets_serve_them_better) {
 
 // A picture of roots is as noisy as variance over brightness: one stripe is twice as bright and has
 // twice the variance.
-TEST(NoisyPixels, count_by_noise_over_the_roots_of_brightness_and_rays) {
+TEST(AdaptivePixels, count_by_noise_over_the_roots_of_brightness_and_rays) {
     PixelTrials trials = stripe(1, 1);
     PixelValues light(kPixels, 1);
     const auto in_column = [](std::size_t i, std::size_t first) {
@@ -100,42 +100,43 @@ TEST(NoisyPixels, count_by_noise_over_the_roots_of_brightness_and_rays) {
         trials.variance[1][i] = 16;
     }
     const CameraShares shares = camera_shares(kWindow, trials, light).at(3);
-    EXPECT_EQ(shares.doublings[9], shares.doublings[22]);
-    EXPECT_EQ(shares.doublings[9], shares.doublings[28]);
-    EXPECT_GT(shares.doublings[9], 0);
-    EXPECT_EQ(shares.doublings[2], 0);
+    EXPECT_EQ(shares.log2_samples[9], shares.log2_samples[22]);
+    EXPECT_EQ(shares.log2_samples[9], shares.log2_samples[28]);
+    EXPECT_GT(shares.log2_samples[9], 0);
+    EXPECT_EQ(shares.log2_samples[2], 0);
 }
 
-TEST(NoisyPixels, have_no_shares_where_nothing_is_noisy_or_bright) {
+TEST(AdaptivePixels, have_no_shares_where_nothing_is_noisy_or_bright) {
     const PixelValues light(kPixels, 1);
     EXPECT_FALSE(stripe(0, 1).have_noise());
     EXPECT_TRUE(camera_shares(kWindow, stripe(0, 1), light).empty());
     EXPECT_TRUE(camera_shares(kWindow, stripe(1, 1), PixelValues(kPixels, 0)).empty());
 }
 
-TEST(NoisyPixels, leave_a_share_of_the_variance) {
+TEST(AdaptivePixels, leave_a_share_of_the_variance) {
     const PixelTrials trials = stripe(9, 1);
-    Doublings half(kPixels, 0);
+    Log2Samples half(kPixels, 0);
     for (std::size_t i = 0; i < kPixels; ++i) half[i] = i % kSide < 10 ? 3 : 0;  // of the stripe
     const CameraShares shares{half, 1, {half, half}};
     const BlockGrid grid(kSide, kSide, 16);
-    EXPECT_NEAR(variance_left({}, trials, grid, 0), 9 / 4.0, 1e-12);
-    EXPECT_NEAR(variance_left(shares, trials, grid, 0), 9 / 4.0 * (1 + 0.125) / 2, 1e-12);
-    EXPECT_EQ(variance_left(shares, trials, grid, 1), 0) << "without noise";
+    EXPECT_NEAR(remaining_variance({}, trials, grid, 0), 9 / 4.0, 1e-12);
+    EXPECT_NEAR(remaining_variance(shares, trials, grid, 0), 9 / 4.0 * (1 + 0.125) / 2, 1e-12);
+    EXPECT_EQ(remaining_variance(shares, trials, grid, 1), 0) << "without noise";
 }
 
 // Noise that each half has seen elsewhere is none that more paths are known to take away.
-TEST(NoisyPixels, are_not_foretold_with_hindsight) {
+TEST(AdaptivePixels, are_not_foretold_with_hindsight) {
     PixelTrials flashes = stripe(9, 1);
     for (std::size_t i = 0; i < kPixels; ++i)
         flashes.variance[i % 2][i] = i % kSide < 16 ? 1e-6 : 0;
     const CameraShares shares = camera_shares(kWindow, flashes, PixelValues(kPixels, 5)).at(5);
     EXPECT_GT(shares.by_half[0][9], shares.by_half[1][9]);
     const BlockGrid grid(kSide, kSide, 16);
-    EXPECT_GT(variance_left(shares, flashes, grid, 0), 0.9 * variance_left({}, flashes, grid, 0));
+    EXPECT_GT(remaining_variance(shares, flashes, grid, 0),
+              0.9 * remaining_variance({}, flashes, grid, 0));
 }
 
-TEST(NoisyPixels, have_a_mean_number_of_paths) {
+TEST(AdaptivePixels, have_a_mean_number_of_paths) {
     EXPECT_DOUBLE_EQ(mean_paths({0, 1, 4}, {5, 3, 2}), (5 + 2 * 3 + 16 * 2) / 10.0);
     EXPECT_EQ(mean_paths({1, 1}, {0, 0}), 1) << "of nothing";
 }
@@ -145,7 +146,7 @@ double paths_in(const Epoch& epoch, int side, int x0, int y0, int x1, int y1) {
     double sum = 0;
     for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; ++x)
-            sum += 1U << epoch.doublings.at(static_cast<std::size_t>(y * side + x));
+            sum += 1U << epoch.log2_samples.at(static_cast<std::size_t>(y * side + x));
     return sum / ((x1 - x0) * (y1 - y0));
 }
 
@@ -160,57 +161,57 @@ Scene glowing_disc(int side) {
 }
 
 // Its rim is all the noise that camera paths make without photons.
-TEST(NoisyPixels, are_found_at_the_rim_of_a_lamp) {
+TEST(AdaptivePixels, are_found_at_the_rim_of_a_lamp) {
     constexpr int kHere = 48;
     RenderSettings settings;
     settings.seed = 1;  // trials of one seed in sixteen foretell too little gain
     const Epoch epoch = learn_epoch(glowing_disc(kHere), settings, 16);
-    ASSERT_FALSE(epoch.doublings.empty());
+    ASSERT_FALSE(epoch.log2_samples.empty());
     EXPECT_GT(paths_in(epoch, kHere, 14, 4, 34, 26), 1.5);
     EXPECT_EQ(paths_in(epoch, kHere, 22, 12, 26, 16), 1) << "within";
     EXPECT_EQ(paths_in(epoch, kHere, 0, 0, 8, 4), 1) << "beside it";
 }
 
-TEST(NoisyPixels, are_the_same_for_any_number_of_threads_in_all_of_an_epoch) {
+TEST(AdaptivePixels, are_the_same_for_any_number_of_threads_in_all_of_an_epoch) {
     const Scene scene = glowing_disc(24);
-    const std::vector<std::uint8_t> first = learn_epoch(scene, {}, 16).doublings;
+    const std::vector<std::uint8_t> first = learn_epoch(scene, {}, 16).log2_samples;
     for (const std::size_t threads : {1U, 3U}) {
         const ThreadLimit limit(threads);
-        EXPECT_EQ(learn_epoch(scene, {}, 77).doublings, first);
+        EXPECT_EQ(learn_epoch(scene, {}, 77).log2_samples, first);
     }
 }
 
-TEST(NoisyPixels, are_looked_for_in_the_first_epoch_too) {
+TEST(AdaptivePixels, are_looked_for_in_the_first_epoch_too) {
     const Scene scene = glowing_disc(48);
-    const Doublings first = learn_epoch(scene, {}, 0).doublings;
+    const Log2Samples first = learn_epoch(scene, {}, 0).log2_samples;
     EXPECT_FALSE(first.empty());
-    EXPECT_EQ(learn_epoch(scene, {}, 15).doublings, first);
+    EXPECT_EQ(learn_epoch(scene, {}, 15).log2_samples, first);
 }
 
-TEST(NoisyPixels, are_like_others_where_the_user_says_so) {
+TEST(AdaptivePixels, are_like_others_where_the_user_says_so) {
     const Scene scene = glowing_disc(24);
     for (const std::uint32_t pass : {0U, 16U}) {
         RenderSettings settings;
-        settings.photon.noisy_pixels = false;
-        EXPECT_TRUE(learn_epoch(scene, settings, pass).doublings.empty());
-        settings.photon.noisy_pixels = true;
+        settings.photon.adaptive_pixels = false;
+        EXPECT_TRUE(learn_epoch(scene, settings, pass).log2_samples.empty());
+        settings.photon.adaptive_pixels = true;
         settings.photon.sampler = PhotonSampler::uniform;
-        EXPECT_TRUE(learn_epoch(scene, settings, pass).doublings.empty());
+        EXPECT_TRUE(learn_epoch(scene, settings, pass).log2_samples.empty());
     }
 }
 
 // 256 passes at 16 x 16 pixels: the mean is known to .1%; a variance of 4 paths a pixel that is not
 // a quarter or, by nets, less would be seen.
-TEST(NoisyPixels, have_the_same_light_with_less_noise) {
+TEST(AdaptivePixels, have_the_same_light_with_less_noise) {
     const Scene scene = glowing_disc(16);
     RenderSettings settings;
     settings.photon.paths_per_pass = 100;
     Epoch epoch = learn_epoch(scene, settings, 128);
-    epoch.doublings.clear();
-    constexpr Pictures kRounds{128, 16, kRoundPasses};
+    epoch.log2_samples.clear();
+    constexpr Pictures kRounds{128, 16, kBatchPasses};
     const PictureSpread even = spread_of(scene, settings, epoch, kRounds);
-    epoch.doublings.assign(256, 0);
-    for (std::size_t i = 0; i < 256; ++i) epoch.doublings[i] = i % 2 == 0 ? 2 : 3;
+    epoch.log2_samples.assign(256, 0);
+    for (std::size_t i = 0; i < 256; ++i) epoch.log2_samples[i] = i % 2 == 0 ? 2 : 3;
     const PictureSpread more = spread_of(scene, settings, epoch, kRounds);
     EXPECT_NEAR(more.mean / even.mean, 1, 0.004);
     EXPECT_LT(more.variance / even.variance, 0.25);

@@ -109,15 +109,15 @@ struct Rings {
     Rings(double radius, int renders, int chords) {
         const Scene scene = ball_lens();
         RenderSettings settings;
-        settings.eye.radius = radius;
+        settings.camera.radius = radius;
         settings.transport.max_depth = chords + 2;
         settings.alpha = 0.999999;                         // one radius for all passes
         settings.photon.sampler = PhotonSampler::uniform;  // quieter than chains in so wide a view
         settings.photon.paths_per_pass = 100'000;
-        settings.layers[static_cast<std::size_t>(Layer::caustic)] = true;
+        settings.aovs[static_cast<std::size_t>(Aov::caustic)] = true;
         for (int i = 0; i < renders; ++i) {
             settings.seed = static_cast<std::uint64_t>(i);
-            const MeanPicture picture = render_mean(scene, settings, 16, Layer::caustic);
+            const MeanPicture picture = render_mean(scene, settings, 16, Aov::caustic);
             std::array<double, kRings> sum{};
             std::array<int, kRings> count{};
             for_pixels([&](int x, int y, std::size_t ring) {

@@ -18,7 +18,7 @@ using namespace testing_support;  // NOLINT(google-build-using-namespace): a tes
 
 constexpr int kSize = 32;  // pixels, over a floor of 2 x 2
 constexpr std::uint32_t kPasses = 128;
-constexpr double kQuantile = 2.447;  // of t with six degrees of freedom, for eight rounds: 95%
+constexpr double kQuantile = 2.447;  // of t with six degrees of freedom, for eight batches: 95%
 constexpr std::size_t kBlocks = 16;
 
 /// A camera above a floor. @param up  the direction of the picture's upper edge.
@@ -36,7 +36,7 @@ RenderSettings settings_for(double radius_pixels, std::uint32_t paths) {
     settings.transport.max_depth = 1;
     settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = paths;
-    settings.eye.radius_pixels = radius_pixels;
+    settings.camera.radius_pixels = radius_pixels;
     return settings;
 }
 

@@ -28,14 +28,14 @@ class References : public ::testing::TestWithParam<ReferenceScene> {};
 
 TEST_P(References, agree) {
     const Scene scene = scene_of(GetParam().text);
-    const Estimate expected = brightness(scene, GetParam().other, GetParam().rounds, 64);
+    const Estimate expected = brightness(scene, GetParam().other, GetParam().batches, 64);
     const auto expect = [&](const char* what, const Estimate& value) {
         std::cout << what << ' ' << value.mean / expected.mean << " +- " << value.error / value.mean
                   << ' ' << expected.error / expected.mean << '\n';
         EXPECT_LT(worst_ratio(value, expected), GetParam().tolerance)
             << what << ": " << value.mean / expected.mean;
     };
-    expect("bdpt", brightness(scene, Integrator::bdpt, GetParam().rounds, 64));
+    expect("bdpt", brightness(scene, Integrator::bdpt, GetParam().batches, 64));
     // A pass is of 2048 pairs and as many chains' steps again and again, however small the picture.
     if (GetParam().by_chains) expect("mlt", brightness(scene, Integrator::mlt, 48, 4));
 }

@@ -27,7 +27,7 @@ Scene room_with_a_lamp() {
                     quad("-.56 -.56 .85  .46 -.56 .85  .46 .36 .85  -.56 .36 .85"));
 }
 
-/// Brightness of each block over independent renders of a round each.
+/// Brightness of each block over independent renders of a batch each.
 std::vector<Estimate> blocks(const Scene& scene, RenderSettings settings, int renders) {
     std::vector<std::vector<double>> values(kBlocks * kBlocks);
     for (int i = 0; i < renders; ++i) {
@@ -61,7 +61,7 @@ TEST(Blocks, agree_with_path_tracing) {
     settings.integrator = Integrator::path;
     const std::vector<Estimate> path = blocks(scene, settings, 700);
     settings.integrator = Integrator::sppm;
-    settings.eye.radius_pixels = 1;
+    settings.camera.radius_pixels = 1;
     settings.transport.direct = DirectLight::sampled;
     settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = 4'000;

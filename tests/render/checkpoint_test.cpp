@@ -39,7 +39,7 @@ protected:
         if (sampler == PhotonSampler::paper) use_paper_mode(job.settings);
         job.settings.photon.sampler = sampler;
         job.settings.photon.paths_per_pass = 100;
-        job.settings.layers.at(static_cast<std::size_t>(Layer::samples)) = true;
+        job.settings.aovs.at(static_cast<std::size_t>(Aov::samples)) = true;
         job.stop.end_pass = passes;
         return job;
     }
@@ -138,7 +138,7 @@ TEST_F(Checkpoints, limits_that_are_reached_end_without_another_pass) {
     EXPECT_EQ(passes_after({0, 70, {}, {}, {}}), 70U);
     EXPECT_EQ(passes_after({0, {}, 1e-9, {}, {}}), 70U);
     EXPECT_EQ(passes_after({0, {}, {}, 1e-9, {}}), 70U);
-    // Errors are asked for where rounds end, as in one go.
+    // Errors are asked for where batches end, as in one go.
     EXPECT_EQ(passes_after({0, {}, {}, {}, 0.9}), 80U);
     EXPECT_EQ(passes_after({0, 75, 1000, 1000, 1e-9}), 75U);
 }
@@ -182,7 +182,7 @@ TEST_F(Checkpoints, numbers_that_cannot_be_are_refused) {
         "or render anew without --resume";
     EXPECT_EQ(fault_with([](RenderState&) {}), "");
     EXPECT_EQ(fault_with([](RenderState& s) { s.total_seconds = -1; }), damaged);
-    EXPECT_EQ(fault_with([](RenderState& s) { s.seconds.eye = std::nan(""); }), damaged);
+    EXPECT_EQ(fault_with([](RenderState& s) { s.seconds.camera = std::nan(""); }), damaged);
     EXPECT_EQ(fault_with([](RenderState& s) { s.paper.reset(); }), damaged);
     EXPECT_EQ(fault_with([](RenderState& s) { s.paper->passes = 3; }), damaged);
     EXPECT_EQ(fault_with([](RenderState& s) { s.paper->shown = -1; }), damaged);

@@ -15,7 +15,7 @@ RenderSettings settings_for(DirectLight direct) {
     settings.transport.direct = direct;
     settings.photon.sampler = PhotonSampler::uniform;  // stratified
     settings.photon.paths_per_pass = 50'000;
-    settings.eye.radius_pixels = 2;
+    settings.camera.radius_pixels = 2;
     settings.seed = 11;
     return settings;
 }
@@ -66,7 +66,7 @@ LightSource "infinite" "rgb L" [5 5 5]
     EXPECT_GT(picture.statistics[Count::photon_rays], 100'000U);
 }
 
-/// An emitter shines from the side of its normal alone, to the eye and to a floor.
+/// An emitter shines from the side of its normal alone, to the camera and to a floor.
 TEST_P(BothWays, emitters_are_one_sided) {
     const auto picture_of = [&](const std::string& orientation) {
         const Scene scene = scene_of(view("0 0 3  0 0 0  0 1 0", 60, 8) + diffuse("0.5 0.5 0.5") +
@@ -75,7 +75,7 @@ TEST_P(BothWays, emitters_are_one_sided) {
                                      orientation + quad("-.3 -.3 1  .3 -.3 1  .3 .3 1  -.3 .3 1"));
         return render_mean(scene, settings_for(GetParam()), 16);
     };
-    const MeanPicture up = picture_of("");  // the eye sees the lamp, the floor gets nothing
+    const MeanPicture up = picture_of("");  // the camera sees the lamp, the floor gets nothing
     EXPECT_NEAR(luminance(up.at(3, 3)), 1, 1e-3);
     EXPECT_EQ(luminance(up.at(0, 0)), 0);
     const MeanPicture down = picture_of("ReverseOrientation\n");
@@ -100,7 +100,7 @@ TEST(ClosedForms, plate_of_glass) {
                  "Material \"dielectric\" \"float eta\" 1.5\n" + box({-2, -2, 1.8}, {2, 2, 2}));
     RenderSettings settings = settings_for(DirectLight::sampled);
     settings.photon.paths_per_pass = 30'000;
-    settings.eye.radius = 0.8;
+    settings.camera.radius = 0.8;
     const Estimate value = Estimate::over(16, [&](int i) {
         settings.seed = static_cast<std::uint64_t>(i);
         return luminance(render_mean(scene, settings, 16).mean());

@@ -1,5 +1,5 @@
 // How often the 95% intervals of blocks hold what they should: 92 to 98%. Blocks of 8 x 8 pixels,
-// 32 rounds of the default sampler, the mean and Student's t (31 degrees of freedom) times its
+// 32 batches of the default sampler, the mean and Student's t (31 degrees of freedom) times its
 // standard error, as the film reports it; against the expectation at the same radii, for the bias
 // of discs is no part of error bars.
 //

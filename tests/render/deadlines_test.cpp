@@ -110,7 +110,7 @@ TEST_F(Deadlines, are_not_waited_for_where_every_picture_is_black) {
     EXPECT_EQ(passes(no_light), 1U);
     EXPECT_EQ(passes(no_power), 1U);
     EXPECT_EQ(passes(looks_away), 16U);
-    settings_.layers[static_cast<std::size_t>(Layer::normal)] = true;
+    settings_.aovs[static_cast<std::size_t>(Aov::normal)] = true;
     EXPECT_EQ(passes(no_light), 16U) << "whose normals are seen";
     stop_.end_pass = 3;
     EXPECT_EQ(passes(no_light), 3U) << "as many as are asked for";

@@ -1,4 +1,4 @@
-// What the default settings do from pass 16 on, balance, several draws a pass and camera paths
+// What the default settings do from pass 16 on, balance, several subpasses a pass and camera paths
 // shared out, leaves the expectation alone: block by block, renders of 48 passes of all defaults
 // against `random`, even camera paths and no balance, which has none of it. Radii are a function of
 // the number of a pass, and passes are weighed as those of the default are: so the expectation is
@@ -75,8 +75,8 @@ protected:
     static RenderSettings reference_settings() {
         RenderSettings settings;
         settings.photon.sampler = PhotonSampler::random;
-        settings.photon.noisy_pixels = false;
-        settings.photon.balance = false;
+        settings.photon.adaptive_pixels = false;
+        settings.photon.photon_budget = false;
         settings.photon.paths_per_pass = GetParam().reference_paths;
         return settings;
     }
@@ -89,7 +89,7 @@ protected:
             defaults.seed = static_cast<std::uint64_t>(i);
             std::vector<Epoch> epochs;
             passes(scene, defaults, {}, epochs).add_to(defaults_);
-            is_at_work_ |= epochs[1].paths != epochs[0].paths || epochs[1].draws > 1;
+            is_at_work_ |= epochs[1].paths != epochs[0].paths || epochs[1].subpasses > 1;
             for (int j = 0; j < GetParam().references; ++j) {
                 reference.seed = static_cast<std::uint64_t>(1000 + i * GetParam().references + j);
                 std::vector<Epoch> plain;

@@ -44,7 +44,7 @@ TEST(DirectLight, point_spot_and_distant) {
         scene.lights = {light};
         expect_irradiance(LitPoint(std::move(scene)), irradiance, 1e-5);
     };
-    const SpectralCurve five = SpectralCurve::constant(5);
+    const Spectrum five = Spectrum::constant(5);
     const Vec3d at(1, 1, 3);
     const Vec3d to = at - kPoint;
     const double lit = 5 * to.z / (to.length2() * to.length());
@@ -63,7 +63,7 @@ TEST(DirectLight, point_spot_and_distant) {
 /// Opaque things hide light, up to their rims; what stands beyond the light, or in no way, does
 /// not.
 TEST(DirectLight, what_hides_it) {
-    const SpectralCurve one = SpectralCurve::constant(1);
+    const Spectrum one = Spectrum::constant(1);
     const std::vector<std::pair<Light, double>> lights = {
         {PointLight{one, kPoint + Vec3d(0, 0, 2)}, 0.25},
         {SpotLight{one, kPoint + Vec3d(0, 0, 2), {0, 0, -1}, 0.5, 0.9}, 0.25},
@@ -108,7 +108,7 @@ TEST(DirectLight, many_lamps) {
         const Vec3 facing = along.cross(across);
         if (facing.dot(Vec3(kPoint) - at) > 0) expected += radiance * std::abs(of_quad(corners));
     }
-    scene.lights = {InfiniteLight{SpectralCurve::constant(0.01F)}};
+    scene.lights = {InfiniteLight{Spectrum::constant(0.01F)}};
     expect_irradiance(LitPoint(std::move(scene)), expected, 0.02);
 }
 
@@ -147,20 +147,20 @@ TEST(DirectLight, darkness_costs_nothing) {
     const LitPoint point(floor_of());
     Statistics statistics;
     EXPECT_TRUE(point.by_light({0.5, {0.5, 0.5}, 0.5}, statistics).is_zero());
-    EXPECT_EQ(statistics[Count::eye_rays], 0U);
+    EXPECT_EQ(statistics[Count::camera_rays], 0U);
     EXPECT_TRUE(emitter_beyond(point.pass(), Vec3(kPoint), {0, 0, 1}).radiance.is_zero());
     EXPECT_TRUE(point.by_bsdf({0.5F, 0.3F, 0.3F}, statistics).is_zero());
-    EXPECT_EQ(statistics[Count::eye_rays], 1U);
+    EXPECT_EQ(statistics[Count::camera_rays], 1U);
 }
 
-/// A light sample that cannot reach the eye's side is not traced.
+/// A light sample that cannot reach the camera's side is not traced.
 TEST(DirectLight, no_ray_to_what_the_surface_turns_away_from) {
     SceneDescription scene = floor_of();
-    scene.lights = {PointLight{SpectralCurve::constant(1), {0, 0, -1}}};
+    scene.lights = {PointLight{Spectrum::constant(1), {0, 0, -1}}};
     const LitPoint point(std::move(scene));
     Statistics statistics;
     EXPECT_TRUE(point.by_light({0.5, {0.5, 0.5}, 0.5}, statistics).is_zero());
-    EXPECT_EQ(statistics[Count::eye_rays], 0U);
+    EXPECT_EQ(statistics[Count::camera_rays], 0U);
 }
 
 }  // namespace

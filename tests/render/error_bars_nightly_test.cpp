@@ -1,7 +1,7 @@
 // Error bars of the default sampler on close-ups: what blocks report against their true spread.
 //
-// 64 renders of 8 rounds each of cognac-2 and cognac-5, few paths a pass so that a ladder of some
-// sets is at work. The ratio of both standard errors, pooled over 16 blocks that share their
+// 64 renders of 8 batches each of cognac-2 and cognac-5, few paths a pass so that a splitting of
+// some sets is at work. The ratio of both standard errors, pooled over 16 blocks that share their
 // brightness's error: its own standard error is between 2 and 9%; within 15%.
 #include "support/films.h"
 #include "support/procedural.h"

@@ -15,25 +15,25 @@ constexpr int kSeeds = 800;
 constexpr std::uint32_t kRounds = 4;
 constexpr int kSize = 4;
 
-/// Brightness of pictures of two rounds, of three and of four, and its error as it is reported.
+/// Brightness of pictures of two batches, of three and of four, and its error as it is reported.
 class Coverage {
 public:
     void add(const Film& film) {
-        if (film.pass_count() % kRoundPasses != 0 || film.rounds() < 2) return;
+        if (film.pass_count() % kBatchPasses != 0 || film.batches() < 2) return;
         const MeanError error = *image_error(film);
-        seen_.at(film.rounds()).push_back({error.mean, widening(film) * error.standard_error});
+        seen_.at(film.batches()).push_back({error.mean, widening(film) * error.standard_error});
     }
 
     /// Two errors hold the mean over all seeds in 95.4% of the pictures; without Student's t in 70,
     /// 82 and 86%. Of 800 pictures the share has a standard error of .74%.
     void check() const {
-        for (std::size_t rounds = 2; rounds <= kRounds; ++rounds) {
+        for (std::size_t batches = 2; batches <= kRounds; ++batches) {
             RunningMean truth;
-            for (const MeanError& one : seen_.at(rounds)) truth.add(one.mean);
+            for (const MeanError& one : seen_.at(batches)) truth.add(one.mean);
             double inside = 0;
-            for (const MeanError& one : seen_.at(rounds))
+            for (const MeanError& one : seen_.at(batches))
                 inside += std::abs(one.mean - truth.mean()) < 2 * one.standard_error ? 1 : 0;
-            EXPECT_NEAR(inside / kSeeds, 0.954, 0.025) << rounds << " rounds";
+            EXPECT_NEAR(inside / kSeeds, 0.954, 0.025) << batches << " rounds";
         }
     }
 
@@ -41,7 +41,7 @@ private:
     std::array<std::vector<MeanError>, kRounds + 1> seen_;
 };
 
-/// Rounds tile wavelengths and camera numbers: passes are not independent, rounds are. Within 10%
+/// Rounds tile wavelengths and camera numbers: passes are not independent, batches are. Within 10%
 /// for the picture's brightness (800 seeds: one standard error of the ratio is 4%) and for pixels.
 TEST(ErrorBars, reported_errors_are_the_true_spread) {
     const Scene scene = scene_of(
@@ -63,7 +63,7 @@ TEST(ErrorBars, reported_errors_are_the_true_spread) {
     for (int seed = 0; seed < kSeeds; ++seed) {
         settings.seed = static_cast<std::uint64_t>(seed);
         Film film(key);
-        for (std::uint32_t p = 0; p < kRounds * kRoundPasses; ++p) {
+        for (std::uint32_t p = 0; p < kRounds * kBatchPasses; ++p) {
             add_pass(film, p, render_pass(scene, settings, p));
             coverage.add(film);
         }

@@ -134,7 +134,7 @@ TEST(FarFromOrigin, a_long_lens_from_a_million_sizes_away_takes_the_same_picture
         const MeanPicture afar = from(sizes);
         EXPECT_NEAR(luminance(afar.mean()) / luminance(near_it.mean()), 1, 0.01);
         EXPECT_NEAR(brightest(afar) / brightest(near_it), 1, 0.15);
-        for (const Count count : {Count::eye_rays, Count::photon_rays})
+        for (const Count count : {Count::camera_rays, Count::photon_rays})
             EXPECT_NEAR(double(afar.statistics[count]) / double(near_it.statistics[count]), 1,
                         0.02);
     }
@@ -148,7 +148,7 @@ TEST(FarFromOrigin, the_caustic_is_as_bright_and_costs_as_many_rays) {
     EXPECT_GT(brightest(near_it), 3 * luminance(near_it.mean()));
     EXPECT_NEAR(luminance(far_off.mean()) / luminance(near_it.mean()), 1, 0.02);
     EXPECT_NEAR(brightest(far_off) / brightest(near_it), 1, 0.15);
-    for (const Count count : {Count::eye_rays, Count::photon_rays})
+    for (const Count count : {Count::camera_rays, Count::photon_rays})
         EXPECT_NEAR(double(far_off.statistics[count]) / double(near_it.statistics[count]), 1, 0.1);
 }
 

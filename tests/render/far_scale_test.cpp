@@ -1,4 +1,4 @@
-// A hole of one millimetre over a plain of ten kilometres in the sun: photons and eye paths both
+// A hole of one millimetre over a plain of ten kilometres in the sun: photons and camera paths both
 // find it where it is, as bright as it should be.
 #include "photon/tracer.h"
 #include "random_numbers/emission_points.h"
@@ -43,12 +43,12 @@ Scene plain() {
                     quad("-5000 -5000 0  5000 -5000 0  5000 5000 0  -5000 5000 0") + screen());
 }
 
-/// Slots of photon paths that start above a small patch: the emission slots move in a window of
-/// the given width around a centre. The share of all paths is the window's area.
+/// Dimensions of photon paths that start above a small patch: the emission dimensions move in a
+/// window of the given width around a centre. The share of all paths is the window's area.
 class Window {
 public:
     Window(const Scene& scene, const Vec2d& target, double width) : width_(width) {
-        for (int step = 0; step < 40; ++step) {  // secants: the map is smooth away from diagonals
+        for (int step = 0; step < 40; ++step) {  // secants: the guide is smooth away from diagonals
             const Vec2d at = ground(scene, center_);
             const double h = 1e-9;
             const Vec2d dx = (ground(scene, center_ + Vec2d(h, 0)) - at) / h;
@@ -66,15 +66,16 @@ public:
         return [this, stream = RandomStream(4, Purpose::test, 0, number)](
                    std::uint32_t index) mutable -> std::uint64_t {
             const std::uint64_t fraction = stream.at(index);
-            if (index > slot(EmissionSlot::position_v)) return fraction;
-            const double center = index == slot(EmissionSlot::position_u) ? center_.x : center_.y;
+            if (index > dimension(EmissionDimension::position_v)) return fraction;
+            const double center =
+                index == dimension(EmissionDimension::position_u) ? center_.x : center_.y;
             const double u = center + (to_unit(fraction) - 0.5) * width_;
             return static_cast<std::uint64_t>(u * 0x1p52) << 12U;
         };
     }
 
 private:
-    /// Where the sun's ray from these slots meets the ground.
+    /// Where the sun's ray from these dimensions meets the ground.
     static Vec2d ground(const Scene& scene, const Vec2d& u) {
         const Emission e = sample_emission(scene.lights()[0], {u.x, u.y, 0.5, 0.5}, scene.sphere());
         const double t = -e.origin.z / e.direction.z;
@@ -119,8 +120,8 @@ TEST(FarScale, photons_pass_a_hole_of_a_millimetre) {
     EXPECT_EQ(outside, 0);
 }
 
-/// The eye's own light samples: a bright square of ten pixels, sharp to a pixel's tenth.
-TEST(FarScale, eye_paths_see_the_hole_on_the_ground) {
+/// The camera's own light samples: a bright square of ten pixels, sharp to a pixel's tenth.
+TEST(FarScale, camera_paths_see_the_hole_on_the_ground) {
     RenderSettings settings;
     settings.photon.paths_per_pass = 1'000;
     settings.transport.max_depth = 1;  // without what screen and ground throw to each other

@@ -18,19 +18,19 @@ Scene foot(double gap, const std::string& albedo) {
                     box({-1.5, -1.5, gap}, {1.5, 1.5, gap + 0.5}));
 }
 
-Estimate brightness(const Scene& scene, int renders, Layer layer = Layer::total) {
+Estimate brightness(const Scene& scene, int renders, Aov aov = Aov::total) {
     RenderSettings settings;
     settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = 20'000;
-    settings.eye.radius = 0.4;
-    settings.layers[static_cast<std::size_t>(Layer::caustic)] = true;
+    settings.camera.radius = 0.4;
+    settings.aovs[static_cast<std::size_t>(Aov::caustic)] = true;
     return Estimate::over(renders, [&](int i) {
         settings.seed = static_cast<std::uint64_t>(i);
-        return luminance(render_mean(scene, settings, 16, layer).mean());
+        return luminance(render_mean(scene, settings, 16, aov).mean());
     });
 }
 
-/// A nearly black table: light crosses the block once, the eye once more.
+/// A nearly black table: light crosses the block once, the camera once more.
 /// L = rho / pi E T^2, T = (1 - R) / (1 + R), R = 0.04; within 1% with 99% confidence.
 TEST(FootOfGlass, a_tenth_of_a_millimetre_above_the_table) {
     const double t = (1 - 0.04) / (1 + 0.04);

@@ -15,7 +15,7 @@ struct Brought {
     double visible_share{};  // of uniform paths
 };
 
-/// By a keyhole scene, over independent renders of a round.
+/// By a keyhole scene, over independent renders of a batch.
 /// @param n  pixels a side.
 Brought brought(RenderSettings settings, int renders, int n,
                 const std::string& name = "keyhole-4") {
@@ -57,8 +57,8 @@ TEST(KeyholeSlow, uniform_photons_bring_the_known_light) {
 }
 
 /// At its default number of paths, where uniform paths and chains would find nothing and the
-/// picture would be black: 99% of the ratio lies within 2% of one, with the lamp (its four slots
-/// depend on each other: slanted boxes must fit them) within 4%.
+/// picture would be black: 99% of the ratio lies within 2% of one, with the lamp (its four
+/// dimensions depend on each other: slanted boxes must fit them) within 4%.
 TEST(KeyholeSlow, maps_bring_the_known_light_where_chains_find_none) {
     for (std::size_t i = 1; i < kKeyholes.size(); ++i) {
         const Keyhole& keyhole = kKeyholes.at(i);

@@ -80,8 +80,8 @@ TEST_P(EveryKeyhole, is_found_from_the_view) {
     settings.photon.paths_per_pass = 50'000;
     const Epoch epoch = learn_epoch(scene, settings, 0);
     ASSERT_EQ(epoch.groups.size(), 1U);
-    const MappedPlan& mapped = epoch.groups[0].mapped;
-    EXPECT_GE(mapped.paths, 5'000U);
+    const GuidedPlan& guided = epoch.groups[0].guided;
+    EXPECT_GE(guided.paths, 5'000U);
     const Aim aim = aim_at_hole(scene, keyhole);
     // Some 6% of what comes through the hole is seen. Through a lamp's map lead many directions.
     const double through_hole = keyhole_truth(keyhole).visible_fraction / 0.06;
@@ -91,14 +91,14 @@ TEST_P(EveryKeyhole, is_found_from_the_view) {
     for (std::uint32_t i = 0; i < kPoints; ++i) {
         AimedReader read(aim, PassId{3, i}.stream(Purpose::test, 0));
         EmissionPoint point;
-        for (std::uint32_t s = 0; s < kMappedSlots; ++s) point[s] = to_unit(read(s));
-        point[slot(aim.first)] = aim.window.middle.x;
-        point[slot(aim.first) + 1] = aim.window.middle.y;
-        rare += mapped.map.density(point) > dense ? 0 : 1;
+        for (std::uint32_t s = 0; s < kGuidedDimensions; ++s) point[s] = to_unit(read(s));
+        point[dimension(aim.first)] = aim.window.middle.x;
+        point[dimension(aim.first) + 1] = aim.window.middle.y;
+        rare += guided.map.density(point) > dense ? 0 : 1;
     }
     EXPECT_LT(rare, kPoints / 16);  // 3% and less at eight seeds
-    settings.photon.emission_maps = false;
-    EXPECT_EQ(learn_epoch(scene, settings, 0).groups[0].mapped.paths, 0U);
+    settings.photon.emission_guide = false;
+    EXPECT_EQ(learn_epoch(scene, settings, 0).groups[0].guided.paths, 0U);
 }
 
 /// Rays of the sun at the edges that triangles of the roof share, and up to a micrometre beside

@@ -1,4 +1,4 @@
-// Every class of light path has one owner: the layers add up exactly, and each class is the same
+// Every class of light path has one owner: the aovs add up exactly, and each class is the same
 // whoever brings it.
 #include "support/renders.h"
 
@@ -9,10 +9,9 @@ namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
-constexpr std::array<Layer, 4> kLight = {Layer::direct, Layer::caustic, Layer::indirect,
-                                         Layer::emission};
+constexpr std::array<Aov, 4> kLight = {Aov::direct, Aov::caustic, Aov::indirect, Aov::emission};
 
-/// A box with a lamp that the eye sees, a ball of glass, a plate of rough metal and a mirror.
+/// A box with a lamp that the camera sees, a ball of glass, a plate of rough metal and a mirror.
 Scene all_classes() {
     return scene_of(
         view("0 -3.8 1  0 0 0.9  0 0 1", 34, 12) + diffuse("0.6 0.6 0.6") +
@@ -31,86 +30,87 @@ RenderSettings settings_for(DirectLight direct) {
     settings.transport.direct = direct;
     settings.transport.max_depth = 12;
     settings.photon.paths_per_pass = 20'000;
-    settings.eye.radius_pixels = 0.5;
-    settings.layers.fill(true);
+    settings.camera.radius_pixels = 0.5;
+    settings.aovs.fill(true);
     settings.seed = 3;
     return settings;
 }
 
-FixedPoint sum_of_layers(const PassImage& image, std::size_t pixel, std::size_t channel) {
+FixedPoint sum_of_aovs(const PassImage& image, std::size_t pixel, std::size_t channel) {
     FixedPoint sum;
-    for (const Layer layer : kLight) sum += image.value(layer, pixel, channel);
+    for (const Aov aov : kLight) sum += image.value(aov, pixel, channel);
     return sum;
 }
 
 /// Of the total, what photons have not brought.
-double by_eye(const PassImage& image, std::size_t pixel, std::size_t channel) {
-    FixedPoint sum = image.value(Layer::total, pixel, channel);
+double by_camera(const PassImage& image, std::size_t pixel, std::size_t channel) {
+    FixedPoint sum = image.value(Aov::total, pixel, channel);
     sum += -image.by_photons(pixel, channel);
     return sum.to_double();
 }
 
-class Layers : public ::testing::TestWithParam<DirectLight> {};
+class Aovs : public ::testing::TestWithParam<DirectLight> {};
 
 /// Discs, and their bias, are of photons alone (film/bias.h): the rest knows nothing of them.
-TEST_P(Layers, what_eye_paths_bring_does_not_depend_on_photons) {
+TEST_P(Aovs, what_camera_paths_bring_does_not_depend_on_photons) {
     const Scene scene = all_classes();
     RenderSettings settings = settings_for(GetParam());
-    settings.photon.noisy_pixels = false;  // how many eye paths there are may depend on photons
+    settings.photon.adaptive_pixels =
+        false;  // how many camera paths there are may depend on photons
     const PassResult many = render_pass(scene, settings, 2);
     settings.photon.paths_per_pass = 500;
-    settings.eye.radius_pixels = 3;
+    settings.camera.radius_pixels = 3;
     const PassResult few = render_pass(scene, settings, 2);
     bool differs = false;
     for (std::size_t i = 0; i < many.image.pixels(); ++i)
         for (std::size_t c = 0; c < 3; ++c) {
-            const double eye = by_eye(many.image, i, c);
-            EXPECT_EQ(eye, by_eye(few.image, i, c)) << i;
+            const double camera = by_camera(many.image, i, c);
+            EXPECT_EQ(camera, by_camera(few.image, i, c)) << i;
             differs = differs || !(many.image.by_photons(i, c) == few.image.by_photons(i, c));
-            const double emission = many.image.value(Layer::emission, i, c).to_double();
-            const double direct = many.image.value(Layer::direct, i, c).to_double();
+            const double emission = many.image.value(Aov::emission, i, c).to_double();
+            const double direct = many.image.value(Aov::direct, i, c).to_double();
             if (GetParam() == DirectLight::photons)
-                EXPECT_EQ(eye, emission) << i;
+                EXPECT_EQ(camera, emission) << i;
             else
-                EXPECT_GE(eye, (emission + direct) * (1 - 1e-12)) << i;
+                EXPECT_GE(camera, (emission + direct) * (1 - 1e-12)) << i;
         }
     EXPECT_TRUE(differs);
 }
 
-TEST_P(Layers, add_up_to_the_picture_exactly) {
+TEST_P(Aovs, add_up_to_the_picture_exactly) {
     const Scene scene = all_classes();
     for (const std::uint32_t number : {0U, 5U}) {
         const PassResult pass = render_pass(scene, settings_for(GetParam()), number);
         for (std::size_t c = 0; c < 3; ++c)
             for (std::size_t i = 0; i < pass.image.pixels(); ++i)
-                ASSERT_EQ(sum_of_layers(pass.image, i, c), pass.image.value(Layer::total, i, c));
-        for (const Layer layer : kLight) {
+                ASSERT_EQ(sum_of_aovs(pass.image, i, c), pass.image.value(Aov::total, i, c));
+        for (const Aov aov : kLight) {
             double seen = 0;
             for (std::size_t i = 0; i < pass.image.pixels(); ++i)
-                seen += luminance(pixel_value(pass.image, i, layer));
+                seen += luminance(pixel_value(pass.image, i, aov));
             EXPECT_GT(seen, 0.05);
         }
     }
 }
 
 /// With one scattering event there is nothing but emission and direct light; with none, emission.
-TEST_P(Layers, depth_cuts_classes_off) {
+TEST_P(Aovs, depth_cuts_classes_off) {
     const Scene scene = all_classes();
     RenderSettings settings = settings_for(GetParam());
-    const auto sum = [&](Layer layer) {
-        return luminance(render_mean(scene, settings, 2, layer).mean());
+    const auto sum = [&](Aov aov) {
+        return luminance(render_mean(scene, settings, 2, aov).mean());
     };
     settings.transport.max_depth = 1;
-    EXPECT_EQ(sum(Layer::caustic), 0);
-    EXPECT_EQ(sum(Layer::indirect), 0);
-    EXPECT_GT(sum(Layer::direct), 0.01);
+    EXPECT_EQ(sum(Aov::caustic), 0);
+    EXPECT_EQ(sum(Aov::indirect), 0);
+    EXPECT_GT(sum(Aov::direct), 0.01);
     settings.transport.max_depth = 0;
-    EXPECT_EQ(sum(Layer::direct), 0);
-    EXPECT_GT(sum(Layer::emission), 0.01);
-    EXPECT_EQ(sum(Layer::emission), sum(Layer::total));
+    EXPECT_EQ(sum(Aov::direct), 0);
+    EXPECT_GT(sum(Aov::emission), 0.01);
+    EXPECT_EQ(sum(Aov::emission), sum(Aov::total));
 }
 
-INSTANTIATE_TEST_SUITE_P(Direct, Layers,
+INSTANTIATE_TEST_SUITE_P(Direct, Aovs,
                          ::testing::Values(DirectLight::sampled, DirectLight::photons),
                          [](const auto& way) {
                              return way.param == DirectLight::sampled ? "sampled" : "photons";
@@ -123,22 +123,22 @@ TEST(LayersAlone, a_bare_floor_has_direct_light_and_a_covered_one_caustics) {
                               diffuse("0.5 0.5 0.5") + quad("-3 -3 0  3 -3 0  3 3 0  -3 3 0");
     RenderSettings settings = settings_for(DirectLight::sampled);
     settings.photon.sampler = PhotonSampler::uniform;
-    const auto sum = [&](const Scene& scene, Layer layer) {
-        return luminance(render_mean(scene, settings, 4, layer).mean());
+    const auto sum = [&](const Scene& scene, Aov aov) {
+        return luminance(render_mean(scene, settings, 4, aov).mean());
     };
     const Scene bare = scene_of(floor);
-    EXPECT_EQ(sum(bare, Layer::caustic), 0);
-    EXPECT_EQ(sum(bare, Layer::indirect), 0);
-    EXPECT_EQ(sum(bare, Layer::emission), 0);
-    EXPECT_EQ(sum(bare, Layer::direct), sum(bare, Layer::total));
+    EXPECT_EQ(sum(bare, Aov::caustic), 0);
+    EXPECT_EQ(sum(bare, Aov::indirect), 0);
+    EXPECT_EQ(sum(bare, Aov::emission), 0);
+    EXPECT_EQ(sum(bare, Aov::direct), sum(bare, Aov::total));
 
     // Under a wide plate of glass that hides the lamp, all light of the floor came through glass.
     const Scene covered =
         scene_of(floor + "Material \"dielectric\"\n" + box({-3, -3, 1.5}, {3, 3, 1.7}));
-    EXPECT_EQ(sum(covered, Layer::direct), 0);
-    EXPECT_EQ(sum(covered, Layer::emission), 0);
-    EXPECT_GT(sum(covered, Layer::caustic), 0.8 * sum(bare, Layer::direct));
-    EXPECT_GT(sum(covered, Layer::indirect), 0);  // floor, glass, floor
+    EXPECT_EQ(sum(covered, Aov::direct), 0);
+    EXPECT_EQ(sum(covered, Aov::emission), 0);
+    EXPECT_GT(sum(covered, Aov::caustic), 0.8 * sum(bare, Aov::direct));
+    EXPECT_GT(sum(covered, Aov::indirect), 0);  // floor, glass, floor
 }
 
 }  // namespace

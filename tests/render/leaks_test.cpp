@@ -15,7 +15,7 @@ RenderSettings with_photons() {
     RenderSettings settings;
     settings.transport.direct = DirectLight::photons;
     settings.photon.paths_per_pass = 50'000;
-    settings.eye.radius = 0.2;
+    settings.camera.radius = 0.2;
     settings.seed = 5;
     return settings;
 }
@@ -38,7 +38,7 @@ TEST(Leaks, a_sheet_lit_from_behind_is_black) {
                 0.01);
 }
 
-/// The lit sheet is a fifth of the disc's radius behind the one that the eye sees, from its dark
+/// The lit sheet is a fifth of the disc's radius behind the one that the camera sees, from its dark
 /// side: its photons are within the disc, but face the other way.
 TEST(Leaks, sheets_close_together_stay_dark) {
     const Scene below = scene_of(view("0 0 -3  0 0 0  0 1 0", 20, 8) + kSunFromAbove +
@@ -46,14 +46,14 @@ TEST(Leaks, sheets_close_together_stay_dark) {
     EXPECT_EQ(render_mean(below, with_photons(), 4).mean(), Vec3d(0));
 }
 
-/// A floor in the shadow of a black sheet, seen by an eye between both. Discs reach up to a quarter
-/// of their radius from their surface: a sheet further away than that lends no light.
+/// A floor in the shadow of a black sheet, seen by an camera between both. Discs reach up to a
+/// quarter of their radius from their surface: a sheet further away than that lends no light.
 TEST(Leaks, a_shadowed_floor_takes_no_photon_of_the_sheet_above_it) {
     const Scene scene =
         scene_of(view("-0.2 0 0.04  0 0 0  0 0 1", 10, 8) + kSunFromAbove + diffuse("0 0 0") +
                  sheet("0.06") + diffuse(".8 .8 .8") + sheet("0"));
     RenderSettings settings = with_photons();
-    settings.eye.radius = 0.22;
+    settings.camera.radius = 0.22;
     const MeanPicture picture = render_mean(scene, settings, 4);
     EXPECT_EQ(picture.mean(), Vec3d(0));
     EXPECT_EQ(picture.statistics[Count::visible_points], 4U * 64U);

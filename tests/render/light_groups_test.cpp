@@ -1,5 +1,5 @@
-// Layers of lights: each light's emission, direct light and photons are in its layer, whoever
-// brings them; asking for layers changes nothing else.
+// Aovs of lights: each light's emission, direct light and photons are in its aov, whoever
+// brings them; asking for aovs changes nothing else.
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
@@ -45,15 +45,15 @@ Scene lit_by(const std::vector<std::size_t>& lights) {
 
 const std::vector<std::size_t> kAll = {0, 1, 2, 3, 4};
 
-/// Layers 0 to 2: lights {0}, {1, 4} and {3}; light 2 is in none, or in a fourth.
-LightLayers layers_of(const Scene& scene, bool with_fourth) {
-    LightLayers layers{{"area", "far", "blue"}, "as the test says", {}};
-    if (with_fourth) layers.names.emplace_back("point");
-    const std::array<std::uint8_t, 5> layer_of = {
-        0, 1, with_fourth ? std::uint8_t{3} : kNoLightLayer, 2, 1};
+/// Aovs 0 to 2: lights {0}, {1, 4} and {3}; light 2 is in none, or in a fourth.
+LightGroups aovs_of(const Scene& scene, bool with_fourth) {
+    LightGroups aovs{{"area", "far", "blue"}, "as the test says", {}};
+    if (with_fourth) aovs.names.emplace_back("point");
+    const std::array<std::uint8_t, 5> aov_of = {0, 1, with_fourth ? std::uint8_t{3} : kNoLightGroup,
+                                                2, 1};
     for (const std::uint32_t statement : scene.stated_in())
-        layers.of_light.push_back(layer_of.at(statement));
-    return layers;
+        aovs.of_light.push_back(aov_of.at(statement));
+    return aovs;
 }
 
 struct Way {
@@ -67,65 +67,64 @@ RenderSettings settings_for(const Way& way) {
     settings.transport.direct = way.direct;
     settings.transport.max_depth = 8;
     settings.photon.paths_per_pass = 10'000;
-    settings.eye.radius_pixels = 0.5;
+    settings.camera.radius_pixels = 0.5;
     settings.seed = 5;
     return settings;
 }
 
-double light_value(const PassImage& image, std::size_t layer, std::size_t i, std::size_t c) {
-    return image.light_value(layer, i, c).to_double();
+double light_value(const PassImage& image, std::size_t aov, std::size_t i, std::size_t c) {
+    return image.light_value(aov, i, c).to_double();
 }
 
-class LightLayersOf : public ::testing::TestWithParam<Way> {};
+class LightGroupsOf : public ::testing::TestWithParam<Way> {};
 
-TEST_P(LightLayersOf, add_up_to_the_picture) {
+TEST_P(LightGroupsOf, add_up_to_the_picture) {
     const Scene scene = lit_by(kAll);
     RenderSettings settings = settings_for(GetParam());
-    settings.transport.light_layers = layers_of(scene, true);
+    settings.transport.light_groups = aovs_of(scene, true);
     const PassResult pass = render_pass(scene, settings, 3);
     std::array<double, 4> seen{};
     for (std::size_t i = 0; i < pass.image.pixels(); ++i)
         for (std::size_t c = 0; c < 3; ++c) {
             double sum = 0;
             double size = 0;
-            for (std::size_t layer = 0; layer < seen.size(); ++layer) {
-                const double value = light_value(pass.image, layer, i, c);
-                seen.at(layer) += value;
+            for (std::size_t aov = 0; aov < seen.size(); ++aov) {
+                const double value = light_value(pass.image, aov, i, c);
+                seen.at(aov) += value;
                 sum += value;
                 size += std::abs(value);
             }
-            const double total = pass.image.value(Layer::total, i, c).to_double();
+            const double total = pass.image.value(Aov::total, i, c).to_double();
             EXPECT_NEAR(sum, total, 1e-5 * size) << i;
         }
     for (const double light : seen) EXPECT_GT(light, 1);
 }
 
-TEST_P(LightLayersOf, change_nothing_else) {
+TEST_P(LightGroupsOf, change_nothing_else) {
     const Scene scene = lit_by(kAll);
     RenderSettings settings = settings_for(GetParam());
     const PassResult plain = render_pass(scene, settings, 1);
-    settings.transport.light_layers = layers_of(scene, false);
+    settings.transport.light_groups = aovs_of(scene, false);
     const PassResult layered = render_pass(scene, settings, 1);
-    EXPECT_EQ(layered.image.light_layers(), 3U);
-    EXPECT_EQ(plain.image.light_layers(), 0U);
+    EXPECT_EQ(layered.image.light_groups(), 3U);
+    EXPECT_EQ(plain.image.light_groups(), 0U);
     EXPECT_EQ(plain.statistics, layered.statistics);
     for (std::size_t i = 0; i < plain.image.pixels(); ++i)
         for (std::size_t c = 0; c < 3; ++c) {
-            EXPECT_EQ(plain.image.value(Layer::total, i, c),
-                      layered.image.value(Layer::total, i, c));
+            EXPECT_EQ(plain.image.value(Aov::total, i, c), layered.image.value(Aov::total, i, c));
             EXPECT_EQ(plain.image.by_photons(i, c), layered.image.by_photons(i, c));
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LightLayersOf,
+INSTANTIATE_TEST_SUITE_P(All, LightGroupsOf,
                          ::testing::Values(Way{PhotonSampler::random, DirectLight::sampled},
                                            Way{PhotonSampler::uniform, DirectLight::photons},
                                            Way{PhotonSampler::adaptive, DirectLight::sampled}),
                          [](const auto& way) { return std::string(name_of(way.param.sampler)); });
 
-/// Of so many passes a piece, the mean luminance of a layer; or of the picture.
+/// Of so many passes a piece, the mean luminance of a aov; or of the picture.
 std::vector<double> luminances(const Scene& scene, const RenderSettings& settings,
-                               std::optional<std::size_t> layer) {
+                               std::optional<std::size_t> aov) {
     constexpr std::uint32_t kPieces = 16;
     constexpr std::uint32_t kPasses = 48;
     std::vector<double> values;
@@ -134,41 +133,40 @@ std::vector<double> luminances(const Scene& scene, const RenderSettings& setting
         for (std::uint32_t p = piece * kPasses; p < (piece + 1) * kPasses; ++p) {
             const PassResult pass = render_pass(scene, settings, p);
             for (std::size_t i = 0; i < pass.image.pixels(); ++i)
-                sum += layer ? luminance({light_value(pass.image, *layer, i, 0),
-                                          light_value(pass.image, *layer, i, 1),
-                                          light_value(pass.image, *layer, i, 2)})
-                             : luminance(pixel_value(pass.image, i));
+                sum += aov ? luminance({light_value(pass.image, *aov, i, 0),
+                                        light_value(pass.image, *aov, i, 1),
+                                        light_value(pass.image, *aov, i, 2)})
+                           : luminance(pixel_value(pass.image, i));
         }
         values.push_back(sum / (kPasses * kSide * kSide));
     }
     return values;
 }
 
-/// A layer holds what its lights bring where there are no others, as a bidirectional path tracer
+/// A aov holds what its lights bring where there are no others, as a bidirectional path tracer
 /// finds it.
-TEST(LightLayers, hold_what_their_lights_bring_alone) {
+TEST(LightGroups, hold_what_their_lights_bring_alone) {
     const Scene scene = lit_by({0, 1, 3});
     RenderSettings settings = settings_for({PhotonSampler::uniform, DirectLight::sampled});
-    settings.eye.radius_pixels = 0.3;
+    settings.camera.radius_pixels = 0.3;
     const std::vector<std::uint32_t>& stated = scene.stated_in();
     RenderSettings reference = settings;
     reference.integrator = Integrator::bdpt;
     for (const std::size_t light : {0U, 1U, 2U}) {
-        settings.transport.light_layers = {{"it"}, "", {}};
+        settings.transport.light_groups = {{"it"}, "", {}};
         for (const std::uint32_t statement : stated)
-            settings.transport.light_layers.of_light.push_back(statement == light ? 0
-                                                                                  : kNoLightLayer);
+            settings.transport.light_groups.of_light.push_back(statement == light ? 0
+                                                                                  : kNoLightGroup);
         const std::size_t alone = std::array<std::size_t, 3>{0, 1, 3}.at(light);
-        const Estimate layer = Estimate::of(luminances(scene, settings, 0));
+        const Estimate aov = Estimate::of(luminances(scene, settings, 0));
         const Estimate apart = Estimate::of(luminances(lit_by({alone}), reference, {}));
-        EXPECT_LT(worst_ratio(layer, apart), 0.04)
-            << light << ": " << layer.mean << " +- " << layer.error << " and " << apart.mean
-            << " +- " << apart.error;
+        EXPECT_LT(worst_ratio(aov, apart), 0.04) << light << ": " << aov.mean << " +- " << aov.error
+                                                 << " and " << apart.mean << " +- " << apart.error;
     }
 }
 
 /// By triangle of a shape, by statement; unnamed lights of scenes that no file states in none.
-TEST(LightLayers, know_where_each_light_is_stated) {
+TEST(LightGroups, know_where_each_light_is_stated) {
     const Scene scene = lit_by(kAll);
     ASSERT_EQ(scene.light_statements().size(), 5U);
     EXPECT_EQ(scene.light_statements()[0].what, "AreaLightSource \"diffuse\"");

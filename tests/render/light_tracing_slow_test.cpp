@@ -19,7 +19,7 @@ void expect_equal(const Scene& scene, Integrator other, const Effort& effort) {
     RenderSettings settings;
     settings.transport.max_depth = 12;
     settings.photon.paths_per_pass = 20'000;
-    settings.eye.radius_pixels = 0.5;
+    settings.camera.radius_pixels = 0.5;
     const Estimate ratio = Estimate::over(effort.renders, [&](int i) {
         settings.seed = static_cast<std::uint64_t>(i);
         settings.integrator = Integrator::light;
@@ -84,7 +84,7 @@ TEST(LightTracing, of_bent_normals) {
     expect_equal(scene, Integrator::path, {24});
 }
 
-/// A caustic of the sun: no path from the eye can find it.
+/// A caustic of the sun: no path from the camera can find it.
 TEST(LightTracing, of_a_caustic) {
     const Scene scene =
         scene_of(view("2 -1 1  .57 -.2 0  0 0 1", 22, 32) +

@@ -17,7 +17,7 @@ protected:
     ManyRanks() {
         settings_.photon.paths_per_pass = 60;
         settings_.transport.direct = DirectLight::photons;  // or there is no noise
-        settings_.layers.fill(true);
+        settings_.aovs.fill(true);
     }
 
     RenderJob job(const StopSettings& stop) const { return {scene_, settings_, stop}; }
@@ -69,7 +69,7 @@ TEST_F(ManyRanks, go_on_from_what_one_has_rendered) {
     expect_same(render(job(passes(0, 50)), {}, among(5, passes(0, 23))), expected);
 }
 
-/// At the round at which one machine ends, though more had been begun.
+/// At the batch at which one machine ends, though more had been begun.
 TEST_F(ManyRanks, end_at_the_same_target_error) {
     StopSettings stop = passes(0, 2000);
     stop.target_error = 0.3;
@@ -136,8 +136,8 @@ TEST_F(ManyRanks, add_their_times_up) {
     on_ranks(6, [&](const Ranks& ranks) {
         RenderState state{Film(key_of(job({}))), {}, 0, 0, 1, {}};
         const RenderJob of_this = job({});
-        SharedTurn turn(of_this, ranks, state);
-        const RankNote all = turn.render(
+        SharedInterval interval(of_this, ranks, state);
+        const RankNote all = interval.render(
             {0, 3},
             [&] {
                 return RankNote{1.0 + ranks.rank, false};

@@ -73,7 +73,7 @@ Estimate brightness_by(Integrator integrator, const Scene& scene) {
     settings.integrator = integrator;
     settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = 20'000;
-    settings.eye.radius = 0.02;
+    settings.camera.radius = 0.02;
     return Estimate::over(4, [&](int seed) {
         settings.seed = static_cast<std::uint64_t>(seed);
         return luminance(render_mean(scene, settings, 16).mean());

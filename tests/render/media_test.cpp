@@ -16,7 +16,7 @@ RenderSettings settings_for(DirectLight direct, Integrator integrator = Integrat
     settings.transport.direct = direct;
     settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = direct == DirectLight::sampled ? 2'000 : 10'000;
-    settings.eye.radius = 0.8;
+    settings.camera.radius = 0.8;
     return settings;
 }
 
@@ -41,7 +41,7 @@ std::string sun() {
     return "LightSource \"distant\" \"point3 from\" [0 0 1] \"point3 to\" [0 0 0]\n";
 }
 
-/// A small part of the floor from straight above, by an eye at that height.
+/// A small part of the floor from straight above, by an camera at that height.
 std::string from_above(double height) {
     return view("0 0 " + std::to_string(height) + "  0 0 0  0 1 0", 2, 4);
 }
@@ -64,7 +64,7 @@ void expect_furnace(RenderSettings settings, int renders) {
         medium("ink", 0.6) + "MediumInterface \"\" \"ink\"\n" + view("0 0 0  0 0 1  0 1 0", 60, 6) +
         "AreaLightSource \"diffuse\" \"spectrum L\" \"stdillum-D65\"\nReverseOrientation\n" +
         diffuse("0.8 0.8 0.8") + "Shape \"sphere\"\n");
-    settings.eye.radius = 0.2;
+    settings.camera.radius = 0.2;
     settings.photon.paths_per_pass = 10'000;
     const Estimate value = brightness(scene, settings, renders);
     EXPECT_LT(worst_ratio(value, {expected, 0}), 0.006) << value.mean / expected;
@@ -72,7 +72,7 @@ void expect_furnace(RenderSettings settings, int renders) {
 
 class Media : public ::testing::TestWithParam<RenderSettings> {
 protected:
-    /// The share of the sun's light on the floor that comes to the eye.
+    /// The share of the sun's light on the floor that comes to the camera.
     static void expect_share(const std::string& text, double share) {
         const Estimate value = brightness(scene_of(text), GetParam(), 8);
         const Estimate expected{kDark / kPiDouble * share, 0};
@@ -94,7 +94,7 @@ TEST_P(Media, pool_over_the_floor) {
                  std::exp(-0.8));
 }
 
-/// Light and eye are in the pool; the eye looks through what lies in it.
+/// Light and camera are in the pool; the camera looks through what lies in it.
 TEST_P(Media, pool_with_something_in_it_around_the_eye) {
     const std::string pool = medium("ink", 0.3) + medium("ice", 1.1);
     expect_share(pool + "MediumInterface \"\" \"ink\"\n" + from_above(1.5) +
@@ -139,7 +139,7 @@ TEST(MediaPhotons, plate_of_dark_glass) {
 }
 
 /// The light of a sky that is beyond endless fog never arrives, by whatever path; neither
-/// does it at an eye in a bubble of clear air.
+/// does it at an camera in a bubble of clear air.
 TEST(MediaPhotons, endless_fog_is_black) {
     const std::string sky =
         "LightSource \"infinite\" \"rgb L\" [1 1 1]\n" + sun() + diffuse("0.5 0.5 0.5");

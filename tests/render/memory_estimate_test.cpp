@@ -23,7 +23,7 @@ protected:
 
 TEST_F(MemoryEstimates, leave_room_for_many_camera_paths_where_noise_may_ask_for_them) {
     EXPECT_GT(estimate().most, 2 * estimate().usual);
-    settings_.photon.noisy_pixels = false;
+    settings_.photon.adaptive_pixels = false;
     EXPECT_EQ(estimate().most, estimate().usual);
     settings_.photon = {};
     settings_.photon.sampler = PhotonSampler::uniform;  // learns nothing
@@ -33,10 +33,10 @@ TEST_F(MemoryEstimates, leave_room_for_many_camera_paths_where_noise_may_ask_for
 TEST_F(MemoryEstimates, count_layers_and_photons) {
     settings_.photon.sampler = PhotonSampler::uniform;
     const std::uint64_t plain = estimate().usual;
-    settings_.layers[static_cast<std::size_t>(Layer::direct)] = true;
+    settings_.aovs[static_cast<std::size_t>(Aov::direct)] = true;
     const std::uint64_t pixels = 500 * 500;
     EXPECT_GT(estimate().usual, plain + 3 * 16 * pixels) << "three exact sums in the film alone";
-    settings_.layers = {};
+    settings_.aovs = {};
     settings_.photon.paths_per_pass = 1000;
     EXPECT_LT(estimate().usual, plain);
     settings_.photon.paths_per_pass = 4'000'000;

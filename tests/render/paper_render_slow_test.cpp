@@ -33,7 +33,7 @@ Film film_of(const Scene& scene, const RenderSettings& settings, std::uint32_t p
 TEST(Paper, same_bytes_with_any_number_of_threads) {
     const Scene scene = procedural("cognac-1", 40);
     RenderSettings settings = paper(150'000);  // several blocks of iterations
-    settings.layers.fill(true);
+    settings.aovs.fill(true);
     std::vector<Film> films;
     for (const std::size_t threads : {1U, 2U, 3U}) {
         const ThreadLimit limit(threads);
@@ -123,12 +123,12 @@ TEST(Paper, images_of_passes_are_differences_of_estimates) {
     EXPECT_LT(radius, 0.9);
 }
 
-/// Rounds are no samples here: no error bars, no layer of errors, no merging.
+/// Rounds are no samples here: no error bars, no aov of errors, no merging.
 TEST_F(PaperFiles, films_have_no_error_bars_and_stay_alone) {
     const Scene scene = one_island();
     const Film film = film_of(scene, paper(500), 64);
     EXPECT_EQ(film.pass_count(), 64U);
-    EXPECT_EQ(film.rounds(), 0U);
+    EXPECT_EQ(film.batches(), 0U);
     EXPECT_TRUE(pixel_errors(film).empty());
     EXPECT_FALSE(image_error(film));
     EXPECT_FALSE(target_error(film, {}));

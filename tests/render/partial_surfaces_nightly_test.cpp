@@ -37,7 +37,7 @@ public:
     void add(int batches) {
         for (int i = 0; i < batches; ++i) {
             std::array<double, kAcross * kAcross> light{};
-            for (std::uint32_t p = 0; p < kRoundPasses; ++p) add_pass(light);
+            for (std::uint32_t p = 0; p < kBatchPasses; ++p) add_pass(light);
             double sum = 0;
             for (std::size_t b = 0; b < light.size(); ++b) {
                 blocks_[b].push_back(light[b]);
@@ -55,7 +55,7 @@ private:
         constexpr std::size_t kWidth = partial_surfaces::kSize;
         for (std::size_t i = 0; i < pass.image.pixels(); ++i)
             light[i / kWidth / kBlock * kAcross + i % kWidth / kBlock] +=
-                luminance(pixel_value(pass.image, i)) / (kBlock * kBlock * kRoundPasses);
+                luminance(pixel_value(pass.image, i)) / (kBlock * kBlock * kBatchPasses);
     }
 
     const Scene& scene_;
@@ -99,10 +99,11 @@ struct Estimator {
 std::vector<Estimator> estimators() {
     std::vector<Estimator> all;
     RenderSettings usual;
-    usual.eye.radius_pixels = 1;
+    usual.camera.radius_pixels = 1;
     usual.photon.paths_per_pass = 10'000;
-    usual.photon.balance = false;  // or passes of later epochs are worth more than earlier ones
-    usual.photon.noisy_pixels = false;
+    usual.photon.photon_budget =
+        false;  // or passes of later epochs are worth more than earlier ones
+    usual.photon.adaptive_pixels = false;
     const auto add = [&](const char* name, const auto& change) {
         all.push_back({name, usual});
         change(all.back().settings);

@@ -26,7 +26,7 @@ TEST(PartialSurfaces, are_as_bright_by_photons_as_by_path_tracing) {
     photons.photon.sampler = PhotonSampler::uniform;
     photons.photon.paths_per_pass = 20'000;
     photons.transport.direct = DirectLight::photons;
-    photons.eye.radius_pixels = 1;
+    photons.camera.radius_pixels = 1;
     const std::vector<std::string> rows = {"alpha_0.5", "white_and_mirror", "alpha_of_an_emitter"};
     std::size_t found = 0;
     for (const PartialScene& row : partial_scenes()) {

@@ -15,7 +15,7 @@ using namespace testing_support;  // NOLINT(google-build-using-namespace): a tes
 
 constexpr int kSize = 40;
 
-/// Brightness over independent renders of a round each.
+/// Brightness over independent renders of a batch each.
 Estimate brightness(const Scene& scene, RenderSettings settings, int renders) {
     return Estimate::over(renders, [&](int i) {
         settings.seed = static_cast<std::uint64_t>(i);
@@ -45,7 +45,7 @@ void expect_equivalent(const Scene& scene, const Effort& effort) {
             << photons.error / photons.mean << ' ' << path.error / path.mean;
     };
     settings.integrator = Integrator::sppm;
-    settings.eye.radius_pixels = 1;
+    settings.camera.radius_pixels = 1;
     settings.photon.sampler = PhotonSampler::uniform;
     settings.photon.paths_per_pass = 40'000;
     settings.transport.direct = DirectLight::sampled;
@@ -101,7 +101,7 @@ TEST(PathEquivalence, floor_lit_through_rough_glass_and_by_rough_metal) {
                       {60, 60, 30, 0.005, 0.01});
 }
 
-/// A lamp behind smooth glass over rough metal: photons bring its light, the eye path must not.
+/// A lamp behind smooth glass over rough metal: photons bring its light, the camera path must not.
 TEST(PathEquivalence, rough_metal_lit_through_smooth_glass) {
     const Scene scene =
         scene_of(view("0 -1 .9  0 0 0  0 0 1", 20, kSize) +

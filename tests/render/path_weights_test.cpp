@@ -16,12 +16,13 @@ double geometric_cosine(const Hit& hit, const Vec3& way) {
     return std::abs(static_cast<double>(hit.normal.dot(way)));
 }
 
-/// A path that an eye subpath found: vertices 0 (next to the camera) to n - 1 (next to the light).
+/// A path that an camera subpath found: vertices 0 (next to the camera) to n - 1 (next to the
+/// light).
 class FoundPath {
 public:
-    FoundPath(const PassScene& scene, const Projection& camera, const Subpath& eye,
+    FoundPath(const PassScene& scene, const Projection& camera, const Subpath& camera,
               const MetLight& met)
-        : eye_(eye.vertices.begin(), eye.vertices.begin() + long(met.vertices)) {
+        : eye_(camera.vertices.begin(), camera.vertices.begin() + long(met.vertices)) {
         end_ = end_densities(scene.scene, met.light, met.ray, eye_.back().hit);
         light_ = eye_;
         for (std::size_t i = 0; i < light_.size(); ++i) {
@@ -32,9 +33,9 @@ public:
                               eye_[at].leaving.is_delta};
             vertex.weighing =
                 i == 0 ? first_of_light(end_)
-                       : next_weighing(light_[at + 1].weighing, light_[at + 1].leaving,
-                                       geometric_cosine(light_[at + 1].hit, way(at)),
-                                       geometric_cosine(vertex.hit, way(at)), distance2(at));
+                       : next_weights(light_[at + 1].weighing, light_[at + 1].leaving,
+                                      geometric_cosine(light_[at + 1].hit, way(at)),
+                                      geometric_cosine(vertex.hit, way(at)), distance2(at));
         }
         const Vec3d first(eye_[0].hit.position);
         const auto sight = camera.sight_of(first, Vec2d(0.5));
@@ -75,16 +76,16 @@ public:
         double sum = 0;
         for (std::size_t light = 0; light <= vertices() + 1; ++light) {
             double density = light == vertices() + 1 ? kLightPaths : 1;
-            const std::size_t by_eye = vertices() + 1 - std::max<std::size_t>(light, 1);
-            for (std::size_t i = 0; i < by_eye; ++i) density *= made_by_eye(i);
+            const std::size_t by_camera = vertices() + 1 - std::max<std::size_t>(light, 1);
+            for (std::size_t i = 0; i < by_camera; ++i) density *= made_by_eye(i);
             if (light == 0) density *= end_.hit * eye_.back().leaving.forward;
             if (light == 1) density *= end_.direct;
-            for (std::size_t i = by_eye; i < vertices(); ++i) density *= made_by_light(i);
+            for (std::size_t i = by_camera; i < vertices(); ++i) density *= made_by_light(i);
             // Across this edge it is joined.
             const auto is_mirror = [&](std::size_t i) {
                 return i < vertices() && eye_[i].leaving.is_delta;
             };
-            if (light > 0 && (is_mirror(by_eye - 1) || is_mirror(by_eye))) density = 0;
+            if (light > 0 && (is_mirror(by_camera - 1) || is_mirror(by_camera))) density = 0;
             all.push_back(density);
             sum += density;
         }
@@ -127,16 +128,16 @@ TEST(PathWeights, of_all_strategies_sum_to_one) {
     const ReferencePass pass{at_wavelengths, transport, {0, 0, 16, 16}, {5, 0}};
     const Projection camera(scene.camera());
     SubpathTracer tracer(pass, camera, kLightPaths);
-    Subpath eye;
+    Subpath camera;
     std::array<int, 9> tested{};
     int mirrors = 0;
     RandomStream random(5, Purpose::test, 0, 0);
     for (std::uint32_t i = 0; i < 60'000; ++i) {
         PathNumbers numbers(RandomStream(5, Purpose::test, 1, i));
-        tracer.trace_eye({random.next() * 16, random.next() * 16}, 0, numbers, eye);
-        for (const MetLight& met : eye.lights) {
+        tracer.trace_eye({random.next() * 16, random.next() * 16}, 0, numbers, camera);
+        for (const MetLight& met : camera.lights) {
             if (met.vertices == 0) continue;
-            const FoundPath path(at_wavelengths, camera, eye, met);
+            const FoundPath path(at_wavelengths, camera, camera, met);
             const auto weights = path.weights();
             const auto expected = path.expected();
             double sum = 0;

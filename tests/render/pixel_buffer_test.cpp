@@ -25,7 +25,7 @@ TEST(Raster, tells_of_all_what_one_pixel_of_each_cell_says) {
     PixelValues pixels(20, 1e9);              // nobody asks
     for (int y = 0; y < cells.down(); ++y)
         for (int x = 0; x < cells.across(); ++x) pixels[cells.pixel_of(x, y)] = x;
-    const PixelValues all = told_of_all(pixels, cells);
+    const PixelValues all = upsampled(pixels, cells);
     ASSERT_EQ(all.size(), 20U);
     EXPECT_EQ(all[0], 1 / 3.0);
     EXPECT_EQ(all[6], 1 / 3.0);

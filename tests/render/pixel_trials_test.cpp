@@ -29,40 +29,40 @@ template <class Ask>
 auto in_a_pass(const Scene& scene, const Ask& ask) {
     const RenderSettings settings;
     const PassScene at_wavelengths(scene, {7, 0});
-    return ask(EyePass{at_wavelengths, settings.transport, settings.eye,
-                       PixelWindow{0, 0, kSide, kSide}, PassId{7, 0}});
+    return ask(CameraPass{at_wavelengths, settings.transport, settings.camera,
+                          PixelWindow{0, 0, kSide, kSide}, PassId{7, 0}});
 }
 
-PixelTrials trials_in(const Scene& scene, const TrialViews& views) {
-    return in_a_pass(scene, [&](const EyePass& pass) {
+PixelTrials trials_in(const Scene& scene, const TrialEffort& views) {
+    return in_a_pass(scene, [&](const CameraPass& pass) {
         return trials_of_pixels(pass, {7, 0}, views);
     });
 }
 
 /// Of the lamp itself, at these wavelengths.
 double brightness_below(const Scene& scene) {
-    return in_a_pass(scene, [](const EyePass& pass) {
+    return in_a_pass(scene, [](const CameraPass& pass) {
         PassImage image(pass.window.pixels(), {});
         Statistics unused;
-        trace_eye_paths(pass, image, unused);
+        trace_camera_paths(pass, image, unused);
         return luminance_of(image).back();
     });
 }
 
-TEST(NetLaw, is_that_of_chance_at_one_half) {
-    const NetLaw chance{0.5};
+TEST(VarianceDecay, is_that_of_chance_at_one_half) {
+    const VarianceDecay chance{0.5};
     EXPECT_EQ(chance.left(0), 1);
     EXPECT_EQ(chance.left(6), 1.0 / 64);
-    EXPECT_EQ(chance.of_round(), 1);
+    EXPECT_EQ(chance.of_batch(), 1);
 }
 
 // Light with an edge: a variance of n^-1.5, so that four paths leave half of what chance does. The
 // law of sixteen is the 1.5th power of that.
-TEST(NetLaw, of_edges_leaves_a_third_in_a_round) {
-    const NetLaw edges{std::pow(0.5, 0.25) / 2};
+TEST(VarianceDecay, of_edges_leaves_a_third_in_a_round) {
+    const VarianceDecay edges{std::pow(0.5, 0.25) / 2};
     EXPECT_NEAR(edges.left(1), 0.42, 0.001);
     EXPECT_NEAR(edges.left(2), 0.177, 0.001);
-    EXPECT_NEAR(edges.of_round(), std::pow(0.5, 1.5), 1e-12);
+    EXPECT_NEAR(edges.of_batch(), std::pow(0.5, 1.5), 1e-12);
 }
 
 // The rim covers .165 of one row of pixels: by the box filter a variance of .138 of the lamp's
@@ -95,8 +95,8 @@ TEST(PixelTrials, know_how_far_nets_help) {
     const PixelTrials trials = trials_in(half_lit(), {8, 1});
     const std::size_t block = 4;  // the middle of 3 x 3
     EXPECT_NEAR(trials.nets.at(block).doubling, 0.80 / 2, 0.035);
-    EXPECT_NE(trials.nets.at(block).doubling, NetLaw{}.doubling) << "measured";
-    EXPECT_EQ(trials.nets.at(0).doubling, NetLaw{}.doubling) << "no noise: as usual";
+    EXPECT_NE(trials.nets.at(block).doubling, VarianceDecay{}.doubling) << "measured";
+    EXPECT_EQ(trials.nets.at(0).doubling, VarianceDecay{}.doubling) << "no noise: as usual";
 }
 
 TEST(PixelTrials, are_none_where_none_are_made) {

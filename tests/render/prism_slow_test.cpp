@@ -1,5 +1,5 @@
-// Glass that splits colours: eye paths and photon paths each keep one wavelength that they choose
-// by themselves, and the picture is right all the same.
+// Glass that splits colours: camera paths and photon paths each keep one wavelength that they
+// choose by themselves, and the picture is right all the same.
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
@@ -23,9 +23,9 @@ double plate(double cos_near, double eta) {
 /// Colour of a floor in white light of irradiance one that comes aslant through a plate, seen
 /// straight through two.
 Vec3 expected(double cos_light, double albedo) {
-    const SpectralCurve eta = *named_spectrum("glass-F11");
-    const SpectralCurve white = SpectralCurve::d65();
-    std::vector<TableCurve::Point> points;
+    const Spectrum eta = *named_spectrum("glass-F11");
+    const Spectrum white = Spectrum::d65();
+    std::vector<TabulatedSpectrum::Point> points;
     for (int i = 360; i <= 830; ++i) {
         const auto nm = static_cast<float>(i);
         const auto n = static_cast<double>(eta(nm));
@@ -33,7 +33,7 @@ Vec3 expected(double cos_light, double albedo) {
         const double share = cos_light * through * albedo / kPiDouble;
         points.push_back({nm, white(nm) * static_cast<float>(share)});
     }
-    return SpectralCurve::table(points).to_rgb();
+    return Spectrum::table(points).to_rgb();
 }
 
 /// Sun falls aslant through a plate of glass onto a nearly black floor, seen straight through the
@@ -48,7 +48,7 @@ TEST(Prism, floor_under_one_plate_and_behind_another) {
         box({-1.2, -0.7, 0.4}, {1.2, 0.7, 0.45}) + box({-0.2, -0.2, 2.4}, {0.2, 0.2, 2.45}));
     RenderSettings settings;
     settings.photon.paths_per_pass = 30'000;
-    settings.eye.radius = 0.08;
+    settings.camera.radius = 0.08;
     const Vec3 colour = expected(std::cos(angle), 0.002);
     std::array<std::vector<double>, 3> ratio;
     for (int i = 0; i < 64; ++i) {
@@ -83,7 +83,7 @@ TEST(Prism, prism_seen_through_a_prism) {
     RenderSettings settings;
     settings.transport.max_depth = 16;
     settings.photon.paths_per_pass = 40'000;
-    settings.eye.radius = 0.05;
+    settings.camera.radius = 0.05;
     const auto channels = [&](Integrator integrator, int renders) {
         settings.integrator = integrator;
         std::array<std::vector<double>, 3> values;

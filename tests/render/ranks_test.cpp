@@ -59,7 +59,7 @@ TEST(Ranks, all_hear_the_text_of_the_lowest_that_has_one) {
 }
 
 TEST(FilmTransfer, a_film_arrives_as_it_is) {
-    std::vector<std::uint32_t> passes = numbers(3, 40);  // a round, and three that are open
+    std::vector<std::uint32_t> passes = numbers(3, 40);  // a batch, and three that are open
     passes.push_back(70);
     const Film film = film_of(small_key(), passes);
     ASSERT_EQ(film.sums().open_groups.size(), 6U);
@@ -70,12 +70,12 @@ TEST(FilmTransfer, a_film_arrives_as_it_is) {
     });
 }
 
-/// docs/clusters.md: 160.5 bytes a pixel, 48.75 for each group of an open round, some hundreds for
-/// the head; 64.25 and 48 without discs; 48 for a layer of lights.
+/// docs/clusters.md: 160.5 bytes a pixel, 48.75 for each group of an open batch, some hundreds for
+/// the head; 64.25 and 48 without discs; 48 for a aov of lights.
 TEST(FilmTransfer, sends_the_sums_and_little_more) {
     FilmKey key = small_key(64, 64);
-    key.layers = {};
-    key.light_layers = {};
+    key.aovs = {};
+    key.light_groups = {};
     const auto sent = [&key](std::uint32_t begin, std::uint32_t end) {
         const Film film = film_of(key, numbers(begin, end));
         return on_ranks(2, [&](const Ranks& ranks) {
@@ -92,21 +92,21 @@ TEST(FilmTransfer, sends_the_sums_and_little_more) {
     EXPECT_NEAR(static_cast<double>(sent(0, 16)), 64.25 * kPixels + 300, 200);
     EXPECT_NEAR(static_cast<double>(sent(0, 20)), (64.25 + 48) * kPixels + 300, 200);
     EXPECT_NEAR(static_cast<double>(sent(5, 20)), (64.25 + 4 * 48) * kPixels + 300, 200);
-    key.light_layers = {"sun", "lamp"};
+    key.light_groups = {"sun", "lamp"};
     EXPECT_NEAR(static_cast<double>(sent(0, 16)), (64.25 + 2 * 48) * kPixels + 300, 200);
 }
 
-void expect_even_blocks(const PassRange& turn, int size) {
-    std::uint64_t next = turn.begin;
-    const std::uint64_t least = turn.size() / static_cast<std::uint64_t>(size);
+void expect_even_blocks(const PassRange& interval, int size) {
+    std::uint64_t next = interval.begin;
+    const std::uint64_t least = interval.size() / static_cast<std::uint64_t>(size);
     for (int rank = 0; rank < size; ++rank) {
-        const PassRange block = block_of(turn, rank, size);
+        const PassRange block = block_of(interval, rank, size);
         EXPECT_EQ(block.begin, next);
         EXPECT_GE(block.size(), least);
         EXPECT_LE(block.size(), least + 1);
         next = block.end;
     }
-    EXPECT_EQ(next, turn.end);
+    EXPECT_EQ(next, interval.end);
 }
 
 TEST(Turns, blocks_are_neighbours_of_even_length) {
@@ -116,9 +116,9 @@ TEST(Turns, blocks_are_neighbours_of_even_length) {
 }
 
 TEST(Turns, are_cut_where_rounds_end) {
-    EXPECT_EQ(cut_at_rounds({0, 16}), (std::vector<PassRange>{{0, 16}}));
-    EXPECT_EQ(cut_at_rounds({5, 9}), (std::vector<PassRange>{{5, 9}}));
-    EXPECT_EQ(cut_at_rounds({14, 50}),
+    EXPECT_EQ(cut_at_batches({0, 16}), (std::vector<PassRange>{{0, 16}}));
+    EXPECT_EQ(cut_at_batches({5, 9}), (std::vector<PassRange>{{5, 9}}));
+    EXPECT_EQ(cut_at_batches({14, 50}),
               (std::vector<PassRange>{{14, 16}, {16, 32}, {32, 48}, {48, 50}}));
     EXPECT_EQ(common({3, 9}, {5, 20}), (PassRange{5, 9}));
     EXPECT_EQ(common({3, 9}, {9, 20}).size(), 0U);
@@ -126,15 +126,15 @@ TEST(Turns, are_cut_where_rounds_end) {
 }
 
 TEST(Turns, are_as_long_as_time_allows) {
-    EXPECT_EQ(passes_of_turn({1, 0.1, 10, false, {}}), 1U) << "alone: a pass";
-    EXPECT_EQ(passes_of_turn({3, 0, 10, false, {}}), 3U) << "nothing known: a pass each";
-    EXPECT_EQ(passes_of_turn({3, 0.5, 10, false, {}}), 60U);
-    EXPECT_EQ(passes_of_turn({3, 0.5, 0.2, false, {}}), 3U);
-    EXPECT_EQ(passes_of_turn({3, 0.5, -5, false, {}}), 3U);
-    EXPECT_EQ(passes_of_turn({3, 0.5, 10, true, {}}), 15U) << "less than a round is lost";
-    EXPECT_EQ(passes_of_turn({100, 0.5, 10, true, {}}), 100U);
-    EXPECT_EQ(passes_of_turn({3, 0.5, 10, false, 7}), 7U);
-    EXPECT_EQ(passes_of_turn({3, 1e-300, 10, false, {}}), 3U << 20U);
+    EXPECT_EQ(passes_of_interval({1, 0.1, 10, false, {}}), 1U) << "alone: a pass";
+    EXPECT_EQ(passes_of_interval({3, 0, 10, false, {}}), 3U) << "nothing known: a pass each";
+    EXPECT_EQ(passes_of_interval({3, 0.5, 10, false, {}}), 60U);
+    EXPECT_EQ(passes_of_interval({3, 0.5, 0.2, false, {}}), 3U);
+    EXPECT_EQ(passes_of_interval({3, 0.5, -5, false, {}}), 3U);
+    EXPECT_EQ(passes_of_interval({3, 0.5, 10, true, {}}), 15U) << "less than a round is lost";
+    EXPECT_EQ(passes_of_interval({100, 0.5, 10, true, {}}), 100U);
+    EXPECT_EQ(passes_of_interval({3, 0.5, 10, false, 7}), 7U);
+    EXPECT_EQ(passes_of_interval({3, 1e-300, 10, false, {}}), 3U << 20U);
 }
 
 }  // namespace

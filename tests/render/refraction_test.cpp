@@ -20,11 +20,11 @@ ShapeDescription plate(const std::array<Vec3, 4>& corners, std::uint32_t materia
 }
 
 /// A sun straight from above; materials 0: black, 1: clear, of that index.
-SceneDescription sun_on(SpectralCurve eta) {
+SceneDescription sun_on(Spectrum eta) {
     SceneDescription scene;
-    scene.materials = {DiffuseMaterial{SpectralCurve::constant(0)},
+    scene.materials = {DiffuseMaterial{Spectrum::constant(0)},
                        DielectricMaterial{std::move(eta), {}}};
-    scene.lights = {DistantLight{SpectralCurve::constant(1), {0, 0, -1}}};
+    scene.lights = {DistantLight{Spectrum::constant(1), {0, 0, -1}}};
     return scene;
 }
 
@@ -39,9 +39,9 @@ void trace(const Scene& scene, PassId id, std::uint32_t paths, int events, const
     bool more = true;
     const auto see = [&](const Photon& photon) {
         if (photon.bounces != events) return;
-        std::size_t lane = 0;
-        while (lane < kLanes && photon.flux[lane] == 0) ++lane;
-        more = visit(pass.wavelengths.nm.at(lane), photon);
+        std::size_t wavelength = 0;
+        while (wavelength < kWavelengths && photon.flux[wavelength] == 0) ++wavelength;
+        more = visit(pass.wavelengths.nm.at(wavelength), photon);
     };
     for (std::uint32_t i = 0; i < paths && more; ++i)
         tracer.trace(IndependentReader(id.stream(Purpose::test, i)), see, rays);
@@ -80,14 +80,14 @@ TEST(Refraction, prism_of_minimum_deviation) {
             std::map<float, double> seen;
             trace(scene, {1, pass}, 3000, 2, [&](float nm, const Photon& photon) {
                 if (photon.position.z == kScreen) seen[nm] = std::atan2(-photon.w.x, photon.w.z);
-                return seen.size() < kLanes;
+                return seen.size() < kWavelengths;
             });
             for (const auto& [nm, angle] : seen)
                 least[nm] = least.contains(nm) ? std::min(least[nm], angle) : angle;
         }
     }
-    EXPECT_EQ(least.size(), 4 * kLanes);
-    const SpectralCurve eta = *named_spectrum("glass-F11");
+    EXPECT_EQ(least.size(), 4 * kWavelengths);
+    const Spectrum eta = *named_spectrum("glass-F11");
     for (const auto& [nm, angle] : least) {
         const auto n = static_cast<double>(eta(nm));
         const double expected = 2 * std::asin(n * std::sin(kApex / 2)) - kApex;
@@ -110,10 +110,10 @@ double water(double nm) {
 
 /// A drop of radius one, and above it a ring that sees what comes back.
 Scene drop() {
-    std::vector<TableCurve::Point> points;
+    std::vector<TabulatedSpectrum::Point> points;
     for (int nm = 350; nm <= 840; nm += 10)
         points.push_back({static_cast<float>(nm), static_cast<float>(water(nm))});
-    SceneDescription scene = sun_on(SpectralCurve::table(points));
+    SceneDescription scene = sun_on(Spectrum::table(points));
     scene.shapes = {{{Sphere{}, Matrix(), false}, 1, {}, {}},
                     {{Disk{1.2, 3, 1.02}, Matrix(), false}, 0, {}, {}}};
     return Scene(std::move(scene));

@@ -10,8 +10,8 @@ namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
-constexpr int kSize = 20;              // two blocks of the eye pass
-constexpr std::uint32_t kPasses = 18;  // a round and a bit
+constexpr int kSize = 20;              // two blocks of the camera pass
+constexpr std::uint32_t kPasses = 18;  // a batch and a bit
 
 std::string scene_text(const std::string& object_material) {
     return view("0 -4 2  0 0 0.5  0 0 1", 40, kSize) +
@@ -26,7 +26,7 @@ RenderSettings settings(Integrator integrator) {
     RenderSettings settings;
     settings.integrator = integrator;
     settings.photon.paths_per_pass = 3'000;
-    settings.layers.fill(true);
+    settings.aovs.fill(true);
     settings.seed = 17;
     return settings;
 }

@@ -1,6 +1,6 @@
 // The samplers agree on whole scenes at equal radii, block by block: of the ratio of brightness
 // with `adaptive` over that with `random` and with `uniform`, the 99% interval lies inside the band
-// that each scene states. Renders are rounds of 16 passes, each with a seed that all samplers
+// that each scene states. Renders are batches of 16 passes, each with a seed that all samplers
 // share: so they share camera rays and direct light, whose noise falls out of the ratio. `random`
 // brings the noise that is left: about 1 / sqrt(visible paths), which sets the numbers of renders
 // (3.2 hours of one core in all).
@@ -60,7 +60,7 @@ protected:
         std::vector<Values> values(static_cast<std::size_t>(blocks * blocks));
         RenderSettings settings;
         settings.photon.sampler = sampler;
-        settings.photon.noisy_pixels = false;  // which `adaptive` alone has: camera rays differ
+        settings.photon.adaptive_pixels = false;  // which `adaptive` alone has: camera rays differ
         for (int i = 0; i < GetParam().renders; ++i) {
             settings.seed = static_cast<std::uint64_t>(i);
             const MeanPicture picture = render_mean(scene, settings, kPasses);

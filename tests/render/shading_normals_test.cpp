@@ -13,7 +13,7 @@ RenderSettings settings_with(DirectLight direct) {
     RenderSettings settings;
     settings.transport = {direct, 1};
     settings.photon.paths_per_pass = 20'000;
-    settings.eye.radius = 0.1;
+    settings.camera.radius = 0.1;
     settings.seed = 8;
     return settings;
 }

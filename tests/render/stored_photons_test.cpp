@@ -84,7 +84,7 @@ TEST(StoredPhotons, lie_on_a_mix_whichever_component_is_met) {
 /// Smooth here and rough there: a photon beside a rough place is stored for it.
 TEST(StoredPhotons, lie_on_smooth_places_of_what_is_rough_elsewhere) {
     const FloatTexture none_here(FloatKind{BilerpKind<FloatTexture>{UvMapping{}, 0, 0, 0, 0}});
-    ConductorMaterial metal{SpectralCurve::constant(0.2F), SpectralCurve::constant(4), {}, {}};
+    ConductorMaterial metal{Spectrum::constant(0.2F), Spectrum::constant(4), {}, {}};
     metal.roughness = {none_here, none_here};
     EXPECT_GT(stored_at(square(kSheet, 4), {metal}).sheet, 500);
     metal.roughness = {0.0F, 0.0F};

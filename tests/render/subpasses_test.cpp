@@ -1,5 +1,5 @@
-// A pass of several draws: their mean, with numbers of their own for photon paths and one net of
-// numbers for all their camera paths.
+// A pass of several subpasses: their mean, with numbers of their own for photon paths and one net
+// of numbers for all their camera paths.
 #include "support/picture_spread.h"
 #include "support/procedural.h"
 #include "support/renders.h"
@@ -11,31 +11,31 @@ namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
-constexpr std::uint32_t kDraws = 4;
+constexpr std::uint32_t kSubpasses = 4;
 constexpr std::uint32_t kPasses = 128;
 
-PictureSpread spread_of_draws(const Scene& scene, const RenderSettings& settings, Layer layer,
-                              std::uint32_t draws) {
+PictureSpread spread_of_subpasses(const Scene& scene, const RenderSettings& settings, Aov aov,
+                                  std::uint32_t subpasses) {
     Epoch epoch = learn_epoch(scene, settings, 0);
-    epoch.draws = draws;
-    return spread_of(scene, settings, epoch, {0, kPasses}, layer);
+    epoch.subpasses = subpasses;
+    return spread_of(scene, settings, epoch, {0, kPasses}, aov);
 }
 
 class Draws : public ::testing::Test {
 protected:
     Draws() {
         settings_.photon.paths_per_pass = 500;
-        settings_.layers[static_cast<std::size_t>(Layer::direct)] = true;
-        settings_.layers[static_cast<std::size_t>(Layer::indirect)] = true;
+        settings_.aovs[static_cast<std::size_t>(Aov::direct)] = true;
+        settings_.aovs[static_cast<std::size_t>(Aov::indirect)] = true;
     }
 
     /// Variances are means over 144 pixels and 128 passes, known to some percent.
-    void expect_mean_of_draws(Layer layer, double least, double most) {
-        expect_mean_of_draws(procedural("cornell", 12), layer, least, most);
+    void expect_mean_of_subpasses(Aov aov, double least, double most) {
+        expect_mean_of_subpasses(procedural("cornell", 12), aov, least, most);
     }
-    void expect_mean_of_draws(const Scene& scene, Layer layer, double least, double most) {
-        const PictureSpread one = spread_of_draws(scene, settings_, layer, 1);
-        const PictureSpread four = spread_of_draws(scene, settings_, layer, kDraws);
+    void expect_mean_of_subpasses(const Scene& scene, Aov aov, double least, double most) {
+        const PictureSpread one = spread_of_subpasses(scene, settings_, aov, 1);
+        const PictureSpread four = spread_of_subpasses(scene, settings_, aov, kSubpasses);
         EXPECT_NEAR(four.mean / one.mean, 1, 0.02);
         EXPECT_GT(four.variance / one.variance, least);
         EXPECT_LT(four.variance / one.variance, most);
@@ -44,36 +44,36 @@ protected:
     RenderSettings settings_;
 };
 
-// Draws that shared their camera paths' numbers would leave the variance as it is; drawn apart they
-// would leave a quarter. They are a net together.
+// Subpasses that shared their camera paths' numbers would leave the variance as it is; drawn apart
+// they would leave a quarter. They are a net together.
 TEST_F(Draws, take_the_camera_paths_noise_away) {
-    expect_mean_of_draws(Layer::direct, 0.05, 0.2);
+    expect_mean_of_subpasses(Aov::direct, 0.05, 0.2);
 }
 
 TEST_F(Draws, take_the_photons_noise_away) {
-    expect_mean_of_draws(Layer::indirect, 0.2, 0.3);
+    expect_mean_of_subpasses(Aov::indirect, 0.2, 0.3);
 }
 
 // Chains that shared their numbers would leave the variance as it is.
 TEST_F(Draws, take_the_chains_noise_away) {
     const Scene scene = procedural("cognac-1", 12);
     settings_.photon.paths_per_pass = 2000;
-    settings_.layers[static_cast<std::size_t>(Layer::caustic)] = true;
-    ASSERT_FALSE(learn_epoch(scene, settings_, 0).groups[0].plan.levels.empty());
-    expect_mean_of_draws(scene, Layer::caustic, 0.15, 0.4);
+    settings_.aovs[static_cast<std::size_t>(Aov::caustic)] = true;
+    ASSERT_FALSE(learn_epoch(scene, settings_, 0).strata[0].plan.levels.empty());
+    expect_mean_of_subpasses(scene, Aov::caustic, 0.15, 0.4);
 }
 
 // Each photon that a visible point takes is a deposit.
 TEST_F(Draws, tell_how_many_photons_a_pixel_took) {
     const Scene scene = procedural("cornell", 12);
-    settings_.layers[static_cast<std::size_t>(Layer::samples)] = true;
+    settings_.aovs[static_cast<std::size_t>(Aov::samples)] = true;
     Epoch epoch = learn_epoch(scene, settings_, 0);
-    for (const std::uint32_t draws : {1U, kDraws}) {
-        epoch.draws = draws;
+    for (const std::uint32_t subpasses : {1U, kSubpasses}) {
+        epoch.subpasses = subpasses;
         const PassResult pass = render_pass(scene, settings_, 0, epoch);
         double taken = 0;
         for (std::size_t i = 0; i < pass.image.pixels(); ++i)
-            taken += pass.image.value(Layer::samples, i, 0).to_double();
+            taken += pass.image.value(Aov::samples, i, 0).to_double();
         EXPECT_EQ(taken, static_cast<double>(pass.statistics[Count::deposits]));
         EXPECT_GT(taken, 0);
     }
@@ -83,17 +83,18 @@ TEST_F(Draws, count_all_their_paths) {
     const Scene scene = procedural("cornell", 12);
     Epoch epoch = learn_epoch(scene, settings_, 0);
     const PassResult one = render_pass(scene, settings_, 0, epoch);
-    epoch.draws = kDraws;
+    epoch.subpasses = kSubpasses;
     const PassResult four = render_pass(scene, settings_, 0, epoch);
-    EXPECT_EQ(four.draws, kDraws);
-    EXPECT_EQ(four.statistics[Count::uniform_paths], kDraws * one.statistics[Count::uniform_paths]);
-    EXPECT_NEAR(static_cast<double>(four.statistics[Count::eye_rays]),
-                kDraws * static_cast<double>(one.statistics[Count::eye_rays]),
-                0.1 * static_cast<double>(four.statistics[Count::eye_rays]));
-    ASSERT_EQ(four.groups.size(), one.groups.size());
-    EXPECT_EQ(four.groups[0].paths, kDraws * one.groups[0].paths);
+    EXPECT_EQ(four.subpasses, kSubpasses);
+    EXPECT_EQ(four.statistics[Count::uniform_paths],
+              kSubpasses * one.statistics[Count::uniform_paths]);
+    EXPECT_NEAR(static_cast<double>(four.statistics[Count::camera_rays]),
+                kSubpasses * static_cast<double>(one.statistics[Count::camera_rays]),
+                0.1 * static_cast<double>(four.statistics[Count::camera_rays]));
+    ASSERT_EQ(four.strata.size(), one.strata.size());
+    EXPECT_EQ(four.strata[0].paths, kSubpasses * one.strata[0].paths);
     EXPECT_NEAR(four.visible_fraction / one.visible_fraction, 1, 0.2);
-    EXPECT_NEAR(four.groups[0].visible_fraction / one.groups[0].visible_fraction, 1, 0.2);
+    EXPECT_NEAR(four.strata[0].visible_fraction / one.strata[0].visible_fraction, 1, 0.2);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ Material "diffuse" "rgb reflectance" [.5 .5 .5] "texture displacement" "t"
     EXPECT_NEAR(luminance(picture.mean(1, 1, 7, 7)), expected, 0.015 * expected);
 }
 
-/// A black sheet of alpha 1/2 in the sun's way (not in the eye's) halves the light of the floor.
+/// A black sheet of alpha 1/2 in the sun's way (not in the camera's) halves the light of the floor.
 TEST_P(ThreeWays, half_a_sheet_halves_the_light) {
     const Scene shaded = scene_of(from_above(0.2) + R"(
 LightSource "distant" "point3 from" [4 0 4] "point3 to" [0 0 0] "rgb L" [1 1 1]

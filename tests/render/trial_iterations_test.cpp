@@ -15,8 +15,9 @@ TEST(TrialRounds, of_views_stand_in_blocks_of_their_own) {
     for (const std::uint32_t epoch : {0U, 1U, 5U}) {
         const PilotName name{7, epoch};
         std::set<std::uint32_t> blocks;
-        for (const std::uint32_t round : {kSeenViewRound, kSecondViewRound, kPixelTrialsRound})
-            blocks.insert(name.round(round).number / kRoundPasses);
+        for (const std::uint32_t batch :
+             {kExploredTrialIteration, kSecondTrialIteration, kPixelTrialsIteration})
+            blocks.insert(name.round(batch).number / kBatchPasses);
         EXPECT_EQ(blocks.size(), 3U) << epoch;
     }
 }
@@ -25,8 +26,8 @@ TEST(TrialRounds, of_views_stand_in_blocks_of_their_own) {
 // net lie in opposite halves: -1/16.
 TEST(TrialRounds, of_views_have_points_that_know_nothing_of_each_other) {
     const PilotName name{7, 1};
-    const auto point = [&](std::uint32_t round, std::uint32_t pixel) {
-        return RoundPoints(name.round(round), pixel).next() - 0.5;
+    const auto point = [&](std::uint32_t batch, std::uint32_t pixel) {
+        return BatchPoints(name.round(batch), pixel).next() - 0.5;
     };
     const auto covariance = [&](std::uint32_t one, std::uint32_t other) {
         double sum = 0;
@@ -34,10 +35,11 @@ TEST(TrialRounds, of_views_have_points_that_know_nothing_of_each_other) {
             sum += point(one, pixel) * point(other, pixel);
         return sum / 4096;
     };
-    EXPECT_NEAR(covariance(kSeenViewRound, kSeenViewRound + 1), -1.0 / 16, 0.004) << "of one net";
-    EXPECT_NEAR(covariance(kSeenViewRound, kSecondViewRound), 0, 0.004);
-    EXPECT_NEAR(covariance(kSeenViewRound, kPixelTrialsRound), 0, 0.004);
-    EXPECT_NEAR(covariance(kSecondViewRound, kPixelTrialsRound), 0, 0.004);
+    EXPECT_NEAR(covariance(kExploredTrialIteration, kExploredTrialIteration + 1), -1.0 / 16, 0.004)
+        << "of one net";
+    EXPECT_NEAR(covariance(kExploredTrialIteration, kSecondTrialIteration), 0, 0.004);
+    EXPECT_NEAR(covariance(kExploredTrialIteration, kPixelTrialsIteration), 0, 0.004);
+    EXPECT_NEAR(covariance(kSecondTrialIteration, kPixelTrialsIteration), 0, 0.004);
 }
 
 }  // namespace

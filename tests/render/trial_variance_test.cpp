@@ -32,9 +32,9 @@ TrialPair pair_of(double mean, const Noise& noise) {
             return (2 * random.next() - 1) * std::sqrt(3 * variance);
         };
         const std::array<double, 2> shared = {of(noise.shared), of(noise.shared)};
-        for (TrialView* view : {&pair.one, &pair.other}) {
-            view->eye.push_back(1 + of(noise.unlit));
-            const double light = view->eye.back() + mean - 1 + of(noise.lit);
+        for (Trial* view : {&pair.one, &pair.other}) {
+            view->camera.push_back(1 + of(noise.unlit));
+            const double light = view->camera.back() + mean - 1 + of(noise.lit);
             for (const std::size_t set : {0U, 1U})
                 view->lit.at(set).push_back(light + shared.at(set) + of(noise.own));
         }
@@ -42,7 +42,7 @@ TrialPair pair_of(double mean, const Noise& noise) {
     return pair;
 }
 
-/// One path each, by chance and with a round's gain left out.
+/// One path each, by chance and with a batch's gain left out.
 PixelTrials by_chance() {
     PixelTrials trials = no_trials(kWindow);
     trials.nets.assign(trials.nets.size(), {0.5});
@@ -50,15 +50,15 @@ PixelTrials by_chance() {
 }
 
 CameraShares four_each() {
-    CameraShares shares{Doublings(kPixels, 2), 4, {}};
-    shares.by_half.fill(shares.doublings);
+    CameraShares shares{Log2Samples(kPixels, 2), 4, {}};
+    shares.by_half.fill(shares.log2_samples);
     return shares;
 }
 
 BlockVariance mean_of(const std::vector<BlockVariance>& blocks) {
     BlockVariance mean;
     for (const BlockVariance& b : blocks) {
-        mean.eye += b.eye / static_cast<double>(blocks.size());
+        mean.camera += b.camera / static_cast<double>(blocks.size());
         mean.photon += b.photon / static_cast<double>(blocks.size());
     }
     return mean;
@@ -71,13 +71,13 @@ BlockVariance measured(const TrialPair& pair, const PixelTrials& trials,
 
 // 4096 pixels: standard errors of some 2% of either variance.
 TEST(TrialVariance, parts_camera_paths_from_photons) {
-    for (const double eye : {0.0, 0.02, 0.2})
+    for (const double camera : {0.0, 0.02, 0.2})
         for (const double photon : {0.0, 0.02, 0.2}) {
-            const TrialPair pair = pair_of(2, {0, eye, 0, photon});
+            const TrialPair pair = pair_of(2, {0, camera, 0, photon});
             const auto blocks = block_variances(kWindow, pair, by_chance(), {});
             ASSERT_EQ(blocks.size(), 16U);
             const BlockVariance mean = mean_of(blocks);
-            EXPECT_NEAR(mean.eye, eye / 4, 0.06 * (eye + photon) / 4 + 1e-12);
+            EXPECT_NEAR(mean.camera, camera / 4, 0.06 * (camera + photon) / 4 + 1e-12);
             EXPECT_NEAR(mean.photon / 1000, photon / 4, 0.06 * photon / 4 + 1e-12);
         }
 }
@@ -86,10 +86,10 @@ TEST(TrialVariance, parts_camera_paths_from_photons) {
 TEST(TrialVariance, photons_alike_in_both_views_stay_for_any_number_of_camera_paths) {
     const TrialPair pair = pair_of(2, {0, 0.01, 0.3, 0.1});
     const BlockVariance one = measured(pair, by_chance(), {});
-    EXPECT_NEAR(one.eye, 0.01 / 4, 1e-3);
+    EXPECT_NEAR(one.camera, 0.01 / 4, 1e-3);
     EXPECT_NEAR(one.photon / 1000, 0.4 / 4, 0.005);
     const BlockVariance four = measured(pair, by_chance(), four_each());
-    EXPECT_NEAR(four.eye, 0.01 / 16, 1e-3 / 4);
+    EXPECT_NEAR(four.camera, 0.01 / 16, 1e-3 / 4);
     EXPECT_NEAR(four.photon / 1000, (0.3 + 0.1 / 4) / 4, 0.005);
 }
 
@@ -97,40 +97,40 @@ TEST(TrialVariance, photons_alike_in_both_views_stay_for_any_number_of_camera_pa
 TEST(TrialVariance, takes_unlit_noise_from_the_pixels_trials) {
     const TrialPair pair = pair_of(2, {0.2, 0.1, 0, 0});
     PixelTrials trials = by_chance();
-    EXPECT_NEAR(measured(pair, trials, {}).eye, 0.3 / 4, 0.004) << "without trials";
+    EXPECT_NEAR(measured(pair, trials, {}).camera, 0.3 / 4, 0.004) << "without trials";
     trials.rays.assign(kPixels, 1);
     trials.variance.fill(PixelValues(kPixels, 7));
-    EXPECT_NEAR(measured(pair, trials, {}).eye, 7.1 / 4, 0.02);
-    EXPECT_NEAR(measured(pair, trials, four_each()).eye, 7.1 / 16, 0.005);
+    EXPECT_NEAR(measured(pair, trials, {}).camera, 7.1 / 4, 0.02);
+    EXPECT_NEAR(measured(pair, trials, four_each()).camera, 7.1 / 16, 0.005);
 }
 
 TEST(TrialVariance, counts_the_gain_of_a_round) {
     const TrialPair pair = pair_of(2, {0, 0.2, 0, 0});
     PixelTrials trials = by_chance();
-    const double chance = measured(pair, trials, {}).eye;
+    const double chance = measured(pair, trials, {}).camera;
     trials.nets.assign(trials.nets.size(), {0.4});
-    EXPECT_NEAR(measured(pair, trials, {}).eye / chance, std::pow(0.8, 6), 1e-9);
-    EXPECT_NEAR(measured(pair, trials, four_each()).eye / chance, std::pow(0.8, 6) * 0.16, 1e-9);
+    EXPECT_NEAR(measured(pair, trials, {}).camera / chance, std::pow(0.8, 6), 1e-9);
+    EXPECT_NEAR(measured(pair, trials, four_each()).camera / chance, std::pow(0.8, 6) * 0.16, 1e-9);
 }
 
 TEST(TrialVariance, is_relative_and_leaves_dark_blocks_out) {
     TrialPair pair = pair_of(2, {0, 0.2, 0, 0.1});
     const BlockVariance before = measured(pair, by_chance(), {});
     const auto dim = [&](const auto& pixels) {
-        for (TrialView* view : {&pair.one, &pair.other})
-            for (PixelValues* values : {&view->eye, &view->lit[0], &view->lit[1]})
+        for (Trial* view : {&pair.one, &pair.other})
+            for (PixelValues* values : {&view->camera, &view->lit[0], &view->lit[1]})
                 pixels([&](std::size_t i) { values->at(i) *= 1e-3; });
     };
     dim([](const auto& visit) {
         for (std::size_t i = 0; i < kPixels; ++i) visit(i);
     });
     const BlockVariance after = measured(pair, by_chance(), {});
-    EXPECT_NEAR(after.eye, before.eye, 1e-9);
+    EXPECT_NEAR(after.camera, before.camera, 1e-9);
     EXPECT_NEAR(after.photon, before.photon, 1e-6);
     dim([](const auto& visit) { BlockGrid(kSize, kSize, kTrialBlock).for_pixels(3, visit); });
     EXPECT_EQ(block_variances(kWindow, pair, by_chance(), {}).size(), 15U);
     pair = pair_of(2, {});
-    for (TrialView* view : {&pair.one, &pair.other}) view->lit.fill(PixelValues(kPixels, 0));
+    for (Trial* view : {&pair.one, &pair.other}) view->lit.fill(PixelValues(kPixels, 0));
     EXPECT_TRUE(block_variances(kWindow, pair, by_chance(), {}).empty());
 }
 
@@ -142,7 +142,7 @@ TEST(TrialVariance, is_that_of_the_pixels_that_both_views_have) {
     for (std::size_t i = 0; i < kPixels; ++i)
         if (!cells.has(i)) pair.other.lit[0][i] = pair.other.lit[1][i] = 0;
     const BlockVariance part = measured(pair, by_chance(), {});
-    EXPECT_NEAR(part.eye / whole.eye, 1, 0.1);
+    EXPECT_NEAR(part.camera / whole.camera, 1, 0.1);
     EXPECT_NEAR(part.photon / whole.photon, 1, 0.1);
 }
 

@@ -23,8 +23,8 @@ struct Points {
     Points(const PassScene& pass, const RenderSettings& settings, Statistics& counts)
         : window(window_of(pass.scene.film())),
           image(window.pixels(), {}),
-          list(joined(trace_eye_paths({pass, settings.transport, settings.eye, window, kId, 1},
-                                      image, counts))),
+          list(joined(trace_camera_paths(
+              {pass, settings.transport, settings.camera, window, kId, 1}, image, counts))),
           max_depth(settings.transport.max_depth),
           index({list}, max_depth) {}
 
@@ -35,13 +35,13 @@ struct Points {
     }
 
     /// Points that take the photon, as the index has it; compared with `thorough` one by one.
-    std::uint64_t takers(const Photon& photon, bool thorough) const {
+    std::uint64_t accepting(const Photon& photon, bool thorough) const {
         std::uint64_t count = 0;
-        const bool taken =
-            testing_support::for_each_taker(index, photon, [&](const VisiblePoint&) { ++count; });
+        const bool taken = testing_support::for_each_accepting(
+            index, photon, [&](const VisiblePoint&) { ++count; });
         EXPECT_EQ(taken, count > 0);
         EXPECT_EQ(taken, index.any(photon));
-        EXPECT_TRUE(!taken || index.may_take(photon));
+        EXPECT_TRUE(!taken || index.may_accept(photon));
         if (thorough) {
             EXPECT_EQ(one_by_one(photon), count);
         }
@@ -66,9 +66,9 @@ Statistics counted_again(const Scene& scene, const RenderSettings& settings) {
     for (std::uint32_t i = 0; i < *settings.photon.paths_per_pass; ++i) {
         std::uint64_t deposits = 0;
         const auto visit = [&](const Photon& photon) {
-            const std::uint64_t takers = points.takers(photon, asked++ % 11 == 0);
-            counts[Count::photons_stored] += takers > 0 ? 1 : 0;
-            deposits += takers;
+            const std::uint64_t accepting = points.accepting(photon, asked++ % 11 == 0);
+            counts[Count::photons_stored] += accepting > 0 ? 1 : 0;
+            deposits += accepting;
             return true;
         };
         std::uint64_t rays = 0;

@@ -1,4 +1,4 @@
-// A wall under tungsten light: balanced to it, the wall is grey.
+// A wall under tungsten light: allocated_budget to it, the wall is grey.
 #include "support/renders.h"
 
 #include <gtest/gtest.h>

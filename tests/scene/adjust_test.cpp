@@ -34,7 +34,7 @@ void expect_screen(const SceneDescription& scene, const Vec2d& low, const Vec2d&
 /// Rough metals and glass, and no coated one.
 TEST(Adjust, energy_compensation_reaches_the_materials) {
     SceneDescription scene;
-    const auto eta = SpectralCurve::constant(1.5F);
+    const auto eta = Spectrum::constant(1.5F);
     const ConductorMaterial metal{eta, eta, {}, {0.2F, 0.2F}};
     scene.materials = {metal, DielectricMaterial{eta, {0.2F, 0.2F}},
                        CoatedConductorMaterial{metal, nullptr}};

@@ -14,7 +14,7 @@ constexpr float kRadiance = 3;
 ShapeDescription emitting(Shape shape, const Matrix& to_world = {}, bool flip = false) {
     return {{std::move(shape), to_world, flip},
             0,
-            AreaEmission{SpectralCurve::constant(kRadiance), false, 0},
+            AreaEmission{Spectrum::constant(kRadiance), false, 0},
             {}};
 }
 

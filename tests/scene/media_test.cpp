@@ -15,7 +15,7 @@ constexpr std::uint32_t kInterface = 2;
 /// Medium 1 absorbs 0.5, medium 2 absorbs 0.25, medium 3 nothing.
 SceneDescription with_media(SceneDescription scene) {
     for (const float sigma : {0.5F, 0.25F, 0.0F})
-        scene.media.absorption.push_back(SpectralCurve::constant(sigma));
+        scene.media.absorption.push_back(Spectrum::constant(sigma));
     return scene;
 }
 
@@ -32,7 +32,7 @@ Hit hit_below(const Scene& scene, float z) {
 }
 
 TEST(Media, left_after_is_beers_law) {
-    Spectrum sigma(0.7F);
+    SampledSpectrum sigma(0.7F);
     sigma[0] = 0;
     EXPECT_FLOAT_EQ(left_after(sigma, 2)[1], std::exp(-1.4F));
     EXPECT_EQ(left_after(sigma, 2)[0], 1);
@@ -42,14 +42,14 @@ TEST(Media, left_after_is_beers_law) {
 
 TEST(Media, absorb_by_wavelength) {
     SceneDescription description = floor_of();
-    const SpectralCurve curve = SpectralCurve::rgb_unbounded({0.1F, 2, 5});
+    const Spectrum curve = Spectrum::rgb_unbounded({0.1F, 2, 5});
     description.media.absorption.push_back(curve);
     const Scene scene(description);
     for (std::uint32_t p = 0; p < 3; ++p) {
         const PassScene pass(scene, {1, p});
-        const Spectrum sigma = curve.at(pass.wavelengths);
-        const Spectrum left = pass.left_after(1, 0.3F);
-        for (std::size_t i = 0; i < kLanes; ++i)
+        const SampledSpectrum sigma = curve.at(pass.wavelengths);
+        const SampledSpectrum left = pass.left_after(1, 0.3F);
+        for (std::size_t i = 0; i < kWavelengths; ++i)
             EXPECT_FLOAT_EQ(left[i], std::exp(-0.3F * sigma[i]));
     }
 }
@@ -97,7 +97,7 @@ TEST(Media, shadow_rays_pass_them) {
 /// Media that all let light pass leave a scene as it would be without them.
 TEST(Media, that_absorb_nothing_are_none) {
     SceneDescription description = floor_of();
-    description.media.absorption.push_back(SpectralCurve::constant(0));
+    description.media.absorption.push_back(Spectrum::constant(0));
     description.shapes.push_back(sheet(1, {1, 0}));
     const Scene scene(description);
     EXPECT_FALSE(scene.has_media());
@@ -126,8 +126,8 @@ TEST(Media, around_lights) {
     ShapeDescription lamp = testing_support::lamp(sheet(-1, {2, 1}), 1);
     lamp.material = 0;
     description.shapes.push_back(lamp);
-    description.lights = {PointLight{SpectralCurve::constant(1), {0, 0, 1}},
-                          DistantLight{SpectralCurve::constant(1), {0, 0, -1}}, InfiniteLight{}};
+    description.lights = {PointLight{Spectrum::constant(1), {0, 0, 1}},
+                          DistantLight{Spectrum::constant(1), {0, 0, -1}}, InfiniteLight{}};
     description.media.at_lights = {{3, 3}};
     description.media.at_camera = 2;
     const Scene scene(description);

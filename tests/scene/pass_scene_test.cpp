@@ -16,13 +16,13 @@ std::shared_ptr<const SurfacePicture> four_texels() {
 }
 
 ShapeDescription pictured(Shape shape, const Matrix& to_world = {}, bool two_sided = true) {
-    AreaEmission emission{SpectralCurve::d65().scaled(3), two_sided, 0, four_texels()};
+    AreaEmission emission{Spectrum::d65().scaled(3), two_sided, 0, four_texels()};
     return {{std::move(shape), to_world, false}, 0, emission, {}};
 }
 
 Scene scene_of(ShapeDescription shape) {
     SceneDescription description;
-    description.materials = {DiffuseMaterial{SpectralCurve::constant(0.5F)}};
+    description.materials = {DiffuseMaterial{Spectrum::constant(0.5F)}};
     description.shapes = {std::move(shape)};
     return Scene(std::move(description));
 }
@@ -99,8 +99,8 @@ TEST(PicturedLights, direct_samples_bring_what_rays_meet) {
             const auto s = light.sample_direct(point, u, {});
             const auto hit = s ? scene.geometry().intersect({point, s->direction}) : std::nullopt;
             if (!hit || std::abs(hit->distance - s->distance) > 1e-4F) continue;  // behind itself
-            const Spectrum met = pass.emitted(index, light, *hit);
-            const Spectrum promised =
+            const SampledSpectrum met = pass.emitted(index, light, *hit);
+            const SampledSpectrum promised =
                 pass.tinted(pass.emission[index] * (s->factor * *s->pdf), s->tint);
             if (std::abs(hit->uv.x - 0.5F) > 0.49F) continue;  // at the seam
             ASSERT_NEAR(met.sum(), promised.sum(), 0.01F * promised.sum()) << i << ' ' << hit->uv;
@@ -130,7 +130,7 @@ TEST(PicturedLights, send_photons_from_where_they_are_bright) {
     std::vector<float> texels(256, 0.0F);
     texels[7 * 16 + 5] = 100;
     texels[2 * 16 + 12] = 300;
-    AreaEmission emission{SpectralCurve::d65(), false, 0,
+    AreaEmission emission{Spectrum::d65(), false, 0,
                           std::make_shared<const SurfacePicture>(Image({16, 16}, 1, texels))};
     const Scene scene = scene_of({{panel(), {}, false}, 0, emission, {}});
     double sum = 0;

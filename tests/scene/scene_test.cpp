@@ -16,7 +16,7 @@ ShapeDescription square(float z, std::uint32_t material) {
 
 ShapeDescription lamp(float z, std::uint32_t material, float radiance) {
     ShapeDescription shape = square(z, material);
-    shape.emission = AreaEmission{SpectralCurve::constant(radiance), false, 0};
+    shape.emission = AreaEmission{Spectrum::constant(radiance), false, 0};
     return shape;
 }
 
@@ -65,10 +65,10 @@ TEST(Scene, interfaces_are_no_obstacle) {
     const Scene scene(std::move(description));
     const Hit floor = down_from(scene, 1.5F);  // past the one that does not emit
     EXPECT_EQ(floor.position.z, 0);
-    EXPECT_FALSE(scene.passes_straight(floor));
+    EXPECT_FALSE(scene.is_null_interface(floor));
     const Hit emitter = down_from(scene, 3);
     EXPECT_EQ(emitter.position.z, 2);
-    EXPECT_TRUE(scene.passes_straight(emitter));
+    EXPECT_TRUE(scene.is_null_interface(emitter));
     EXPECT_TRUE(scene.is_free({{0.2F, 0.3F, 3}, {0, 0, -1}, 2.9F}));
     EXPECT_FALSE(scene.is_free({{0.2F, 0.3F, 3}, {0, 0, -1}, 3.1F}));
 }
@@ -76,9 +76,9 @@ TEST(Scene, interfaces_are_no_obstacle) {
 TEST(Scene, lights_that_no_ray_meets) {
     SceneDescription description = with_materials();
     description.shapes = {square(0, 0)};
-    description.lights = {PointLight{SpectralCurve::constant(1), {0, 0, 1}}};
+    description.lights = {PointLight{Spectrum::constant(1), {0, 0, 1}}};
     EXPECT_FALSE(Scene(description).has_lights_to_meet());
-    description.lights.emplace_back(InfiniteLight{SpectralCurve::constant(1)});
+    description.lights.emplace_back(InfiniteLight{Spectrum::constant(1)});
     const Scene scene(description);
     EXPECT_TRUE(scene.has_lights_to_meet());
     EXPECT_EQ(scene.infinite_lights(), std::vector<std::uint32_t>{1});
@@ -108,7 +108,7 @@ TEST(PassScene, evaluates_every_material_and_light) {
     EXPECT_TRUE(pass.bsdfs[0].has_value());
     EXPECT_FALSE(pass.bsdfs[1].has_value());
     ASSERT_EQ(pass.emission.size(), 2U);
-    EXPECT_EQ(pass.emission[0], Spectrum(2));
+    EXPECT_EQ(pass.emission[0], SampledSpectrum(2));
     EXPECT_NE(pass.wavelengths.nm, PassScene(scene, {3, 8}).wavelengths.nm);
 }
 

@@ -27,7 +27,7 @@ inline ShapeDescription quad(const Corners& corners, std::uint32_t material = 0)
 }
 
 inline ShapeDescription lamp(ShapeDescription shape, float radiance, bool two_sided = false) {
-    shape.emission = AreaEmission{SpectralCurve::constant(radiance), two_sided, 0};
+    shape.emission = AreaEmission{Spectrum::constant(radiance), two_sided, 0};
     return shape;
 }
 
@@ -35,9 +35,8 @@ inline ShapeDescription lamp(ShapeDescription shape, float radiance, bool two_si
 inline SceneDescription floor_of(std::uint32_t material = 0) {
     SceneDescription scene;
     scene.materials = {
-        DiffuseMaterial{SpectralCurve::constant(kAlbedo)},
-        ConductorMaterial{
-            SpectralCurve::constant(0.2F), SpectralCurve::constant(4), {}, {0.3F, 0.3F}},
+        DiffuseMaterial{Spectrum::constant(kAlbedo)},
+        ConductorMaterial{Spectrum::constant(0.2F), Spectrum::constant(4), {}, {0.3F, 0.3F}},
         InterfaceMaterial{}, ThinDielectricMaterial{}};
     scene.shapes = {quad({{{-40, -40, 0}, {40, -40, 0}, {40, 40, 0}, {-40, 40, 0}}}, material)};
     return scene;
@@ -54,7 +53,7 @@ public:
                    .value()),
           vertex_{hit_, Frame(hit_.shading_normal, hit_.tangent), Vec3(0),
                   pass_.bsdf_at(hit_, room_)} {
-        vertex_.w_from = vertex_.frame.to_local(-direction);
+        vertex_.wo = vertex_.frame.to_local(-direction);
     }
     LitPoint(const LitPoint&) = delete;
     LitPoint(LitPoint&&) = delete;
@@ -64,17 +63,17 @@ public:
 
     const Scene& scene() const { return scene_; }
     const PassScene& pass() const { return pass_; }
-    const EyeVertex& vertex() const { return vertex_; }
+    const CameraVertex& vertex() const { return vertex_; }
 
-    /// As EyeSettings has it.
-    void leave_candidates_out() { vertex_.light_candidates = false; }
+    /// As CameraPathSettings has it.
+    void leave_candidates_out() { vertex_.ris = false; }
 
-    Spectrum by_light(const LightNumbers& u, Statistics& statistics) const {
+    SampledSpectrum by_light(const LightNumbers& u, Statistics& statistics) const {
         return sample_lights(pass_, vertex_, u, statistics);
     }
-    Spectrum by_bsdf(const Vec3& u, Statistics& statistics) const {
-        const auto drawn = sample(vertex_.bsdf, vertex_.w_from, {u, Transport::radiance, {}});
-        return drawn ? follow_bsdf_sample(pass_, vertex_, *drawn, statistics) : Spectrum();
+    SampledSpectrum by_bsdf(const Vec3& u, Statistics& statistics) const {
+        const auto drawn = sample(vertex_.bsdf, vertex_.wo, {u, Transport::radiance, {}});
+        return drawn ? follow_bsdf_sample(pass_, vertex_, *drawn, statistics) : SampledSpectrum();
     }
 
 private:
@@ -82,7 +81,7 @@ private:
     PassScene pass_;
     Hit hit_;
     std::optional<Bsdf> room_;
-    EyeVertex vertex_;
+    CameraVertex vertex_;
 };
 
 /// Mean and half width of the 99% interval.
@@ -91,7 +90,8 @@ struct Interval {
     double half = 0;
 };
 
-/// Reflected radiance, lane 0: 32 independent means of jittered samples; Student's t, 31 degrees.
+/// Reflected radiance, wavelength 0: 32 independent means of jittered samples; Student's t, 31
+/// degrees.
 inline Interval reflected(const LitPoint& point) {
     constexpr int kMeans = 32;
     constexpr int kSide = 48;

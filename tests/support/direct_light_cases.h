@@ -27,11 +27,11 @@ inline ShapeDescription quadric(const Shape& shape, const Matrix& to_world, bool
 }
 
 inline InfiniteLight sky(float radiance) {
-    return {SpectralCurve::constant(radiance)};
+    return {Spectrum::constant(radiance)};
 }
 
-/// What kCeiling sends to the eye by way of the vertex: quadrature, 400^2 midpoints of the lamp.
-inline double from_lamp(const EyeVertex& vertex, double radiance) {
+/// What kCeiling sends to the camera by way of the vertex: quadrature, 400^2 midpoints of the lamp.
+inline double from_lamp(const CameraVertex& vertex, double radiance) {
     constexpr int kSide = 400;
     double sum = 0;
     for (int j = 0; j < kSide; ++j)
@@ -39,7 +39,7 @@ inline double from_lamp(const EyeVertex& vertex, double radiance) {
             const Vec3d on(-1 + 2 * (i + 0.5) / kSide, -0.5 + 2 * (j + 0.5) / kSide, 2);
             const Vec3d to = on - kPoint;
             const Vec3 w = vertex.frame.to_local(Vec3(to.normalized()));
-            const Spectrum f = eval(vertex.bsdf, vertex.w_from, w, Transport::radiance);
+            const SampledSpectrum f = eval(vertex.bsdf, vertex.wo, w, Transport::radiance);
             const double cosine = to.z / to.length();
             sum += static_cast<double>(f[0]) * cosine * cosine / to.length2();
         }
@@ -114,7 +114,7 @@ inline std::vector<Case> area_cases() {
 inline std::vector<Case> mixed_cases() {
     const double ceiling = of_quad(kCeiling);
     const double wall = of_quad(kWall);
-    const PointLight bulb{SpectralCurve::constant(4), kPoint + Vec3d(0, 0, 1)};
+    const PointLight bulb{Spectrum::constant(4), kPoint + Vec3d(0, 0, 1)};
     return {
         {"sky", {}, {sky(0.7F)}, 0.7 * kPiDouble},
         {"two_skies", {}, {sky(0.7F), sky(0.2F)}, 0.9 * kPiDouble},
@@ -134,7 +134,7 @@ inline std::vector<Case> mixed_cases() {
          0.5 * kPiDouble + kRadiance * ceiling},
         {"lamps_and_a_point_through_a_lamp",
          {lamp(quad(kCeiling, 2), kRadiance), lamp(quad(kAttic, 2), 1)},
-         {PointLight{SpectralCurve::constant(4), kPoint + Vec3d(0, 0, 4)}},
+         {PointLight{Spectrum::constant(4), kPoint + Vec3d(0, 0, 4)}},
          kRadiance * ceiling + of_quad(kAttic) + 4.0 / 16},
     };
 }

@@ -1,4 +1,4 @@
-// Films of complete rounds, as the default settings make them.
+// Films of complete batches, as the default settings make them.
 #pragma once
 
 #include "render/count_pass.h"
@@ -15,8 +15,8 @@ namespace sunfleck::testing_support {
 using EpochWeights = std::array<std::uint32_t, 3>;
 
 /// @param settings  with a number of photon paths.
-inline Film film_of_rounds(const Scene& scene, const RenderSettings& settings, std::uint32_t rounds,
-                           const EpochWeights& weights = {1, 1, 1}) {
+inline Film film_of_rounds(const Scene& scene, const RenderSettings& settings,
+                           std::uint32_t batches, const EpochWeights& weights = {1, 1, 1}) {
     const PixelWindow window = window_of(scene.film());
     FilmKey key;
     key.width = window.width();
@@ -24,7 +24,7 @@ inline Film film_of_rounds(const Scene& scene, const RenderSettings& settings, s
     Film film(key);
     std::optional<Epoch> epoch;
     RenderSettings of_epoch = settings;
-    for (std::uint32_t p = 0; p < rounds * kRoundPasses; ++p) {
+    for (std::uint32_t p = 0; p < batches * kBatchPasses; ++p) {
         const std::uint32_t weight = weights.at(epoch_of(p));
         if (!epoch || epoch->number != epoch_of(p)) {
             of_epoch.photon.paths_per_pass = weight * settings.photon.paths_per_pass.value();

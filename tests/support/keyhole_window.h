@@ -39,10 +39,10 @@ Window window_on_square(const To& to, double width) {
     return {u, half * 1.2};  // with some room, for the map bends
 }
 
-/// Two slots of the light in a window, all others anywhere.
+/// Two dimensions of the light in a window, all others anywhere.
 struct Aim {
     Window window;
-    EmissionSlot first;  // of the two
+    EmissionDimension first;  // of the two
 };
 
 /// Valid as long as what it aims at.
@@ -52,8 +52,8 @@ public:
 
     std::uint64_t operator()(std::uint32_t index) {
         const std::uint64_t drawn = anywhere_(index);
-        const bool x = index == slot(aim_.first);
-        if (!x && index != slot(aim_.first) + 1) return drawn;
+        const bool x = index == dimension(aim_.first);
+        if (!x && index != dimension(aim_.first) + 1) return drawn;
         const auto& [middle, half] = aim_.window;
         const double place =
             (x ? middle.x : middle.y) + (2 * to_unit(drawn) - 1) * (x ? half.x : half.y);
@@ -82,7 +82,7 @@ inline Aim aim_at_hole(const Scene& scene, const Keyhole& keyhole) {
     };
     const double width = keyhole.width + (sun ? 0 : room.lamp_width);
     return {window_on_square(on_roof, width),
-            sun ? EmissionSlot::position_u : EmissionSlot::direction_u};
+            sun ? EmissionDimension::position_u : EmissionDimension::direction_u};
 }
 
 }  // namespace sunfleck::testing_support

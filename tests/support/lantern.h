@@ -14,9 +14,9 @@ inline SceneDescription lantern() {
         return ShapeDescription{{mesh, Matrix(), false}, material, {}, {}};
     };
     SceneDescription scene;
-    scene.materials = {DiffuseMaterial{SpectralCurve::constant(0.8F)}, ThinDielectricMaterial{}};
+    scene.materials = {DiffuseMaterial{Spectrum::constant(0.8F)}, ThinDielectricMaterial{}};
     scene.shapes = {square(0, 0), square(1, 0), square(0.5F, 1)};
-    scene.lights = {PointLight{SpectralCurve::constant(1), {0, 0, 0.25}}};
+    scene.lights = {PointLight{Spectrum::constant(1), {0, 0, 0.25}}};
     return scene;
 }
 

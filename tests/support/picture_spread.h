@@ -20,8 +20,7 @@ struct Pictures {
 
 /// @param epoch  of all passes, whatever their numbers.
 inline PictureSpread spread_of(const Scene& scene, const RenderSettings& settings,
-                               const Epoch& epoch, const Pictures& pictures,
-                               Layer layer = Layer::total) {
+                               const Epoch& epoch, const Pictures& pictures, Aov aov = Aov::total) {
     const std::size_t pixels = window_of(scene.film()).pixels();
     std::vector<double> sum(pixels, 0);
     std::vector<double> squares(pixels, 0);
@@ -31,7 +30,7 @@ inline PictureSpread spread_of(const Scene& scene, const RenderSettings& setting
         for (std::uint32_t p = 0; p < pictures.passes; ++p) {
             const PassResult pass = render_pass(scene, settings, number++, epoch);
             for (std::size_t i = 0; i < pixels; ++i)
-                light[i] += luminance(pixel_value(pass.image, i, layer)) / pictures.passes;
+                light[i] += luminance(pixel_value(pass.image, i, aov)) / pictures.passes;
         }
         for (std::size_t i = 0; i < pixels; ++i) {
             sum[i] += light[i] / pictures.count;

@@ -11,7 +11,7 @@ struct ReferenceScene {
     const char* name;
     std::string text;
     Integrator other = Integrator::path;  // what finds all its light
-    int rounds = 12;                      // of each integrator
+    int batches = 12;                     // of each integrator
     double tolerance = 0.01;
     bool by_chains = false;  // Metropolis light transport is tested, too
 

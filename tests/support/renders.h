@@ -61,9 +61,9 @@ inline double luminance(const Vec3d& rgb) {
     return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;
 }
 
-inline Vec3d pixel_value(const PassImage& image, std::size_t i, Layer layer = Layer::total) {
-    return {image.value(layer, i, 0).to_double(), image.value(layer, i, 1).to_double(),
-            image.value(layer, i, 2).to_double()};
+inline Vec3d pixel_value(const PassImage& image, std::size_t i, Aov aov = Aov::total) {
+    return {image.value(aov, i, 0).to_double(), image.value(aov, i, 1).to_double(),
+            image.value(aov, i, 2).to_double()};
 }
 
 struct MeanPicture {
@@ -83,9 +83,9 @@ struct MeanPicture {
     }
 };
 
-/// Mean of passes [0, end), of one layer.
+/// Mean of passes [0, end), of one aov.
 inline MeanPicture render_mean(const Scene& scene, const RenderSettings& settings,
-                               std::uint32_t end, Layer layer = Layer::total) {
+                               std::uint32_t end, Aov aov = Aov::total) {
     const PixelWindow window = window_of(scene.film());
     MeanPicture result{
         window.width(), window.height(), std::vector<Vec3d>(window.pixels(), Vec3d(0)), {}};
@@ -94,7 +94,7 @@ inline MeanPicture render_mean(const Scene& scene, const RenderSettings& setting
         if (!epoch || epoch->number != epoch_of(p)) epoch = learn_epoch(scene, settings, p);
         const PassResult pass = render_pass(scene, settings, p, *epoch);
         for (std::size_t i = 0; i < result.rgb.size(); ++i)
-            result.rgb[i] += pixel_value(pass.image, i, layer) / end;
+            result.rgb[i] += pixel_value(pass.image, i, aov) / end;
         result.statistics += pass.statistics;
     }
     return result;

@@ -16,7 +16,7 @@ inline bool is_inside(const Vec3& place, const Box& box) {
 /// Calls found(point) for every point that takes the photon and whose block's box holds it.
 /// @return whether any does.
 template <class Found>
-bool for_each_taker(const VisiblePointIndex& index, const Photon& photon, const Found& found) {
+bool for_each_accepting(const VisiblePointIndex& index, const Photon& photon, const Found& found) {
     constexpr std::size_t kWidth = VisiblePointIndex::kWidth;
     const std::span<const VisiblePoint> points = index.points();
     bool any = false;

@@ -38,7 +38,7 @@ FloatTexture v_itself() {
 TEST(Texture, constants_are_themselves) {
     EXPECT_EQ(FloatTexture(3).at(at_uv(0, 0)), 3);
     EXPECT_TRUE(FloatTexture(3).is_constant());
-    const SpectrumTexture red(SpectralCurve::rgb_albedo({0.8F, 0.1F, 0.1F}));
+    const SpectrumTexture red(Spectrum::rgb_albedo({0.8F, 0.1F, 0.1F}));
     EXPECT_EQ(red.at(at_uv(0, 0), some_wavelengths()), red.curve().at(some_wavelengths()));
     EXPECT_FALSE(u_itself().is_constant());
 }
@@ -151,21 +151,21 @@ TEST(Texture, colours_of_images_become_spectra_by_their_use) {
             .at(at_uv(0, 0), wavelengths);
     };
     const SigmoidTable& table = SigmoidTable::srgb();
-    EXPECT_EQ(value(ColourUse::albedo), Spectrum(1));
+    EXPECT_EQ(value(ColourUse::albedo), SampledSpectrum(1));
     EXPECT_EQ(value(ColourUse::unbounded), table.unbounded({4, 2, 1}, wavelengths));
-    const Spectrum lit = value(ColourUse::illuminant);
-    const Spectrum exact = SpectralCurve::rgb_illuminant({4, 2, 1}).at(wavelengths);
-    for (std::size_t i = 0; i < kLanes; ++i)
+    const SampledSpectrum lit = value(ColourUse::illuminant);
+    const SampledSpectrum exact = Spectrum::rgb_illuminant({4, 2, 1}).at(wavelengths);
+    for (std::size_t i = 0; i < kWavelengths; ++i)
         EXPECT_NEAR(lit[i], exact[i], 0.02F * exact[i] + 0.02F);
 }
 
-TEST(Texture, spectra_are_mixed_lane_by_lane) {
+TEST(Texture, spectra_are_mixed_wavelength_by_wavelength) {
     const Wavelengths wavelengths = some_wavelengths();
-    const SpectralCurve red = SpectralCurve::rgb_albedo({0.8F, 0.1F, 0.1F});
+    const Spectrum red = Spectrum::rgb_albedo({0.8F, 0.1F, 0.1F});
     const SpectrumTexture mix(
-        SpectrumKind{MixKind<SpectrumTexture>{red, SpectralCurve::constant(0.2F), u_itself()}});
-    const Spectrum value = mix.at(at_uv(0.25F, 0), wavelengths);
-    for (std::size_t i = 0; i < kLanes; ++i)
+        SpectrumKind{MixKind<SpectrumTexture>{red, Spectrum::constant(0.2F), u_itself()}});
+    const SampledSpectrum value = mix.at(at_uv(0.25F, 0), wavelengths);
+    for (std::size_t i = 0; i < kWavelengths; ++i)
         EXPECT_FLOAT_EQ(value[i], 0.75F * red.at(wavelengths)[i] + 0.25F * 0.2F);
 }
 
@@ -176,8 +176,8 @@ TEST(Texture, marble_runs_along_y) {
     EXPECT_EQ(value(0, 0.3F), value(7, 0.3F));
     EXPECT_NE(value(0, 0.3F), value(0, 1.3F));
     // t = 0: the first colour; t = 1: the last one; both 1.5 times (0.58, 0.58, 0.6).
-    const Spectrum pale = SigmoidTable::srgb().albedo({0.87F, 0.87F, 0.9F}, wavelengths);
-    for (std::size_t i = 0; i < kLanes; ++i) {
+    const SampledSpectrum pale = SigmoidTable::srgb().albedo({0.87F, 0.87F, 0.9F}, wavelengths);
+    for (std::size_t i = 0; i < kWavelengths; ++i) {
         EXPECT_NEAR(value(0, -kPi / 2)[i], pale[i], 1e-5F);
         EXPECT_NEAR(value(0, kPi / 2)[i], pale[i], 1e-5F);
     }

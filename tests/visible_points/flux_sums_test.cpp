@@ -15,27 +15,27 @@ protected:
         return static_cast<std::uint32_t>(random_.next() * end);
     }
 
-    Spectrum spectrum() {
-        Spectrum s;
-        for (float& lane : s.lane) lane = random_.next_float();
+    SampledSpectrum spectrum() {
+        SampledSpectrum s;
+        for (float& lane : s.values) lane = random_.next_float();
         return s;
     }
 
     /// Of all kinds. No one takes the last one, whose flux is no number.
     SortedPhotons photons(std::uint32_t count) {
-        std::vector<PhotonBatch> batches(1);
+        std::vector<PhotonChunk> chunks(1);
         for (std::uint32_t i = 0; i < count; ++i) {
             Photon photon;
             photon.position = Vec3(static_cast<float>(i), 0, 0);
             photon.kind = static_cast<PhotonKind>(1U << below(4));
             photon.flux = spectrum();
             if (i + 1 == count) {
-                photon.kind = PhotonKind::deep_caustic;  // and so the last one in order, too
-                photon.flux = Spectrum(std::numeric_limits<float>::quiet_NaN());
+                photon.kind = PhotonKind::long_specular_chain;  // and so the last one in order, too
+                photon.flux = SampledSpectrum(std::numeric_limits<float>::quiet_NaN());
             }
-            batches[0].add(photon, i);
+            chunks[0].add(photon, i);
         }
-        return {batches, MortonGrid(Vec3(0), Vec3(static_cast<float>(count), 1, 1))};
+        return {chunks, MortonGrid(Vec3(0), Vec3(static_cast<float>(count), 1, 1))};
     }
 
     std::vector<TakenPhoton> taken(std::uint32_t photons, std::uint32_t count) {
@@ -56,11 +56,11 @@ TEST_P(FluxSums, are_those_of_a_loop) {
         for (const PhotonKind kind : {PhotonKind::direct, PhotonKind::indirect}) {
             const std::uint32_t points = below(256);
             BlockLight expected;
-            for (Spectrum& light : expected) light = spectrum();
+            for (SampledSpectrum& light : expected) light = spectrum();
             BlockLight actual = expected;
             for (const TakenPhoton& t : list)
                 for (std::size_t i = 0; i < expected.size(); ++i)
-                    if ((t.takers & points) >> i & 1U && all[t.photon].kind == kind)
+                    if ((t.accepting & points) >> i & 1U && all[t.photon].kind == kind)
                         expected[i] += all[t.photon].flux;
             add_flux(all, list, kind, points, actual);
             EXPECT_EQ(actual, expected) << count;

@@ -21,7 +21,7 @@ struct Sheet {
         disc.position = {random.next_float(), random.next_float(), 0.02F * random.next_float()};
         disc.normal = normal();
         disc.radius = 0.01F + 0.1F * random.next_float();
-        disc.indirect_reach = 1 + random.next_float();
+        disc.indirect_radius_scale = 1 + random.next_float();
         disc.bounces = below(3);
         disc.kinds = static_cast<std::uint8_t>(below(16));
         disc.both_sides = random.next_float() < 0.3F;
@@ -39,8 +39,8 @@ struct Sheet {
         return points;
     }
 
-    std::vector<PhotonBatch> photons(std::size_t count) {
-        std::vector<PhotonBatch> batches(3);
+    std::vector<PhotonChunk> photons(std::size_t count) {
+        std::vector<PhotonChunk> chunks(3);
         for (std::size_t i = 0; i < count; ++i) {
             const Disc here = disc();
             Photon photon;
@@ -48,9 +48,9 @@ struct Sheet {
             photon.normal = here.normal;
             photon.bounces = below(4);
             photon.kind = static_cast<PhotonKind>(1U << below(4));
-            batches[i % batches.size()].add(photon, static_cast<std::uint32_t>(i));
+            chunks[i % chunks.size()].add(photon, static_cast<std::uint32_t>(i));
         }
-        return batches;
+        return chunks;
     }
 
 private:
@@ -71,12 +71,12 @@ std::vector<Pair> looked_up(const VisiblePointIndex& index, const SortedPhotons&
             const TakenPhotons::Block& here = taken.blocks[block - first];
             unsigned all = 0;
             for (std::size_t t = here.first; t < here.first + here.count; ++t) {
-                all |= taken.list[t].takers;
+                all |= taken.list[t].accepting;
                 for (std::size_t i = 0; i < 8; ++i)
-                    if ((taken.list[t].takers >> i & 1U) != 0)
+                    if ((taken.list[t].accepting >> i & 1U) != 0)
                         pairs.emplace_back(taken.list[t].photon, block * 8 + i);
             }
-            EXPECT_EQ(here.takers, all);
+            EXPECT_EQ(here.accepting, all);
         }
     }
     return pairs;
@@ -101,8 +101,9 @@ TEST_P(Lookup, finds_what_takes_accepts) {
         std::sort(found.begin(), found.end());
         ASSERT_EQ(found, one_by_one(index, photons)) << count;
         for (std::size_t i = 0; i < photons.size(); ++i) {
-            const bool is_deep = photons[i].kind == PhotonKind::deep_caustic;
-            ASSERT_EQ(is_deep, photons.widest_before(i + 1) == PhotonKind::deep_caustic);
+            const bool is_long_chain = photons[i].kind == PhotonKind::long_specular_chain;
+            ASSERT_EQ(is_long_chain,
+                      photons.widest_before(i + 1) == PhotonKind::long_specular_chain);
             const bool taken = std::any_of(found.begin(), found.end(), [&](const Pair& pair) {
                 return std::get<0>(pair) == i;
             });

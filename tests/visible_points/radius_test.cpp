@@ -41,7 +41,7 @@ TEST(RadiusSchedule, area_of_a_round_is_the_mean_over_its_passes) {
             double sum = 0;
             for (std::uint32_t p = 16 * round; p < 16 * round + 16; ++p)
                 sum += std::pow(radius_factor(p, alpha), 2);
-            EXPECT_NEAR(round_area(round, alpha), sum / 16, 1e-14) << round;
+            EXPECT_NEAR(batch_area(round, alpha), sum / 16, 1e-14) << round;
         }
     }
 }

@@ -33,7 +33,7 @@ std::vector<VisiblePoint> random_points(std::uint32_t count, std::uint32_t which
             Vec3(stream.next_float(), stream.next_float(), stream.next_float()) * scale;
         p.disc.radius = 0.05F * scale * (0.1F + stream.next_float());
         p.disc.normal = direction(stream);
-        p.disc.indirect_reach = i % 2 == 0 ? 2.5F : 1;
+        p.disc.indirect_radius_scale = i % 2 == 0 ? 2.5F : 1;
         p.disc.kinds = 15;
         p.disc.both_sides = stream.next_float() < 0.3F;
         p.pixel = i;
@@ -50,7 +50,7 @@ Photon random_photon(const std::vector<VisiblePoint>& points, RandomStream& stre
     photon.normal = (near.normal + direction(stream) * stream.next_float()).normalized();
     if (stream.next_float() < 0.3F) photon.normal = -photon.normal;
     photon.kind = stream.next_float() < 0.5F   ? PhotonKind::indirect
-                  : stream.next_float() < 0.5F ? PhotonKind::deep_caustic
+                  : stream.next_float() < 0.5F ? PhotonKind::long_specular_chain
                                                : PhotonKind::direct;
     const float radius = near.radius_for(photon.kind);
     photon.position = near.position + direction(stream) * (radius * stream.next_float());
@@ -70,7 +70,7 @@ TEST(VisiblePointIndex, finds_what_takes_accepts) {
             for (const VisiblePoint& p : points)
                 if (takes(p.disc, photon, kMaxDepth)) expected.insert(p.pixel);
             std::set<std::uint32_t> actual;
-            const bool any = testing_support::for_each_taker(
+            const bool any = testing_support::for_each_accepting(
                 index, photon,
                 [&](const VisiblePoint& p) { EXPECT_TRUE(actual.insert(p.pixel).second); });
             ASSERT_EQ(actual, expected);
@@ -101,9 +101,9 @@ TEST(VisiblePointIndex, knows_who_shares_a_pixel_and_who_is_plain) {
         EXPECT_EQ((index.plain(at / 8) >> at % 8 & 1U) != 0, straight && p.bsdf == kLambertian);
         EXPECT_EQ(index.radius(at / 8, at % 8, PhotonKind::caustic), p.disc.radius);
         EXPECT_EQ(index.radius(at / 8, at % 8, PhotonKind::indirect),
-                  p.disc.indirect_reach * p.disc.radius);
-        EXPECT_FLOAT_EQ(index.radius(at / 8, at % 8, PhotonKind::deep_caustic),
-                        (2 * p.disc.indirect_reach - 1) * p.disc.radius);
+                  p.disc.indirect_radius_scale * p.disc.radius);
+        EXPECT_FLOAT_EQ(index.radius(at / 8, at % 8, PhotonKind::long_specular_chain),
+                        (2 * p.disc.indirect_radius_scale - 1) * p.disc.radius);
     }
 }
 
@@ -112,9 +112,9 @@ TEST(VisiblePointIndex, empty_takes_nothing) {
     EXPECT_FALSE(index.any(Photon{}));
 }
 
-class Takes : public ::testing::Test {
+class Accepts : public ::testing::Test {
 protected:
-    Takes() {
+    Accepts() {
         disc_.normal = Vec3(0, 0, 1);
         disc_.radius = 1;
         disc_.kinds = static_cast<std::uint8_t>(PhotonKind::caustic);
@@ -125,39 +125,40 @@ protected:
     Photon photon_;
 };
 
-TEST_F(Takes, a_disc_of_its_radius) {
+TEST_F(Accepts, a_disc_of_its_radius) {
     photon_.position = Vec3(0.999F, 0, 0);
     EXPECT_TRUE(takes(disc_, photon_, 4));
     photon_.position = Vec3(1.001F, 0, 0);
     EXPECT_FALSE(takes(disc_, photon_, 4));
 }
 
-TEST_F(Takes, not_a_ball) {
+TEST_F(Accepts, not_a_ball) {
     photon_.position = Vec3(0, 0, 0.24F);
     EXPECT_TRUE(takes(disc_, photon_, 4));
     photon_.position = Vec3(0, 0, 0.26F);
     EXPECT_FALSE(takes(disc_, photon_, 4));
 }
 
-TEST_F(Takes, nothing_from_the_wrong_side) {
+TEST_F(Accepts, nothing_from_the_wrong_side) {
     photon_.normal = Vec3(0, 0, -1);
     EXPECT_FALSE(takes(disc_, photon_, 4));
     disc_.both_sides = true;
     EXPECT_TRUE(takes(disc_, photon_, 4));
 }
 
-TEST_F(Takes, nothing_from_the_wall_beside) {
+TEST_F(Accepts, nothing_from_the_wall_beside) {
     photon_.normal = Vec3(1, 0, 0);
     EXPECT_FALSE(takes(disc_, photon_, 4));
 }
 
-TEST_F(Takes, indirect_photons_and_deep_caustics_in_wider_discs) {
+TEST_F(Accepts, indirect_photons_and_deep_caustics_in_wider_discs) {
     disc_.kinds = 15;
-    disc_.indirect_reach = 3;
-    const std::vector<std::pair<PhotonKind, float>> wanted = {{PhotonKind::direct, 1.0F},
-                                                              {PhotonKind::caustic, 1.0F},
-                                                              {PhotonKind::indirect, 3.0F},
-                                                              {PhotonKind::deep_caustic, 5.0F}};
+    disc_.indirect_radius_scale = 3;
+    const std::vector<std::pair<PhotonKind, float>> wanted = {
+        {PhotonKind::direct, 1.0F},
+        {PhotonKind::caustic, 1.0F},
+        {PhotonKind::indirect, 3.0F},
+        {PhotonKind::long_specular_chain, 5.0F}};
     for (const auto& [kind, reach] : wanted) {
         photon_.kind = kind;
         photon_.position = Vec3(0.999F * reach, 0, 0);
@@ -171,12 +172,12 @@ TEST_F(Takes, indirect_photons_and_deep_caustics_in_wider_discs) {
     }
 }
 
-TEST_F(Takes, only_its_kinds) {
+TEST_F(Accepts, only_its_kinds) {
     photon_.kind = PhotonKind::direct;
     EXPECT_FALSE(takes(disc_, photon_, 4));
 }
 
-TEST_F(Takes, no_path_beyond_the_greatest_depth) {
+TEST_F(Accepts, no_path_beyond_the_greatest_depth) {
     disc_.bounces = 2;
     photon_.bounces = 1;  // with the scattering here: four events
     EXPECT_TRUE(takes(disc_, photon_, 4));
@@ -185,7 +186,7 @@ TEST_F(Takes, no_path_beyond_the_greatest_depth) {
 
 /// On a sphere every photon within the tangential radius is taken, up to radius = 0.8 of the
 /// sphere's: the flat disc alone would lose those that the curvature drops below it.
-TEST_F(Takes, curved_surfaces_lose_nothing) {
+TEST_F(Accepts, curved_surfaces_lose_nothing) {
     const float angle = std::asin(0.79F);
     photon_.normal = Vec3(std::sin(angle), 0, std::cos(angle));
     photon_.position = (photon_.normal - Vec3(0, 0, 1));

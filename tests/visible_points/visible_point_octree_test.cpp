@@ -21,7 +21,7 @@ VisiblePoint point_at(const Vec3& position, float radius) {
     VisiblePoint point;
     point.disc.position = position;
     point.disc.radius = radius;
-    point.disc.indirect_reach = 1.6F;
+    point.disc.indirect_radius_scale = 1.6F;
     point.disc.normal = Vec3(0, 0, 1);
     point.disc.kinds = 15;
     return point;
@@ -47,9 +47,9 @@ std::vector<VisiblePoint> random_points(int count) {
 }
 
 // 200,000 photons that discs take, most of them near the rim: none in a cell that is not full.
-TEST(ViewOctree, whatever_a_disc_takes_is_in_a_full_cell) {
+TEST(VisiblePointOctree, whatever_a_disc_takes_is_in_a_full_cell) {
     const auto points = random_points(500);
-    const ViewOctree octree(points, kCentre, kRadius);
+    const VisiblePointOctree octree(points, kCentre, kRadius);
     RandomStream stream(1, Purpose::test, 1, 0);
     int taken = 0;
     while (taken < 200'000) {
@@ -59,7 +59,7 @@ TEST(ViewOctree, whatever_a_disc_takes_is_in_a_full_cell) {
         photon.normal = disc.normal;
         const float phi = 2 * kPi * stream.next_float();
         constexpr std::array kKinds = {PhotonKind::caustic, PhotonKind::indirect,
-                                       PhotonKind::deep_caustic};
+                                       PhotonKind::long_specular_chain};
         photon.kind = kKinds.at(static_cast<std::size_t>(taken) % kKinds.size());
         const float radius = disc.radius_for(photon.kind);
         const float r = radius * std::sqrt(0.7F + 0.31F * stream.next_float());
@@ -67,16 +67,16 @@ TEST(ViewOctree, whatever_a_disc_takes_is_in_a_full_cell) {
         photon.position = disc.position + Vec3(r * std::cos(phi), r * std::sin(phi), z);
         if (!takes(disc, photon, kMaxDepth)) continue;
         ++taken;
-        ASSERT_EQ(octree.height(photon.position), ViewOctree::kFull) << which;
+        ASSERT_EQ(octree.height(photon.position), VisiblePointOctree::kFull) << which;
     }
 }
 
 // A place D away from a single disc shares no cell with it that is much smaller than D.
-TEST(ViewOctree, heights_fall_with_the_distance) {
+TEST(VisiblePointOctree, heights_fall_with_the_distance) {
     const Vec3 position(3.1F, -4.2F, 0.7F);
     const float radius = 1e-3F;
     const std::array one{point_at(position, radius)};
-    const ViewOctree octree(one, kCentre, kRadius);
+    const VisiblePointOctree octree(one, kCentre, kRadius);
     RandomStream stream(1, Purpose::test, 2, 0);
     double near = 0;
     double far = 0;
@@ -92,10 +92,10 @@ TEST(ViewOctree, heights_fall_with_the_distance) {
     EXPECT_GT(near, 1.5 * far);
 }
 
-TEST(ViewOctree, more_discs_never_lower_a_place) {
+TEST(VisiblePointOctree, more_discs_never_lower_a_place) {
     const auto points = random_points(300);
-    const ViewOctree some({points.begin(), points.begin() + 100}, kCentre, kRadius);
-    const ViewOctree all(points, kCentre, kRadius);
+    const VisiblePointOctree some({points.begin(), points.begin() + 100}, kCentre, kRadius);
+    const VisiblePointOctree all(points, kCentre, kRadius);
     RandomStream stream(1, Purpose::test, 3, 0);
     int higher = 0;
     for (int i = 0; i < 20'000; ++i) {
@@ -107,36 +107,36 @@ TEST(ViewOctree, more_discs_never_lower_a_place) {
 }
 
 // 40,000 discs of all sizes in no order, so that those of all parts lie among each other.
-TEST(ViewOctree, built_in_parts_it_is_the_same) {
+TEST(VisiblePointOctree, built_in_parts_it_is_the_same) {
     auto points = random_points(40'000);
     for (VisiblePoint& point : points) point.disc.radius *= 0.2F;  // or all would be full
     const auto built = [&](std::size_t threads) {
         const ThreadLimit limit(threads);
-        return ViewOctree(points, kCentre, kRadius);
+        return VisiblePointOctree(points, kCentre, kRadius);
     };
-    const ViewOctree whole = built(1);
-    const ViewOctree parts = built(8);
+    const VisiblePointOctree whole = built(1);
+    const VisiblePointOctree parts = built(8);
     RandomStream stream(1, Purpose::test, 4, 0);
-    std::array<int, ViewOctree::kFull + 1> heights{};
+    std::array<int, VisiblePointOctree::kFull + 1> heights{};
     for (int i = 0; i < 200'000; ++i) {
         const Vec3 place = random_place(stream);
         ASSERT_EQ(parts.height(place), whole.height(place));
         ++heights.at(static_cast<std::size_t>(whole.height(place)));
     }
-    EXPECT_GT(heights.at(ViewOctree::kFull), 1000);
+    EXPECT_GT(heights.at(VisiblePointOctree::kFull), 1000);
     EXPECT_GT(std::count_if(heights.begin(), heights.end(), [](int n) { return n > 1000; }), 3);
 }
 
-TEST(ViewOctree, large_discs_small_scenes_and_places_outside) {
+TEST(VisiblePointOctree, large_discs_small_scenes_and_places_outside) {
     const std::array large{point_at(Vec3(0), 500)};
-    const ViewOctree covered(large, kCentre, kRadius);
-    EXPECT_EQ(covered.height(Vec3(9, 9, 9)), ViewOctree::kFull);
-    EXPECT_EQ(covered.height(Vec3(-9, 9, -9)), ViewOctree::kFull);
+    const VisiblePointOctree covered(large, kCentre, kRadius);
+    EXPECT_EQ(covered.height(Vec3(9, 9, 9)), VisiblePointOctree::kFull);
+    EXPECT_EQ(covered.height(Vec3(-9, 9, -9)), VisiblePointOctree::kFull);
     EXPECT_EQ(covered.height(Vec3(1e4F, 0, 0)), 0);
-    const ViewOctree empty({}, kCentre, kRadius);
+    const VisiblePointOctree empty({}, kCentre, kRadius);
     EXPECT_EQ(empty.height(Vec3(0)), 0);
     const std::array small{point_at(Vec3(1), 1e-6F)};
-    const ViewOctree point(small, Vec3d(1), 0);
+    const VisiblePointOctree point(small, Vec3d(1), 0);
     EXPECT_GE(point.height(Vec3(1)), 0);
 }
 

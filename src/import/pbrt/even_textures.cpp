@@ -38,8 +38,8 @@ std::optional<float> even_number(const Statement& statement, const std::string& 
     return mean_over_square([&](const TexturePoint& point) { return texture->at(point); });
 }
 
-std::optional<SpectralCurve> even_curve(const Statement& statement, const std::string& name,
-                                        SpectrumUse use, Assets& assets) {
+std::optional<Spectrum> even_curve(const Statement& statement, const std::string& name,
+                                   SpectrumUse use, Assets& assets) {
     const auto texture = assets.textures.find_spectrum(statement, name, use);
     if (!texture) return {};
     if (texture->is_constant()) return texture->curve();
@@ -52,13 +52,13 @@ std::optional<SpectralCurve> even_curve(const Statement& statement, const std::s
     });
 }
 
-SpectralCurve tabulated(const std::function<float(float)>& value) {
-    std::vector<TableCurve::Point> points;
+Spectrum tabulated(const std::function<float(float)>& value) {
+    std::vector<TabulatedSpectrum::Point> points;
     for (int i = 360; i <= 830; i += 5) {
         const auto nm = static_cast<float>(i);
         points.push_back({nm, value(nm)});
     }
-    return SpectralCurve::table(std::move(points));
+    return Spectrum::table(std::move(points));
 }
 
 }  // namespace sunfleck

@@ -16,10 +16,10 @@ std::optional<float> even_number(const Statement& statement, const std::string& 
                                  Assets& assets);
 
 /// The same of a spectrum, at 5 nm.
-std::optional<SpectralCurve> even_curve(const Statement& statement, const std::string& name,
-                                        SpectrumUse use, Assets& assets);
+std::optional<Spectrum> even_curve(const Statement& statement, const std::string& name,
+                                   SpectrumUse use, Assets& assets);
 
 /// A function of the wavelength as a curve, at 5 nm from 360 to 830.
-SpectralCurve tabulated(const std::function<float(float)>& value);
+Spectrum tabulated(const std::function<float(float)>& value);
 
 }  // namespace sunfleck

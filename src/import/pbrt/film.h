@@ -11,6 +11,6 @@ struct Reading;
 /// @throws Error for a picture of absurd size and for values out of range.
 void finish_film(Reading& reading);
 void finish_filter(Reading& reading);
-void finish_hints(Reading& reading);
+void finish_guide_samples(Reading& reading);
 
 }  // namespace sunfleck

@@ -10,8 +10,7 @@
 namespace sunfleck {
 
 /// The spectrum of that name, or the white of the present colour space.
-inline SpectralCurve emission_of(const Statement& statement, std::string_view name,
-                                 Reading& reading) {
+inline Spectrum emission_of(const Statement& statement, std::string_view name, Reading& reading) {
     return reading.assets.spectra.emission(statement, name, reading.state.colour_space);
 }
 
@@ -28,7 +27,7 @@ inline double factor_by(const Statement& statement, std::string_view name, doubl
     return wanted > 0 ? wanted / at_one : 1;
 }
 
-inline SpectralCurve scaled(const SpectralCurve& curve, double factor) {
+inline Spectrum scaled(const Spectrum& curve, double factor) {
     return curve.scaled(static_cast<float>(std::min(factor, 1e30)));
 }
 

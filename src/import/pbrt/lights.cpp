@@ -60,7 +60,7 @@ Light projection_light(const Statement& statement, Reading& reading) {
     if (!(fov > 0 && fov < 180))
         throw Error(statement.where, "a projection whose \"fov\" makes no picture",
                     "use one in (0, 180)");
-    const SinCos corner = sin_cos_turn(fov / 720);
+    const SinCos corner = sin_cos_2pi(fov / 720);
     const Vec2d size(image.resolution());
     const Vec2d half = size * (corner.sin / corner.cos / std::min(size.x, size.y));
     const auto picture = projected_picture(std::move(image), half);
@@ -68,7 +68,7 @@ Light projection_light(const Statement& statement, Reading& reading) {
     to_world.y = -to_world.y;
     const double at_one = 4 * half.x * half.y * picture->mean();
     const double factor = scale_of(statement) * factor_by(statement, "power", at_one);
-    return ProjectionLight{scaled(SpectralCurve::d65(), factor),
+    return ProjectionLight{scaled(Spectrum::d65(), factor),
                            Affine(reading.still_matrix(statement.where)).origin, half, picture,
                            to_world};
 }
@@ -80,8 +80,8 @@ Light spot_light(const Statement& statement, Reading& reading) {
     if (!(cone > 0 && cone <= 180 && delta >= 0))
         throw Error(statement.where, "a spot whose angles make no cone",
                     "use \"coneangle\" in (0, 180] and \"conedeltaangle\" of 0 or more");
-    const double cos_total = sin_cos_turn(cone / 360).cos;
-    const double cos_start = sin_cos_turn(std::max(cone - delta, 0.0) / 360).cos;
+    const double cos_total = sin_cos_2pi(cone / 360).cos;
+    const double cos_start = sin_cos_2pi(std::max(cone - delta, 0.0) / 360).cos;
     const double solid_angle = 2 * kPiDouble * ((1 - cos_start) + (cos_start - cos_total) / 2);
     const double factor = scale_of(statement) * factor_by(statement, "power", solid_angle);
     return SpotLight{scaled(emission_of(statement, "I", reading), factor),
@@ -100,7 +100,7 @@ Light image_infinite_light(const Statement& statement, Reading& reading) {
     // pbrt-v4 sums 2 pi / texels a texel, half of the solid angle.
     const double at_one = illuminance_from_above(*picture) / 2;
     const double factor = scale_of(statement) * factor_by(statement, "illuminance", at_one);
-    return ImageInfiniteLight{scaled(SpectralCurve::d65(), factor), picture,
+    return ImageInfiniteLight{scaled(Spectrum::d65(), factor), picture,
                               turn_of(statement, reading)};
 }
 

@@ -21,7 +21,7 @@ public:
     /// MakeNamedMaterial. @throws Error for a name made before, or an unknown type.
     void make(const std::string& name, Statement statement);
 
-    /// Marks a slot as that of a shape: its name must be made before the end.
+    /// VisibleFlags a slot as that of a shape: its name must be made before the end.
     void use(std::uint32_t slot) { slots_[slot].used = true; }
     /// The statement that made the name. @throws Error when there is none.
     const Statement& named(const std::string& name, const SourceLocation& from) const;

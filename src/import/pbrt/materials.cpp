@@ -30,19 +30,19 @@ Roughness roughness_of(const Statement& statement, const std::string& prefix, As
 }
 
 /// An index of refraction: "float eta" or a spectrum.
-SpectralCurve eta_of(const Statement& statement, Assets& assets) {
+Spectrum eta_of(const Statement& statement, Assets& assets) {
     const Parameter* found = statement.find("eta");
-    if (!found) return SpectralCurve::constant(1.5F);
+    if (!found) return Spectrum::constant(1.5F);
     if (found->type != ParameterType::real) return assets.spectra.curve(*found, SpectrumUse::index);
     const auto eta = static_cast<float>(*statement.real("eta"));
-    if (eta > 0) return SpectralCurve::constant(eta);
+    if (eta > 0) return Spectrum::constant(eta);
     throw Error(found->where, "an index of refraction that is not positive",
                 "use 1.5 for glass, or another number above 0");
 }
 
 DiffuseMaterial diffuse_by(const Statement& statement, std::string_view name, Assets& assets) {
     const auto colour = assets.textures.find_spectrum(statement, name, SpectrumUse::reflectance);
-    return {colour.value_or(SpectralCurve::constant(kGrey))};
+    return {colour.value_or(Spectrum::constant(kGrey))};
 }
 
 Material diffuse(const Statement& statement, Assets& assets) {
@@ -105,7 +105,7 @@ Material diffuse_transmission(const Statement& statement, Assets& assets) {
         throw Error(statement.find("scale")->where, "\"scale\" is negative", "use 0 or more");
     const auto part = [&](std::string_view name) {
         const auto given = assets.textures.find_spectrum(statement, name, SpectrumUse::reflectance);
-        return scaled(given.value_or(SpectralCurve::constant(0.25F)), static_cast<float>(scale));
+        return scaled(given.value_or(Spectrum::constant(0.25F)), static_cast<float>(scale));
     };
     return DiffuseTransmissionMaterial{part("reflectance"), part("transmittance")};
 }

@@ -87,10 +87,10 @@ MeasuredSummary summary_of_measured(const std::string& bytes, const SourceLocati
         throw Error(from, "the file of measurements has spectra of another shape than its axes",
                     "get the file again");
     const std::vector<float> albedo = albedo_of(spectra, weights_of(angles));
-    std::vector<TableCurve::Point> points;
+    std::vector<TabulatedSpectrum::Point> points;
     for (std::size_t i = 0; i < wavelengths.size(); ++i)
         points.push_back({wavelengths[i], std::min(albedo[i], 1.0F)});
-    return {SpectralCurve::table(std::move(points)), median_slope(tensors.at("ndf"))};
+    return {Spectrum::table(std::move(points)), median_slope(tensors.at("ndf"))};
 }
 
 }  // namespace sunfleck

@@ -9,8 +9,8 @@
 namespace sunfleck {
 
 struct MeasuredSummary {
-    SpectralCurve albedo;  // of evenly spread light, in [0,1]
-    float alpha = 1;       // of GGX facets of which half are tilted as little as half of these are
+    Spectrum albedo;  // of evenly spread light, in [0,1]
+    float alpha = 1;  // of GGX facets of which half are tilted as little as half of these are
 };
 
 /// @param bytes  of a .bsdf file with spectra. @throws Error  (place `from`) for a broken one.

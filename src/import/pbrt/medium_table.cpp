@@ -16,30 +16,30 @@ constexpr std::array<std::string_view, 5> kTypes = {"homogeneous", "uniformgrid"
 
 /// What a medium does to light, per unit of length.
 struct Coefficients {
-    SpectralCurve absorption;
-    SpectralCurve scattering;
+    Spectrum absorption;
+    Spectrum scattering;
 };
 
 Coefficients coefficients_of(const Statement& medium, SpectrumReader& spectra) {
     if (const auto preset = medium.text("preset"); preset && !preset->empty()) {
         const Substance& substance = substance_of(*preset, medium.find("preset")->where);
-        return {SpectralCurve::rgb_unbounded(substance.absorption),
-                SpectralCurve::rgb_unbounded(substance.scattering)};
+        return {Spectrum::rgb_unbounded(substance.absorption),
+                Spectrum::rgb_unbounded(substance.scattering)};
     }
     const auto curve = [&](std::string_view name) {
         return spectra.find(medium, name, SpectrumUse::unbounded)
-            .value_or(SpectralCurve::constant(1));  // pbrt-v4's default
+            .value_or(Spectrum::constant(1));  // pbrt-v4's default
     };
     return {curve("sigma_a"), curve("sigma_s")};
 }
 
-bool is_dark(const SpectralCurve& curve) {
+bool is_dark(const Spectrum& curve) {
     return !(curve.luminance() > 0);
 }
 
 /// What is not simulated is told.
-SpectralCurve absorption_of(const std::string& name, const Statement& medium,
-                            SpectrumReader& spectra, ImportLog& log) {
+Spectrum absorption_of(const std::string& name, const Statement& medium, SpectrumReader& spectra,
+                       ImportLog& log) {
     const auto warn = [&](const std::string& what) {
         log.warn(medium.where, "medium " + in_quotes(name) + " " + what);
     };

@@ -83,7 +83,7 @@ struct Statement {
     /// `count` numbers. @param count  0: any.
     std::optional<std::vector<double>> reals(std::string_view name, std::size_t count) const;
 
-    /// Marks parameters that are known to have no meaning here.
+    /// VisibleFlags parameters that are known to have no meaning here.
     void ignore(std::initializer_list<std::string_view> names) const;
     void ignore_all() const;
     /// Own parameters that no lookup asked for.

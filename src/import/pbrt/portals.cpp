@@ -49,7 +49,7 @@ PortalLight placed(const Parameter& portal) {
 Light portal_light(const Statement& statement, Reading& reading) {
     PortalLight light = placed(*statement.find("portal", ParameterType::point3));
     if (!statement.find("filename")) {
-        const SpectralCurve curve = emission_of(statement, "L", reading);
+        const Spectrum curve = emission_of(statement, "L", reading);
         // pbrt-v4 makes a picture of one texel, in its zenith, and adds that up.
         const double at_one = 2 * kPiDouble * static_cast<double>(curve.luminance());
         light.curve =
@@ -60,8 +60,8 @@ Light portal_light(const Statement& statement, Reading& reading) {
     }
     const Image image = directions_image(statement, reading);
     const double at_one = illuminance_from_above(LightPicture(image)) / 2;
-    light.curve = scaled(SpectralCurve::d65(),
-                         scale_of(statement) * factor_by(statement, "illuminance", at_one));
+    light.curve =
+        scaled(Spectrum::d65(), scale_of(statement) * factor_by(statement, "illuminance", at_one));
     const Affine turn = turn_of(statement, reading);
     const auto sky = [&](const Vec3d& w) {
         const Vec3d world = light.frame.vector(w);

@@ -14,7 +14,7 @@
 namespace sunfleck {
 namespace {
 
-using Points = std::vector<TableCurve::Point>;
+using Points = std::vector<TabulatedSpectrum::Point>;
 
 void want(bool right, const Parameter& parameter, const std::string& fault,
           const std::string& mend) {
@@ -58,7 +58,7 @@ void warn_above_one(double most, const Parameter& parameter, const std::string& 
                                        : ""));
 }
 
-SpectralCurve rgb_curve(const Parameter& parameter, SpectrumUse use, ImportLog& log) {
+Spectrum rgb_curve(const Parameter& parameter, SpectrumUse use, ImportLog& log) {
     const auto& v = parameter.numbers;
     want(v.size() == 3, parameter, " has " + std::to_string(v.size()) + " numbers", "give 3");
     want(*std::min_element(v.begin(), v.end()) >= 0, parameter, " has a negative component",
@@ -66,9 +66,9 @@ SpectralCurve rgb_curve(const Parameter& parameter, SpectrumUse use, ImportLog& 
     if (use == SpectrumUse::reflectance)
         warn_above_one(*std::max_element(v.begin(), v.end()), parameter, "", log);
     const Vec3 rgb = in_srgb(parameter, use, log);
-    if (use == SpectrumUse::emission) return SpectralCurve::rgb_illuminant(rgb);
-    if (use == SpectrumUse::reflectance) return SpectralCurve::rgb_albedo(rgb);
-    return SpectralCurve::rgb_unbounded(rgb);
+    if (use == SpectrumUse::emission) return Spectrum::rgb_illuminant(rgb);
+    if (use == SpectrumUse::reflectance) return Spectrum::rgb_albedo(rgb);
+    return Spectrum::rgb_unbounded(rgb);
 }
 
 /// Warns of a table that says nothing of visible light.
@@ -85,8 +85,8 @@ void warn_invisible(const Points& points, const Parameter& parameter, const std:
 
 /// The first and the last value go on to the ends of visible light.
 void extend(Points& points, const Parameter& parameter, const std::string& of, ImportLog& log) {
-    const TableCurve::Point first = points.front();
-    const TableCurve::Point last = points.back();
+    const TabulatedSpectrum::Point first = points.front();
+    const TabulatedSpectrum::Point last = points.back();
     if (first.nm <= kFirstNm && last.nm >= kLastNm) return;
     if (last.nm < kLastNm) points.push_back({kLastNm, last.value});
     if (first.nm > kFirstNm) points.insert(points.begin(), {kFirstNm, first.value});
@@ -96,8 +96,8 @@ void extend(Points& points, const Parameter& parameter, const std::string& of, I
 }
 
 /// @param of  the file it stands in, or "".
-SpectralCurve sampled(const std::vector<double>& numbers, const Parameter& parameter,
-                      SpectrumUse use, const std::string& of, ImportLog& log) {
+Spectrum sampled(const std::vector<double>& numbers, const Parameter& parameter, SpectrumUse use,
+                 const std::string& of, ImportLog& log) {
     want(!numbers.empty() && numbers.size() % 2 == 0, parameter,
          of + " has " + std::to_string(numbers.size()) + " numbers",
          "give pairs of wavelength in nm and value");
@@ -116,14 +116,14 @@ SpectralCurve sampled(const std::vector<double>& numbers, const Parameter& param
                                            [](auto& a, auto& b) { return a.value < b.value; });
         warn_above_one(most->value, parameter, of, log);
     }
-    return SpectralCurve::table(std::move(points));
+    return Spectrum::table(std::move(points));
 }
 
 }  // namespace
 
 /// Pairs of numbers in a text file, with # comments.
-SpectralCurve SpectrumReader::from_file(const std::string& name, const Parameter& parameter,
-                                        SpectrumUse use) {
+Spectrum SpectrumReader::from_file(const std::string& name, const Parameter& parameter,
+                                   SpectrumUse use) {
     const auto numbers = files_.read_as(name, parameter.where, [](NamedFile file) {
         refuse_other_content(file.bytes, file.path, "a spectrum");
         Lexer lexer(std::move(file.bytes), file.path);
@@ -134,7 +134,7 @@ SpectralCurve SpectrumReader::from_file(const std::string& name, const Parameter
     return sampled(numbers, parameter, use, " (file " + in_quotes(name) + ")", log_);
 }
 
-SpectralCurve SpectrumReader::by_name(const Parameter& parameter, SpectrumUse use) {
+Spectrum SpectrumReader::by_name(const Parameter& parameter, SpectrumUse use) {
     const std::string& name = parameter.texts[0];
     if (auto known = named_spectrum(name)) return *known;
     const bool prefix =
@@ -148,13 +148,13 @@ SpectralCurve SpectrumReader::by_name(const Parameter& parameter, SpectrumUse us
     return from_file(name, parameter, use);
 }
 
-SpectralCurve SpectrumReader::raw_curve(const Parameter& parameter, SpectrumUse use) {
+Spectrum SpectrumReader::raw_curve(const Parameter& parameter, SpectrumUse use) {
     if (parameter.type == ParameterType::blackbody) {
         if (parameter.numbers.size() == 2)  // a temperature and a factor
             refuse_v3("the parameter " + parameter.title() + " of two numbers", parameter.where);
         want(parameter.numbers.size() == 1 && parameter.numbers[0] > 0, parameter,
              " is no temperature", "give one positive number of kelvin");
-        return SpectralCurve(BlackbodyCurve{static_cast<float>(parameter.numbers[0])});
+        return Spectrum(BlackbodySpectrum{static_cast<float>(parameter.numbers[0])});
     }
     want(parameter.type == ParameterType::spectrum, parameter, " is no spectrum",
          "write \"rgb " + parameter.name + "\" or \"spectrum " + parameter.name + "\"");
@@ -164,29 +164,29 @@ SpectralCurve SpectrumReader::raw_curve(const Parameter& parameter, SpectrumUse 
     return by_name(parameter, use);
 }
 
-SpectralCurve SpectrumReader::curve(const Parameter& parameter, SpectrumUse use) {
+Spectrum SpectrumReader::curve(const Parameter& parameter, SpectrumUse use) {
     if (parameter.type == ParameterType::rgb) return rgb_curve(parameter, use, log_);
-    SpectralCurve raw = raw_curve(parameter, use);
+    Spectrum raw = raw_curve(parameter, use);
     if (use != SpectrumUse::emission) return raw;
     const float luminance = raw.luminance();
     if (luminance > 1e-30F) return raw.scaled(1 / luminance);
     log_.warn(parameter.where, "parameter " + parameter.title() + " emits nothing visible");
-    return SpectralCurve::constant(0);
+    return Spectrum::constant(0);
 }
 
-std::optional<SpectralCurve> SpectrumReader::find(const Statement& statement, std::string_view name,
-                                                  SpectrumUse use) {
+std::optional<Spectrum> SpectrumReader::find(const Statement& statement, std::string_view name,
+                                             SpectrumUse use) {
     const Parameter* found = statement.find(name);
     if (!found) return std::nullopt;
     return curve(*found, use);
 }
 
-SpectralCurve SpectrumReader::emission(const Statement& statement, std::string_view name,
-                                       ColourSpace present) {
+Spectrum SpectrumReader::emission(const Statement& statement, std::string_view name,
+                                  ColourSpace present) {
     const auto given = find(statement, name, SpectrumUse::emission);
     if (given) return *given;
-    if (present != ColourSpace::aces2065_1) return SpectralCurve::d65();
-    const SpectralCurve white = *named_spectrum("illum-acesD60");
+    if (present != ColourSpace::aces2065_1) return Spectrum::d65();
+    const Spectrum white = *named_spectrum("illum-acesD60");
     return white.scaled(1 / white.luminance());
 }
 

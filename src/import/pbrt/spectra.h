@@ -23,20 +23,20 @@ public:
     SpectrumReader(SceneFiles& files, ImportLog& log) : files_(files), log_(log) {}
 
     /// @throws Error for numbers that no such spectrum can have, unknown names, missing files.
-    SpectralCurve curve(const Parameter& parameter, SpectrumUse use);
+    Spectrum curve(const Parameter& parameter, SpectrumUse use);
 
     /// The spectrum of that name, or nothing. A "texture" is an Error here.
-    std::optional<SpectralCurve> find(const Statement& statement, std::string_view name,
-                                      SpectrumUse use);
+    std::optional<Spectrum> find(const Statement& statement, std::string_view name,
+                                 SpectrumUse use);
 
     /// Emission by a parameter; where there is none, the white of the present colour space, of
     /// luminance one. @param present  that space.
-    SpectralCurve emission(const Statement& statement, std::string_view name, ColourSpace present);
+    Spectrum emission(const Statement& statement, std::string_view name, ColourSpace present);
 
 private:
-    SpectralCurve raw_curve(const Parameter& parameter, SpectrumUse use);
-    SpectralCurve by_name(const Parameter& parameter, SpectrumUse use);
-    SpectralCurve from_file(const std::string& name, const Parameter& parameter, SpectrumUse use);
+    Spectrum raw_curve(const Parameter& parameter, SpectrumUse use);
+    Spectrum by_name(const Parameter& parameter, SpectrumUse use);
+    Spectrum from_file(const std::string& name, const Parameter& parameter, SpectrumUse use);
 
     SceneFiles& files_;
     ImportLog& log_;

@@ -25,7 +25,7 @@ void warn_stand_in(const Statement& statement, const std::string& instead, Asset
 
 /// Per radius. Eumelanin and pheomelanin: d'Eon et al., An Energy-Conserving Hair Reflectance Model
 /// (2011), in the numbers of pbrt-v4; of brown hair where nothing is said.
-SpectralCurve hair_absorption(const Statement& statement, float beta, Assets& assets) {
+Spectrum hair_absorption(const Statement& statement, float beta, Assets& assets) {
     const auto given = even_curve(statement, "sigma_a", SpectrumUse::unbounded, assets);
     auto colour = even_curve(statement, "reflectance", SpectrumUse::reflectance, assets);
     if (!colour) colour = even_curve(statement, "color", SpectrumUse::reflectance, assets);
@@ -37,9 +37,9 @@ SpectralCurve hair_absorption(const Statement& statement, float beta, Assets& as
             return absorption_of_hair(std::clamp((*colour)(nm), 1e-4F, 1.0F), beta);
         });
     const float some = dark || red ? 0 : 1.3F;
-    return SpectralCurve::rgb_unbounded(
-        Vec3(0.419F, 0.697F, 1.37F) * std::max(0.0F, dark.value_or(some)) +
-        Vec3(0.187F, 0.4F, 1.05F) * std::max(0.0F, red.value_or(0)));
+    return Spectrum::rgb_unbounded(Vec3(0.419F, 0.697F, 1.37F) *
+                                       std::max(0.0F, dark.value_or(some)) +
+                                   Vec3(0.187F, 0.4F, 1.05F) * std::max(0.0F, red.value_or(0)));
 }
 
 float positive_eta(const Statement& statement, float fallback, Assets& assets) {
@@ -51,8 +51,8 @@ float positive_eta(const Statement& statement, float fallback, Assets& assets) {
 
 /// Scattering over extinction, without what is scattered straight on, for one wavelength.
 struct Cloudiness {
-    SpectralCurve scattering;
-    SpectralCurve absorption;
+    Spectrum scattering;
+    Spectrum absorption;
 
     float albedo(float nm) const {
         const float scattered = std::max(0.0F, scattering(nm));
@@ -66,16 +66,16 @@ Cloudiness cloudiness_of(const Statement& statement, Assets& assets) {
     const auto scattering = even_curve(statement, "sigma_s", SpectrumUse::unbounded, assets);
     if (const auto name = statement.text("name"); name && !name->empty()) {
         const Substance& substance = substance_of(*name, statement.find("name")->where);
-        return {SpectralCurve::rgb_unbounded(substance.scattering),
-                SpectralCurve::rgb_unbounded(substance.absorption)};
+        return {Spectrum::rgb_unbounded(substance.scattering),
+                Spectrum::rgb_unbounded(substance.absorption)};
     }
     if (absorption.has_value() != scattering.has_value())
         throw Error(statement.where, "a \"subsurface\" with one of \"sigma_a\" and \"sigma_s\"",
                     "give both, or \"reflectance\"");
     if (absorption) return {*scattering, *absorption};
     const Substance& milk = substance_of("Wholemilk", statement.where);  // nearly pbrt-v4's
-    return {SpectralCurve::rgb_unbounded(milk.scattering),
-            SpectralCurve::rgb_unbounded({0.0011F, 0.0024F, 0.014F})};
+    return {Spectrum::rgb_unbounded(milk.scattering),
+            Spectrum::rgb_unbounded({0.0011F, 0.0024F, 0.014F})};
 }
 
 }  // namespace
@@ -86,8 +86,7 @@ Material hair_stand_in(const Statement& statement, Assets& assets) {
     const float eta = positive_eta(statement, 1.55F, assets);
     const float beta = even_number(statement, "beta_n", assets).value_or(0.3F);
     statement.ignore({"beta_m", "alpha"});
-    const SpectralCurve absorption =
-        hair_absorption(statement, std::clamp(beta, 0.01F, 1.0F), assets);
+    const Spectrum absorption = hair_absorption(statement, std::clamp(beta, 0.01F, 1.0F), assets);
     const auto fibre = [&](float nm) { return fibre_albedo(std::max(0.0F, absorption(nm)), eta); };
     return DiffuseTransmissionMaterial{tabulated([&](float nm) { return fibre(nm).back; }),
                                        tabulated([&](float nm) { return fibre(nm).through; })};

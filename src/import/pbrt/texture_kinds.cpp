@@ -124,7 +124,7 @@ T ptex(const Making<T>& m) {
     if constexpr (std::is_same_v<T, FloatTexture>)
         return 0.5F;
     else
-        return SpectralCurve::constant(0.5F);
+        return Spectrum::constant(0.5F);
 }
 
 constexpr TexturePart own(std::string_view name, float fallback) {

@@ -63,7 +63,7 @@ TextureParts<T> TextureTable::parts_of(const Statement& statement, SpectrumUse u
             parts.own.emplace(part.name, number());
         else
             parts.own.emplace(part.name, find_spectrum(statement, part.name, use)
-                                             .value_or(SpectralCurve::constant(part.fallback)));
+                                             .value_or(Spectrum::constant(part.fallback)));
     }
     return parts;
 }

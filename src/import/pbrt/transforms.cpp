@@ -17,7 +17,7 @@ Matrix scaling(const Vec3d& by) {
 }
 
 Matrix rotation(double degrees, const Vec3d& axis) {
-    const auto [sin, cos] = sin_cos_turn(degrees / 360);
+    const auto [sin, cos] = sin_cos_2pi(degrees / 360);
     const Vec3d a = axis / axis.length();
     const double rest = 1 - cos;
     return {a.x * a.x * rest + cos,

@@ -179,7 +179,7 @@ private:
         return *element;
     }
 
-    /// Takes the next line apart. @return false at the end of the bytes.
+    /// Accepts the next line apart. @return false at the end of the bytes.
     bool next_line() {
         words_.clear();
         ++line_;

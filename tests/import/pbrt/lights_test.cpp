@@ -11,7 +11,7 @@ L made(const std::string& statement) {
     return std::get<L>(read_world(statement).lights.at(0));
 }
 
-float value_of(const SpectralCurve& curve) {
+float value_of(const Spectrum& curve) {
     return curve.luminance();
 }
 

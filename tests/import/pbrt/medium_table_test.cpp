@@ -28,7 +28,7 @@ TEST(ReadMedia, have_pbrts_defaults_and_presets) {
     EXPECT_EQ(warnings_with(plain, "scatters"), 1);
     const SceneDescription wine =
         read_world(kClear + "\"string preset\" \"Merlot\" \"float scale\" 2 " + kUse);
-    const SpectralCurve merlot = SpectralCurve::rgb_unbounded({0.11632F, 0.25191F, 0.29434F});
+    const Spectrum merlot = Spectrum::rgb_unbounded({0.11632F, 0.25191F, 0.29434F});
     EXPECT_FLOAT_EQ(absorption(wine, 1), 2 * merlot(500));
     EXPECT_TRUE(contains(world_error(kClear + "\"string preset\" \"Merlo\" " + kUse), "Merlot"));
 }

@@ -6,14 +6,14 @@
 namespace sunfleck {
 namespace {
 
-SpectralCurve reflectance_of(const std::string& parameter, const MemoryFiles& files = {}) {
+Spectrum reflectance_of(const std::string& parameter, const MemoryFiles& files = {}) {
     const SceneDescription scene =
         read_world("Material \"diffuse\" " + parameter + " Shape \"sphere\"", files);
     return std::get<DiffuseMaterial>(scene.materials.at(scene.shapes.at(0).material))
         .reflectance.curve();
 }
 
-SpectralCurve emission_by(const std::string& parameter) {
+Spectrum emission_by(const std::string& parameter) {
     const SceneDescription scene = read_world("LightSource \"infinite\" " + parameter);
     return curve(scene.lights.at(0));
 }
@@ -23,10 +23,10 @@ std::string reflectance_error(const std::string& parameter, const MemoryFiles& f
 }
 
 TEST(Spectra, rgb_of_a_surface_is_its_colour) {
-    const SpectralCurve grey = reflectance_of("\"rgb reflectance\" [ .3 .3 .3 ]");
+    const Spectrum grey = reflectance_of("\"rgb reflectance\" [ .3 .3 .3 ]");
     EXPECT_TRUE(grey.is_constant());
     EXPECT_FLOAT_EQ(grey(500), 0.3F);
-    const SpectralCurve red = reflectance_of("\"rgb reflectance\" [ .8 .1 .1 ]");
+    const Spectrum red = reflectance_of("\"rgb reflectance\" [ .8 .1 .1 ]");
     EXPECT_GT(red(650), 0.7F);
     EXPECT_LT(red(480), 0.2F);
 }
@@ -56,7 +56,7 @@ TEST(Spectra, of_a_light_that_is_dark_is_said) {
 }
 
 TEST(Spectra, are_sampled_named_or_in_a_file) {
-    const SpectralCurve ramp = reflectance_of("\"spectrum reflectance\" [ 400 0 600 1 ]");
+    const Spectrum ramp = reflectance_of("\"spectrum reflectance\" [ 400 0 600 1 ]");
     EXPECT_FLOAT_EQ(ramp(500), 0.5F);
     EXPECT_EQ(ramp(601), 0);
     const MemoryFiles files = {{"ramp.spd", "# nm value\n400 0\n600 1 # end"}};

@@ -40,7 +40,7 @@ TEST(Hair, is_told_its_colour_in_pbrts_ways) {
     EXPECT_EQ(share("\"rgb reflectance\" [.5 .5 .5]"), share("\"rgb color\" [.5 .5 .5]"));
     EXPECT_NEAR(share("\"rgb reflectance\" [1 1 1]"), 1, 1e-5);
     EXPECT_EQ(share(""), share("\"float eumelanin\" 1.3"));
-    const float red = SpectralCurve::rgb_unbounded({0.374F, 0.8F, 2.1F})(500);
+    const float red = Spectrum::rgb_unbounded({0.374F, 0.8F, 2.1F})(500);
     EXPECT_NEAR(share("\"float pheomelanin\" 2"), expected(red), 1e-4);
     EXPECT_LT(share("\"float eumelanin\" 8"), share("\"float eumelanin\" .3"));
 }

@@ -121,9 +121,9 @@ TEST(Textures, images_are_read_once_each_from_the_main_folder) {
     const Wavelengths wavelengths = Wavelengths::of_pass({1, 0});
     const auto& x = std::get<DiffuseMaterial>(scene.materials.at(1)).reflectance;
     const auto& y = std::get<DiffuseMaterial>(scene.materials.at(2)).reflectance;
-    const Spectrum red = SpectralCurve::rgb_albedo({1, 0, 0}).at(wavelengths);
-    const Spectrum cyan = SpectralCurve::rgb_albedo({0, 1, 1}).at(wavelengths);
-    for (std::size_t i = 0; i < kLanes; ++i) {
+    const SampledSpectrum red = Spectrum::rgb_albedo({1, 0, 0}).at(wavelengths);
+    const SampledSpectrum cyan = Spectrum::rgb_albedo({0, 1, 1}).at(wavelengths);
+    for (std::size_t i = 0; i < kWavelengths; ++i) {
         EXPECT_NEAR(x.at(at(Vec3(0), {0.25F, 0.5F}), wavelengths)[i], red[i], 0.01F);
         EXPECT_NEAR(y.at(at(Vec3(0), {-3, 0.5F}), wavelengths)[i], cyan[i], 0.01F);
     }
