@@ -5,7 +5,7 @@
 //                   [--over SCENE] [--region X0,X1,Y0,Y1] [--reference-radius SHARE]
 //                   [--indirect-radius FACTOR]
 // A number is `adaptive` with so many photon paths a pass; without-PART is it without that part (a
-// name of kAdaptiveParts in photon/settings.h, or light-candidates), "bare" without all of them,
+// name of kAdaptiveParts in photon/settings.h, or ris), "bare" without all of them,
 // "gathered" with all light by photons, that from lamps to glossy surfaces, too. --over compares
 // the last sampler with itself in another scene. Renders of the samplers are interleaved, seed by
 // seed; the last sampler, with other seeds, is the reference, of the same passes and so of the same
@@ -43,7 +43,7 @@ bool apply_variant(std::string_view name, RenderSettings& settings) {
         known = known || named;
         return named || name == "bare";
     };
-    if (is_off("light-candidates")) settings.camera.ris = false;
+    if (is_off("ris")) settings.camera.ris = false;
     for (const AdaptivePart& part : kAdaptiveParts)
         if (is_off(part.name)) settings.photon.*part.is_on = false;
     return known;

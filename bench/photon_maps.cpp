@@ -228,11 +228,12 @@ void run(const Settings& settings) {
         fmt::print("set {}: height {}\n", k, plan.levels[k - 1].height);
         splitting.push_back(maps.set(plan, k));
     }
-    if (splitting.empty()) throw Error({settings.scene}, "has no ladder", "choose a closer view");
+    if (splitting.empty())
+        throw Error({settings.scene}, "has no splitting", "choose a closer view");
     write_row(settings, "photons", {maps.uniform(), maps.paper(), splitting.back()});
     splitting.pop_back();
     splitting.push_back(maps.sets(plan, octree));
-    write_row(settings, "ladder", splitting);
+    write_row(settings, "splitting", splitting);
 }
 
 }  // namespace

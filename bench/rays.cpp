@@ -196,14 +196,14 @@ void run(const Settings& settings, std::size_t threads) {
     for (const auto& [count, r] : rates) {
         print_rate("photon pass", count, r.photon, r.raw_photon);
         if (paths_alone) print_rate("photon paths alone", count, r.trace, r.raw_photon);
-        print_rate("eye pass", count, r.camera, r.raw_camera);
+        print_rate("camera pass", count, r.camera, r.raw_camera);
         print_rate("Embree, photon rays", count, r.raw_photon, r.raw_photon);
         print_rate("Embree, eye rays", count, r.raw_camera, r.raw_camera);
     }
     const Rates& one = rates[1];
     const Rates& many = rates[threads];
     print_scaling("photon pass", one.photon, many.photon, one.raw_photon, many.raw_photon);
-    print_scaling("eye pass", one.camera, many.camera, one.raw_camera, many.raw_camera);
+    print_scaling("camera pass", one.camera, many.camera, one.raw_camera, many.raw_camera);
 }
 
 }  // namespace
@@ -212,7 +212,7 @@ void run(const Settings& settings, std::size_t threads) {
 int main(int count, char** words) {
     sunfleck::bench::Settings settings;
     std::size_t threads = 2;
-    CLI::App app("Rays a second of the photon and the eye pass over those of Embree alone");
+    CLI::App app("Rays a second of the photon and the camera pass over those of Embree alone");
     app.add_option("scene", settings.scene, "Of triangles alone (default a bumpy room)");
     app.add_option("--triangles", settings.triangles, "Of that room, about (default 131072)");
     std::map<std::string, sunfleck::PhotonSampler> samplers;

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that files speak of the project alone: not of the place or the day they were written in.
+"""Checks that files speak of the project alone: not of the place or the day they were written in;
+and that words which left (tools/words_gone.txt) stay away.
 
 Usage: check_words.py [REPOSITORY]. Prints one line for each fault; exit code 1 when there is one.
 A word that a user needs after all stands in ALLOWED with the file that may say it.
@@ -7,6 +8,7 @@ A word that a user needs after all stands in ALLOWED with the file that may say 
 
 import re
 import sys
+from fnmatch import fnmatch
 from pathlib import Path
 
 # Folders that are made, not written.
@@ -27,6 +29,39 @@ BANNED = [(re.compile(pattern, re.IGNORECASE), why) for pattern, why in (
     (r"(?-i:\b(TO" r"DO|FIX" r"ME|XX" r"X)\b)", "do it, or open an issue"),
 )]
 ALLOWED = {("LICENSE", "registry")}
+# These say what the old names were.
+HISTORY = ("CHANGELOG.md", "docs/develop/glossary.md", "docs/reference/old_names.md",
+           "apps/cli/renamed_flags.h", "tests/app/renamed_flags_test.cpp",
+           "tools/words_gone.txt", "tools/check_words_test.py")
+
+
+def read_gone(text):
+    """Returns [(pattern, where, but not where, what is said instead)]."""
+    rows = []
+    for line in text.splitlines():
+        if not line.strip() or line.startswith("#"):
+            continue
+        pattern, where, instead = line.rsplit(" | ", 2)
+        places = where.split()
+        rows.append((re.compile(pattern), [p for p in places if not p.startswith("!")],
+                     [p[1:] for p in places if p.startswith("!")], instead))
+    return rows
+
+
+def is_in(name, places):
+    """Is the file one of these, or in a folder of these? "." is the whole repository."""
+    return any(p == "." or name == p or name.startswith(p + "/") or fnmatch(name, p)
+               for p in places)
+
+
+def check_gone(name, text, rows):
+    rows = [row for row in rows if is_in(name, row[1]) and not is_in(name, row[2])]
+    if name in HISTORY or not rows:
+        return
+    for number, line in enumerate(text.splitlines(), 1):
+        for pattern, _, _, instead in rows:
+            if match := pattern.search(line):
+                yield f"{name}:{number}: {match[0]}: this word left; say {instead}"
 
 
 def check_file(name, text):
@@ -39,11 +74,15 @@ def check_file(name, text):
 
 def check(root):
     faults = []
+    gone = root / "tools/words_gone.txt"
+    rows = read_gone(gone.read_text(encoding="utf-8")) if gone.exists() else []
     for file in sorted(root.rglob("*")):
         name = file.relative_to(root)
         if SKIPPED & set(name.parts) or not file.is_file() or file.suffix not in SUFFIXES:
             continue
-        faults += check_file(str(name), file.read_text(encoding="utf-8", errors="replace"))
+        text = file.read_text(encoding="utf-8", errors="replace")
+        faults += check_file(str(name), text)
+        faults += check_gone(str(name), text, rows)
     return faults
 
 

@@ -9,11 +9,13 @@ from check_words import check
 
 
 class CheckWords(unittest.TestCase):
-    def faults(self, text, name="docs/a.md"):
+    def faults(self, text, name="docs/a.md", gone=None):
         with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder, name)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")
+            for file, written in ((name, text), ("tools/words_gone.txt", gone)):
+                path = Path(folder, file)
+                path.parent.mkdir(parents=True, exist_ok=True)
+                if written is not None:
+                    path.write_text(written, encoding="utf-8")
             return check(Path(folder))
 
     def test_each_rule(self):
@@ -35,6 +37,20 @@ class CheckWords(unittest.TestCase):
     def test_made_files_and_pictures_are_left_alone(self):
         self.assertEqual(self.faults("/wo" "rk/main", "build/a.md"), [])
         self.assertEqual(self.faults("/wo" "rk/main", "docs/a.png"), [])
+
+    GONE = "# Why\n\\bladders?\\b | src docs !src/simd/* | multilevel splitting\n"
+
+    def test_words_that_left(self):
+        for name in ("docs/a.md", "src/x/a.h"):
+            with self.subTest(name):
+                self.assertEqual(self.faults("one\nthe ladder\n", name, self.GONE),
+                                 [f"{name}:2: ladder: this word left; say multilevel splitting"])
+
+    def test_words_that_left_where_they_may_stay(self):
+        for name in ("apps/a.cpp", "src/simd/a.h", "CHANGELOG.md", "docs/develop/glossary.md"):
+            with self.subTest(name):
+                self.assertEqual(self.faults("the ladder\n", name, self.GONE), [])
+        self.assertEqual(self.faults("bladders\n", gone=self.GONE), [])
 
 
 if __name__ == "__main__":

@@ -27,12 +27,13 @@ void finish_adaptive(const CLI::App& given, const AdaptiveTexts& texts, PhotonSe
             throw Error({flag}, "has a meaning with the sampler adaptive alone", "leave it out");
         photon.*part.is_on = texts.at(i) != "off";
     }
-    if (given.count("--light-search") > 0 && !photon.emission_guide)
-        throw Error({"--light-search"}, "is a part of emission maps, which are off",
+    if (given.count("--guide-search") > 0 && !photon.emission_guide)
+        throw Error({"--guide-search"}, "is a part of the emission guide, which is off",
                     "leave it out");
     if (given.count("--pass-weights") > 0 && !photon.photon_budget)
-        throw Error({"--pass-weights"}, "is a part of balance, which is off", "leave it out");
-    for (const char* flag : {"--balance", "--pass-weights"})
+        throw Error({"--pass-weights"}, "is a part of the photon budget, which is off",
+                    "leave it out");
+    for (const char* flag : {"--photon-budget", "--pass-weights"})
         if (given.count(flag) > 0 && given.count("--photons-per-pass") > 0)
             throw Error({flag}, "given together with --photons-per-pass, which is a number",
                         "give one");

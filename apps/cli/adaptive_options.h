@@ -14,7 +14,7 @@ namespace sunfleck {
 /// auto or off, by part; empty: not given.
 using AdaptiveTexts = std::array<std::string, kAdaptiveParts.size()>;
 
-/// --splitting, --emission-maps ...
+/// --splitting, --emission-guide ...
 std::string flag_of(const AdaptivePart& part);
 
 void add_adaptive_flags(CLI::App& app, AdaptiveTexts& texts);

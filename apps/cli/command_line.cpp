@@ -3,6 +3,7 @@
 
 #include "apps/cli/experiment_options.h"
 #include "apps/cli/number_check.h"
+#include "apps/cli/renamed_flags.h"
 #include "apps/cli/render_options.h"
 #include "apps/cli/values.h"
 #include "core/error.h"
@@ -24,9 +25,9 @@ void add_merge(CLI::App& app, MergeOptions& o, ErrorTexts& t) {
 }
 
 void add_relight(CLI::App& app, RelightOptions& o, std::vector<std::string>& factors) {
-    app.add_option("PICTURE", o.picture, "EXR picture rendered with --light-layer")->required();
+    app.add_option("PICTURE", o.picture, "EXR picture rendered with --light-group")->required();
     app.add_option("FACTORS", factors,
-                   "How bright a layer's lights are to be: NAME=0.5, or of R, G, B: NAME=1,0.8,0.6")
+                   "Factor of a light group: NAME=0.5, or per channel: NAME=1,0.8,0.6")
         ->required();
     app.add_option("-o,--output", o.outputs, ".exr, .png; may be repeated")
         ->allow_extra_args(false)
@@ -80,6 +81,9 @@ public:
         } catch (const CLI::ExtrasError&) {
             std::vector<std::string> rest = app_.remaining(true);
             if (rest.size() > 1 && rest.front() == "--") rest.erase(rest.begin());
+            if (const std::string now(name_now(rest.front())); !now.empty())
+                throw Error({"sunfleck"}, "\"" + rest.front() + "\" has another name now",
+                            "write " + now);
             throw Error({"sunfleck"}, "unknown flag or word \"" + rest.front() + "\"", help());
         } catch (const CLI::RequiredError& fault) {
             const std::vector<std::string> rest = app_.remaining();

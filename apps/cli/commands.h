@@ -18,7 +18,7 @@ int run_scene(const SceneOptions& options);
 int run_experiment(const ExperimentOptions& options);
 /// Adds up pass ranges of one render.
 int run_merge(const MergeOptions& options);
-/// Dims or brightens the lights of a picture whose aovs hold them apart.
+/// Dims or brightens the lights of a picture whose AOVs hold them apart.
 int run_relight(const RelightOptions& options);
 /// Measures pictures against a reference, and writes the page that shows them.
 int run_compare(const CompareOptions& options);

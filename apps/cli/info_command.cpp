@@ -44,7 +44,7 @@ void print_lights(const Scene& scene) {
     if (kinds.empty()) fmt::print("lights      none\n");
 }
 
-/// What the file says of lights, one by one: the numbers that --light-aov takes.
+/// What the file says of lights, one by one: the numbers that --light-group takes.
 void list_lights(const Scene& scene) {
     const std::vector<LightStatement>& statements = scene.light_statements();
     std::vector<double> shares(statements.size());

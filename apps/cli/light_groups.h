@@ -1,4 +1,4 @@
-// Which lights of a scene get aovs of their own, as a user asks for them.
+// Light groups as a user asks for them: which lights of a scene get an output of their own.
 //
 // Lights are counted as the scene's file states them, from 1: `sunfleck info --lights` lists them.
 #pragma once
@@ -15,7 +15,7 @@ namespace sunfleck {
 
 class Scene;
 
-/// One flag --light-aov. Without a name: each light has a aov.
+/// One flag --light-group. Without a name: each light is a group.
 struct AskedLightGroup {
     std::string name;
     std::string text;                                           // of the lights, as written
@@ -28,7 +28,7 @@ std::vector<AskedLightGroup> read_light_groups(const std::vector<std::string>& t
                                                PhotonSampler sampler);
 
 /// @throws Error for lights that the scene does not have or that are asked for twice, and for more
-///         aovs than there may be.
+///         groups than there may be.
 LightGroups light_groups_of(const Scene& scene, const std::vector<AskedLightGroup>& asked);
 
 }  // namespace sunfleck

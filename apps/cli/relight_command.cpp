@@ -23,7 +23,7 @@ int run_relight(const RelightOptions& options) {
     faults.finish();
     if (!relit_now.left_out.empty())
         say(fmt::format(
-            "{}: its layers {} are not in the new picture: they are of the lights as they were",
+            "{}: its AOVs {} are not in the new picture: they show the lights as they were",
             options.picture, fmt::join(relit_now.left_out, ", ")));
     return 0;
 }

@@ -36,8 +36,8 @@ void check_fits_integrator(const CLI::App& given, const RenderTexts& t) {
     };
     for (const char* flag :
          {"--photon-sampler", "--mode", "--replica-exchange", "--mutation-size",
-          "--target-acceptance", "--direct", "--light-candidates", "--photons-per-pass", "--radius",
-          "--radius-pixels", "--indirect-radius", "--alpha", "--layers", "--light-layer"})
+          "--target-acceptance", "--direct", "--ris", "--photons-per-pass", "--radius",
+          "--radius-pixels", "--indirect-radius", "--alpha", "--aovs", "--light-group"})
         refuse(flag);
     for (const AdaptivePart& part : kAdaptiveParts) refuse(flag_of(part));
 }
@@ -47,9 +47,9 @@ void check_layers_fit(const CLI::App& given, const RenderOptions& o) {
     if (o.outputs.empty() || !o.snapshots.empty() ||
         !std::all_of(o.outputs.begin(), o.outputs.end(), loses_aovs))
         return;
-    for (const char* flag : {"--layers", "--light-layer"})
+    for (const char* flag : {"--aovs", "--light-group"})
         if (given.count(flag) > 0)
-            throw Error({flag}, "a .png holds no layers", "add an output that does: -o FILE.exr");
+            throw Error({flag}, "a .png holds no AOVs", "add an output that does: -o FILE.exr");
 }
 
 void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
@@ -60,16 +60,18 @@ void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--direct", t.direct,
                    "Who brings direct light: sampled, or photons (default sampled; paper photons)")
         ->check(CLI::IsMember({"sampled", "photons"}));
-    app.add_option("--light-candidates", t.ris,
-                   "Direct light of a vertex: auto: of several light samples; off: of one")
+    app.add_option("--ris", t.ris,
+                   "Direct light: auto: resampled importance sampling of several candidates; off: "
+                   "one sample")
         ->check(CLI::IsMember({"auto", "off"}));
     app.add_option(
            "--energy-compensation", t.energy_compensation,
            "on: rough metals and glass give back what is lost between their facets (default off)")
         ->check(CLI::IsMember({"on", "off"}));
-    app.add_option("--photons-per-pass", o.settings.photon.paths_per_pass,
-                   "Photon paths a pass (default max(200000, 2 a pixel), then see --balance; "
-                   "paper 200000)")
+    app.add_option(
+           "--photons-per-pass", o.settings.photon.paths_per_pass,
+           "Photon paths per pass (default max(200000, 2 a pixel), then see --photon-budget; "
+           "paper 200000)")
         ->check(whole(1, 1 << 30));
     CLI::Option* const in_pixels =
         app.add_option("--radius-pixels", o.settings.camera.radius_pixels,
@@ -86,9 +88,9 @@ void add_method_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
         ->check(between(1, 100));
     app.add_option("--alpha", o.settings.alpha, "Radius reduction, 0 to 1 (default 2/3; paper .7)")
         ->check(between(1e-6, 1 - 1e-6));
-    app.add_option(
-           "--max-depth", o.max_depth,
-           "Scattering events on a path, eye and light together (default: the scene's, or 64)")
+    app.add_option("--max-depth", o.max_depth,
+                   "Scattering events on a path, camera and light subpaths together (default: the "
+                   "scene's, or 64)")
         ->check(whole(1, 10000));
     app.add_option("--seed", t.seed, "Random seed (default 0)");
 }
@@ -111,12 +113,14 @@ void add_stop_flags(CLI::App& app, RenderTexts& t) {
 void add_picture_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--resolution", t.resolution, "Picture size instead of the scene's: WxH");
     app.add_option("--crop", t.crop, "Render only these pixels: x0,x1,y0,y1");
-    app.add_option("--layers", t.aovs,
-                   "EXR layers: direct,caustic,indirect,emission,albedo,normal,depth,samples");
     app.add_option(
-           "--light-layer", t.light_groups,
-           "EXR layer NAME for some lights alone, by their numbers in sunfleck info "
-           "--lights: NAME=1,3-5; may be repeated. each: a layer a light, light1, light2 ...")
+        "--aovs", t.aovs,
+        "AOVs, as EXR layers: direct,caustic,indirect,emission,albedo,normal,depth,samples");
+    app.add_option(
+           "--light-group", t.light_groups,
+           "Light group NAME: an EXR layer for some lights alone, by their numbers in sunfleck "
+           "info "
+           "--lights: NAME=1,3-5; may be repeated. each: a group per light, light1, light2 ...")
         ->allow_extra_args(false);
     app.add_option("--exposure", o.exposure, "Stops for PNG (default 0)")
         ->check(between(-100, 100));
@@ -173,7 +177,7 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
     if (t.log_level == "warning") o.log = LogLevel::warning;
     if (!t.resolution.empty()) o.resolution = read_size(t.resolution, "--resolution");
     if (!t.crop.empty()) o.crop = read_crop(t.crop, "--crop");
-    o.settings.aovs = read_aovs(t.aovs, "--layers");
+    o.settings.aovs = read_aovs(t.aovs, "--aovs");
     if (!t.time.empty()) o.stop.seconds = read_duration(t.time, "--time");
     for (const char* flag : {"--checkpoint", "--resume"})
         if (given.count(flag) > 0 && given[flag]->as<std::string>().empty())
@@ -195,10 +199,8 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
     }
     finish_paper(given, t.paper, o);
     finish_adaptive(given, t.adaptive, o.settings.photon);
-    if (given.count("--light-candidates") > 0 &&
-        o.settings.transport.direct == DirectLight::photons)
-        throw Error({"--light-candidates"}, "photons bring direct light: none is sampled",
-                    "leave it out");
+    if (given.count("--ris") > 0 && o.settings.transport.direct == DirectLight::photons)
+        throw Error({"--ris"}, "photons bring direct light: none is sampled", "leave it out");
     o.light_groups = read_light_groups(t.light_groups, o.settings.photon.sampler);
     finish_error(given, t.error, o);
     check_layers_fit(given, o);

@@ -19,6 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Of the names in stats.json: docs/stats.md.
+constexpr int kFormat = 2;
+
 struct Fraction {
     double value = 0;
     double error = 0;  // standard, from the spread of passes, each counted once
@@ -38,7 +41,7 @@ Json splitting_json(const Film& film, const std::string& name = "") {
     Json fractions = Json::array();
     Json acceptance = Json::array();
     const auto statistic = [&](std::size_t level, const char* what) {
-        return film.statistic(fmt::format("{}ladder.{}.{}", name, level, what));
+        return film.statistic(fmt::format("{}splitting.{}.{}", name, level, what));
     };
     std::size_t levels = 0;
     for (; statistic(levels, "states") > 0; ++levels) {
@@ -57,7 +60,7 @@ Json splitting_json(const Film& film, const std::string& name = "") {
 Json strata_json(const Film& film) {
     Json strata = Json::array();
     while (true) {
-        const std::string name = fmt::format("group.{}.", strata.size());
+        const std::string name = fmt::format("stratum.{}.", strata.size());
         const auto statistic = [&](const char* what) { return film.statistic(name + what); };
         const double passes = statistic("passes");
         if (passes == 0) return strata;
@@ -67,7 +70,7 @@ Json strata_json(const Film& film) {
              {"visible_fraction", statistic("visible_fraction") / passes},
              {"paths", statistic("paths") / passes},
              {"starved_passes", static_cast<std::uint64_t>(statistic("starved_passes"))},
-             {"ladder", splitting_json(film, name)}});
+             {"splitting", splitting_json(film, name)}});
     }
 }
 
@@ -82,7 +85,7 @@ Json epochs_json(const Film& film) {
         epochs.push_back(
             {{"epoch", number},
              {"passes", static_cast<std::uint64_t>(passes)},
-             {"draws_per_pass", film.statistic(name + "draws") / passes},
+             {"subpasses_per_pass", film.statistic(name + "subpasses") / passes},
              {"weight", film.statistic(name + "weight") / passes},
              {"camera_paths_per_pixel", film.statistic(name + "camera_paths") / passes / pixels},
              {"photons_per_pass", film.statistic(name + "paths") / passes}});
@@ -92,7 +95,7 @@ Json epochs_json(const Film& film) {
 
 /// Visible paths per traced path over the same for uniform paths.
 Json visible_ratio(const Film& film, const char* visible) {
-    const double traced = film.statistic("uniform_paths") + film.statistic("mapped_paths") +
+    const double traced = film.statistic("uniform_paths") + film.statistic("guided_paths") +
                           film.statistic("mutated_paths");
     const double fraction = visible_fraction(film).value;
     if (traced == 0 || fraction == 0) return nullptr;
@@ -134,6 +137,7 @@ void add_counts(const Film& film, std::initializer_list<const char*> names, Json
 
 /// What was rendered.
 void add_render(const Film& film, const RunFacts& facts, Json& json) {
+    json["format"] = kFormat;
     json["version"] = SUNFLECK_VERSION;
     json["scene"] = facts.scene;
     json["command"] = facts.command;
@@ -146,13 +150,13 @@ void add_render(const Film& film, const RunFacts& facts, Json& json) {
     json["passes"] = film.pass_count();
     for (const PassRange& range : film.passes().ranges())
         json["pass_ranges"].push_back({range.begin, range.end});
-    json["rounds"] = film.batches();
+    json["batches"] = film.batches();
 }
 
 /// Deposits are made while tracing: they are part of "photon".
 Json seconds_json(const RunFacts& facts) {
     return {{"load", facts.load_seconds},     {"build", facts.seconds.build},
-            {"eye", facts.seconds.camera},    {"index", facts.seconds.index},
+            {"camera", facts.seconds.camera}, {"index", facts.seconds.index},
             {"photon", facts.seconds.photon}, {"learn", facts.seconds.learn},
             {"total", facts.total_seconds}};
 }
@@ -160,8 +164,8 @@ Json seconds_json(const RunFacts& facts) {
 Json photon_paths_json(const Film& film) {
     return {{"uniform", count(film, "uniform_paths")},
             {"uniform_visible", count(film, "uniform_visible")},
-            {"mapped", count(film, "mapped_paths")},
-            {"mapped_visible", count(film, "mapped_visible")},
+            {"guided", count(film, "guided_paths")},
+            {"guided_visible", count(film, "guided_visible")},
             {"mutated", count(film, "mutated_paths")},
             {"accepted", count(film, "accepted_paths")},
             {"distinct_visible", count(film, "distinct_visible")},
@@ -172,8 +176,8 @@ Json photon_paths_json(const Film& film) {
 void add_sampling(const Film& film, Json& json) {
     json["photon_paths"] = photon_paths_json(film);
     json["epochs"] = epochs_json(film);
-    json["ladder"] = splitting_json(film);
-    json["light_groups"] = strata_json(film);
+    json["splitting"] = splitting_json(film);
+    json["light_strata"] = strata_json(film);
     json["visible_photon_ratio"] = visible_ratio(film, "distinct_visible");
     json["visible_photon_ratio_with_repeats"] = visible_ratio(film, "visible_states");
     json["mutation_size"] = mutation_size(film);
@@ -197,7 +201,7 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
     add_render(film, facts, json);
     json["seconds"] = seconds_json(facts);
     json["cpu_seconds"] = facts.cpu_seconds;
-    json["rays"] = {{"eye", count(film, "eye_rays")}, {"photon", count(film, "photon_rays")}};
+    json["rays"] = {{"camera", count(film, "camera_rays")}, {"photon", count(film, "photon_rays")}};
     add_counts(film, {"visible_points"}, json);
     add_sampling(film, json);
     json["radius_factor"] = facts.radius_factor;

@@ -109,9 +109,9 @@ LightGroupFactor read_factor(const std::string& text) {
         factors.push_back(static_cast<float>(value));
     }
     if (!are_right || equals == 0 || (factors.size() != 1 && factors.size() != 3))
-        throw Error({"sunfleck relight"},
-                    "\"" + text + "\" says of no layer how bright it is to be",
-                    "write NAME=0.5 or NAME=1,0.8,0.6, of numbers from 0 to 1000000");
+        throw Error(
+            {"sunfleck relight"}, "\"" + text + "\" is no factor of a light group",
+            "write NAME=FACTOR, for example sun=0.3, or NAME=R,G,B; numbers from 0 to 1000000");
     factors.resize(3, factors[0]);
     return {text.substr(0, equals), Vec3(factors[0], factors[1], factors[2])};
 }
@@ -138,7 +138,7 @@ AovSet read_aovs(const std::string& text, const std::string& flag) {
             set[static_cast<std::size_t>(row.aov)] = true;
             found = true;
         }
-        if (!found) throw Error({flag}, "unknown layer \"" + word + "\"", "use some of " + known);
+        if (!found) throw Error({flag}, "unknown AOV \"" + word + "\"", "use some of " + known);
         begin = end + 1;
     }
     return set;

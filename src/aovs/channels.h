@@ -1,4 +1,4 @@
-// The aovs of light and features that a pass measures for each pixel: one row each.
+// The AOVs of light and features that a pass measures for each pixel: one row each.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ inline constexpr std::array<AovRow, kAovCount> kAovs = {{
     {Aov::samples, "samples", "N"},
 }};
 
-/// Can a aov of some lights be called so? A letter, then letters, digits, _ and -.
+/// Can a light group be called so? A letter, then letters, digits, _ and -.
 constexpr bool is_aov_name(std::string_view name) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     if (name.empty() || !is_letter(name[0])) return false;
@@ -50,7 +50,7 @@ constexpr bool is_aov_name(std::string_view name) {
     return true;
 }
 
-/// Is there another aov of that name in each picture?
+/// Is there another AOV of that name in each picture?
 constexpr bool is_taken_aov_name(std::string_view name) {
     for (const AovRow& row : kAovs)
         if (row.name == name) return true;

@@ -21,7 +21,7 @@
 
 namespace sunfleck {
 
-/// Which aovs are measured; the total always is.
+/// Which AOVs are measured; the total always is.
 using AovSet = std::array<bool, kAovCount>;
 
 class PassImage {
@@ -44,7 +44,7 @@ public:
     bool photons_apart() const { return !eye_.empty(); }
     std::size_t light_groups() const { return lights_.size(); }
 
-    /// Adds to the total and, if measured, to the aov that owns this light. A value that is not
+    /// Adds to the total and, if measured, to the AOV that owns this light. A value that is not
     /// finite is dropped and counted; one beyond kLargestTerm is cut there and counted.
     void add_light(std::size_t pixel, const Vec3& rgb, Aov owner) {
         if (!is_finite(rgb)) return;
@@ -60,12 +60,12 @@ public:
         for (unsigned c = 0; c < 3; ++c) eye_[pixel][c].add(term_of(rgb[static_cast<int>(c)]));
     }
 
-    /// Adds what add_light() has added already to the aov of the light that it comes from: cut
-    /// and dropped alike, and not counted again. @param aov  kNoLightGroup: nothing is added.
-    void add_to_light_group(std::size_t pixel, const Vec3& rgb, std::uint8_t aov) {
-        if (aov == kNoLightGroup || !finite(rgb)) return;
+    /// Adds what add_light() has added already to the group of the light that it comes from: cut
+    /// and dropped alike, and not counted again. @param group  kNoLightGroup: nothing is added.
+    void add_to_light_group(std::size_t pixel, const Vec3& rgb, std::uint8_t group) {
+        if (group == kNoLightGroup || !finite(rgb)) return;
         for (unsigned c = 0; c < 3; ++c)
-            lights_[aov][pixel][c].add(term_of(rgb[static_cast<int>(c)]));
+            lights_[group][pixel][c].add(term_of(rgb[static_cast<int>(c)]));
     }
 
     /// add_light() of what is_addable(), with no other thread at this pixel.
@@ -85,12 +85,12 @@ public:
         return fits(rgb.x) && fits(rgb.y) && fits(rgb.z);
     }
 
-    /// Adds to a feature aov alone, if it is measured.
+    /// Adds to a feature AOV alone, if it is measured.
     void add_feature(std::size_t pixel, const Vec3& value, Aov aov) {
         if (has(aov) && is_finite(value)) add(aovs_[static_cast<std::size_t>(aov)][pixel], value);
     }
 
-    /// Adds to one channel of one aov alone: for light that was summed up elsewhere, as it is.
+    /// Adds to one channel of one AOV alone: for light that was summed up elsewhere, as it is.
     void add_term(Aov aov, std::size_t pixel, std::size_t channel, const FixedPoint& term) {
         aovs_[static_cast<std::size_t>(aov)][pixel].at(channel).add(term);
     }

@@ -38,14 +38,14 @@ struct CountRow {
 inline constexpr std::size_t kCounts = static_cast<std::size_t>(Count::count);
 
 inline constexpr std::array<CountRow, kCounts> kCountRows = {{
-    {Count::camera_rays, "eye_rays"},
+    {Count::camera_rays, "camera_rays"},
     {Count::photon_rays, "photon_rays"},
     {Count::camera_paths, "camera_paths"},
     {Count::visible_points, "visible_points"},
     {Count::uniform_paths, "uniform_paths"},
-    {Count::guided_paths, "mapped_paths"},
+    {Count::guided_paths, "guided_paths"},
     {Count::uniform_visible, "uniform_visible"},
-    {Count::guided_visible, "mapped_visible"},
+    {Count::guided_visible, "guided_visible"},
     {Count::mutated_paths, "mutated_paths"},
     {Count::accepted_paths, "accepted_paths"},
     {Count::distinct_visible, "distinct_visible"},

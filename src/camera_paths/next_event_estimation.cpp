@@ -1,4 +1,4 @@
-// Light candidates, which of them has a shadow ray, and the bsdf sample beside them.
+// RIS candidates, which of them has a shadow ray, and the bsdf sample beside them.
 #include "camera_paths/next_event_estimation.h"
 
 #include "random_numbers/sobol.h"

@@ -51,7 +51,7 @@ struct RisCandidate {
 /// lights fill. One where the user wants no more.
 std::size_t ris_candidates(const CameraVertex& vertex);
 
-/// As many as there are at the most; those beyond light_candidates() have nothing arriving.
+/// As many as there are at the most; those beyond ris_candidates() have nothing arriving.
 using RisCandidates = std::array<RisCandidate, 8>;
 RisCandidates candidates_at(const PassScene& pass, const CameraVertex& vertex,
                             const LightNumbers& u);

@@ -133,25 +133,25 @@ private:
         return deposits;
     }
 
-    /// The same light again, by the aovs of the lights that it comes from.
+    /// The same light again, by the groups of the lights that it comes from.
     void add_to_light_groups() const {
-        std::array<std::uint64_t, kKinds.size()> aovs{};  // by kind: a bit a aov
+        std::array<std::uint64_t, kKinds.size()> groups{};  // by kind: one bit per group
         for (const TakenPhoton& taken : here_) {
             const Photon& photon = all_.photons[taken.photon];
             if (photon.light_group != kNoLightGroup)
-                aovs[number_of(photon.kind)] |= std::uint64_t{1} << photon.light_group;
+                groups[number_of(photon.kind)] |= std::uint64_t{1} << photon.light_group;
         }
         for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
-            for (std::uint64_t rest = aovs[kind]; rest != 0; rest &= rest - 1)
+            for (std::uint64_t rest = groups[kind]; rest != 0; rest &= rest - 1)
                 add_to_light_group(static_cast<std::uint8_t>(__builtin_ctzll(rest)), kKinds[kind]);
     }
 
-    void add_to_light_group(std::uint8_t aov, PhotonKind kind) const {
+    void add_to_light_group(std::uint8_t group, PhotonKind kind) const {
         BlockLight light{};
         unsigned met = 0;
         for (const TakenPhoton& taken : here_) {
             const Photon& photon = all_.photons[taken.photon];
-            if (photon.light_group != aov || photon.kind != kind) continue;
+            if (photon.light_group != group || photon.kind != kind) continue;
             met |= taken.accepting;
             for (unsigned rest = taken.accepting; rest != 0; rest &= rest - 1)
                 add(static_cast<unsigned>(__builtin_ctz(rest)), photon, light);
@@ -160,7 +160,7 @@ private:
             const auto i = static_cast<unsigned>(__builtin_ctz(met));
             const SampledSpectrum share = this->share(i, kind);
             all_.image.add_to_light_group(point(i).pixel,
-                                          all_.pass.wavelengths.to_rgb(light[i] * share), aov);
+                                          all_.pass.wavelengths.to_rgb(light[i] * share), group);
         }
     }
 

@@ -14,7 +14,7 @@ namespace sunfleck {
 
 using PhotonCounts = std::vector<std::atomic<std::uint64_t>>;
 
-/// Adds them to the aov of samples, which must be measured.
+/// Adds them to the AOV of samples, which must be measured.
 inline void add_samples(const PhotonCounts& counts, PassImage& image) {
     for (std::size_t i = 0; i < counts.size(); ++i)
         image.add_term(Aov::samples, i, 0, {static_cast<std::int64_t>(counts[i].load()), 0});

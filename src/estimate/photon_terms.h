@@ -50,7 +50,7 @@ inline SampledSpectrum share_of(const VisiblePoint& point, float radius, std::ui
     return point.throughput * (1 / (static_cast<float>(paths) * (kPi * radius * radius)));
 }
 
-/// The aov that owns what a photon of this kind brings to this point.
+/// The AOV that owns what a photon of this kind brings to this point.
 inline Aov owner_of(const VisiblePoint& point, PhotonKind kind) {
     if (point.after_rough || kind == PhotonKind::indirect) return Aov::indirect;
     return kind == PhotonKind::direct ? Aov::direct : Aov::caustic;

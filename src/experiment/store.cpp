@@ -143,7 +143,7 @@ std::vector<std::string> CellStore::command(const Cell& cell, const std::string&
     else
         add("--cpu-time", fmt::format("{:.3f}s", settings_.cpu_seconds * cell.budget));
     if (settings_.threads > 0) add("--nthreads", std::to_string(settings_.threads));
-    if (marks_lamps(cell.scene)) add("--layers", "emission");
+    if (marks_lamps(cell.scene)) add("--aovs", "emission");
     add("--log-level", "warning");
     add("--snapshots", target);
     add("-o", target + "/last.png");

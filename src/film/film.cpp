@@ -22,13 +22,13 @@ void check_image(const FilmKey& key, std::uint32_t number, const PassImage& imag
                     "render it at the film's resolution");
     for (std::size_t i = 0; i < kAovCount; ++i)
         if (key.has(i) && !image.has(kAovs.at(i).aov))
-            throw Error(where, "lacks the layer \"" + std::string(kAovs.at(i).name) + "\"",
-                        "render it with the film's layers");
+            throw Error(where, "lacks the AOV \"" + std::string(kAovs.at(i).name) + "\"",
+                        "render it with the film's AOVs and light groups");
     if (image.light_groups() != key.light_groups.size())
         throw Error(where,
-                    "has " + std::to_string(image.light_groups()) + " layers of lights, the film " +
+                    "has " + std::to_string(image.light_groups()) + " light groups, the film " +
                         std::to_string(key.light_groups.size()),
-                    "render it with the film's layers");
+                    "render it with the film's AOVs and light groups");
     if (key.has_discs() && !image.photons_apart())
         throw Error(where, "does not hold apart what photons have brought",
                     "add it to a film without discs");
@@ -61,7 +61,7 @@ bool has_all_of_batch(const PassSet& part, std::uint64_t batch, const PassSet& p
     return part.count_in(batch_range(batch)) == passes.count_in(batch_range(batch));
 }
 
-/// @param sums  of all passes or of an open batch: arrays of aovs that are not kept are empty.
+/// @param sums  of all passes or of an open batch: arrays of AOVs that are not kept are empty.
 template <class Sums>
 void add_aovs(Sums& sums, const PassImage& image, std::uint32_t weight) {
     for (std::size_t i = 0; i < kAovCount; ++i)
@@ -171,13 +171,13 @@ void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t 
     if (sums_.passes.count_in(range) != 0)
         throw Error({"pass " + std::to_string(number)}, "the film holds it already",
                     "add each pass once");
-    const std::uint64_t round_number = number / kBatchPasses;
-    if (sums_.passes.count_in(batch_range(round_number)) != 0 &&
-        weight != weight_of_batch(round_number))
+    const std::uint64_t batch_number = number / kBatchPasses;
+    if (sums_.passes.count_in(batch_range(batch_number)) != 0 &&
+        weight != weight_of_batch(batch_number))
         throw Error({"pass " + std::to_string(number)},
-                    "counts " + std::to_string(weight) + " times, others of its round " +
-                        std::to_string(weight_of_batch(round_number)),
-                    "let all passes of a round count alike");
+                    "counts " + std::to_string(weight) + " times, others of its batch " +
+                        std::to_string(weight_of_batch(batch_number)),
+                    "let all passes of a batch count alike");
     check_image(sums_.key, number, image);
     add_aovs(sums_, image, weight);
     count("dropped_nonfinite", image.dropped());
@@ -192,7 +192,7 @@ void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t 
     if (is_new) group = empty_group(key());
     add_aovs(group, image, weight);
     if (key().has_discs()) {
-        const double area = batch_area(round_number, key().alpha);
+        const double area = batch_area(batch_number, key().alpha);
         count("saturated", add_photons(sums_, image, {area, weight}, group));
     }
     close_batches();

@@ -40,7 +40,7 @@ public:
     /// Adds one pass, and its dropped and saturated counts to the statistics.
     /// @param weight  how often it counts: 1 to kMostWeight, the same for all passes of a batch.
     /// @throws Error, and changes nothing, if the film holds it already, or other passes of its
-    ///         round that count unlike, its size or aovs are other than the key's, or it does not
+    ///         round that count unlike, its size or AOVs are other than the key's, or it does not
     ///         hold photons apart and the key has discs.
     void add_pass(std::uint32_t number, const PassImage& image, std::uint32_t weight = 1);
 

@@ -1,13 +1,13 @@
 // Film files (.film): all of a film, to be resumed or merged with nothing lost.
 //
-// Layout, in 64-bit little-endian words: magic, version, width, height, aovs (bit i: row i of
+// Layout, in 64-bit little-endian words: magic, version, width, height, AOVs (bit i: row i of
 // kAovs; bit 63: sequential), alpha (the bits of a double; zero: no discs), seed, scene hash,
-// settings; count of aovs of lights, and each name; count of pass ranges, and each begin and end;
+// settings; count of light groups, and each name; count of pass ranges, and each begin and end;
 // count of weights above one, and each, with its passes in the same way;
-// count of statistics, and each name, high and low word; the sums (high, low) of each aov, of
-// each aov of lights, pixel squares, block squares, the picture's square; with discs, of what
+// count of statistics, and each name, high and low word; the sums (high, low) of each AOV, of
+// each light group, pixel squares, block squares, the picture's square; with discs, of what
 // photons have brought: RGB sums, those by area, block squares, the picture's square; for each open
-// round its sums of each aov and of each aov of lights and, with discs, photons' RGB of each
+// round its sums of each AOV and of each light group and, with discs, photons' RGB of each
 // block (a sequential film has none); checksum of all before. One film has one file.
 #pragma once
 

@@ -47,7 +47,7 @@ std::optional<KeyDifference> difference(const FilmKey& here, const FilmKey& ther
     if (resolution(here) != resolution(there))
         return KeyDifference{"resolution", resolution(here), resolution(there)};
     if (!has_same_aovs(here, there))
-        return KeyDifference{"set of layers", aov_names(here), aov_names(there)};
+        return KeyDifference{"set of AOVs", aov_names(here), aov_names(there)};
     if (here.seed != there.seed)
         return KeyDifference{"seed", std::to_string(here.seed), std::to_string(there.seed)};
     if (here.scene_hash != there.scene_hash) return KeyDifference{"scene", "", ""};

@@ -10,7 +10,7 @@
 namespace sunfleck {
 namespace {
 
-/// A aov's sums, and those of open groups with what of them does not count in the picture.
+/// An AOV's sums, and those of open groups with what of them does not count in the picture.
 class AovSums {
 public:
     /// @param aov  of FilmSums or an OpenGroup.

@@ -41,7 +41,7 @@ std::vector<std::span<Sum>> everything(Sums& sums) {
     return all;
 }
 
-/// Room for the aovs that the key has.
+/// Room for the AOVs that the key has.
 template <class Sums>
 void make_room(const FilmKey& key, Sums& sums) {
     for (std::size_t i = 0; i < kAovCount; ++i)

@@ -11,10 +11,10 @@ namespace sunfleck {
 /// Adds each term to its sum.
 void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms);
 
-/// Adds a aov of a pass, pixel after pixel, channel after channel, `weight` times.
+/// Adds an AOV of a pass, pixel after pixel, channel after channel, `weight` times.
 void add_aov(FixedPoints& sums, const PassImage& image, const AovRow& row, std::uint32_t weight);
 
-/// Adds a aov of lights of a pass, pixel after pixel, RGB, `weight` times.
+/// Adds a light group of a pass, pixel after pixel, RGB, `weight` times.
 void add_light_group(FixedPoints& sums, const PassImage& image, std::size_t light_group,
                      std::uint32_t weight);
 

@@ -1,4 +1,4 @@
-// Adds what each aov of lights gains, channel by channel.
+// Adds what each group of lights gains, channel by channel.
 #include "film/relight.h"
 
 #include "core/error.h"
@@ -18,9 +18,9 @@ constexpr std::string_view kRgb = "RGB";
 std::set<std::string> light_groups_of(const Picture& picture) {
     const auto found = picture.metadata.find(kLightGroupNames);
     std::istringstream names(found == picture.metadata.end() ? std::string() : found->second);
-    std::set<std::string> aovs;
-    for (std::string name; names >> name;) aovs.insert(name);
-    return aovs;
+    std::set<std::string> groups;
+    for (std::string name; names >> name;) groups.insert(name);
+    return groups;
 }
 
 std::string joined(const std::set<std::string>& names) {
@@ -40,10 +40,10 @@ void apply(const LightGroupFactor& factor, Picture& picture, const std::string& 
     for (std::size_t c = 0; c < kRgb.size(); ++c) {
         const float by = factor.rgb[static_cast<int>(c)];
         std::vector<float>& all = channel_of(picture, {kRgb[c]}, name).values;
-        std::vector<float>& aov = channel_of(picture, factor.name + "." + kRgb[c], name).values;
+        std::vector<float>& group = channel_of(picture, factor.name + "." + kRgb[c], name).values;
         for (std::size_t i = 0; i < all.size(); ++i) {
-            all[i] += (by - 1) * aov[i];
-            aov[i] *= by;
+            all[i] += (by - 1) * group[i];
+            group[i] *= by;
         }
     }
 }
@@ -53,9 +53,9 @@ bool stays(const std::string& channel, const std::set<std::string>& lights) {
     constexpr std::array<std::string_view, 3> kFeatures = {"albedo", "normal", "depth"};
     const std::size_t dot = channel.rfind('.');
     if (dot == std::string::npos) return true;  // R, G, B
-    const std::string aov = channel.substr(0, dot);
-    return lights.contains(aov) ||
-           std::find(kFeatures.begin(), kFeatures.end(), aov) != kFeatures.end();
+    const std::string group = channel.substr(0, dot);
+    return lights.contains(group) ||
+           std::find(kFeatures.begin(), kFeatures.end(), group) != kFeatures.end();
 }
 
 }  // namespace
@@ -64,15 +64,15 @@ Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors
             const std::string& name) {
     const std::set<std::string> lights = light_groups_of(picture);
     if (lights.empty())
-        throw Error({name}, "has no layers of lights", "render it with --light-layer, as .exr");
+        throw Error({name}, "has no light groups", "render it with --light-group, as .exr");
     Relit result{picture, {}};
     std::set<std::string> named;
     for (const LightGroupFactor& factor : factors) {
         if (!lights.contains(factor.name))
-            throw Error({name}, "has no layer of lights \"" + factor.name + "\"",
+            throw Error({name}, "has no light group \"" + factor.name + "\"",
                         "use some of " + joined(lights));
         if (!named.insert(factor.name).second)
-            throw Error({name}, "the layer \"" + factor.name + "\" is named twice",
+            throw Error({name}, "the light group \"" + factor.name + "\" is named twice",
                         "name each once");
         apply(factor, result.picture, name);
     }

@@ -48,7 +48,7 @@ class LightSurvey {
 public:
     /// @param work  see LightPlanner.
     LightSurvey(const PhotonContext& view, const PhotonSettings& settings, const PilotName& name,
-             std::uint64_t work)
+                std::uint64_t work)
         : view_(view), settings_(settings), name_(name), work_(work), octree_(octree_of(view)) {}
 
     /// Lights by stratum.
@@ -75,7 +75,7 @@ public:
     /// @param context  must outlive what is returned. @param strata  of lights: each is searched
     /// for.
     GuideSource maps(const SamplingContext& context, std::size_t strata) const {
-        if (!settings_.emission_guide || !settings_.light_search || view_.index.points().empty() ||
+        if (!settings_.emission_guide || !settings_.guide_search || view_.index.points().empty() ||
             context.lights.empty())
             return {settings_.emission_guide};
         return {true,
@@ -135,11 +135,11 @@ public:
     Pilots(const LightSurvey& survey, std::vector<LightChoice> strata)
         : power_(survey.weights().total()) {
         for (LightChoice& lights : strata) {
-            contexts_.push_back(std::make_unique<SamplingContext>(
-                survey.view(), survey.octree(), std::move(lights)));
+            contexts_.push_back(std::make_unique<SamplingContext>(survey.view(), survey.octree(),
+                                                                  std::move(lights)));
             const SamplingContext& context = *contexts_.back();
-            pilots_.emplace_back(context.space, survey.name(),
-                                 survey.maps(context, strata.size()), survey.sets());
+            pilots_.emplace_back(context.space, survey.name(), survey.maps(context, strata.size()),
+                                 survey.sets());
             const HeightTail& tail = pilots_.back().explore();
             fluxes_.push_back({context.lights.total(), tail[kVisible], is_rare(tail)});
         }

@@ -54,7 +54,7 @@ struct PhotonSettings {
     // Of the sampler `adaptive`:
     bool splitting = true;        // sets that lead to visible paths, where these are rare
     bool emission_guide = true;   // may learn where light starts
-    bool light_search = true;     // and look for it from the view, where chains do not lead there
+    bool guide_search = true;     // and look for it from the view, where chains do not lead there
     bool light_strata = true;     // may part the lights
     bool adaptive_pixels = true;  // more camera paths where they are noisy
     bool photon_budget = true;    // if paths_per_pass is absent: from pass 16 on as measured
@@ -77,25 +77,23 @@ inline std::string setting_of(const AdaptivePart& part) {
 }
 
 inline constexpr std::array<AdaptivePart, 7> kAdaptiveParts = {{
-    {&PhotonSettings::splitting, "ladder",
-     "auto: where visible paths are rare, sets of paths that lead to them; off: one set, as in the "
-     "paper"},
-    {&PhotonSettings::emission_guide, "emission-maps",
-     "auto: where few paths are seen, learn from where light must start; off: chains alone"},
-    {&PhotonSettings::light_search, "light-search",
-     "auto: emission maps look for light from the view, too, where chains do not find it; off: "
-     "chains alone find it"},
-    {&PhotonSettings::light_strata, "light-groups",
-     "auto: lights of which much and little is seen get photon paths apart; off: all lights "
-     "together"},
-    {&PhotonSettings::adaptive_pixels, "noisy-pixels",
-     "auto: up to 64 camera paths a draw in pixels that are measured to be noisier than others; "
-     "off: one in each"},
-    {&PhotonSettings::photon_budget, "balance",
-     "auto: from pass 16 on as many photon paths a pass as pay beside its camera paths, measured; "
-     "off: as many in all passes"},
+    {&PhotonSettings::splitting, "splitting",
+     "auto: where visible paths are rare, multilevel splitting towards them; off: one level, as in "
+     "the paper"},
+    {&PhotonSettings::emission_guide, "emission-guide",
+     "auto: where visible paths are rare, learn where they start; off: Markov chains alone"},
+    {&PhotonSettings::guide_search, "guide-search",
+     "auto: where chains find no light, importons and edges look for it; off: chains alone"},
+    {&PhotonSettings::light_strata, "light-strata",
+     "auto: lights of unlike visible fractions are sampled as strata; off: all lights together"},
+    {&PhotonSettings::adaptive_pixels, "adaptive-pixels",
+     "auto: up to 64 camera paths per subpass in pixels whose measured noise is high; off: one per "
+     "pixel"},
+    {&PhotonSettings::photon_budget, "photon-budget",
+     "auto: from pass 16 on, the number of photon paths per pass that trials found most efficient; "
+     "off: the same number in all passes"},
     {&PhotonSettings::pass_weights, "pass-weights",
-     "auto: passes whose balance makes them better count up to four times; off: all count once"},
+     "auto: passes are weighted by their inverse variance, up to four times; off: equally"},
 }};
 
 }  // namespace sunfleck

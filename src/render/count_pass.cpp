@@ -11,7 +11,7 @@ namespace {
 /// Level by level, as sums over passes.
 void count_splitting(Film& film, const std::string& name, const SplittingCounts& splitting) {
     for (std::size_t k = 0; k < splitting.levels.size(); ++k) {
-        const std::string level = name + "ladder." + std::to_string(k) + ".";
+        const std::string level = name + "splitting." + std::to_string(k) + ".";
         const Acceptance mutations = splitting.levels[k].mutations();
         film.count(level + "states", splitting.levels[k].states);
         film.count(level + "survivors",
@@ -26,7 +26,7 @@ void count_strata(Film& film, const std::vector<StratumCounts>& strata) {
     if (strata.size() < 2) return;
     for (std::size_t g = 0; g < strata.size(); ++g) {
         const StratumCounts& stratum = strata[g];
-        const std::string name = "group." + std::to_string(g) + ".";
+        const std::string name = "stratum." + std::to_string(g) + ".";
         film.count(name + "passes", 1);
         film.count(name + "paths", stratum.paths);
         film.count(name + "starved_passes", stratum.visible_fraction > 0 ? 0 : 1);
@@ -43,7 +43,7 @@ void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     for (const StratumCounts& stratum : pass.strata) paths += stratum.paths;
     const std::string name = "epoch." + std::to_string(epoch_of(number)) + ".";
     film.count(name + "passes", 1);
-    film.count(name + "draws", pass.subpasses);
+    film.count(name + "subpasses", pass.subpasses);
     film.count(name + "weight", pass.weight);
     film.count(name + "camera_paths", pass.statistics[Count::camera_paths]);
     film.count(name + "paths", paths);

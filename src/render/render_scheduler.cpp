@@ -27,7 +27,7 @@ constexpr double kPassOfView = 2;
 
 /// Share of photon paths that brought light.
 double share_bringing(const Film& film) {
-    const double traced = film.statistic("uniform_paths") + film.statistic("mapped_paths") +
+    const double traced = film.statistic("uniform_paths") + film.statistic("guided_paths") +
                           film.statistic("mutated_paths");
     return traced > 0 ? film.statistic("distinct_visible") / traced : 0;
 }
@@ -78,7 +78,7 @@ bool RenderScheduler::is_over() const {
 }
 
 /// Will more passes be black, too? Where no light can be, one pass tells; where nothing is in view,
-/// a batch does; so it does for aovs of surfaces that are not lit.
+/// a batch does; so it does for AOVs of surfaces that are not lit.
 bool RenderScheduler::is_black() const {
     const bool is_dark = job_.scene.is_dark();
     if (is_dark && job_.settings.aovs == AovSet{}) return true;

@@ -30,11 +30,11 @@ std::string RenderSettings::text() const {
         optional_number(photon.paths_per_pass), optional_number(camera.radius_pixels),
         optional_number(camera.radius), optional_number(camera.indirect_radius), alpha);
     if (energy_compensation) text += "energy_compensation=on\n";
-    if (!camera.ris) text += "light_candidates=off\n";
+    if (!camera.ris) text += "ris=off\n";
     for (const AdaptivePart& part : kAdaptiveParts)
         if (!(photon.*part.is_on)) text += setting_of(part) + "=off\n";
     if (!transport.light_groups.names.empty())
-        text += fmt::format("light_layers={}\n", transport.light_groups.text);
+        text += fmt::format("output_light_groups={}\n", transport.light_groups.text);
     if (photon.sampler != PhotonSampler::paper) return text;
     const PaperSettings& paper = photon.paper;
     return text + fmt::format("replica_exchange={}\nmutation_size={}\ntarget_acceptance={}\n",

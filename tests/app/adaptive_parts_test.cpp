@@ -37,22 +37,22 @@ TEST_F(AdaptiveParts, are_off_where_the_user_says_so) {
 }
 
 TEST_F(AdaptiveParts, of_what_is_off_are_refused) {
-    expect_refused("--light-search", {{"--light-search", "off", "--emission-maps", "off"}});
-    expect_refused("--pass-weights", {{"--pass-weights", "off", "--balance", "off"}});
+    expect_refused("--guide-search", {{"--guide-search", "off", "--emission-guide", "off"}});
+    expect_refused("--pass-weights", {{"--pass-weights", "off", "--photon-budget", "off"}});
 }
 
 TEST_F(AdaptiveParts, one_set_in_place_of_splitting) {
     use("cognac-4",
-        {"--resolution", "16x16", "--photons-per-pass", "20000", "--emission-maps", "off"});
-    EXPECT_GE(stats("0:1")["ladder"]["levels"], 3);
-    EXPECT_EQ(stats("0:1", {"--ladder", "off"})["ladder"]["levels"], 1);
+        {"--resolution", "16x16", "--photons-per-pass", "20000", "--emission-guide", "off"});
+    EXPECT_GE(stats("0:1")["splitting"]["levels"], 3);
+    EXPECT_EQ(stats("0:1", {"--splitting", "off"})["splitting"]["levels"], 1);
 }
 
 TEST_F(AdaptiveParts, light_that_only_a_search_from_the_view_finds) {
     use("keyhole-8", {"--resolution", "8x8", "--photons-per-pass", "2000"});
-    EXPECT_GT(stats("0:1")["photon_paths"]["mapped_visible"], 0);
-    const auto off = stats("0:1", {"--light-search", "off"});
-    EXPECT_EQ(off["photon_paths"]["mapped"], 0);
+    EXPECT_GT(stats("0:1")["photon_paths"]["guided_visible"], 0);
+    const auto off = stats("0:1", {"--guide-search", "off"});
+    EXPECT_EQ(off["photon_paths"]["guided"], 0);
     EXPECT_EQ(off["photon_paths"]["deposited"], 0);
 }
 
@@ -66,16 +66,16 @@ TEST_F(AdaptiveParts, all_passes_count_once) {
 TEST_F(AdaptiveParts, light_candidates_are_one_for_any_sampler) {
     for (const char* sampler : {"adaptive", "uniform"}) {
         const auto several = stats("0:1", {"--photon-sampler", sampler});
-        const auto one = stats("0:1", {"--photon-sampler", sampler, "--light-candidates", "off"});
-        EXPECT_FALSE(several["settings"].contains("light_candidates"));
-        EXPECT_EQ(one["settings"]["light_candidates"], "off");
-        EXPECT_LT(one["rays"]["eye"], several["rays"]["eye"]);
+        const auto one = stats("0:1", {"--photon-sampler", sampler, "--ris", "off"});
+        EXPECT_FALSE(several["settings"].contains("ris"));
+        EXPECT_EQ(one["settings"]["ris"], "off");
+        EXPECT_LT(one["rays"]["camera"], several["rays"]["camera"]);
     }
-    expect_films_apart("--light-candidates", "light_candidates");
-    expect_refused("--light-candidates", {{"--light-candidates", "on"},
-                                          {"--light-candidates", "off", "--direct", "photons"},
-                                          {"--light-candidates", "off", "--mode", "paper"},
-                                          {"--light-candidates", "off", "--integrator", "path"}});
+    expect_films_apart("--ris", "ris");
+    expect_refused("--ris", {{"--ris", "on"},
+                             {"--ris", "off", "--direct", "photons"},
+                             {"--ris", "off", "--mode", "paper"},
+                             {"--ris", "off", "--integrator", "path"}});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The same bytes however a render is cut: threads by splits, on a room, through glass, and by sun
-// through a window; balance, light groups and aovs of lights in two epochs.
+// through a window; balance, light groups and light groups in two epochs.
 #include "app/determinism_support.h"
 
 namespace sunfleck {
@@ -11,7 +11,7 @@ class DeterminismTable : public testing_support::DeterminismTest,
                          public ::testing::WithParamInterface<const char*> {};
 
 TEST_P(DeterminismTable, threads_by_splits) {
-    use(GetParam(), {"--resolution", "48x40", "--photons-per-pass", "12000", "--layers",
+    use(GetParam(), {"--resolution", "48x40", "--photons-per-pass", "12000", "--aovs",
                      "direct,caustic,indirect,albedo,normal,depth"});
     part("reference", "0:16", 1);
     const Bytes reference = bytes("reference");
@@ -52,15 +52,17 @@ TEST_P(TwoEpochs, have_the_same_bytes_for_any_threads_and_cuts) {
 INSTANTIATE_TEST_SUITE_P(
     Of, TwoEpochs,
     ::testing::Values(
-        LearnedCase{"balance", "cornell", {}, 15, {14, 17, 18}},
+        LearnedCase{"photon_budget", "cornell", {}, 15, {14, 17, 18}},
         LearnedCase{"passes_that_count_twice", "keyhole-4", {}, 17, {14, 17, 18}, "48x48"},
-        LearnedCase{"noisy_pixels", "iced-tea", {"--photons-per-pass", "20000"}, 15, {14, 17, 18}},
-        LearnedCase{"light_groups", "useless-light", {"--photons-per-pass", "3000"}, 7, {4, 17, 18}},
-        LearnedCase{"light_layers",
-                "useless-light",
-                {"--photons-per-pass", "3000", "--light-layer", "each"},
-                7,
-                {4, 17, 18}}),
+        LearnedCase{
+            "adaptive_pixels", "iced-tea", {"--photons-per-pass", "20000"}, 15, {14, 17, 18}},
+        LearnedCase{
+            "light_strata", "useless-light", {"--photons-per-pass", "3000"}, 7, {4, 17, 18}},
+        LearnedCase{"light_groups",
+                    "useless-light",
+                    {"--photons-per-pass", "3000", "--light-group", "each"},
+                    7,
+                    {4, 17, 18}}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

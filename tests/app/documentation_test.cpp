@@ -42,7 +42,7 @@ TEST_F(Documentation, has_each_layer) {
     for (const AovRow& row : kAovs) {
         if (row.name.empty()) continue;
         EXPECT_NE(text.find("| `" + std::string(row.name) + "."), std::string::npos) << row.name;
-        EXPECT_NE(text.find("`--layers " + std::string(row.name) + "`"), std::string::npos);
+        EXPECT_NE(text.find("`--aovs " + std::string(row.name) + "`"), std::string::npos);
     }
 }
 

@@ -1,5 +1,5 @@
-// Emission maps as a user meets them: the flag, the statistics, the same bytes however a render is
-// cut.
+// The emission guide as a user meets it: the flag, the statistics, the same bytes however a render
+// is cut.
 #include "app/determinism_support.h"
 
 namespace sunfleck {
@@ -17,11 +17,11 @@ protected:
 
 TEST_F(EmissionGuides, are_told_in_the_statistics) {
     const auto s = stats("0:2");
-    EXPECT_EQ(s["photon_paths"]["mapped"], 2 * 2250);
-    EXPECT_GT(s["photon_paths"]["mapped_visible"], 20);
+    EXPECT_EQ(s["photon_paths"]["guided"], 2 * 2250);
+    EXPECT_GT(s["photon_paths"]["guided_visible"], 20);
     EXPECT_EQ(s["photon_paths"]["uniform_visible"], 0);
     // Chains within what the map covers bring nothing there.
-    EXPECT_EQ(s["photon_paths"]["deposited"], s["photon_paths"]["mapped_visible"]);
+    EXPECT_EQ(s["photon_paths"]["deposited"], s["photon_paths"]["guided_visible"]);
     EXPECT_GT(s["visible_fraction"]["value"], 8e-7);  // 1e-6, and what wide discs add
     EXPECT_LT(s["visible_fraction"]["value"], 2.5e-6);
     EXPECT_GT(s["visible_fraction"]["std_error"], 0);
@@ -30,7 +30,7 @@ TEST_F(EmissionGuides, are_told_in_the_statistics) {
 }
 
 TEST_F(EmissionGuides, are_left_out_where_the_user_says_so) {
-    EXPECT_EQ(stats("0:1", {"--emission-maps", "off"})["photon_paths"]["mapped"], 0);
+    EXPECT_EQ(stats("0:1", {"--emission-guide", "off"})["photon_paths"]["guided"], 0);
 }
 
 TEST_F(EmissionGuides, have_the_same_bytes_for_any_threads_and_parts) {

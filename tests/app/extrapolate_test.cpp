@@ -35,8 +35,8 @@ protected:
 
 TEST_F(Extrapolate, subtracts_the_bias_from_the_picture_alone) {
     const Words films{"-o", "plain.film"};
-    render_to("plain", Words{"--passes", "64", "--layers", "caustic"} + films);
-    const Ran ran = render_to("zero", {"--passes", "64", "--layers", "caustic", "-o", "zero.film",
+    render_to("plain", Words{"--passes", "64", "--aovs", "caustic"} + films);
+    const Ran ran = render_to("zero", {"--passes", "64", "--aovs", "caustic", "-o", "zero.film",
                                        "--extrapolate", "on", "--log-level", "warning"});
     EXPECT_EQ(ran.err, "");
     const Picture plain = read_exr(path("plain.exr"));

@@ -123,7 +123,7 @@ TEST_F(Flags, resolution) {
 
 /// Random numbers go by the pixel's place in the window: the same light, not the same bytes.
 TEST_F(Flags, crop_shows_the_same_part) {
-    const Words passes{"--pass-range", "0:64", "--photons-per-pass", "20000", "--layers", "depth"};
+    const Words passes{"--pass-range", "0:64", "--photons-per-pass", "20000", "--aovs", "depth"};
     const Rendered whole = rendered(passes);
     const Rendered part = rendered(passes + Words{"--crop", "5,8,7,10"});
     ASSERT_EQ(part.picture.width, 3);
@@ -142,8 +142,7 @@ TEST_F(Flags, crop_shows_the_same_part) {
 
 TEST_F(Flags, aovs) {
     EXPECT_EQ(rendered({}).picture.channels.size(), 3U);
-    const Picture picture =
-        rendered({"--layers", "direct,caustic,indirect,emission,depth"}).picture;
+    const Picture picture = rendered({"--aovs", "direct,caustic,indirect,emission,depth"}).picture;
     for (const char* name : {"R", "direct.R", "caustic.G", "indirect.B", "emission.R", "depth.Z"})
         EXPECT_NE(picture.find(name), nullptr) << name;
     EXPECT_EQ(picture.find("albedo.R"), nullptr);
@@ -264,10 +263,10 @@ TEST_F(Flags, bad_values_are_refused_in_one_line) {
         {"--alpha", "nan"},
         {"--alpha", "1"},
         {"--max-depth", "0"},
-        {"--layers", "colour"},
+        {"--aovs", "colour"},
         {"--exposure", "nan"},
         {"--isa", "sse"},
-        {"--integrator", "path", "--layers", "depth"},
+        {"--integrator", "path", "--aovs", "depth"},
         {"--integrator", "path", "--photon-sampler", "random"},
         {"--integrator", "path", "--mode", "paper"},
         {"--integrator", "path", "--radius", "1"},

@@ -1,4 +1,4 @@
-// Aovs of lights as a user meets them: the list of lights, the flag, the picture's aovs, and
+// Aovs of lights as a user meets them: the list of lights, the flag, the picture's AOVs, and
 // lamps dimmed afterwards.
 #include "app/determinism_support.h"
 #include "image/exr.h"
@@ -19,7 +19,7 @@ protected:
     void SetUp() override {
         DeterminismTest::SetUp();
         use("useless-light",
-            {"--resolution", "12x12", "--photons-per-pass", "3000", "--light-layer", "each"});
+            {"--resolution", "12x12", "--photons-per-pass", "3000", "--light-group", "each"});
     }
 
     /// Channel names, without those of the picture itself.
@@ -56,8 +56,8 @@ TEST_F(LightGroupsApp, each_light_or_named_ones_have_a_layer) {
               (std::vector<std::string>{"light1.B", "light1.G", "light1.R", "light2.B", "light2.G",
                                         "light2.R"}));
     ASSERT_EQ(run({"render", "useless-light.pbrt", "--quiet", "--resolution", "12x12",
-                   "--photons-per-pass", "3000", "--passes", "1", "--light-layer", "a-1=2",
-                   "--light-layer", "B_=1", "-o", "named.exr"})
+                   "--photons-per-pass", "3000", "--passes", "1", "--light-group", "a-1=2",
+                   "--light-group", "B_=1", "-o", "named.exr"})
                   .code,
               0);
     const Picture each = read_exr(path("each.exr"));
@@ -65,7 +65,7 @@ TEST_F(LightGroupsApp, each_light_or_named_ones_have_a_layer) {
     EXPECT_EQ(each.find("light2.G")->values, named.find("a-1.G")->values);
     EXPECT_EQ(each.find("light1.R")->values, named.find("B_.R")->values);
     EXPECT_EQ(each.find("R")->values, named.find("R")->values);
-    EXPECT_EQ(named.metadata.at("light_layers"), "a-1 B_");
+    EXPECT_EQ(named.metadata.at("light_groups"), "a-1 B_");
 }
 
 TEST_F(LightGroupsApp, films_with_other_layers_do_not_mix) {
@@ -74,12 +74,13 @@ TEST_F(LightGroupsApp, films_with_other_layers_do_not_mix) {
                        "12x12",  "--photons-per-pass", "3000",    "--pass-range",
                        "1:2"};
     ASSERT_EQ(run(render + Words{"-o", "none.film"}).code, 0);
-    ASSERT_EQ(run(render + Words{"--light-layer", "light1=2", "--light-layer", "light2=1", "-o",
+    ASSERT_EQ(run(render + Words{"--light-group", "light1=2", "--light-group", "light2=1", "-o",
                                  "other.film"})
                   .code,
               0);
-    for (const auto& [film, what] : {std::pair("none.film", "set of layers"),
-                                     std::pair("other.film", "light_layers=light1=1 light2=2")}) {
+    for (const auto& [film, what] :
+         {std::pair("none.film", "set of AOVs"),
+          std::pair("other.film", "output_light_groups=light1=1 light2=2")}) {
         const Ran merged = run({"merge", "a.film", film, "-o", "x.exr"});
         EXPECT_EQ(merged.code, 2);
         EXPECT_NE(merged.err.find(what), std::string::npos) << merged.err;
@@ -88,8 +89,8 @@ TEST_F(LightGroupsApp, films_with_other_layers_do_not_mix) {
 
 TEST_F(LightGroupsApp, what_cannot_be_a_layer_is_refused) {
     use("useless-light", {});
-    const auto aov = [](const std::string& text) { return Words{"--light-layer", text}; };
-    expect_refused("--light-layer", {aov(""),
+    const auto aov = [](const std::string& text) { return Words{"--light-group", text}; };
+    expect_refused("--light-group", {aov(""),
                                      aov("a"),
                                      aov("a="),
                                      aov("=1"),
@@ -118,10 +119,10 @@ TEST_F(LightGroupsApp, more_lights_than_layers_are_refused) {
     std::string scene = "WorldBegin\n";
     for (int i = 0; i < 65; ++i) scene += "LightSource \"point\"\n";
     write_text(path("many.pbrt"), scene);
-    const Ran ran = run({"render", "many.pbrt", "--light-layer", "each", "-o", "x.exr"});
+    const Ran ran = run({"render", "many.pbrt", "--light-group", "each", "-o", "x.exr"});
     EXPECT_EQ(ran.code, 2);
     EXPECT_NE(ran.err.find("put lights together: 64 at most"), std::string::npos) << ran.err;
-    EXPECT_EQ(run({"render", "many.pbrt", "--quiet", "--light-layer", "all=1-65", "--resolution",
+    EXPECT_EQ(run({"render", "many.pbrt", "--quiet", "--light-group", "all=1-65", "--resolution",
                    "2x2", "--passes", "1", "-o", "x.exr"})
                   .code,
               0);

@@ -18,9 +18,9 @@ protected:
 
 TEST_F(LightStrata, are_told_in_the_statistics) {
     const auto s = stats("0:3", {"--seed", "7"});  // one whose pilot finds the sun's light
-    ASSERT_EQ(s["light_groups"].size(), 2U);
-    const auto& lamp = s["light_groups"][0];
-    const auto& sun = s["light_groups"][1];
+    ASSERT_EQ(s["light_strata"].size(), 2U);
+    const auto& lamp = s["light_strata"][0];
+    const auto& sun = s["light_strata"][1];
     for (const auto& group : {lamp, sun}) {
         EXPECT_EQ(group["passes"], 3);
         EXPECT_LE(group["starved_passes"], 3);
@@ -31,30 +31,30 @@ TEST_F(LightStrata, are_told_in_the_statistics) {
     EXPECT_LT(sun["visible_fraction"], 1e-3);
     EXPECT_NEAR(lamp["paths"], 3000 / 1.1, 3);
     EXPECT_NEAR(sun["paths"], 300 / 1.1, 3);
-    EXPECT_EQ(lamp["ladder"]["levels"], 0);
-    EXPECT_GT(sun["ladder"]["levels"], 0);
-    EXPECT_EQ(sun["ladder"]["fractions"].size(), sun["ladder"]["levels"]);
-    EXPECT_EQ(s["ladder"]["levels"], 0);  // of all lights together: there is none
+    EXPECT_EQ(lamp["splitting"]["levels"], 0);
+    EXPECT_GT(sun["splitting"]["levels"], 0);
+    EXPECT_EQ(sun["splitting"]["fractions"].size(), sun["splitting"]["levels"]);
+    EXPECT_EQ(s["splitting"]["levels"], 0);  // of all lights together: there is none
     // Light that is not there needs no group, nor do other samplers part it.
-    EXPECT_TRUE(stats("0:1", {"--light-groups", "off"})["light_groups"].empty());
-    EXPECT_TRUE(stats("0:1", {"--photon-sampler", "uniform"})["light_groups"].empty());
+    EXPECT_TRUE(stats("0:1", {"--light-strata", "off"})["light_strata"].empty());
+    EXPECT_TRUE(stats("0:1", {"--photon-sampler", "uniform"})["light_strata"].empty());
     use("useful-light", {"--resolution", "12x12", "--photons-per-pass", "3000"});
-    EXPECT_TRUE(stats("0:1")["light_groups"].empty());
+    EXPECT_TRUE(stats("0:1")["light_strata"].empty());
 }
 
 TEST_F(LightStrata, are_on_unless_they_are_switched_off) {
     const auto plain = stats("0:1");
     const std::string bytes = read_text(path("x.exr"));
-    EXPECT_FALSE(plain["settings"].contains("light_groups"));
-    EXPECT_EQ(stats("0:1", {"--light-groups", "auto"})["settings"], plain["settings"]);
+    EXPECT_FALSE(plain["settings"].contains("light_strata"));
+    EXPECT_EQ(stats("0:1", {"--light-strata", "auto"})["settings"], plain["settings"]);
     EXPECT_EQ(read_text(path("x.exr")), bytes);
-    EXPECT_EQ(stats("0:1", {"--light-groups", "off"})["settings"]["light_groups"], "off");
+    EXPECT_EQ(stats("0:1", {"--light-strata", "off"})["settings"]["light_strata"], "off");
     EXPECT_NE(read_text(path("x.exr")), bytes);
     // Of a single lamp the picture is the same.
     use("useful-light", {"--resolution", "12x12", "--photons-per-pass", "3000"});
     stats("0:1");
     const std::string one = read_text(path("x.exr"));
-    stats("0:1", {"--light-groups", "off"});
+    stats("0:1", {"--light-strata", "off"});
     EXPECT_EQ(read_text(path("x.exr")), one);
 }
 

@@ -42,7 +42,7 @@ TEST_F(Merge, writes_every_format_and_statistics) {
     EXPECT_EQ(read_text(path("whole.exr")), read_text(path("x.exr")));
     const auto stats = json("x.json");
     EXPECT_EQ(stats["passes"], 32);
-    EXPECT_EQ(stats["rounds"], 2);
+    EXPECT_EQ(stats["batches"], 2);
     EXPECT_EQ(stats["photon_paths"]["uniform"], 64000);
 }
 
@@ -73,7 +73,7 @@ TEST_F(Merge, other_renders) {
         {{"--radius", "0.5"}, {"radius", "0.5"}},
         {{"--resolution", "8x8"}, {"resolution", "16x12", "8x8"}},
         {{"--crop", "0,4,0,4"}, {"resolution", "16x12", "4x4"}},
-        {{"--layers", "albedo"}, {"layers", "albedo"}},
+        {{"--aovs", "albedo"}, {"layers", "albedo"}},
     };
     for (const auto& [words, named] : rows) {
         part("b.film", "2:4", words);

@@ -155,12 +155,11 @@ TEST_F(Outputs, of_scene_replace_no_file_that_differs) {
 }
 
 TEST_F(Outputs, hold_the_layers_that_are_asked_for) {
-    for (const Words& aov : {Words{"--layers", "depth"}, Words{"--light-layer", "each"}})
+    for (const Words& aov : {Words{"--aovs", "depth"}, Words{"--light-group", "each"}})
         expect_refused({"render", "room.pbrt", "-o", "x.png", aov[0], aov[1]},
-                       aov[0] + ": a .png holds no layers; add an output that does");
-    expect_refused({"render", "room.pbrt", "-o", "x.PNG", "--layers", "depth"}, "holds no layers");
-    EXPECT_EQ(render({"-o", "x.png", "-o", "x.film", "--passes", "1", "--layers", "depth"}).code,
-              0);
+                       aov[0] + ": a .png holds no AOVs; add an output that does");
+    expect_refused({"render", "room.pbrt", "-o", "x.PNG", "--aovs", "depth"}, "holds no AOVs");
+    EXPECT_EQ(render({"-o", "x.png", "-o", "x.film", "--passes", "1", "--aovs", "depth"}).code, 0);
 }
 
 TEST_F(Outputs, have_endings_that_are_named) {

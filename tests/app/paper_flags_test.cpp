@@ -36,7 +36,7 @@ TEST_F(PaperFlags, sampler_and_mode_are_one) {
     EXPECT_GT(s["mutation_size"], 0);
     EXPECT_GT(s["acceptance"], 0);
     EXPECT_NE(s["warnings"].dump().find("biased"), std::string::npos);
-    EXPECT_EQ(s["rounds"], 0);
+    EXPECT_EQ(s["batches"], 0);
     EXPECT_FALSE(s["image"].contains("mean_std_error"));
     EXPECT_EQ(read_exr(path("x.exr")).find("error.Y"), nullptr);
     const auto other = rendered(passes + Words{"--photon-sampler", "paper", "--direct", "photons"});

@@ -1,4 +1,4 @@
-// Balance and noisy pixels as a user meets them: the flags, the statistics.
+// The photon budget and adaptive pixel sampling as a user meets them: the flags, the statistics.
 #include "app/determinism_support.h"
 
 namespace sunfleck {
@@ -22,8 +22,8 @@ TEST_F(Balance, is_told_in_the_statistics) {
     EXPECT_EQ(s["epochs"][1]["epoch"], 1);
     EXPECT_EQ(s["epochs"][0]["photons_per_pass"], 200'000);
     EXPECT_LT(s["epochs"][1]["photons_per_pass"], 200'000);  // 144 pixels need fewer
-    EXPECT_EQ(s["epochs"][0]["draws_per_pass"], 1);
-    EXPECT_GE(s["epochs"][1]["draws_per_pass"], 1);
+    EXPECT_EQ(s["epochs"][0]["subpasses_per_pass"], 1);
+    EXPECT_GE(s["epochs"][1]["subpasses_per_pass"], 1);
     EXPECT_EQ(s["epochs"][0]["weight"], 1);
     EXPECT_EQ(s["epochs"][1]["weight"], 1);
     EXPECT_EQ(s["epochs"][1]["passes"], 2);
@@ -42,7 +42,7 @@ TEST_F(Balance, passes_of_more_photons_count_more_than_once) {
 }
 
 TEST_F(Balance, is_off_where_the_user_says_so) {
-    const auto s = stats("16:17", {"--balance", "off"});
+    const auto s = stats("16:17", {"--photon-budget", "off"});
     EXPECT_EQ(s["epochs"][0]["photons_per_pass"], 200'000);
     const auto given = stats("16:17", {"--photons-per-pass", "777"});
     EXPECT_EQ(given["epochs"][0]["photons_per_pass"], 777);
@@ -52,10 +52,10 @@ TEST_F(Balance, adaptive_pixels_are_told_in_the_statistics_and_can_be_left_out) 
     use("diamond", {"--resolution", "24x24"});
     const auto s = stats("15:16");
     const auto& epoch = s["epochs"][0];
-    EXPECT_GT(epoch["camera_paths_per_pixel"], epoch["draws_per_pass"]);
-    const auto off = stats("15:18", {"--noisy-pixels", "off"});
+    EXPECT_GT(epoch["camera_paths_per_pixel"], epoch["subpasses_per_pass"]);
+    const auto off = stats("15:18", {"--adaptive-pixels", "off"});
     for (const auto& even : off["epochs"])
-        EXPECT_EQ(even["camera_paths_per_pixel"], even["draws_per_pass"]);
+        EXPECT_EQ(even["camera_paths_per_pixel"], even["subpasses_per_pass"]);
 }
 
 }  // namespace

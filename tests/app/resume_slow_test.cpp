@@ -35,7 +35,7 @@ protected:
 TEST_F(ResumeSlow, has_the_bytes_of_a_whole_render) {
     ASSERT_EQ(run({"scene", "cognac-4", "-o", "."}).code, 0);
     const std::vector<Words> ways = {
-        {"--photon-sampler", "adaptive", "--photons-per-pass", "6000", "--layers", "caustic,depth"},
+        {"--photon-sampler", "adaptive", "--photons-per-pass", "6000", "--aovs", "caustic,depth"},
         {"--photon-sampler", "uniform", "--photons-per-pass", "2000"},
         {"--photon-sampler", "random", "--photons-per-pass", "2000"},
         {"--photon-sampler", "paper", "--photons-per-pass", "2000"},
@@ -59,7 +59,7 @@ TEST_F(ResumeSlow, has_the_bytes_of_a_whole_render) {
             EXPECT_EQ(files.stats, whole.stats) << way[1];
         }
         if (way[1] == "adaptive") {
-            EXPECT_GT(whole.stats["ladder"]["levels"], 0) << "nothing to learn";
+            EXPECT_GT(whole.stats["splitting"]["levels"], 0) << "nothing to learn";
         }
         std::filesystem::remove(path("x.ckpt"));
     }

@@ -43,7 +43,7 @@ TEST_F(Stats, are_those_of_the_documentation) {
 
 TEST_F(Stats, add_up) {
     const auto s =
-        stats({"--passes", "32", "--seed", "5", "--nthreads", "2", "--noisy-pixels", "off"});
+        stats({"--passes", "32", "--seed", "5", "--nthreads", "2", "--adaptive-pixels", "off"});
     EXPECT_EQ(s["version"], SUNFLECK_VERSION);
     EXPECT_EQ(s["scene"], "room.pbrt");
     EXPECT_NE(s["command"].get<std::string>().find("--seed 5"), std::string::npos);
@@ -52,7 +52,7 @@ TEST_F(Stats, add_up) {
     EXPECT_EQ(s["isa"], "avx2");
     EXPECT_EQ(s["resolution"], (nlohmann::json{16, 12}));
     EXPECT_EQ(s["passes"], 32);
-    EXPECT_EQ(s["rounds"], 2);
+    EXPECT_EQ(s["batches"], 2);
     const auto& paths = s["photon_paths"];
     EXPECT_EQ(paths["uniform"], 32 * 2000);
     EXPECT_LE(paths["uniform_visible"], paths["uniform"]);
@@ -62,7 +62,7 @@ TEST_F(Stats, add_up) {
     EXPECT_GT(s["visible_fraction"]["std_error"], 0);
     EXPECT_LT(s["visible_fraction"]["std_error"], 0.1);
     EXPECT_GE(s["rays"]["photon"], paths["uniform"]);
-    EXPECT_GE(s["rays"]["eye"], 32 * 16 * 12);
+    EXPECT_GE(s["rays"]["camera"], 32 * 16 * 12);
     EXPECT_GT(s["visible_points"], 32 * 16 * 12);  // paths part at the glass ball
     EXPECT_LE(s["visible_points"], 2 * 32 * 16 * 12);
     EXPECT_GE(s["deposits"], s["photons_stored"]);

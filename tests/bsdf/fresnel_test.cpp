@@ -45,7 +45,7 @@ TEST(Fresnel, conductor_is_the_textbook) {
     for (const float c : kCosines) {
         const SampledSpectrum r = conductor_reflectance(c, eta, k);
         for (std::size_t i = 0; i < kWavelengths; ++i)
-            EXPECT_NEAR(r[i], laws::fresnel(c, {eta[i], k[i]}), 3e-5) << c << " lane " << i;
+            EXPECT_NEAR(r[i], laws::fresnel(c, {eta[i], k[i]}), 3e-5) << c << " wavelength " << i;
     }
 }
 

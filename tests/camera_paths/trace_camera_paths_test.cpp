@@ -1,4 +1,4 @@
-// The aovs that an camera pass brings, under a limit of depth.
+// The AOVs that an camera pass brings, under a limit of depth.
 #include "camera_paths/trace_camera_paths.h"
 
 #include "support/direct_light_cases.h"
@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
-/// Luminance of one aov over pixels that all look at kPoint from straight above.
+/// Luminance of one AOV over pixels that all look at kPoint from straight above.
 double aov_of(SceneDescription scene, int max_depth, Aov aov) {
     constexpr int kSide = 8;
     constexpr std::uint32_t kPasses = 64;

@@ -242,7 +242,7 @@ TEST_F(Deposits, what_cannot_be_added_falls_alone) {
     EXPECT_EQ(good.dropped() + good.saturated(), 0U);
     EXPECT_NEAR(bad.value(Aov::total, 0, 1).to_double(), good.value(Aov::total, 0, 1).to_double(),
                 1e-6);
-    EXPECT_EQ(image_of({1, 1e20F}).saturated(), 6U);  // total and aov, red to blue
+    EXPECT_EQ(image_of({1, 1e20F}).saturated(), 6U);  // total and AOV, red to blue
 }
 
 TEST_F(Deposits, nothing_to_deposit_or_nowhere_to) {

@@ -191,7 +191,7 @@ TEST_F(FilmFile, errors_are_one_clear_line) {
     bytes[8] = 9;
     EXPECT_EQ(fault_of(bytes), std::string("fault.film") +
                                    ": is a film file of version 9; use the program that wrote "
-                                   "it; this one reads version 6");
+                                   "it; this one reads version 7");
     EXPECT_THROW(read_film(path("none.film")), Error);
 }
 

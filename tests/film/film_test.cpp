@@ -211,11 +211,11 @@ TEST(Film, parts_of_other_renders_are_refused_by_name) {
     key = small_key();
     key.aovs[static_cast<std::size_t>(Aov::direct)] = true;
     starts(merge_fault(key, {90}),
-           other + "set of layers differs: RGB caustic depth sun lamp and RGB dir");
+           other + "set of AOVs differs: RGB caustic depth sun lamp and RGB dir");
     key = small_key();
     key.light_groups[1] = "lamps";
     starts(merge_fault(key, {90}),
-           other + "set of layers differs: RGB caustic depth sun lamp and RGB");
+           other + "set of AOVs differs: RGB caustic depth sun lamp and RGB");
     EXPECT_EQ(merge_fault(small_key(), {90}), "");
 }
 

@@ -14,7 +14,7 @@ using testing_support::film_of;
 using testing_support::numbers;
 using testing_support::small_key;
 
-/// Two pixels: RGB, of which "sun" and "lamp" are parts; and a aov of each other kind.
+/// Two pixels: RGB, of which "sun" and "lamp" are parts; and an AOV of each other kind.
 Picture two_lights() {
     Picture picture{2, 1, {}, {{kLightGroupNames, "sun lamp"}, {"software", "x"}}};
     const auto add = [&](const std::string& name, float first, float second) {
@@ -81,15 +81,15 @@ TEST(Relight, refuses_what_is_not_there) {
         return std::string();
     };
     EXPECT_EQ(fault(two_lights(), {{"moon", Vec3(1)}}),
-              "x.exr: has no layer of lights \"moon\"; use some of lamp, sun");
+              "x.exr: has no light group \"moon\"; use some of lamp, sun");
     EXPECT_EQ(fault(two_lights(), {{"direct", Vec3(1)}}),
-              "x.exr: has no layer of lights \"direct\"; use some of lamp, sun");
+              "x.exr: has no light group \"direct\"; use some of lamp, sun");
     EXPECT_EQ(fault(two_lights(), {{"sun", Vec3(1)}, {"sun", Vec3(2)}}),
               "x.exr: the layer \"sun\" is named twice; name each once");
     Picture plain = two_lights();
     plain.metadata.clear();
     EXPECT_EQ(fault(plain, {{"sun", Vec3(1)}}),
-              "x.exr: has no layers of lights; render it with --light-layer, as .exr");
+              "x.exr: has no light groups; render it with --light-group, as .exr");
     Picture cut = two_lights();
     cut.channels.erase(cut.channels.begin() + 4);  // sun.G
     EXPECT_EQ(fault(cut, {{"sun", Vec3(1)}}),

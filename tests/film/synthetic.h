@@ -11,7 +11,7 @@
 
 namespace sunfleck::testing_support {
 
-/// With discs: photons bring a part of the light. With aovs of two lights.
+/// With discs: photons bring a part of the light. With AOVs of two lights.
 inline FilmKey small_key(int width = 19, int height = 10) {
     FilmKey key{width, height, {}, 7, 0xABCDEF, "alpha=0.667\nphotons_per_pass=1000\n"};
     key.alpha = 2.0 / 3;

@@ -1,4 +1,4 @@
-// Maps of the emission: their images have the density that they say, and lie where they should.
+// Emission guides: their images have the density that they say, and lie where they should.
 #include "guide/emission_guide.h"
 
 #include "chains/target.h"

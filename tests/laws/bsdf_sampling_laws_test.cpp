@@ -137,9 +137,9 @@ TEST_P(BsdfSamplingLaws, mean_weight_is_the_integral_of_eval) {
             losses << ' ' << 1 - albedo;
             const RunningMean mean = mean_weight(wo, wavelength);
             EXPECT_NEAR(mean.mean(), albedo, 4 * mean.standard_error() + 1e-3)
-                << wo << " lane " << wavelength;
+                << wo << " wavelength " << wavelength;
         }
-    std::cout << "loss, first and last lane, per direction:" << losses.str() << "\n";
+    std::cout << "loss, first and last wavelength, per direction:" << losses.str() << "\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BsdfSamplingLaws, testing::ValuesIn(spread_examples()),

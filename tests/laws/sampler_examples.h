@@ -61,7 +61,7 @@ inline std::vector<SamplerExample> sampler_examples() {
     const NestedBoxes nested{"nested", {{0.3, 0.3}, {0.15, 0.1}, {0.02, 0.1}}};
     const std::vector<int> boxes = {1, 2, kVisible};
     return {
-        {"mapped_beside_one_set",
+        {"guided_beside_one_set",
          emission,
          true,
          plan_over(top(1), 1024, 1024, 256, 0.3F),
@@ -69,7 +69,7 @@ inline std::vector<SamplerExample> sampler_examples() {
          0.01,
          0.001,
          guided_over(0.14, 0.3, 512, 0.2, 0.5)},
-        {"mapped_beside_two_sets",
+        {"guided_beside_two_sets",
          emission,
          true,
          plan_over(top(2), 1024, 1024, 128, 0.15F),
@@ -77,7 +77,7 @@ inline std::vector<SamplerExample> sampler_examples() {
          0.01,
          0.002,
          guided_over(0.17, 0.24, 512, 0.05, 0)},
-        {"mapped_in_eight_slots",
+        {"guided_in_eight_dimensions",
          eight,
          true,
          plan_over(top(1), 512, 512, 256, 0.3F),

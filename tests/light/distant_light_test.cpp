@@ -1,4 +1,4 @@
-// Point, distant and infinite lights in closed form; emission maps in a world of 10 km.
+// Point, distant and infinite lights in closed form; emission guides in a world of 10 km.
 #include "light/distant_light.h"
 
 #include "core/random.h"

@@ -48,7 +48,7 @@ protected:
 };
 
 TEST_F(JobDeterminism, ranks_threads_and_resumes_give_one_hash) {
-    const Words layers{"--layers", "caustic,depth"};
+    const Words layers{"--aovs", "caustic,depth"};
     render_alone(layers + Words{"--passes", "37"});
     for (const int ranks : {1, 2, 3})
         for (const char* threads : {"1", "2", "8"})

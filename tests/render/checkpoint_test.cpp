@@ -204,7 +204,7 @@ TEST_F(Checkpoints, errors_are_one_clear_line) {
     const std::string bytes = bytes_of(PhotonSampler::uniform, 1);
     EXPECT_EQ(fault_of(signed_again(with_word(bytes, 1, 9))),
               "x.ckpt: is a checkpoint of version 9; use the program that wrote it; this one reads "
-              "version 6");
+              "version 7");
     EXPECT_THROW(read_checkpoint(path("none.ckpt")), Error);
 }
 

@@ -1,4 +1,4 @@
-// Every class of light path has one owner: the aovs add up exactly, and each class is the same
+// Every class of light path has one owner: the AOVs add up exactly, and each class is the same
 // whoever brings it.
 #include "support/renders.h"
 

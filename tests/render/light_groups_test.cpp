@@ -1,5 +1,5 @@
-// Aovs of lights: each light's emission, direct light and photons are in its aov, whoever
-// brings them; asking for aovs changes nothing else.
+// Aovs of lights: each light's emission, direct light and photons are in its AOV, whoever
+// brings them; asking for AOVs changes nothing else.
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(All, LightGroupsOf,
                                            Way{PhotonSampler::adaptive, DirectLight::sampled}),
                          [](const auto& way) { return std::string(name_of(way.param.sampler)); });
 
-/// Of so many passes a piece, the mean luminance of a aov; or of the picture.
+/// Of so many passes a piece, the mean luminance of an AOV; or of the picture.
 std::vector<double> luminances(const Scene& scene, const RenderSettings& settings,
                                std::optional<std::size_t> aov) {
     constexpr std::uint32_t kPieces = 16;
@@ -143,7 +143,7 @@ std::vector<double> luminances(const Scene& scene, const RenderSettings& setting
     return values;
 }
 
-/// A aov holds what its lights bring where there are no others, as a bidirectional path tracer
+/// An AOV holds what its lights bring where there are no others, as a bidirectional path tracer
 /// finds it.
 TEST(LightGroups, hold_what_their_lights_bring_alone) {
     const Scene scene = lit_by({0, 1, 3});

@@ -80,7 +80,7 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
     {"Film", "rgb", kExact,
      "`xresolution` 1280, `yresolution` 720, `cropwindow`, `pixelbounds`, `filename`, `iso`, "
      "`whitebalance`, `sensor`"},
-    {"Film", "gbuffer", kApproximated, "as `\"rgb\"`; `--layers` asks for features"},
+    {"Film", "gbuffer", kApproximated, "as `\"rgb\"`; `--aovs` asks for features"},
     {"Film", "spectral", kApproximated, "as `\"rgb\"`"},
 
     {"PixelFilter", "box", kExact, "radius 0.5"},
