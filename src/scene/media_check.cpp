@@ -1,8 +1,6 @@
 // What is exchanged, what is warned of, and where a start that names no medium stands.
 #include "scene/media_check.h"
 
-#include "scene/media_walks.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -90,12 +88,12 @@ void take_starts(const MediaWalks& walks, Media& media) {
 
 }  // namespace
 
-void mend_media(Surfaces& surfaces, Media& media, const SceneLights& lights, const CameraView& view,
+void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
                 const ScenePlaces& places, Warnings& warnings) {
     const Media stated = media;
     std::set<std::uint32_t> at_odds;
     for (int i = 0; i < kMostNested; ++i) {
-        MediaWalks walks(surfaces, lights, view, stated, at_odds);
+        MediaWalks walks(surfaces, origins, stated, at_odds);
         walks.walk_all();
         const bool is_last = i + 1 == kMostNested;
         const auto inside_out = shapes_inside_out(walks);
@@ -113,7 +111,7 @@ void mend_media(Surfaces& surfaces, Media& media, const SceneLights& lights, con
         if (!worst.empty() && !is_last) continue;
         take_starts(walks, media);
         for (const MediaStart& start : walks.starts())
-            tell(start, location_of(start, lights, places.path), warnings);
+            tell(start, location_of(start, origins.lights, places.path), warnings);
         break;
     }
     for (const std::uint32_t shape : at_odds)

@@ -8,9 +8,8 @@
 #pragma once
 
 #include "core/warnings.h"
-#include "scene/camera_view.h"
 #include "scene/media.h"
-#include "scene/scene_lights.h"
+#include "scene/media_walks.h"
 #include "scene/surfaces.h"
 
 #include <string>
@@ -29,7 +28,7 @@ struct ScenePlaces {
 /// the one through which they are seen. Warns of these, and of all that do not agree. A camera or
 /// light for which the scene names a medium decides what is right; where there is none, the camera
 /// stands in empty space. Found by walks (scene/media_walks.h); depends on the scene alone.
-void mend_media(Surfaces& surfaces, Media& media, const SceneLights& lights, const CameraView& view,
+void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
                 const ScenePlaces& places, Warnings& warnings);
 
 }  // namespace sunfleck

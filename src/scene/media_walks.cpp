@@ -95,11 +95,12 @@ Vec2d MediaWalks::next_two() {
     return {unit(0), unit(2)};
 }
 
-MediaWalks::MediaWalks(const Surfaces& surfaces, const SceneLights& lights, const CameraView& view,
-                       const Media& stated, const std::set<std::uint32_t>& ends)
-    : surfaces_(surfaces), lights_(lights), view_(view), ends_(ends) {
+MediaWalks::MediaWalks(const Surfaces& surfaces, const PathOrigins& origins, const Media& stated,
+                       const std::set<std::uint32_t>& ends)
+    : surfaces_(surfaces), origins_(origins), ends_(ends) {
     const MediumNumber at_camera = stated.at_camera;
     starts_.push_back({{}, {at_camera, at_camera}, at_camera != 0});
+    const SceneLights& lights = origins.lights;
     for (const LightRange& source : lights.sources()) {
         const Light& light = lights.all()[source.first];
         if (!comes_from_afar(light) && power(light, lights.sphere()) > 0)
@@ -136,17 +137,17 @@ void MediaWalks::walk_from(const std::vector<std::size_t>& starts) {
 }
 
 MediaWalks::Walk MediaWalks::camera_walk() {
-    const CameraRay ray = view_.ray_at(next_two());
+    const CameraRay ray = origins_.camera.ray_at(next_two());
     return {{Vec3(ray.origin), Vec3(ray.direction)}, starts_[0].sides.outside};
 }
 
 std::optional<MediaWalks::Walk> MediaWalks::light_walk(const MediaStart& start, std::size_t i) {
-    const Light& light = lights_.all()[start.lights.first + i % start.lights.count];
+    const Light& light = origins_.lights.all()[start.lights.first + i % start.lights.count];
     const Vec2d position = next_two();
     const Vec2d direction_numbers = next_two();
     const Emission first =
         sample_emission(light, {position.x, position.y, direction_numbers.x, direction_numbers.y},
-                        lights_.sphere());
+                        origins_.lights.sphere());
     if (!(first.factor > 0)) return {};
     const Vec3 direction(first.direction);
     return Walk{
@@ -193,9 +194,10 @@ bool MediaWalks::agrees(const Hit& hit, const Walk& at, bool is_named) {
 void MediaWalks::look_around(const Hit* hit, const Ray& ray, MediumNumber medium) {
     MediaStart& start = starts_[next_looked_at_++ % starts_.size()];
     const auto& [first, count] = start.lights;
-    const auto sample = count == 0 ? sample_towards(Vec3(view_.middle_ray().origin), ray.origin)
-                                   : sample_direct(lights_.all()[first + next_looked_at_ % count],
-                                                   ray.origin, Vec2(next_two()), lights_.sphere());
+    const auto sample = count == 0
+                            ? sample_towards(Vec3(origins_.camera.middle_ray().origin), ray.origin)
+                            : sample_direct(origins_.lights.all()[first + next_looked_at_ % count],
+                                            ray.origin, Vec2(next_two()), origins_.lights.sphere());
     if (!sample || !(sample->distance > 0) || !std::isfinite(sample->distance)) return;
     const auto is_above = [&](const Vec3& direction) { return hit->normal.dot(direction) > 0; };
     if (hit != nullptr && is_above(sample->direction) != is_above(ray.direction)) return;

@@ -42,12 +42,18 @@ struct MediaStart {
     int wrong = 0;                        // of these, those that did not find the named medium
 };
 
+/// Where paths start: at the camera and at the lights.
+struct PathOrigins {
+    CameraView camera;
+    const SceneLights& lights;
+};
+
 class MediaWalks {
 public:
     /// @param stated  the scene's media as the file has them.
     /// @param ends  shapes that are known to be at odds: walks end there.
-    MediaWalks(const Surfaces& surfaces, const SceneLights& lights, const CameraView& view,
-               const Media& stated, const std::set<std::uint32_t>& ends);
+    MediaWalks(const Surfaces& surfaces, const PathOrigins& origins, const Media& stated,
+               const std::set<std::uint32_t>& ends);
 
     /// Walks from all starts: first from those that name a medium, then from the camera, then from
     /// the other lights. Before its walks, a start that names none takes the medium it heard most.
@@ -74,8 +80,7 @@ private:
     void look_around(const Hit* hit, const Ray& ray, MediumNumber medium);
 
     const Surfaces& surfaces_;
-    const SceneLights& lights_;
-    CameraView view_;
+    const PathOrigins& origins_;
     const std::set<std::uint32_t>& ends_;
     std::vector<MediaStart> starts_;
     std::size_t next_looked_at_ = 0;

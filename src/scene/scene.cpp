@@ -51,7 +51,7 @@ Scene::Scene(SceneDescription description, const std::string& isa)
     if (!has_media_) return;
     join_media(std::move(description.media));
     const CameraView view{camera_, film_.resolution};
-    mend_media(surfaces_, media_, lights_, view, places_of(description, path_, materials()),
+    mend_media(surfaces_, media_, {view, lights_}, places_of(description, path_, materials()),
                warnings_);
     outer_medium_ = outer_medium_of(surfaces_, view, media_.at_camera);
     for (std::size_t i = 0; i < lights().size(); ++i)
@@ -90,7 +90,7 @@ Surfaces Scene::take_shapes(SceneDescription& description, const std::string& is
     }
     for (const InstanceDescription& instance : description.instances)
         input.instances.push_back({objects[instance.object], instance.to_world, instance.object});
-    return Surfaces(std::move(input), isa, std::move(records), std::move(description.materials));
+    return {std::move(input), isa, std::move(records), std::move(description.materials)};
 }
 
 void Scene::add_area_lights(const ShapeDescription& shape, std::uint32_t index) {

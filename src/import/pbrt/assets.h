@@ -17,8 +17,11 @@ struct Assets {
     /// @param log  must outlive this.
     Assets(const std::string& main_file, FileAccess access, ImportLog& its_log)
         : log(its_log), files(main_file, std::move(access), log) {}
+    ~Assets() = default;
     Assets(const Assets&) = delete;  // its parts refer to each other
     Assets& operator=(const Assets&) = delete;
+    Assets(Assets&&) = delete;
+    Assets& operator=(Assets&&) = delete;
 
     ImportLog& log;
     SceneFiles files;

@@ -30,11 +30,11 @@ NamedFile SceneFiles::read(const std::string& name, const SourceLocation& from) 
     return file;
 }
 
-void SceneFiles::note_missing(const MissingFile& fault) {
+void SceneFiles::note_missing(const MissingFile& missing) {
     const bool known = std::any_of(missing_.begin(), missing_.end(), [&](const MissingFile& other) {
-        return other.path() == fault.path();
+        return other.path() == missing.path();
     });
-    if (!known) missing_.push_back(fault);
+    if (!known) missing_.push_back(missing);
 }
 
 void SceneFiles::check_missing() const {
