@@ -1,5 +1,5 @@
-// Places on the film, the screen and the lens of a camera with a flat film: what rays and their
-// inverse both need.
+// Maps between film, screen and lens of a camera with a flat film, for camera rays and their
+// inverse.
 #pragma once
 
 #include "camera/screen_camera.h"

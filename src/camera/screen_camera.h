@@ -1,4 +1,4 @@
-// What cameras with a flat film share: where they stand, their film, their screen and their lens.
+// The data that all cameras with a flat film have: place, film, screen and lens.
 #pragma once
 
 #include "math/vector.h"

@@ -1,4 +1,5 @@
-// From the primitive that Embree names to a hit: place, normals, tangent and error, in double.
+// Completes a hit from the primitive that Embree names: position, normals, tangent and error, in
+// double.
 //
 // In:  the primitive and the ray. Out: values that depend on these alone, not on Embree's float
 // barycentrics (whose last bits differ between processors, through the approximate reciprocal).

@@ -1,4 +1,4 @@
-// What a geometry is built from: shapes, where they stand, and objects that stand in many places.
+// The input of a geometry: shapes, where they stand, and objects that stand in many places.
 #pragma once
 
 #include "geometry/alpha_test.h"

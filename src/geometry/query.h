@@ -1,4 +1,4 @@
-// What a trace carries to the functions that Embree calls back.
+// The context of a trace, for the functions that Embree calls back.
 #pragma once
 
 #include "geometry/alpha_test.h"

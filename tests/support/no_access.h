@@ -1,4 +1,4 @@
-// Reading of scenes without other files.
+// A file access that refuses every file, for tests that read text alone.
 #pragma once
 
 #include "core/error.h"
