@@ -17,7 +17,7 @@
 #include "image/atomic_file.h"
 #include "planning/missing_light.h"
 #include "render/progressive.h"
-#include "render/shared_interval.h"
+#include "ranks/shared_interval.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

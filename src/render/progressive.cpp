@@ -4,7 +4,7 @@
 #include "core/error.h"
 #include "render/pass_maker.h"
 #include "render/render_scheduler.h"
-#include "render/shared_interval.h"
+#include "ranks/shared_interval.h"
 
 #include <array>
 #include <utility>

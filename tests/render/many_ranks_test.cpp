@@ -1,7 +1,7 @@
 // One render by many ranks: film, end and snapshots are those of one machine.
 #include "core/error.h"
 #include "render/progressive.h"
-#include "render/shared_interval.h"
+#include "ranks/shared_interval.h"
 #include "support/renders.h"
 #include "support/thread_ranks.h"
 

@@ -1,5 +1,5 @@
 // Blocks are rendered first and handed up after, so that no rank waits for one that is at work.
-#include "render/shared_interval.h"
+#include "ranks/shared_interval.h"
 
 #include "core/error.h"
 #include "ranks/film_transfer.h"
