@@ -16,8 +16,8 @@
 #include "core/thread_trial.h"
 #include "image/atomic_file.h"
 #include "planning/missing_light.h"
-#include "render/progressive.h"
 #include "ranks/shared_interval.h"
+#include "render/progressive.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -78,7 +78,8 @@ struct KeptFiles {
     CheckpointKeeper checkpoints;
     DeferredError snapshots;  // one that is missing is missed, whatever follows
 
-    explicit KeptFiles(const RenderOptions& options) : checkpoints(options), snapshots(options.log) {}
+    explicit KeptFiles(const RenderOptions& options)
+        : checkpoints(options), snapshots(options.log) {}
 };
 
 void keep_snapshot(const RenderSetup& setup, const RenderState& so_far, DeferredError& fault,
@@ -109,9 +110,7 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, KeptFiles& ke
             keep_snapshot(setup, so_far, kept.snapshots, facts);
         };
     if (!options.checkpoint.empty())
-        hooks.save = [&](const RenderState& state) {
-            kept.checkpoints.save(setup.origin, state);
-        };
+        hooks.save = [&](const RenderState& state) { kept.checkpoints.save(setup.origin, state); };
     hooks.save_every = options.checkpoint_seconds;
     return hooks;
 }

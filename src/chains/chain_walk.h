@@ -14,7 +14,7 @@ struct PilotName {
     std::uint32_t epoch = 0;  // below 2^20
     std::uint32_t part = 0;   // see PassId
 
-    /// Streams of a iteration: passes that no render reaches. @param number  below 512.
+    /// Streams of an iteration: passes that no render reaches. @param number  below 512.
     constexpr PassId iteration(std::uint32_t number) const {
         return {seed, 0x80000000U + epoch * 512 + number, part};
     }
@@ -44,7 +44,7 @@ public:
         return counts;
     }
 
-    /// Rounds until the scales hardly change. @return counts of the last one.
+    /// Iterations until the scales hardly change. @return counts of the last one.
     LevelCounts until_settled(int height, float target, MutationScales& scales,
                               Population& population, Tally& tally) {
         for (int i = 1;; ++i) {
@@ -60,7 +60,7 @@ public:
     /// Traced so far, in all iterations.
     std::uint64_t paths() const { return paths_; }
 
-    static constexpr std::uint32_t kStates = 4'000;  // of a iteration
+    static constexpr std::uint32_t kStates = 4'000;  // of an iteration
     static constexpr std::uint32_t kChains = 64;
 
 private:

@@ -1,4 +1,4 @@
-// Learning a emission guide that covers most of what is visible.
+// Learning an emission guide that covers most of what is visible.
 //
 // In:  where visible paths start, roughly. Out: a guide, and how much it leaves out. Trials are
 // never part of a picture, so what they teach may depend on their own random numbers in any way.
@@ -82,7 +82,7 @@ template <PathSpace Space>
 class GuideLearner {
 public:
     using Tally = typename Space::Tally;
-    static constexpr std::uint32_t kTrials = 20'000;  // a iteration
+    static constexpr std::uint32_t kTrials = 20'000;  // an iteration
 
     GuideLearner(const Space& space, Tally& tally) : space_(space), tally_(tally) {}
 

@@ -87,7 +87,7 @@ void for_blocks(const Film& film, const Visit& visit) {
 }
 
 /// Variance of a mean less its bias: the mean's and the slope's have nothing in common.
-/// @param round  variance of the luminance of a batch that counts once. @param photons  of that by
+/// @param batch  variance of the luminance of a batch that counts once. @param photons  of that by
 /// photons.
 double extrapolated_error(double batch, double photons, const DiscAreas& areas) {
     return std::sqrt(batch / areas.weight + photons * areas.bias_variance());

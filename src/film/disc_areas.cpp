@@ -7,7 +7,7 @@
 namespace sunfleck {
 namespace {
 
-/// A round, and those of its passes that a film holds.
+/// A batch, and those of its passes that a film holds.
 struct BatchAreas {
     double mean = 0;  // over all passes of the batch
     double held = 0;  // sum over those that the film holds

@@ -43,7 +43,7 @@ inline double widening(const Film& film) {
 }
 
 /// Luminance of each pixel. Empty with fewer than two complete batches. A pixel that only an open
-/// round has lit, so that complete ones know nothing of it: the mean over all passes is its error.
+/// batch has lit, so that complete ones know nothing of it: the mean over all passes is its error.
 std::vector<MeanError> pixel_errors(const Film& film);
 
 /// Luminance of each block of 8 x 8 pixels, row after row; smaller at the right and lower edges.

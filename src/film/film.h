@@ -5,7 +5,7 @@
 // (core/exact_sum.h), so 2^16 passes fit even if a term that large hits one pixel in every pass;
 // fewer, if they count more than once.
 //
-// Rounds of kBatchPasses passes are the independent samples of error bars. When a batch is
+// Batches of kBatchPasses passes are the independent samples of error bars. When a batch is
 // complete its mean luminance y is computed from its exact sums, of each pixel, each block and the
 // whole picture, and w y^2 is added to the sums of squares, w being how often its passes count:
 // floored to 2^-64, at most 2^47 (beyond: cut and counted). Until then the batch's own RGB sums are
@@ -40,7 +40,7 @@ public:
     /// Adds one pass, and its dropped and saturated counts to the statistics.
     /// @param weight  how often it counts: 1 to kMostWeight, the same for all passes of a batch.
     /// @throws Error, and changes nothing, if the film holds it already, or other passes of its
-    ///         round that count unlike, its size or AOVs are other than the key's, or it does not
+    ///         batch that count unlike, its size or AOVs are other than the key's, or it does not
     ///         hold photons apart and the key has discs.
     void add_pass(std::uint32_t number, const PassImage& image, std::uint32_t weight = 1);
 
@@ -54,7 +54,7 @@ public:
     /// Adds another film of the same render. The result does not depend on the order of merging.
     /// @param other_name  where it came from, for the Error.
     /// @throws Error, and changes nothing, if the keys differ, both hold one pass, passes of a
-    ///         round would count unlike, or passes are sequential.
+    ///         batch would count unlike, or passes are sequential.
     void merge(const Film& other, const std::string& other_name);
 
     const FilmKey& key() const { return sums_.key; }
@@ -72,7 +72,7 @@ public:
     double complete_weight() const;
     std::uint32_t weight_of_batch(std::uint64_t batch) const;
     /// Factor on a pass's weight in the picture: share_of_group(); one of complete batches. Where
-    /// no round is complete, the passes that are there of its batch over the most of any.
+    /// no batch is complete, the passes that are there of its batch over the most of any.
     double share_of_pass(std::uint64_t number) const;
     /// How often all passes count in the picture together.
     double picture_weight() const;
@@ -96,7 +96,7 @@ PassRange batch_range(std::uint64_t batch);
 /// Complete batches in a set of passes.
 std::uint64_t complete_batches(const PassSet& passes);
 
-/// A round whose passes do not all count alike, if there is one. @param heavy  of the passes.
+/// A batch whose passes do not all count alike, if there is one. @param heavy  of the passes.
 std::optional<std::uint64_t> uneven_batch(const PassSet& passes, const HeavyPasses& heavy);
 
 }  // namespace sunfleck

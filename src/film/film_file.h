@@ -7,7 +7,7 @@
 // count of statistics, and each name, high and low word; the sums (high, low) of each AOV, of
 // each light group, pixel squares, block squares, the picture's square; with discs, of what
 // photons have brought: RGB sums, those by area, block squares, the picture's square; for each open
-// round its sums of each AOV and of each light group and, with discs, photons' RGB of each
+// batch its sums of each AOV and of each light group and, with discs, photons' RGB of each
 // block (a sequential film has none); checksum of all before. One film has one file.
 #pragma once
 

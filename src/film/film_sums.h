@@ -77,7 +77,7 @@ FilmSums empty_sums(FilmKey key);
 /// A group with no pass.
 OpenGroup empty_group(const FilmKey& key);
 
-/// The arrays that grow with each pass or round, those of open groups left out. Some are empty.
+/// The arrays that grow with each pass or batch, those of open groups left out. Some are empty.
 std::vector<std::span<FixedPoint>> total_arrays(FilmSums& sums);
 std::vector<std::span<const FixedPoint>> total_arrays(const FilmSums& sums);
 

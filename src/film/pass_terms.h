@@ -29,7 +29,7 @@ struct BatchTerms {
 std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const BatchTerms& terms,
                           OpenGroup& group);
 
-/// Adds the squares of a batch's luminance: of pixels, blocks and the picture. The round is
+/// Adds the squares of a batch's luminance: of pixels, blocks and the picture. The batch is
 /// complete. @param weight  its.
 /// @return terms beyond kLargestTerm, which were cut there.
 std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group, std::uint32_t weight);

@@ -8,7 +8,7 @@
 
 namespace sunfleck {
 
-/// Rounds that target_error() needs: from fewer a standard error is itself too uncertain.
+/// Batches that target_error() needs: from fewer a standard error is itself too uncertain.
 inline constexpr std::uint64_t kTargetBatches = 4;
 
 /// What counts.

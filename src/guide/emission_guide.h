@@ -1,4 +1,4 @@
-// A emission guide's dimensions: where uniform paths should start so that more of them are seen.
+// An emission guide's dimensions: where uniform paths should start so that more of them are seen.
 //
 // In:  points of [0,1)^5 from which visible paths start. Out: a density over [0,1)^5, constant in
 // the boxes of a tree, and a guide of uniform points to points of that density, continuous in every

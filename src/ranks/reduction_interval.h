@@ -1,8 +1,8 @@
 // Reduction intervals: which passes the ranks render between two points at which all meet.
 //
-// A interval is a run of passes, dealt to the ranks in blocks of neighbouring passes that differ by
-// one at most. At its end all of them are in rank 0's film, so that a render ends without a hole,
-// and so that rank 0 can ask what one machine asks: limits, snapshots, checkpoints.
+// An interval is a run of passes, dealt to the ranks in blocks of neighbouring passes that differ
+// by one at most. At its end all of them are in rank 0's film, so that a render ends without a
+// hole, and so that rank 0 can ask what one machine asks: limits, snapshots, checkpoints.
 #pragma once
 
 #include "film/pass_set.h"
@@ -16,7 +16,7 @@ namespace sunfleck {
 /// Passes of rank `rank` of `size`; may be empty.
 PassRange block_of(const PassRange& interval, int rank, int size);
 
-/// A interval cut after each last pass of a batch: at each cut, and at the end, the film can be
+/// An interval cut after each last pass of a batch: at each cut, and at the end, the film can be
 /// asked for its error.
 std::vector<PassRange> cut_at_batches(const PassRange& interval);
 

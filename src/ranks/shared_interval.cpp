@@ -78,14 +78,13 @@ RankNote SharedInterval::render(
     const std::function<void(const PassRange&, const Film&, double)>& take) {
     const PassRange block = block_of(interval, ranks_.rank, ranks_.size);
     const std::vector<PassRange> parts =
-        job_.stop.target_error ? cut_at_batches(interval) : std::vector<PassRange>{interval};
+        ends_at_batches_ ? cut_at_batches(interval) : std::vector<PassRange>{interval};
     std::vector<Held> held(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const PassRange mine = common(parts[i], block);
         if (mine.size() > 0) held[i].film.emplace(key_);
         for (std::uint64_t number = mine.begin; number < mine.end; ++number) {
-            held[i].radius_factor =
-                *passes_.make(static_cast<std::uint32_t>(number), *held[i].film);
+            held[i].radius_factor = make_pass_(static_cast<std::uint32_t>(number), *held[i].film);
         }
     }
     const RankNote all = hand_up_notes(ranks_, note());

@@ -1,18 +1,21 @@
-// One interval of several ranks: each renders its block, and rank 0 gets the sum.
+// One reduction interval: each rank renders its block of passes, and rank 0 gets the sum.
 //
 // What is sent: up the tree of ranks.h the films of each part of the interval, merged on the way. A
-// part is the whole interval, or its share of a batch where the render may end at any round. Ranks
+// part is the whole interval, or its share of a batch where the render may end at any batch. Ranks
 // without a pass of a part send eight bytes in place of a film.
 #pragma once
 
+#include "film/film.h"
+#include "film/pass_set.h"
 #include "ranks/ranks.h"
-#include "render/pass_maker.h"
 
+#include <cstdint>
 #include <functional>
+#include <utility>
 
 namespace sunfleck {
 
-/// What a rank says at the end of a interval.
+/// What a rank says at the end of an interval.
 struct RankNote {
     double cpu_seconds = 0;
     bool interrupted = false;
@@ -24,9 +27,16 @@ void check_same_render(const Ranks& ranks, const FilmKey& key);
 
 class SharedInterval {
 public:
-    /// @param state  of this rank; its film stays as it is.
-    SharedInterval(const RenderJob& job, const Ranks& ranks, RenderState& state)
-        : job_(job), ranks_(ranks), passes_(job, state), key_(state.film.key()) {}
+    /// Renders the pass of that number and adds it to a film. @return its radius factor.
+    using MakePass = std::function<double(std::uint32_t number, Film& film)>;
+
+    /// @param key   of the films that passes are added to.
+    /// @param ends_at_batches  may the render end at any batch? Then each batch is a part.
+    SharedInterval(const Ranks& ranks, FilmKey key, bool ends_at_batches, MakePass make_pass)
+        : ranks_(ranks),
+          key_(std::move(key)),
+          ends_at_batches_(ends_at_batches),
+          make_pass_(std::move(make_pass)) {}
 
     /// All ranks call it with the same interval.
     /// @param note  asked when this rank's block is rendered.
@@ -38,10 +48,10 @@ public:
                     const std::function<void(const PassRange&, const Film&, double)>& take);
 
 private:
-    const RenderJob& job_;
     const Ranks& ranks_;
-    PassMaker passes_;
     FilmKey key_;
+    bool ends_at_batches_;
+    MakePass make_pass_;
 };
 
 }  // namespace sunfleck

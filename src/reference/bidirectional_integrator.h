@@ -11,7 +11,7 @@
 
 namespace sunfleck {
 
-/// Adds, for each pixel, an camera path and a light path with all that joins them to the total.
+/// Adds, for each pixel, a camera path and a light path with all that joins them to the total.
 void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image, Statistics& statistics);
 
 }  // namespace sunfleck

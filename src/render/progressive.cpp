@@ -2,9 +2,9 @@
 #include "render/progressive.h"
 
 #include "core/error.h"
+#include "ranks/shared_interval.h"
 #include "render/pass_maker.h"
 #include "render/render_scheduler.h"
-#include "ranks/shared_interval.h"
 
 #include <array>
 #include <utility>
@@ -25,7 +25,7 @@ RenderJob unlearned(const RenderJob& job) {
     return plain;
 }
 
-/// A interval is a pass, and goes into the film at once.
+/// An interval is a pass, and goes into the film at once.
 RenderResult render_alone(const RenderJob& job, const RenderHooks& hooks, RenderResult result) {
     RenderScheduler scheduler(job, hooks, result, 1);
     const PassHooks asked{[&](bool begins) { scheduler.report_learning(begins); },
@@ -58,7 +58,10 @@ RenderResult render_among(const Ranks& ranks, const RenderJob& job, const Render
                           RenderResult result) {
     const WorkClock clock;
     RenderScheduler scheduler(job, hooks, result, ranks.size);
-    SharedInterval shared(job, ranks, result);
+    PassMaker passes(job, result);
+    SharedInterval shared(
+        ranks, result.film.key(), job.stop.target_error.has_value(),
+        [&](std::uint32_t number, Film& film) { return *passes.make(number, film); });
     const auto note = [&] {
         return RankNote{ranks.is_first() ? 0 : clock.cpu_seconds(),
                         hooks.interrupted != nullptr && *hooks.interrupted};

@@ -11,7 +11,7 @@
 namespace sunfleck {
 namespace {
 
-/// A interval should not take longer where it takes more than a pass a rank: Ctrl-C waits for its
+/// An interval should not take longer where it takes more than a pass a rank: Ctrl-C waits for its
 /// end.
 constexpr double kIntervalSeconds = 10;
 

@@ -1,5 +1,5 @@
 // What rank 0 asks between intervals: is the render over, how long is the next interval, is a
-// snapshot or a checkpoint due? With one rank a interval is a pass.
+// snapshot or a checkpoint due? With one rank an interval is a pass.
 #pragma once
 
 #include "core/stopwatch.h"
@@ -24,7 +24,7 @@ public:
     /// Learning has traced camera paths like those of a pass, in so many seconds.
     void view_traced(double seconds) { view_seconds_ = seconds; }
     /// Is learning under way, or a pass, to be cut short, so that the render ends in time? Asked on
-    /// any thread during a interval.
+    /// any thread during an interval.
     bool cuts_learning() const;
     bool cuts_pass() const;
 

@@ -37,7 +37,7 @@ inline double radius_factor(std::uint32_t pass, double alpha) {
     return std::sqrt(areas.next());
 }
 
-/// Mean of the disc's area over the passes of a round, over that in pass 0.
+/// Mean of the disc's area over the passes of a batch, over that in pass 0.
 inline double batch_area(std::uint64_t round, double alpha) {
     DiscAreaSequence areas(alpha);
     for (std::uint64_t p = 0; p < round * kBatchPasses; ++p) areas.next();

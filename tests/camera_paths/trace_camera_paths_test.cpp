@@ -1,4 +1,4 @@
-// The AOVs that an camera pass brings, under a limit of depth.
+// The AOVs that a camera pass brings, under a limit of depth.
 #include "camera_paths/trace_camera_paths.h"
 
 #include "support/direct_light_cases.h"

@@ -22,7 +22,7 @@ double area(std::uint32_t pass) {
     return std::pow(radius_factor(pass, 2.0 / 3), 2);
 }
 
-/// Rounds 0, 1, 3 to 5, and of 2 and 7 six passes and one, which count less in the picture: four
+/// Batches 0, 1, 3 to 5, and of 2 and 7 six passes and one, which count less in the picture: four
 /// passes, two whose group is incomplete, and one.
 TEST(DiscAreas, are_sums_over_rounds_and_passes) {
     std::vector<std::uint32_t> passes = numbers(0, 36);

@@ -98,7 +98,7 @@ TEST(ErrorBars, need_complete_rounds) {
 }
 
 TEST(ErrorBars, two_rounds_by_hand) {
-    // Rounds of 1 and 3, and an open one of 100 that must not count: mean 2, error 1.
+    // Batches of 1 and 3, and an open one of 100 that must not count: mean 2, error 1.
     const Film film = film_by_batch(3, 2, 37, [](std::uint32_t batch, std::size_t) {
         return batch == 0 ? 1.0F : batch == 1 ? 3.0F : 100.0F;
     });

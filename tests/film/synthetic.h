@@ -52,7 +52,7 @@ inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes
     return film;
 }
 
-/// A film whose pass values are given by value(round, pixel), grey.
+/// A film whose pass values are given by value(batch, pixel), grey.
 /// @param weight  of a batch's passes.
 template <class Value>
 Film film_by_batch(

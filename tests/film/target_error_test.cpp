@@ -116,7 +116,7 @@ TEST(TargetError, says_how_many_passes_are_left_that_count_as_the_latest) {
     EXPECT_NEAR(passes_left(film, {0.01, 0}, 0.02, 0.5), 0, 1e-4);
 }
 
-/// Or a render would end before the light is in any round.
+/// Or a render would end before the light is in any batch.
 TEST(TargetError, is_not_known_where_complete_rounds_are_black) {
     const Film film = film_by_batch(
         8, 8, 70, [](std::uint32_t batch, std::size_t) { return batch < 4 ? 0.0F : 1.0F; });

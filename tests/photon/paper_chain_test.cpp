@@ -187,7 +187,7 @@ TEST(PaperStep, has_the_law_of_equation_9) {
 }
 
 // 200,000 steps at the floor of theta; chi-square at 0.1% with 20 degrees of freedom. The first bin
-// has the steps below 2^-52 of a event, of which most are no step at all.
+// has the steps below 2^-52 of an event, of which most are no step at all.
 TEST(PaperStep, has_the_law_of_equation_9_at_the_floor) {
     constexpr int kSteps = 200'000;
     constexpr std::uint64_t kFrom = 0x0123456789ABCDEF;

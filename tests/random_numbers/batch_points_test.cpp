@@ -1,4 +1,4 @@
-// Round points: within a batch every pixel's pairs are a net; batches are fresh; all are uniform.
+// Batch points: within a batch every pixel's pairs are a net; batches are fresh; all are uniform.
 #include "random_numbers/batch_points.h"
 
 #include <gtest/gtest.h>

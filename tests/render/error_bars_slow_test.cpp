@@ -41,7 +41,7 @@ private:
     std::array<std::vector<MeanError>, kRounds + 1> seen_;
 };
 
-/// Rounds tile wavelengths and camera numbers: passes are not independent, batches are. Within 10%
+/// Batches tile wavelengths and camera numbers: passes are not independent, batches are. Within 10%
 /// for the picture's brightness (800 seeds: one standard error of the ratio is 4%) and for pixels.
 TEST(ErrorBars, reported_errors_are_the_true_spread) {
     const Scene scene = scene_of(

@@ -46,7 +46,7 @@ TEST(Leaks, sheets_close_together_stay_dark) {
     EXPECT_EQ(render_mean(below, with_photons(), 4).mean(), Vec3d(0));
 }
 
-/// A floor in the shadow of a black sheet, seen by an camera between both. Discs reach up to a
+/// A floor in the shadow of a black sheet, seen by a camera between both. Discs reach up to a
 /// quarter of their radius from their surface: a sheet further away than that lends no light.
 TEST(Leaks, a_shadowed_floor_takes_no_photon_of_the_sheet_above_it) {
     const Scene scene =

@@ -1,7 +1,8 @@
 // One render by many ranks: film, end and snapshots are those of one machine.
 #include "core/error.h"
-#include "render/progressive.h"
 #include "ranks/shared_interval.h"
+#include "render/pass_maker.h"
+#include "render/progressive.h"
 #include "support/renders.h"
 #include "support/thread_ranks.h"
 
@@ -134,9 +135,12 @@ TEST_F(ManyRanks, save_what_one_machine_would_have) {
 
 TEST_F(ManyRanks, add_their_times_up) {
     on_ranks(6, [&](const Ranks& ranks) {
-        RenderState state{Film(key_of(job({}))), {}, 0, 0, 1, {}};
         const RenderJob of_this = job({});
-        SharedInterval interval(of_this, ranks, state);
+        RenderState state{Film(key_of(of_this)), {}, 0, 0, 1, {}};
+        PassMaker passes(of_this, state);
+        SharedInterval interval(
+            ranks, state.film.key(), false,
+            [&](std::uint32_t number, Film& film) { return *passes.make(number, film); });
         const RankNote all = interval.render(
             {0, 3},
             [&] {

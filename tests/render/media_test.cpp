@@ -41,7 +41,7 @@ std::string sun() {
     return "LightSource \"distant\" \"point3 from\" [0 0 1] \"point3 to\" [0 0 0]\n";
 }
 
-/// A small part of the floor from straight above, by an camera at that height.
+/// A small part of the floor from straight above, by a camera at that height.
 std::string from_above(double height) {
     return view("0 0 " + std::to_string(height) + "  0 0 0  0 1 0", 2, 4);
 }
@@ -139,7 +139,7 @@ TEST(MediaPhotons, plate_of_dark_glass) {
 }
 
 /// The light of a sky that is beyond endless fog never arrives, by whatever path; neither
-/// does it at an camera in a bubble of clear air.
+/// does it at a camera in a bubble of clear air.
 TEST(MediaPhotons, endless_fog_is_black) {
     const std::string sky =
         "LightSource \"infinite\" \"rgb L\" [1 1 1]\n" + sun() + diffuse("0.5 0.5 0.5");

@@ -123,7 +123,7 @@ TEST(Paper, images_of_passes_are_differences_of_estimates) {
     EXPECT_LT(radius, 0.9);
 }
 
-/// Rounds are no samples here: no error bars, no AOV of errors, no merging.
+/// Batches are no samples here: no error bars, no AOV of errors, no merging.
 TEST_F(PaperFiles, films_have_no_error_bars_and_stay_alone) {
     const Scene scene = one_island();
     const Film film = film_of(scene, paper(500), 64);

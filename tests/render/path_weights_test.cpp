@@ -16,7 +16,7 @@ double geometric_cosine(const Hit& hit, const Vec3& way) {
     return std::abs(static_cast<double>(hit.normal.dot(way)));
 }
 
-/// A path that an camera subpath found: vertices 0 (next to the camera) to n - 1 (next to the
+/// A path that a camera subpath found: vertices 0 (next to the camera) to n - 1 (next to the
 /// light).
 class FoundPath {
 public:
