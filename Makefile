@@ -57,7 +57,7 @@ sanitize:
 	tools/setup.sh build test
 	tools/sanitize.sh
 
-# Random scenes by several estimators, compared: `make differential N=200 SEED=1` (docs/testing.md).
+# Random scenes by several estimators, compared: `make differential N=200 SEED=1` (docs/develop/testing.md).
 differential:
 	tools/setup.sh build
 	cmake --preset release

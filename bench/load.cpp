@@ -5,7 +5,7 @@
 // Each part runs in a process of its own, in turn, the file in the page cache: "bytes" reads the
 // file; "embree" builds a tree over arrays that are there; "sunfleck" loads the scene, ready to be
 // rendered. Memory is the most that a process had resident, less what an idle one has; that of
-// Embree holds the mesh (points and indices), too. docs/performance.md has figures.
+// Embree holds the mesh (points and indices), too. docs/lab/performance.md has figures.
 #include "import/load.h"
 
 #include "geometry/embree.h"

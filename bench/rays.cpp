@@ -3,8 +3,8 @@
 // usage: bench_rays [SCENE] [--sampler NAME] [--paths N] [--repeats N] [--resolution N]
 //                   [--profile N]
 // Without a scene: a bumpy room of --triangles N. Only ratios within one run mean something: all is
-// measured in turn, several times, and medians are printed. docs/performance.md says how to read
-// the figures.
+// measured in turn, several times, and medians are printed. docs/lab/performance.md says how to
+// read the figures.
 #include "camera_paths/trace_camera_paths.h"
 #include "core/parallel.h"
 #include "import/load.h"

@@ -3,7 +3,7 @@
 //
 // usage: bench_scale [--large] [--repeats N]
 // Each row is one variable changed, all else as in the row of the same table that is marked; times
-// are medians. docs/performance.md says how to read the figures.
+// are medians. docs/lab/performance.md says how to read the figures.
 #include "camera_paths/trace_camera_paths.h"
 #include "core/parallel.h"
 #include "program.h"

@@ -1,10 +1,10 @@
 # Flags of every target. The bytes of a picture depend on the first line: no fused multiply-add
-# beyond what the source says, and never -ffast-math (docs/decisions.md).
+# beyond what the source says, and never -ffast-math (docs/develop/decisions.md).
 add_library(sunfleck_flags INTERFACE)
 target_compile_options(sunfleck_flags INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 target_compile_options(sunfleck_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
 # GCC 12 warns of string and vector copies that are right (GCC bug 105329), and its vectoriser of
-# straight-line code drops the rounding of a pair of doubles to float and back (docs/decisions.md).
+# straight-line code drops the rounding of a pair of doubles to float and back (docs/develop/decisions.md).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(sunfleck_flags INTERFACE -Wno-restrict -Wno-stringop-overread
     -fno-tree-slp-vectorize)

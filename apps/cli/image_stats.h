@@ -1,4 +1,5 @@
-// What is known of the errors of a picture as a whole, for stats.json (docs/stats.md) and the user.
+// What is known of the errors of a picture as a whole, for stats.json (docs/reference/stats.md) and
+// the user.
 #pragma once
 
 #include "film/target_error.h"

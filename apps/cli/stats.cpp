@@ -1,4 +1,4 @@
-// stats.json: what a render did, under stable names (docs/stats.md).
+// stats.json: what a render did, under stable names (docs/reference/stats.md).
 #include "apps/cli/stats.h"
 
 #include "apps/cli/image_stats.h"
@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the names in stats.json: docs/stats.md.
+/// Of the names in stats.json: docs/reference/stats.md.
 constexpr int kFormat = 2;
 
 struct Fraction {

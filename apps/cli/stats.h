@@ -1,4 +1,4 @@
-// stats.json: what a render did, under stable names (docs/stats.md).
+// stats.json: what a render did, under stable names (docs/reference/stats.md).
 #pragma once
 
 #include "film/target_error.h"

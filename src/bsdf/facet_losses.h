@@ -8,7 +8,7 @@
 //
 // The table knows facets of one width. Two widths count as the root of their mean square, in every
 // azimuth: of metal right to 3% at 30 degrees above the surface and more, but not where it is seen
-// flatly (docs/decisions.md).
+// flatly (docs/develop/decisions.md).
 #pragma once
 
 #include "bsdf/ggx.h"

@@ -35,7 +35,8 @@ struct BsdfDraw {
 /// How a path treats the surface.
 enum class Scattering {
     specular,  // only delta lobes: always continue
-    glossy,    // narrow, perhaps beside a delta lobe: gather or continue (docs/method.md, owners)
+    glossy,    // narrow, perhaps beside a delta lobe: gather or continue (docs/method/method.md,
+               // owners)
     diffuse,   // wide: gather
     coated     // diffuse under a specular or glossy coat: both (bsdf/coated_diffuse.h)
 };

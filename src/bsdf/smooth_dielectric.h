@@ -2,7 +2,7 @@
 //
 // In:  eta per wavelength, index inside (side -z) over outside (side +z). Out: two delta lobes.
 // Source: Fresnel's and Snell's laws; radiance scales by the squared ratio of indices at a
-// refraction (Veach 1997, section 5.2). Dispersion: docs/method.md, one wavelength kept.
+// refraction (Veach 1997, section 5.2). Dispersion: docs/method/method.md, one wavelength kept.
 #pragma once
 
 #include "bsdf/fresnel.h"

@@ -21,7 +21,7 @@ struct CameraPathSettings {
 /// The 5/8th power of a picture's side (the root of its number of pixels), over that of another.
 /// Pixels of small pictures get more photons each and have little noise to lose by blurring; in
 /// large ones a pixel is a shorter length of the scene, so that more of them blur no more
-/// (docs/decisions.md).
+/// (docs/develop/decisions.md).
 /// @param other  side, pixels.
 inline double size_power(const Vec2i& resolution, double other) {
     const double side = std::sqrt(double(resolution.x) * resolution.y) / other;

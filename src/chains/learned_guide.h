@@ -2,7 +2,7 @@
 //
 // In:  where visible paths start, roughly. Out: a guide, and how much it leaves out. Trials are
 // never part of a picture, so what they teach may depend on their own random numbers in any way.
-// Source: the constants are measured ones (docs/decisions.md).
+// Source: the constants are measured ones (docs/develop/decisions.md).
 #pragma once
 
 #include "chains/splitting.h"

@@ -2,7 +2,7 @@
 //
 // In:  a population of the set; how many states, how many chains. Out: every state with the number
 // of steps it stood, chain by chain, for collectors; integer counts.
-// Source: waste-free sequential Monte Carlo, Dau and Chopin 2022; docs/method.md.
+// Source: waste-free sequential Monte Carlo, Dau and Chopin 2022; docs/method/method.md.
 #pragma once
 
 #include "chains/chain.h"

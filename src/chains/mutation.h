@@ -2,10 +2,10 @@
 //
 // A mutation draws its magnitude first, log-uniform over three decades around the scale of its
 // kind, then every dimension moves by about that, log-uniform over one decade. So there are small
-// mutations for chains in narrow places, and large ones (docs/decisions.md has the evidence). Two
-// kinds, chosen at random: all dimensions alike, and bounce dimensions 16 times farther than
-// emission dimensions. Source: adaptive scale towards a target acceptance: paper, section 4.4 (its
-// own law: paper_step of photon/paper_chain.h).
+// mutations for chains in narrow places, and large ones (docs/develop/decisions.md has the
+// evidence). Two kinds, chosen at random: all dimensions alike, and bounce dimensions 16 times
+// farther than emission dimensions. Source: adaptive scale towards a target acceptance: paper,
+// section 4.4 (its own law: paper_step of photon/paper_chain.h).
 #pragma once
 
 #include "random_numbers/primary_sample.h"

@@ -3,7 +3,7 @@
 //
 // In:  a space of paths, a budget. Out: a plan. Pilots are never part of a picture, so what they
 // learn may depend on their own random numbers in any way.
-// Source: the rules and constants are measured ones (docs/decisions.md).
+// Source: the rules and constants are measured ones (docs/develop/decisions.md).
 #pragma once
 
 #include "chains/chain_walk.h"

@@ -5,7 +5,7 @@
 // In:  a space of paths, a plan that was fixed before the pass. Out: visible paths with weights:
 // the sum of weight * f(path) has the expectation of f over uniform primary samples, for any f
 // that vanishes on paths that are not visible.
-// Source: the paper's replica exchange made one pass and nested (docs/method.md); waste-free
+// Source: the paper's replica exchange made one pass and nested (docs/method/method.md); waste-free
 // sequential Monte Carlo: Dau and Chopin 2022.
 #pragma once
 

@@ -46,8 +46,8 @@ Comparison compare(const CompareInput& reference, const std::vector<CompareInput
 /// for what was left out.
 std::string comparison_table(const Comparison& comparison);
 
-/// The same and the series as JSON, ending in a new line (docs/compare.md). What has no value is
-/// null.
+/// The same and the series as JSON, ending in a new line (docs/guide/compare.md). What has no value
+/// is null.
 std::string comparison_json(const Comparison& comparison);
 
 }  // namespace sunfleck

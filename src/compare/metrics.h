@@ -1,4 +1,4 @@
-// How far a picture is from its reference, in numbers: docs/compare.md has the formulas.
+// How far a picture is from its reference, in numbers: docs/guide/compare.md has the formulas.
 #pragma once
 
 #include "compare/rgb_image.h"

@@ -21,8 +21,8 @@ struct Snapshot {
 /// At least one, passes ascending.
 using Snapshots = std::vector<Snapshot>;
 
-/// Reads which snapshots there are: every NAME.exr with NAME.json (docs/stats.md) in the folder, or
-/// in each of its subfolders, one a seed, in the order of their names.
+/// Reads which snapshots there are: every NAME.exr with NAME.json (docs/reference/stats.md) in the
+/// folder, or in each of its subfolders, one a seed, in the order of their names.
 /// @return at least one seed.
 /// @throws Error for a picture without stats, stats that cannot be read, a folder without pictures,
 ///         or pictures both in the folder and in subfolders.

@@ -2,7 +2,7 @@
 //
 // A pass fills some hundred megabytes and gives them back. If they go back to the system, they come
 // again page by page, each of them cleared and entered anew: a third of a render's time
-// (docs/decisions.md).
+// (docs/develop/decisions.md).
 #pragma once
 
 #include <cstdlib>  // says which C library this is

@@ -1,4 +1,4 @@
-// The file of statistics that a render writes (docs/stats.md), for what reads it again.
+// The file of statistics that a render writes (docs/reference/stats.md), for what reads it again.
 #pragma once
 
 #include "core/file_content.h"

@@ -8,7 +8,7 @@
 
 namespace sunfleck {
 
-/// @return JSON text, ending in a new line (docs/experiments.md).
+/// @return JSON text, ending in a new line (docs/guide/experiments.md).
 std::string results_json(const Results& results, const std::vector<FinishedFigure>& finished);
 
 }  // namespace sunfleck

@@ -1,10 +1,10 @@
 // The areas of the discs in a film's passes, over that in pass 0: what the light that photons bring
 // is regressed on.
 //
-// To first order the mean of that light, y = a + c s, is linear in the area s (docs/method.md):
-// c s is the bias, a the light without it. In a batch s is the mean over its passes. Passes and
-// batches count as often as they do in the film, in all sums and means; in that of the picture as
-// they do there.
+// To first order the mean of that light, y = a + c s, is linear in the area s
+// (docs/method/method.md): c s is the bias, a the light without it. In a batch s is the mean over
+// its passes. Passes and batches count as often as they do in the film, in all sums and means; in
+// that of the picture as they do there.
 #pragma once
 
 #include "film/film.h"

@@ -3,8 +3,8 @@
 // In:  shapes with their object-to-world matrices; objects and instances of them.
 // Out: nearest hits and occlusion. Immutable once built; any number of threads may trace.
 // Same bytes on every x86-64 with AVX2: Embree opened with isa=avx2, medium quality, robust,
-// single-ray kernels only (docs/decisions.md). Embree says only which primitive is hit; where, is
-// worked out again in double.
+// single-ray kernels only (docs/develop/decisions.md). Embree says only which primitive is hit;
+// where, is worked out again in double.
 #pragma once
 
 #include "geometry/alpha_test.h"

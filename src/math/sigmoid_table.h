@@ -25,7 +25,7 @@ public:
     explicit SigmoidTable(std::size_t resolution);
 
     /// The reflectance that looks like rgb under D65; a grey exactly, other colours within the
-    /// table's error (docs/decisions.md). @param rgb  brought into [0,1].
+    /// table's error (docs/develop/decisions.md). @param rgb  brought into [0,1].
     SampledSpectrum albedo(const Vec3& rgb, const Wavelengths& wavelengths) const;
     /// Any non-negative colour: twice its largest component times the albedo of the rest.
     SampledSpectrum unbounded(const Vec3& rgb, const Wavelengths& wavelengths) const;

@@ -1,8 +1,8 @@
 // The wavelengths of a pass, shared by camera and photon paths, and what a wavelength is worth in
 // RGB.
 //
-// Source: design note "Spectra, batches, pixel values" (docs/method.md); density near the eye's
-// response as in pbrt-v4 (Radziszewski et al. 2009, "An improved technique for full spectral
+// Source: design note "Spectra, batches, pixel values" (docs/method/method.md); density near the
+// eye's response as in pbrt-v4 (Radziszewski et al. 2009, "An improved technique for full spectral
 // rendering").
 #pragma once
 

@@ -43,11 +43,11 @@ private:
 /// theta, by eq. 11: theta_1 = 1, theta_{i+1} = theta_i + (A_i - A*) / i after mutation i, where
 /// A_i is the accepted share of all mutations so far (section 5.2). Fig. 3 counts the first path,
 /// which no mutation made, as accepted; theta then starts by rising, and in close-ups is still far
-/// from A* after 10^6 mutations (docs/method.md).
+/// from A* after 10^6 mutations (docs/method/method.md).
 class MutationSize {
 public:
     /// As printed theta can fall below zero. Here 4% of all steps are as large as the last bit of a
-    /// dimension, so of the dimensions of most paths none or one moves (docs/decisions.md).
+    /// dimension, so of the dimensions of most paths none or one moves (docs/develop/decisions.md).
     static constexpr double kFloor = 1.0 / 1024;
 
     explicit MutationSize(const PaperSettings& settings)

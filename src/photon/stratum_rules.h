@@ -2,7 +2,7 @@
 // the sampling.
 //
 // In:  powers and visible fractions of lights. Out: strata, numbers of paths.
-// Source: measured (docs/decisions.md).
+// Source: measured (docs/develop/decisions.md).
 #pragma once
 
 #include <cstddef>

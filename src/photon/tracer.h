@@ -3,7 +3,7 @@
 // In:  a dimension reader (the point u), the scene at a pass's wavelengths. Out: each photon at a
 // surface that can gather goes to a visitor, which may end the path.
 // Source: adjoint correction of shading normals: Veach 1997, section 5.3.2; Russian roulette on the
-// throughput keeps it about constant, as the paper's binary target assumes (docs/method.md).
+// throughput keeps it about constant, as the paper's binary target assumes (docs/method/method.md).
 #pragma once
 
 #include "aovs/statistics.h"

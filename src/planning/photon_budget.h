@@ -2,7 +2,7 @@
 // trials, which are no part of a picture.
 //
 // In:  a view like those of an epoch's passes, and a plan for it. Out: numbers of paths and of
-// subpasses. Source: the rule and its constants are measured ones (docs/decisions.md).
+// subpasses. Source: the rule and its constants are measured ones (docs/develop/decisions.md).
 #pragma once
 
 #include "planning/photon_trials.h"

@@ -2,7 +2,8 @@
 // shift each pass: every path is uniform by itself, and the paths of a pass are spread evenly.
 //
 // In:  a pass and the number of a path in it. Out: a dimension reader for that path.
-// Why it is exact: only each path's own distribution matters for unbiasedness (docs/method.md).
+// Why it is exact: only each path's own distribution matters for unbiasedness
+// (docs/method/method.md).
 #pragma once
 
 #include "core/hash.h"

@@ -10,7 +10,7 @@
 namespace sunfleck {
 namespace {
 
-// Bytes, fitted to the scenes and sizes of docs/render.md.
+// Bytes, fitted to the scenes and sizes of docs/reference/render.md.
 constexpr std::uint64_t kOnce = std::uint64_t{3} << 20U;
 /// Film, pass and picture; of the film, 20 bytes for a second stratum of passes
 /// (film/pass_groups.h).

@@ -14,7 +14,7 @@ struct MemoryEstimate {
 };
 
 /// Film, picture, visible points and photons of a pass. How measured peaks compare is in
-/// docs/render.md.
+/// docs/reference/render.md.
 MemoryEstimate render_bytes(const RenderJob& job);
 
 }  // namespace sunfleck

@@ -31,8 +31,8 @@ struct PassScene {
     }
 
     /// Can what scatters at some hit on the material gather? A photon is stored at all of its
-    /// surfaces then, whatever scatters where it arrives (docs/method.md, surfaces that are there
-    /// in part).
+    /// surfaces then, whatever scatters where it arrives (docs/method/method.md, surfaces that are
+    /// there in part).
     bool may_gather(std::uint32_t material) const { return may_gather_[material]; }
 
     /// What a light emits, in the colour that it has there.

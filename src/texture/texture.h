@@ -2,7 +2,7 @@
 // are.
 //
 // Values: cheap to copy, immutable once made, usable by any number of threads. No filtering: a
-// texture is asked at a point (docs/scenes.md).
+// texture is asked at a point (docs/reference/scenes.md).
 // To add a kind: its struct in kinds.h, its name in a variant below, its value in texture.cpp, a
 // row in import/pbrt/textures.cpp.
 #pragma once

@@ -24,7 +24,7 @@ enum class PhotonKind : std::uint8_t {
 
 /// Light that so many smooth surfaces have passed on came by a way of its own that few photons find
 /// and that spreads them far: it bears more blur. Through a full glass behind a pane there are six
-/// (docs/decisions.md, long specular chains).
+/// (docs/develop/decisions.md, long specular chains).
 inline constexpr std::uint16_t kLongSpecularChain = 7;
 
 /// A photon at a surface that can gather; or several alike, as states of a chain bring them.

@@ -19,10 +19,12 @@ class Documentation : public ProgramTest {};
 TEST_F(Documentation, has_each_flag_of_each_command) {
     const std::regex flag("--[a-z][a-z-]+");
     for (const auto& [command, name] :
-         {std::pair("render", "docs/render.md"), std::pair("experiment", "docs/experiments.md"),
-          std::pair("compare", "docs/compare.md"), std::pair("relight", "docs/relighting.md"),
-          std::pair("merge", "docs/render.md"), std::pair("info", "docs/scenes.md"),
-          std::pair("scene", "scenes/README.md")}) {
+         {std::pair("render", "docs/reference/render.md"),
+          std::pair("experiment", "docs/guide/experiments.md"),
+          std::pair("compare", "docs/guide/compare.md"),
+          std::pair("relight", "docs/guide/relighting.md"),
+          std::pair("merge", "docs/reference/render.md"),
+          std::pair("info", "docs/reference/scenes.md"), std::pair("scene", "scenes/README.md")}) {
         const std::string text = page(name);
         const std::string help = run({command, "--help"}).out;
         int flags = 0;
@@ -38,7 +40,7 @@ TEST_F(Documentation, has_each_flag_of_each_command) {
 }
 
 TEST_F(Documentation, has_each_layer) {
-    const std::string text = page("docs/render.md");
+    const std::string text = page("docs/reference/render.md");
     for (const AovRow& row : kAovs) {
         if (row.name.empty()) continue;
         EXPECT_NE(text.find("| `" + std::string(row.name) + "."), std::string::npos) << row.name;

@@ -1,4 +1,4 @@
-// stats.json: every name that docs/stats.md promises, with sound values.
+// stats.json: every name that docs/reference/stats.md promises, with sound values.
 #include "app/program.h"
 
 #include <set>
@@ -21,7 +21,7 @@ protected:
     }
 };
 
-/// "a", "a.b" for all of an object, but of "settings" (docs/stats.md lists those apart).
+/// "a", "a.b" for all of an object, but of "settings" (docs/reference/stats.md lists those apart).
 void add_names(const nlohmann::json& object, const std::string& prefix,
                std::set<std::string>& names) {
     for (const auto& [name, value] : object.items()) {
@@ -31,7 +31,7 @@ void add_names(const nlohmann::json& object, const std::string& prefix,
 }
 
 TEST_F(Stats, are_those_of_the_documentation) {
-    const std::string document = read_text(SUNFLECK_SOURCE_DIR "/docs/stats.md");
+    const std::string document = read_text(SUNFLECK_SOURCE_DIR "/docs/reference/stats.md");
     std::set<std::string> promised;
     for (std::size_t at = document.find("\n| `"); at != std::string::npos;
          at = document.find("\n| `", at + 1))

@@ -1,7 +1,8 @@
 // What rough facets lose and what is given back: with it, a white metal and glass lose nothing.
 //
 // No chance: f |cos| is added up over the sphere, 300 steps of the polar angle by 150 of azimuth.
-// The tolerance is that of the table (docs/decisions.md); of glass, 0.005 for these steps, too.
+// The tolerance is that of the table (docs/develop/decisions.md); of glass, 0.005 for these steps,
+// too.
 #include "bsdf/facet_losses.h"
 
 #include "bsdf/bsdf.h"
@@ -93,7 +94,8 @@ TEST(FacetLosses, what_passes_is_bounded_by_smooth_glass) {
         }
 }
 
-/// Brushed metal: even in the mean, in a single direction off by what docs/decisions.md says.
+/// Brushed metal: even in the mean, in a single direction off by what docs/develop/decisions.md
+/// says.
 TEST(FacetLosses, brushed_metal_is_white_in_the_mean) {
     const Bsdf brushed = white({0.5F, 0.2F});
     double mean = 0;

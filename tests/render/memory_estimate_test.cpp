@@ -1,5 +1,5 @@
 // The estimate of a render's memory knows what the render will keep. How near it is to measured
-// peaks is in docs/render.md: they are the allocator's and the machine's, too.
+// peaks is in docs/reference/render.md: they are the allocator's and the machine's, too.
 #include "render/memory_estimate.h"
 
 #include "support/renders.h"

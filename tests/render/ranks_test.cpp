@@ -70,8 +70,8 @@ TEST(FilmTransfer, a_film_arrives_as_it_is) {
     });
 }
 
-/// docs/clusters.md: 160.5 bytes a pixel, 48.75 for each group of an open batch, some hundreds for
-/// the head; 64.25 and 48 without discs; 48 for a light group.
+/// docs/guide/clusters.md: 160.5 bytes a pixel, 48.75 for each group of an open batch, some
+/// hundreds for the head; 64.25 and 48 without discs; 48 for a light group.
 TEST(FilmTransfer, sends_the_sums_and_little_more) {
     FilmKey key = small_key(64, 64);
     key.aovs = {};

@@ -15,7 +15,7 @@ std::string bytes_of(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Picture and film of a render that ends, of passes from two epochs (docs/method.md).
+/// Picture and film of a render that ends, of passes from two epochs (docs/method/method.md).
 class Bytes {
 public:
     explicit Bytes(Renders& renders) : renders_(&renders) {}

@@ -1,5 +1,5 @@
 // The differential tester: random small scenes, rendered by several estimators, compared.
-// Usage, and what the report says: docs/testing.md. Exit code 1 if there is any fault.
+// Usage, and what the report says: docs/develop/testing.md. Exit code 1 if there is any fault.
 #include "core/error.h"
 #include "differential/campaign.h"
 

@@ -12,7 +12,7 @@
 namespace sunfleck::differential {
 namespace {
 
-/// Contributions that were not finite and were left out: see docs/stats.md.
+/// Contributions that were not finite and were left out: see docs/reference/stats.md.
 int dropped_nonfinite(const std::string& stats) {
     std::ifstream file(stats);
     return nlohmann::json::parse(file).at("dropped_nonfinite").get<int>();

@@ -1,4 +1,4 @@
-// The rows of vocabulary(): what docs/scenes.md says of each word.
+// The rows of vocabulary(): what docs/reference/scenes.md says of each word.
 #pragma once
 
 #include "import/pbrt/vocabulary_row.h"

@@ -1,4 +1,5 @@
-// Reads pbrt-v4 scene files. What is read, and what stands in for the rest: docs/scenes.md.
+// Reads pbrt-v4 scene files. What is read, and what stands in for the rest:
+// docs/reference/scenes.md.
 #pragma once
 
 #include "import/pbrt/file_access.h"

@@ -1,4 +1,5 @@
-// What each word of the language means to us: the table behind `sunfleck info` and docs/scenes.md.
+// What each word of the language means to us: the table behind `sunfleck info` and
+// docs/reference/scenes.md.
 #pragma once
 
 #include "import/pbrt/vocabulary_row.h"

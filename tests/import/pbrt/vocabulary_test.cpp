@@ -69,13 +69,14 @@ TEST(Vocabulary, of_a_scene_is_counted) {
 }
 
 TEST(Vocabulary, is_what_the_documentation_shows) {
-    std::ifstream file(SUNFLECK_SOURCE_DIR "/docs/scenes.md");
+    std::ifstream file(SUNFLECK_SOURCE_DIR "/docs/reference/scenes.md");
     std::ostringstream text;
     text << file.rdbuf();
     for (const std::string_view directive : vocabulary_directives())
         EXPECT_NE(text.str().find(vocabulary_table(directive)), std::string::npos)
             << "the table of " << directive
-            << " differs from the one in docs/scenes.md: put in what `sunfleck info --words` says";
+            << " differs from the one in docs/reference/scenes.md: put in what `sunfleck info "
+               "--words` says";
 }
 
 }  // namespace
