@@ -185,6 +185,15 @@ TEST(Ply, all_names_of_texture_coordinates) {
     }
 }
 
+TEST(Ply, positions_keep_the_digits_of_doubles) {
+    const PlyMesh mesh = mesh_of(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+        "property double z\nelement face 1\nproperty list uchar int vertex_indices\n"
+        "end_header\n1000000.001 0 0\n1000000.002 0 0\n1000000.001 0.001 0\n3 0 1 2\n");
+    ASSERT_EQ(mesh.positions.size(), 3U);
+    EXPECT_EQ(mesh.positions[1], Vec3d(1000000.002, 0, 0));
+}
+
 /// @param rows  the body of a file with three vertices x y z and one face.
 std::string small(const std::string& rows, const std::string& vertices = "3",
                   const std::string& faces = "1") {
