@@ -20,8 +20,8 @@ TEST_F(AdaptiveParts, are_off_where_the_user_says_so) {
     for (const AdaptivePart& part : kAdaptiveParts) {
         const std::string flag = "--" + std::string(part.name);
         const std::string setting = setting_of(part);
-        const bool needs_balance =
-            part.is_on == &PhotonSettings::balance || part.is_on == &PhotonSettings::pass_weights;
+        const bool needs_balance = part.is_on == &PhotonSettings::photon_budget ||
+                                   part.is_on == &PhotonSettings::pass_weights;
         if (needs_balance) use("cornell", {"--resolution", "8x8"});
         EXPECT_FALSE(stats("0:1")["settings"].contains(setting)) << flag;
         EXPECT_EQ(stats("0:1", {flag, "off"})["settings"][setting], "off");

@@ -41,7 +41,7 @@ TEST(Fresnel, conductor_is_the_textbook) {
     SampledSpectrum eta;
     SampledSpectrum k;
     eta.values = {0.13F, 0.2F, 1.0F, 1.5F, 2.8F, 1.0F, 0.05F, 1.6F};
-    k.wavelength = {4.0F, 2.5F, 7.0F, 0.0F, 3.2F, 200.0F, 1.0F, 1.9F};
+    k.values = {4.0F, 2.5F, 7.0F, 0.0F, 3.2F, 200.0F, 1.0F, 1.9F};
     for (const float c : kCosines) {
         const SampledSpectrum r = conductor_reflectance(c, eta, k);
         for (std::size_t i = 0; i < kWavelengths; ++i)
@@ -60,7 +60,7 @@ TEST(Fresnel, conductor_of_given_reflectance) {
 /// Exactly: a share of -1e-9 would make a negative weight.
 TEST(Fresnel, stays_within_zero_and_one) {
     SampledSpectrum k;
-    k.wavelength = {0, 1e-4F, 0.01F, 0.3F, 1, 3, 30, 1000};
+    k.values = {0, 1e-4F, 0.01F, 0.3F, 1, 3, 30, 1000};
     for (const float index : {0.02F, 0.5F, 1.0F, 1.001F, 1.5F, 40.0F})
         for (int i = 1; i <= 1000; ++i) {
             const float c = static_cast<float>(i) / 1000;

@@ -2,6 +2,7 @@
 #include "estimate/deposit.h"
 
 #include "core/parallel.h"
+#include "estimate/photon_terms.h"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +67,7 @@ protected:
             p.pixel = below(kPixels);
             const std::uint32_t material = below(4);
             p.bsdf = material == 1 || material == 2 ? material : kLambertian;
-            p.wavelength = static_cast<std::uint8_t>(below(kWavelengths));
+            p.hero = static_cast<std::uint8_t>(below(kWavelengths));
             p.single_wavelength = below(2) == 0;
             p.after_rough = below(4) == 0;
         }

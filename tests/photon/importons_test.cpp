@@ -6,14 +6,14 @@
 namespace sunfleck {
 namespace {
 
-struct Found {
+struct LightFound {
     std::size_t hints = 0;
     double seen = 0;
     bool is_dark = false;  // at the wavelengths of the pass
 };
 
 /// From a point of a white floor below a sun of that colour.
-Found found_of(const Spectrum& sun) {
+LightFound found_of(const Spectrum& sun) {
     TriangleMesh floor;
     floor.positions = {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
     floor.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -37,11 +37,11 @@ Found found_of(const Spectrum& sun) {
 
 /// Few passes meet a lamp of 585 to 590 nm. Where one is dark it counts as if it were grey.
 TEST(Importons, find_a_light_that_is_dark_in_their_pass) {
-    const Found white = found_of(Spectrum::constant(1));
+    const LightFound white = found_of(Spectrum::constant(1));
     ASSERT_FALSE(white.is_dark);
     EXPECT_GT(white.hints, 900U);
     const auto sodium = Spectrum::table({{585, 0}, {586, 1}, {589, 1}, {590, 0}});
-    const Found dark = found_of(sodium);
+    const LightFound dark = found_of(sodium);
     ASSERT_TRUE(dark.is_dark);
     EXPECT_EQ(dark.hints, white.hints);
     EXPECT_NEAR(dark.seen / white.seen, static_cast<double>(sodium.luminance()),

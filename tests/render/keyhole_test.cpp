@@ -79,8 +79,8 @@ TEST_P(EveryKeyhole, is_found_from_the_view) {
     RenderSettings settings;
     settings.photon.paths_per_pass = 50'000;
     const Epoch epoch = learn_epoch(scene, settings, 0);
-    ASSERT_EQ(epoch.groups.size(), 1U);
-    const GuidedPlan& guided = epoch.groups[0].guided;
+    ASSERT_EQ(epoch.strata.size(), 1U);
+    const GuidedPlan& guided = epoch.strata[0].guided;
     EXPECT_GE(guided.paths, 5'000U);
     const Aim aim = aim_at_hole(scene, keyhole);
     // Some 6% of what comes through the hole is seen. Through a lamp's map lead many directions.
@@ -98,7 +98,7 @@ TEST_P(EveryKeyhole, is_found_from_the_view) {
     }
     EXPECT_LT(rare, kPoints / 16);  // 3% and less at eight seeds
     settings.photon.emission_guide = false;
-    EXPECT_EQ(learn_epoch(scene, settings, 0).groups[0].guided.paths, 0U);
+    EXPECT_EQ(learn_epoch(scene, settings, 0).strata[0].guided.paths, 0U);
 }
 
 /// Rays of the sun at the edges that triangles of the roof share, and up to a micrometre beside

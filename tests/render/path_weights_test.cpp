@@ -20,7 +20,7 @@ double geometric_cosine(const Hit& hit, const Vec3& way) {
 /// light).
 class FoundPath {
 public:
-    FoundPath(const PassScene& scene, const Projection& camera, const Subpath& camera,
+    FoundPath(const PassScene& scene, const Projection& projection, const Subpath& camera,
               const MetLight& met)
         : eye_(camera.vertices.begin(), camera.vertices.begin() + long(met.vertices)) {
         end_ = end_densities(scene.scene, met.light, met.ray, eye_.back().hit);
@@ -38,7 +38,7 @@ public:
                                       geometric_cosine(vertex.hit, way(at)), distance2(at));
         }
         const Vec3d first(eye_[0].hit.position);
-        const auto sight = camera.sight_of(first, Vec2d(0.5));
+        const auto sight = projection.sight_of(first, Vec2d(0.5));
         seen_ =
             sight->area * geometric_cosine(eye_[0].hit, Vec3((sight->origin - first).normalized()));
     }
@@ -126,8 +126,8 @@ TEST(PathWeights, of_all_strategies_sum_to_one) {
     const PassScene at_wavelengths(scene, {5, 0});
     const TransportSettings transport{DirectLight::sampled, 7};
     const ReferencePass pass{at_wavelengths, transport, {0, 0, 16, 16}, {5, 0}};
-    const Projection camera(scene.camera());
-    SubpathTracer tracer(pass, camera, kLightPaths);
+    const Projection projection(scene.camera());
+    SubpathTracer tracer(pass, projection, kLightPaths);
     Subpath camera;
     std::array<int, 9> tested{};
     int mirrors = 0;
@@ -137,7 +137,7 @@ TEST(PathWeights, of_all_strategies_sum_to_one) {
         tracer.trace_eye({random.next() * 16, random.next() * 16}, 0, numbers, camera);
         for (const MetLight& met : camera.lights) {
             if (met.vertices == 0) continue;
-            const FoundPath path(at_wavelengths, camera, camera, met);
+            const FoundPath path(at_wavelengths, projection, camera, met);
             const auto weights = path.weights();
             const auto expected = path.expected();
             double sum = 0;

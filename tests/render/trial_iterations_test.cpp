@@ -11,23 +11,23 @@
 namespace sunfleck {
 namespace {
 
-TEST(TrialRounds, of_views_stand_in_blocks_of_their_own) {
+TEST(TrialIterations, of_views_stand_in_blocks_of_their_own) {
     for (const std::uint32_t epoch : {0U, 1U, 5U}) {
         const PilotName name{7, epoch};
         std::set<std::uint32_t> blocks;
-        for (const std::uint32_t batch :
+        for (const std::uint32_t iteration :
              {kExploredTrialIteration, kSecondTrialIteration, kPixelTrialsIteration})
-            blocks.insert(name.round(batch).number / kBatchPasses);
+            blocks.insert(name.iteration(iteration).number / kBatchPasses);
         EXPECT_EQ(blocks.size(), 3U) << epoch;
     }
 }
 
 // Covariance over 4096 pixels: by chance 0 +- .0013 (one standard error, seed 7). Neighbours in a
 // net lie in opposite halves: -1/16.
-TEST(TrialRounds, of_views_have_points_that_know_nothing_of_each_other) {
+TEST(TrialIterations, of_views_have_points_that_know_nothing_of_each_other) {
     const PilotName name{7, 1};
-    const auto point = [&](std::uint32_t batch, std::uint32_t pixel) {
-        return BatchPoints(name.round(batch), pixel).next() - 0.5;
+    const auto point = [&](std::uint32_t iteration, std::uint32_t pixel) {
+        return BatchPoints(name.iteration(iteration), pixel).next() - 0.5;
     };
     const auto covariance = [&](std::uint32_t one, std::uint32_t other) {
         double sum = 0;

@@ -71,9 +71,8 @@ TEST(Reader, refuses_circles_of_files) {
                  "b:1:1: \"a\" includes itself"));
     MemoryFiles chain;
     for (int i = 0; i < 200; ++i) {
-        const std::string next = "Include \"" + std::to_string(i + 1) + "\"";
-        chain[std::to_string(i)] = next;
-        chain["i" + std::to_string(i)] = "Import \"i" + std::to_string(i + 1) + "\"";
+        chain[fmt::format("{}", i)] = fmt::format("Include \"{}\"", i + 1);
+        chain[fmt::format("i{}", i)] = fmt::format("Import \"i{}\"", i + 1);
     }
     EXPECT_TRUE(contains(world_error("Include \"0\"", chain), "more than 100 deep"));
     EXPECT_TRUE(contains(world_error("Import \"i0\"", chain), "more than 100 deep"));

@@ -1,6 +1,7 @@
 // Words in messages: always one printable line, and the right suggestion.
 #include "import/pbrt/words.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,7 +13,7 @@ constexpr std::array<std::string_view, 4> kKnown = {"Shape", "Scale", "", "Mater
 
 TEST(Words, are_quoted_on_one_line) {
     EXPECT_EQ(in_quotes("a\nb\x01"), "\"a?b?\"");
-    EXPECT_EQ(in_quotes(std::string(100, 'x')), '"' + std::string(60, 'x') + "...\"");
+    EXPECT_EQ(in_quotes(std::string(100, 'x')), fmt::format("\"{}...\"", std::string(60, 'x')));
 }
 
 TEST(Words, suggest_the_nearest) {
