@@ -17,7 +17,7 @@ void read(const std::string& bytes) {
     try {
         const auto state = sunfleck::read_checkpoint(stream, bytes.size(), "fuzz.ckpt").state;
         const sunfleck::FilmKey& key = state.film.key();
-        if (key.pixels() == 0 || state.film.sums().layers[0].size() != 3 * key.pixels() ||
+        if (key.pixels() == 0 || state.film.sums().aovs[0].size() != 3 * key.pixels() ||
             state.film.passes().ranges().size() != 1 || state.paper.has_value() != key.sequential)
             std::abort();
     } catch (const sunfleck::Error& error) {

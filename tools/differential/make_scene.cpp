@@ -35,7 +35,10 @@ SceneText make_scene(const FeatureTable& table, const Choice& choice, std::uint6
     Ingredients scene(table, choice, RandomStream(seed, Purpose::test, 1, number));
     SceneText text{view_block(scene), {}};
     Block state{false, {}};
-    if (scene["haze"] == "thin") state.statements.push_back({R"(MediumInterface "" "haze")", {}});
+    // On both sides: where an open shape, such as a lamp of two sides, parts it from another
+    // medium, no estimator is right.
+    if (scene["haze"] == "thin")
+        state.statements.push_back({R"(MediumInterface "haze" "haze")", {}});
     if (const std::string_view space = scene["colour space"]; space != "none")
         state.statements.push_back({"ColorSpace \"" + std::string(space) + '"', {}});
     if (!state.statements.empty()) text.world.push_back(state);
