@@ -72,7 +72,7 @@ TEST_F(Resume, another_setting_is_refused_by_name) {
         {{"--energy-compensation", "on"}, {"energy_compensation=on"}},
         {{"--resolution", "8x8"}, {"resolution differs: 16x12 in the file, 8x8 asked for"}},
         {{"--crop", "0,4,0,4"}, {"resolution differs: 16x12 in the file, 4x4 asked for"}},
-        {{"--aovs", "albedo"}, {"layers differs: RGB in the file, RGB albedo asked for"}},
+        {{"--aovs", "albedo"}, {"AOVs differs: RGB in the file, RGB albedo asked for"}},
         {{"--isa", "native"}, {"isa differs: avx2 in the file, native asked for"}},
         {{"--pass-range", "1:9"}, {"first pass differs: 0 in the file, 1 asked for"}},
         {{"--passes", "1"}, {"holds passes up to 2, and 1 are asked for"}},

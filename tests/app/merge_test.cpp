@@ -73,7 +73,7 @@ TEST_F(Merge, other_renders) {
         {{"--radius", "0.5"}, {"radius", "0.5"}},
         {{"--resolution", "8x8"}, {"resolution", "16x12", "8x8"}},
         {{"--crop", "0,4,0,4"}, {"resolution", "16x12", "4x4"}},
-        {{"--aovs", "albedo"}, {"layers", "albedo"}},
+        {{"--aovs", "albedo"}, {"AOVs", "albedo"}},
     };
     for (const auto& [words, named] : rows) {
         part("b.film", "2:4", words);

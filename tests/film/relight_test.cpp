@@ -85,7 +85,7 @@ TEST(Relight, refuses_what_is_not_there) {
     EXPECT_EQ(fault(two_lights(), {{"direct", Vec3(1)}}),
               "x.exr: has no light group \"direct\"; use some of lamp, sun");
     EXPECT_EQ(fault(two_lights(), {{"sun", Vec3(1)}, {"sun", Vec3(2)}}),
-              "x.exr: the layer \"sun\" is named twice; name each once");
+              "x.exr: the light group \"sun\" is named twice; name each once");
     Picture plain = two_lights();
     plain.metadata.clear();
     EXPECT_EQ(fault(plain, {{"sun", Vec3(1)}}),
