@@ -29,7 +29,8 @@ struct RenderOptions {
     std::vector<AskedLightGroup> light_groups;
     std::optional<int> max_depth;  // wins over the scene's
     std::optional<Vec2i> resolution;
-    std::optional<std::array<int, 4>> crop;
+    std::optional<std::array<int, 4>> crop;            // in pixels
+    std::optional<std::array<double, 4>> crop_window;  // as fractions of the picture
     std::string isa = "avx2";
     std::string stats;      // file, or empty
     std::string snapshots;  // folder, or empty

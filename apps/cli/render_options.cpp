@@ -112,7 +112,11 @@ void add_stop_flags(CLI::App& app, RenderTexts& t) {
 
 void add_picture_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("--resolution", t.resolution, "Picture size instead of the scene's: WxH");
-    app.add_option("--crop", t.crop, "Render only these pixels: x0,x1,y0,y1");
+    CLI::Option* const crop =
+        app.add_option("--crop", t.crop, "Render only these pixels: x0,x1,y0,y1");
+    app.add_option("--cropwindow", t.crop_window,
+                   "The same as fractions of the picture, from 0 to 1, as pbrt has them")
+        ->excludes(crop);
     app.add_option(
         "--aovs", t.aovs,
         "AOVs, as EXR layers: direct,caustic,indirect,emission,albedo,normal,depth,samples");
@@ -154,7 +158,7 @@ void add_run_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
 
 void add_render_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
     app.add_option("SCENE", o.scene, "Scene file (pbrt-v4)")->required();
-    app.add_option("-o,--output", o.outputs,
+    app.add_option("-o,--output,--outfile", o.outputs,
                    "Output file: .exr, .png, .film; may be repeated (default: the scene's name for "
                    "it, .exr)")
         ->allow_extra_args(false);
@@ -177,6 +181,7 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
     if (t.log_level == "warning") o.log = LogLevel::warning;
     if (!t.resolution.empty()) o.resolution = read_size(t.resolution, "--resolution");
     if (!t.crop.empty()) o.crop = read_crop(t.crop, "--crop");
+    if (!t.crop_window.empty()) o.crop_window = read_crop_window(t.crop_window, "--cropwindow");
     o.settings.aovs = read_aovs(t.aovs, "--aovs");
     if (!t.time.empty()) o.stop.seconds = read_duration(t.time, "--time");
     for (const char* flag : {"--checkpoint", "--resume"})

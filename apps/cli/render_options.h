@@ -25,6 +25,7 @@ struct RenderTexts {
     std::string target_error;
     std::string resolution;
     std::string crop;
+    std::string crop_window;
     std::string pass_range;
     std::string aovs;
     std::vector<std::string> light_groups;

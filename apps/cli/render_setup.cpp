@@ -79,7 +79,10 @@ void check_memory(const RenderJob& job, const std::optional<std::uint64_t>& limi
 void adjust(SceneDescription& description, const RenderOptions& options) {
     if (options.resolution) set_resolution(description, *options.resolution);
     if (options.settings.energy_compensation) compensate_energy(description);
-    if (options.crop) set_crop(description, *options.crop);
+    if (options.crop) set_crop(description, *options.crop, "--crop");
+    if (options.crop_window)
+        set_crop(description, pixels_of_window(*options.crop_window, description.film.resolution),
+                 "--cropwindow");
 }
 
 }  // namespace

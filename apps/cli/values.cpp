@@ -123,6 +123,22 @@ std::array<int, 4> read_crop(const std::string& text, const std::string& flag) {
     return {v[0], v[1], v[2], v[3]};
 }
 
+std::array<double, 4> read_crop_window(const std::string& text, const std::string& flag) {
+    std::array<double, 4> window{};
+    std::string rest = ',' + text;
+    bool is_right = true;
+    for (double& fraction : window) {
+        is_right = is_right && !rest.empty() && rest[0] == ',';
+        if (!is_right) break;
+        fraction = leading_number(rest.substr(1), rest);
+        is_right = fraction >= 0 && fraction <= 1;
+    }
+    if (!is_right || !rest.empty())
+        throw Error({flag}, "\"" + text + "\" is no crop window",
+                    "write x0,x1,y0,y1 as fractions of the picture, for example 0,0.5,0,1");
+    return window;
+}
+
 AovSet read_aovs(const std::string& text, const std::string& flag) {
     AovSet set{};
     std::string known;

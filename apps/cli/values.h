@@ -28,6 +28,8 @@ Vec2i read_size(const std::string& text, const std::string& flag);
 LightGroupFactor read_factor(const std::string& text);
 /// "a,b,c,d". @throws Error naming the flag.
 std::array<int, 4> read_crop(const std::string& text, const std::string& flag);
+/// "0,0.5,0,1": four fractions in [0, 1]. @throws Error naming the flag.
+std::array<double, 4> read_crop_window(const std::string& text, const std::string& flag);
 /// "caustic,depth"; empty: none. @throws Error naming the flag.
 AovSet read_aovs(const std::string& text, const std::string& flag);
 /// "a:b", into first and end pass. @throws Error naming the flag.

@@ -2,6 +2,7 @@
 #include "scene/adjust.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sunfleck {
 namespace {
@@ -28,14 +29,25 @@ void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
     }
 }
 
-void set_crop(SceneDescription& scene, const std::array<int, 4>& crop) {
+std::array<int, 4> pixels_of_window(const std::array<double, 4>& window, const Vec2i& size) {
+    const auto pixel = [](double fraction, int extent) {
+        const float clamped = std::clamp(static_cast<float>(fraction), 0.0F, 1.0F);
+        return static_cast<int>(std::ceil(static_cast<float>(extent) * clamped));
+    };
+    return {pixel(std::min(window[0], window[1]), size.x),
+            pixel(std::max(window[0], window[1]), size.x),
+            pixel(std::min(window[2], window[3]), size.y),
+            pixel(std::max(window[2], window[3]), size.y)};
+}
+
+void set_crop(SceneDescription& scene, const std::array<int, 4>& crop, const std::string& flag) {
     const Vec2i size = scene.film.resolution;
     const auto is_run = [](int begin, int end, int most) {
         return 0 <= begin && begin < end && end <= most;
     };
     if (!is_run(crop[0], crop[1], size.x) || !is_run(crop[2], crop[3], size.y))
-        throw Error({"--crop"}, "is no part of the picture",
-                    "give x0,x1,y0,y1 with 0 <= x0 < x1 <= " + std::to_string(size.x) +
+        throw Error({flag}, "is no part of the picture",
+                    "give x0,x1,y0,y1 in pixels, with 0 <= x0 < x1 <= " + std::to_string(size.x) +
                         " and 0 <= y0 < y1 <= " + std::to_string(size.y));
     scene.film.crop = crop;
 }

@@ -132,12 +132,18 @@ TEST(Adjust, a_small_crop_keeps_a_pixel) {
 TEST(Adjust, a_new_crop_replaces_the_old) {
     SceneDescription scene = wide_scene();
     scene.film.crop = Crop{0, 10, 0, 10};
-    set_crop(scene, {20, 21, 30, 100});
+    set_crop(scene, {20, 21, 30, 100}, "--crop");
     EXPECT_EQ(scene.film.crop, (Crop{20, 21, 30, 100}));
-    set_crop(scene, {0, 200, 0, 100});
+    set_crop(scene, {0, 200, 0, 100}, "--crop");
     EXPECT_EQ(scene.film.crop, (Crop{0, 200, 0, 100}));
     EXPECT_EQ(scene.film.resolution, Vec2i(200, 100));
     expect_screen(scene, {-1, -0.5}, {3, 1.5});
+}
+
+TEST(Adjust, a_window_takes_the_pixels_that_pbrt_takes) {
+    EXPECT_EQ(pixels_of_window({0, 1, 0, 1}, {7, 5}), (Crop{0, 7, 0, 5}));
+    EXPECT_EQ(pixels_of_window({0.25, 0.75, 0.4, 1}, {16, 12}), (Crop{4, 12, 5, 12}));
+    EXPECT_EQ(pixels_of_window({0.75, 0.25, -1, 2}, {16, 12}), (Crop{4, 12, 0, 12}));
 }
 
 TEST(Adjust, a_crop_that_is_no_part_of_the_picture_is_an_error) {
@@ -148,12 +154,12 @@ TEST(Adjust, a_crop_that_is_no_part_of_the_picture_is_an_error) {
         SceneDescription scene = wide_scene();
         scene.film.crop = Crop{1, 2, 3, 4};
         try {
-            set_crop(scene, crop);
+            set_crop(scene, crop, "--crop");
             ADD_FAILURE() << crop[0] << ' ' << crop[1] << ' ' << crop[2] << ' ' << crop[3];
         } catch (const Error& error) {
             EXPECT_EQ(std::string(error.what()),
-                      "--crop: is no part of the picture; give x0,x1,y0,y1 with 0 <= x0 < x1 <= "
-                      "200 and 0 <= y0 < y1 <= 100");
+                      "--crop: is no part of the picture; give x0,x1,y0,y1 in pixels, with 0 <= "
+                      "x0 < x1 <= 200 and 0 <= y0 < y1 <= 100");
         }
         EXPECT_EQ(scene.film.crop, (Crop{1, 2, 3, 4}));
     }

@@ -3,6 +3,7 @@
 
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
+#include "scene/adjust.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,25 +25,14 @@ Vec2i resolution_of(const Statement& film) {
         "use 1 to 65536 a side, and at most 268435456 pixels");
 }
 
-/// x0 x1 y0 y1 as fractions of the picture, rounded up as in pbrt-v4, in float.
-std::array<int, 4> crop_by_window(const std::vector<double>& window, const Vec2i& size) {
-    const auto pixel = [](double fraction, int extent) {
-        const float clamped = std::clamp(static_cast<float>(fraction), 0.0F, 1.0F);
-        return static_cast<int>(std::ceil(static_cast<float>(extent) * clamped));
-    };
-    return {pixel(std::min(window[0], window[1]), size.x),
-            pixel(std::max(window[0], window[1]), size.x),
-            pixel(std::min(window[2], window[3]), size.y),
-            pixel(std::max(window[2], window[3]), size.y)};
-}
-
 std::optional<std::array<int, 4>> crop_of(const Statement& film, const Vec2i& size) {
     const auto window = film.reals("cropwindow", 4);
     const Parameter* bounds = film.find("pixelbounds", ParameterType::integer);
     if (!window && !bounds) return std::nullopt;
     std::array<int, 4> crop{};
     if (window) {
-        crop = crop_by_window(*window, size);
+        const std::vector<double>& w = *window;
+        crop = pixels_of_window({w[0], w[1], w[2], w[3]}, size);
     } else {
         if (bounds->integers.size() != 4)
             throw Error(bounds->where, "\"pixelbounds\" with other than 4 values",
