@@ -51,7 +51,7 @@ Coat::Coat(float eta, const std::optional<Ggx>& facets, float thickness)
 float Coat::passed_smooth(float cosine) const {
     const float inside = refracted_cosine(1 - cosine * cosine, eta_);
     if (inside == 0) return 0;
-    return (1 - dielectric_reflectance(cosine, inside, eta_)) * faded(inside);
+    return (1 - dielectric_reflectance(cosine, inside, eta_)) * attenuated(inside);
 }
 
 float Coat::passed_rough(float cosine) const {
@@ -64,23 +64,23 @@ float Coat::passed_rough(float cosine) const {
         const Vec3 wi = (h * (c / eta_ - far) - w / eta_).normalized();
         if (!(wi.z < 0)) return 0.0F;
         return (1 - dielectric_reflectance(c, far, eta_)) *
-               facets_->shadowing_given_masking(w, wi) * faded(-wi.z);
+               facets_->shadowing_given_masking(w, wi) * attenuated(-wi.z);
     });
 }
 
 float Coat::returned_smooth(float cosine) const {
-    const float way = faded(cosine);
+    const float way = attenuated(cosine);
     return way * way * dielectric_reflectance(cosine, 1 / eta_);
 }
 
 float Coat::returned_rough(float cosine) const {
     const Vec3 w = between_axes(cosine);
-    return faded(cosine) * mean_over_facets(*facets_, w, [&](const Vec3& h) {
+    return attenuated(cosine) * mean_over_facets(*facets_, w, [&](const Vec3& h) {
                const float c = std::min(1.0F, w.dot(h));
                const Vec3 wi = h * (2 * c) - w;
                if (!(c > 0) || !(wi.z > 0)) return 0.0F;
                return dielectric_reflectance(c, 1 / eta_) *
-                      facets_->shadowing_given_masking(w, wi) * faded(wi.z);
+                      facets_->shadowing_given_masking(w, wi) * attenuated(wi.z);
            });
 }
 

@@ -41,7 +41,7 @@ public:
     float reflectance(float cosine) const { return dielectric_reflectance(cosine, eta_); }
 
     /// What one way through the layer leaves. @param cosine  within it.
-    float faded(float cosine) const { return std::exp(-thickness_ / std::max(cosine, 1e-6F)); }
+    float attenuated(float cosine) const { return std::exp(-thickness_ / std::max(cosine, 1e-6F)); }
 
 private:
     static constexpr int kCells = 32;

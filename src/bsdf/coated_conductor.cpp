@@ -31,7 +31,7 @@ CoatedConductor::Inner CoatedConductor::inner(const Vec3& w) const {
     const float eta = coat_->eta();
     const float within = refracted_cosine(1 - cosine * cosine, eta);
     return {Vec3(w.x / eta, w.y / eta, std::copysign(within, w.z)), coat_->entering(cosine),
-            coat_->reflectance(cosine), coat_->faded(within)};
+            coat_->reflectance(cosine), coat_->attenuated(within)};
 }
 
 SampledSpectrum CoatedConductor::smooth_reflectance(float cosine) const {
@@ -39,10 +39,10 @@ SampledSpectrum CoatedConductor::smooth_reflectance(float cosine) const {
     const float within = refracted_cosine(1 - cosine * cosine, eta);
     if (within == 0) return SampledSpectrum(1);
     const float top = coat_->reflectance(cosine);
-    const float fade = coat_->faded(within) * coat_->faded(within);
+    const float attenuation = coat_->attenuated(within) * coat_->attenuated(within);
     const SampledSpectrum metal = conductor_reflectance(within, eta_, k_);
-    return SampledSpectrum(top) +
-           metal * ((1 - top) * (1 - top) * fade) / (SampledSpectrum(1) - metal * (top * fade));
+    return SampledSpectrum(top) + metal * ((1 - top) * (1 - top) * attenuation) /
+                                      (SampledSpectrum(1) - metal * (top * attenuation));
 }
 
 SampledSpectrum CoatedConductor::metal_eval(const Vec3& wo, const Vec3& wi) const {
@@ -55,7 +55,7 @@ SampledSpectrum CoatedConductor::metal_eval(const Vec3& wo, const Vec3& wi) cons
     const float shape = facets_.density(sum / length) * facets_.shadowing_over_cosines(a.w, b.w) *
                         0.25F * a.passed * b.passed / (eta * eta);
     const SampledSpectrum metal = conductor_reflectance(std::min(1.0F, 0.5F * length), eta_, k_);
-    const float again = std::sqrt(a.coat * b.coat) * a.fade * b.fade;
+    const float again = std::sqrt(a.coat * b.coat) * a.attenuation * b.attenuation;
     return metal * shape / (SampledSpectrum(1) - metal * again);
 }
 

@@ -29,10 +29,10 @@ public:
 
 private:
     struct Inner {
-        Vec3 w;        // within the coat, on the side of the direction in the air
-        float passed;  // Coat::entering()
-        float coat;    // its reflectance, inner reflection included: the same on both sides
-        float fade;    // what one way through leaves
+        Vec3 w;             // within the coat, on the side of the direction in the air
+        float passed;       // Coat::entering()
+        float coat;         // its reflectance, inner reflection included: the same on both sides
+        float attenuation;  // what one way through leaves
     };
 
     Inner inner(const Vec3& w) const;

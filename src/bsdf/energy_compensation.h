@@ -14,7 +14,7 @@
 
 namespace sunfleck {
 
-struct RegainedByMetal {
+struct MetalCompensation {
     const FacetLosses& losses;
     const Ggx& facets;
 
@@ -37,7 +37,7 @@ struct RegainedByMetal {
     }
 };
 
-struct RegainedByGlass {
+struct GlassCompensation {
     const FacetLosses& losses;
     const Ggx& facets;
     float eta;  // inside (side -z) over outside

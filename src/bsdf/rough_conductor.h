@@ -29,7 +29,7 @@ struct RoughConductor {
         const SampledSpectrum once =
             conductor_reflectance(std::min(1.0F, 0.5F * length), eta, k) * shape;
         if (losses == nullptr) return once;
-        return once + regained().reflectance(eta, k) * regained().eval(wo.z, wi.z);
+        return once + compensation().reflectance(eta, k) * compensation().eval(wo.z, wi.z);
     }
 
     float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
@@ -38,7 +38,7 @@ struct RoughConductor {
         if (!gathers(wo.z, wi.z) || !(length > 0)) return 0;
         const float once = facets.visible_density_over_cosine(wo, sum / length) * 0.25F;
         if (losses == nullptr) return once;
-        const float chance = regained().lost(wo.z);
+        const float chance = compensation().lost(wo.z);
         return (1 - chance) * once + chance * std::abs(wi.z) / kPi;
     }
 
@@ -46,8 +46,9 @@ struct RoughConductor {
     std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
         if (wo.z == 0) return {};
         if (losses == nullptr) return sample_facets(wo, draw);
-        auto drawn = draw.u.x < regained().lost(wo.z) ? Lambert{SampledSpectrum(1)}.sample(wo, draw)
-                                                      : sample_facets(wo, draw);
+        auto drawn = draw.u.x < compensation().lost(wo.z)
+                         ? Lambert{SampledSpectrum(1)}.sample(wo, draw)
+                         : sample_facets(wo, draw);
         if (!drawn) return {};
         drawn->pdf = pdf(wo, drawn->wi, draw.transport);
         if (!(*drawn->pdf > 0)) return {};
@@ -59,7 +60,7 @@ struct RoughConductor {
     static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
 
 private:
-    RegainedByMetal regained() const { return {*losses, facets}; }
+    MetalCompensation compensation() const { return {*losses, facets}; }
 
     std::optional<BsdfSample> sample_facets(const Vec3& wo, const BsdfDraw& draw) const {
         const float side = std::copysign(1.0F, wo.z);

@@ -40,12 +40,12 @@ struct GlassAtWavelength {
     /// goes out into it is Walter's eq. 21.
     float transmitted(const Vec3& a, const Vec3& b) const {
         const RefractingFacet facet = refracting_facet(a, b, eta);
-        if (facet.cos_out == 0) return with_regained(0, a, b);
+        if (facet.cos_out == 0) return with_compensation(0, a, b);
         const float passed = 1 - dielectric_reflectance(facet.cos_out, facet.cos_in, eta);
-        return with_regained(passed * facets.density(facet.normal) *
-                                 facets.shadowing_over_cosines(a, b) * facet.cos_out *
-                                 facet.cos_in / facet.length2,
-                             a, b);
+        return with_compensation(passed * facets.density(facet.normal) *
+                                     facets.shadowing_over_cosines(a, b) * facet.cos_out *
+                                     facet.cos_in / facet.length2,
+                                 a, b);
     }
 
     float transmitted_pdf(const Vec3& wo, const Vec3& wi) const {
@@ -62,34 +62,34 @@ struct GlassAtWavelength {
         return dielectric_reflectance(std::min(1.0F, cosine), z > 0 ? eta : 1 / eta);
     }
 
-    RegainedByGlass regained() const { return {*losses, facets, eta}; }
+    GlassCompensation compensation() const { return {*losses, facets, eta}; }
     /// @param f  of the facets, without the squared index of transmitted().
-    float with_regained(float f, const Vec3& a, const Vec3& b) const {
-        return losses == nullptr ? f : f + regained().eval(a.z, b.z);
+    float with_compensation(float f, const Vec3& a, const Vec3& b) const {
+        return losses == nullptr ? f : f + compensation().eval(a.z, b.z);
     }
     /// @param density  by which sample_facets() chooses wi.
-    float with_regained_pdf(float density, const Vec3& wo, const Vec3& wi) const {
+    float with_compensation_pdf(float density, const Vec3& wo, const Vec3& wi) const {
         if (losses == nullptr) return density;
-        const float chance = regained().lost(wo.z);
-        return (1 - chance) * density + chance * regained().pdf(wo.z, wi.z);
+        const float chance = compensation().lost(wo.z);
+        return (1 - chance) * density + chance * compensation().pdf(wo.z, wi.z);
     }
 
     std::optional<BsdfSample> sample_facets(const Vec3& wo, const BsdfDraw& draw) const;
-    std::optional<BsdfSample> sample_regained(const Vec3& wo, const BsdfDraw& draw) const;
+    std::optional<BsdfSample> sample_compensation(const Vec3& wo, const BsdfDraw& draw) const;
 };
 
 /// The wide lobes, as often as all facets together lose, or the facets'.
 /// @return the direction and eta alone.
-std::optional<BsdfSample> GlassAtWavelength::sample_regained(const Vec3& wo,
-                                                             const BsdfDraw& draw) const {
-    const float chance = regained().lost(wo.z);
+std::optional<BsdfSample> GlassAtWavelength::sample_compensation(const Vec3& wo,
+                                                                 const BsdfDraw& draw) const {
+    const float chance = compensation().lost(wo.z);
     BsdfDraw rest = draw;
     if (!(draw.u.x < chance)) {
         rest.u.x = (draw.u.x - chance) / (1 - chance);
         return sample_facets(wo, rest);
     }
     auto drawn = Lambert{SampledSpectrum(1)}.sample(wo, draw);
-    if (drawn && draw.u.x < chance * regained().passing(wo.z)) {
+    if (drawn && draw.u.x < chance * compensation().passing(wo.z)) {
         drawn->wi.z = -drawn->wi.z;
         drawn->eta = wo.z > 0 ? eta : 1 / eta;
     }
@@ -142,7 +142,7 @@ SampledSpectrum RoughDielectric::eval(const Vec3& wo, const Vec3& wi, Transport 
             f[i] = shape * glass(i).reflected_share(0.5F * length, wo.z);
         if (losses_ == nullptr) return f;
         for (std::size_t i = 0; i < kWavelengths; ++i)
-            f[i] = i < different ? glass(i).with_regained(f[i], wo, wi) : f[0];
+            f[i] = i < different ? glass(i).with_compensation(f[i], wo, wi) : f[0];
         return f;
     }
     // Light goes out into the side of wo in radiance transport, of wi in flux transport.
@@ -165,10 +165,10 @@ float RoughDielectric::pdf(const Vec3& wo, const Vec3& wi, Transport) const {
     float total = 0;
     for (std::size_t i = 0; i < different; ++i) {
         const GlassAtWavelength glass{facets_, eta_[i], losses_};
-        total +=
-            glass.with_regained_pdf(reflected ? seen * glass.reflected_share(0.5F * length, wo.z)
-                                              : glass.transmitted_pdf(wo, wi),
-                                    wo, wi);
+        total += glass.with_compensation_pdf(reflected
+                                                 ? seen * glass.reflected_share(0.5F * length, wo.z)
+                                                 : glass.transmitted_pdf(wo, wi),
+                                             wo, wi);
     }
     return total / static_cast<float>(different);
 }
@@ -178,7 +178,7 @@ std::optional<BsdfSample> RoughDielectric::sample(const Vec3& wo, const BsdfDraw
     const std::size_t chosen = draw.hero.chosen;
     const GlassAtWavelength glass{facets_, eta_[chosen], losses_};
     auto drawn =
-        losses_ == nullptr ? glass.sample_facets(wo, draw) : glass.sample_regained(wo, draw);
+        losses_ == nullptr ? glass.sample_facets(wo, draw) : glass.sample_compensation(wo, draw);
     if (drawn && losses_ != nullptr) {
         const RoughDielectric alone = at_wavelength(chosen);
         drawn->pdf = alone.pdf(wo, drawn->wi, draw.transport);

@@ -45,7 +45,7 @@ void CameraPath::follow(std::optional<Hit> hit, BatchPoints& numbers) {
     while (true) {
         ++statistics_[Count::camera_rays];
         if (scene.has_media())
-            throughput_ *= pass_.scene.left_after(medium_, hit ? hit->distance : kInfinity);
+            throughput_ *= pass_.scene.transmittance(medium_, hit ? hit->distance : kInfinity);
         if (!hit) {
             add_emission(emitter_beyond(pass_.scene, position_, direction_, wanted_parts()));
             return;

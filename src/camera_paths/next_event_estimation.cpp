@@ -165,7 +165,8 @@ SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& ve
     while (true) {
         ++statistics[Count::camera_rays];
         const auto hit = scene.geometry().intersect(ray);
-        if (scene.has_media()) weight *= pass.left_after(medium, hit ? hit->distance : kInfinity);
+        if (scene.has_media())
+            weight *= pass.transmittance(medium, hit ? hit->distance : kInfinity);
         if (!hit) {
             add(emitter_beyond(pass, vertex.hit.position, direction, parts));
             return sum;

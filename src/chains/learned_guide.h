@@ -26,27 +26,29 @@ struct LearnedGuide {
     double visible_share = 0;  // of paths through it
 };
 
-/// How hints are asked for visible paths.
+/// How guide samples are asked for visible paths.
 struct GuideSampleBudget {
-    std::size_t most = 2048;  // hints, evenly spread over all
+    std::size_t most = 2048;  // guide samples, evenly spread over all
     int tries = 256;          // of one
 };
 
-/// Visible paths whose emission is as hinted and whose other numbers are drawn: at most one a hint.
+/// Visible paths whose emission is as hinted and whose other numbers are drawn: at most one a guide
+/// sample.
 template <PathSpace Space>
-Population visible_from(const Space& space, const std::vector<WeightedEmission>& hints, PassId pass,
-                        typename Space::Tally& tally, const GuideSampleBudget& effort = {}) {
-    const std::size_t count = std::min(effort.most, hints.size());
+Population visible_from(const Space& space, const std::vector<WeightedEmission>& guide_samples,
+                        PassId pass, typename Space::Tally& tally,
+                        const GuideSampleBudget& effort = {}) {
+    const std::size_t count = std::min(effort.most, guide_samples.size());
     std::vector<std::vector<Survivor>> found(count);
     std::vector<typename Space::Tally> tallies(count);
     parallel_for(count, [&](std::size_t i) {
-        const EmissionPoint& hint = hints[i * hints.size() / count].point;
+        const EmissionPoint& guide_sample = guide_samples[i * guide_samples.size() / count].point;
         RandomStream stream = pass.stream(Purpose::chain, i);
         typename Space::Path path;
         for (int k = 0; k < effort.tries && found[i].empty(); ++k) {
             StoredSample sample;
             for (std::uint32_t s = 0; s < kGuidedDimensions; ++s)
-                sample.set(s, to_fraction(hint.at(s)));
+                sample.set(s, to_fraction(guide_sample.at(s)));
             space.trace(RepeatingReader(sample, stream), path, tallies[i]);
             if (space.height(path) == kVisible) found[i].push_back({sample, 1, kVisible});
         }

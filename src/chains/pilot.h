@@ -32,8 +32,8 @@ public:
           Sets sets = Sets::as_needed)
         : space_(space), source_(std::move(maps)), sets_(sets), walk_(space, name) {}
 
-    /// Climbs from uniform paths to visible ones, set by set, or starts from hints where that leads
-    /// nowhere, or was luck: the first thing to ask of a pilot.
+    /// Climbs from uniform paths to visible ones, set by set, or starts from guide samples where
+    /// that leads nowhere, or was luck: the first thing to ask of a pilot.
     const HeightTail& explore() {
         climb();
         has_climbed_ = result_.tail[kVisible] > 0;
@@ -86,7 +86,7 @@ private:
     static constexpr std::size_t kIterationsAlone = 6;  // of one that chains do not help
     static constexpr double kMostRest = 0.5;            // of a guide that is of use
     static constexpr std::uint64_t kLucky = 10;  // so few states or fewer led to the next set
-    // Walks for hints: until many are found, and if need be for a few.
+    // Walks for guide samples: until many are found, and if need be for a few.
     static constexpr std::uint32_t kWalks = 100'000;  // at once
     static constexpr std::uint32_t kFewWalks = 500'000;
     static constexpr std::uint32_t kMostWalks = 8'000'000;
@@ -94,8 +94,8 @@ private:
     static constexpr std::size_t kManyTries = 200'000;
     static constexpr std::size_t kSomeTries = 20'000;
     static constexpr int kTriesPastEdges = 2;
-    static constexpr std::size_t kFewHints = 8;
-    static constexpr std::size_t kManyHints = 2048;
+    static constexpr std::size_t kFewGuideSamples = 8;
+    static constexpr std::size_t kManyGuideSamples = 2048;
     static constexpr double kNegligible = 0.01;  // of all that is seen: not worth looking for
 
     struct Explored {
@@ -128,18 +128,20 @@ private:
     }
 
     /// @param seen  flux that walks find of all lights.
-    /// @return whether more walks may find what matters: no, once enough hints are there, or if the
+    /// @return whether more walks may find what matters: no, once enough guide samples are there,
+    /// or if the
     ///         light that no walk has reached yet would not be seen.
     bool walk_for_guide_samples(PassId pass, const PathRange& walks, std::size_t enough,
                                 double seen, WalkedEmission& found) const {
         constexpr double kEventsMissed = 3;  // at most, with 95% confidence, where none was seen
         for (std::size_t i = walks.begin; i < walks.end; i += kWalks) {
-            if (found.hints.size() >= enough) return false;
+            if (found.guide_samples.size() >= enough) return false;
             const auto so_far = static_cast<double>(i);
             if (i > 0 && found.possible / so_far * kEventsMissed / so_far < kNegligible * seen)
                 return false;
             const WalkedEmission more = source_.walks(pass, {i, i + kWalks});
-            found.hints.insert(found.hints.end(), more.hints.begin(), more.hints.end());
+            found.guide_samples.insert(found.guide_samples.end(), more.guide_samples.begin(),
+                                       more.guide_samples.end());
             found.possible += more.possible;
         }
         return true;
@@ -158,19 +160,21 @@ private:
         return visible_from(space_, past, walk_.next_iteration(), tally_, all);
     }
 
-    /// @return whether any hint leads to a visible path.
+    /// @return whether any guide sample leads to a visible path.
     bool start_from_guide_samples() {
         const PassId pass = walk_.next_iteration();
         const double seen = source_.seen ? source_.seen(walk_.next_iteration()) : 0;
         WalkedEmission found;
         Population population;
-        const bool matters = walk_for_guide_samples(pass, {0, kFewWalks}, kManyHints, seen, found);
-        if (found.hints.size() < kFewHints) {
+        const bool matters =
+            walk_for_guide_samples(pass, {0, kFewWalks}, kManyGuideSamples, seen, found);
+        if (found.guide_samples.size() < kFewGuideSamples) {
             if (source_.edges) population = visible_past_edges(matters ? kManyTries : kSomeTries);
-            if (matters && !has_climbed_ && population.units() < kFewHints)
-                walk_for_guide_samples(pass, {kFewWalks, long_search()}, kFewHints, seen, found);
+            if (matters && !has_climbed_ && population.units() < kFewGuideSamples)
+                walk_for_guide_samples(pass, {kFewWalks, long_search()}, kFewGuideSamples, seen,
+                                       found);
         }
-        population.add(visible_from(space_, found.hints, walk_.next_iteration(), tally_));
+        population.add(visible_from(space_, found.guide_samples, walk_.next_iteration(), tally_));
         if (population.units() == 0) return false;
         add_starts(population, kStartingIterations);
         if (has_climbed_) add_starts(visible_, 1);

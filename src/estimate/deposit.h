@@ -20,7 +20,7 @@ public:
               std::uint32_t paths, PhotonCounts* counts = nullptr)
         : pass_(pass), index_(index), image_(image), paths_(paths), counts_(counts) {}
 
-    /// Adds to every visible point the photons that it takes, and marks in the chunks which were
+    /// Adds to every visible point the photons that it accepts, and marks in the chunks which were
     /// taken. Each point sums in floats, in an order that depends on the chunks alone (not on the
     /// threads), and adds one term a kind of photon to the exact sums of its pixel. The flux of a
     /// photon is taken as it is: whoever weights paths scales it before. @return counts.

@@ -19,15 +19,15 @@ RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
 }
 
 /// Complete batches: their number, and how often they count.
-struct Rounds {
-    explicit Rounds(const Film& film)
+struct CompleteBatches {
+    explicit CompleteBatches(const Film& film)
         : count(static_cast<double>(film.batches())), weight(film.weight_of_batches()) {}
 
     double count;
     double weight;
 };
 
-MeanError mean_error(double mean, const FixedPoint& squares, const Rounds& batches) {
+MeanError mean_error(double mean, const FixedPoint& squares, const CompleteBatches& batches) {
     const double variance = squares.to_double() / batches.weight - mean * mean;
     return {mean, std::sqrt(std::max(0.0, variance) / (batches.count - 1))};
 }
@@ -95,7 +95,7 @@ bool is_lit(const FixedPoints& sums) {
 }
 
 std::vector<MeanError> pixel_errors(const Film& film) {
-    const Rounds batches(film);
+    const CompleteBatches batches(film);
     if (batches.count < 2) return {};
     const double passes = film.complete_weight();
     std::vector<MeanError> errors(film.key().pixels());
@@ -113,7 +113,7 @@ std::vector<MeanError> pixel_errors(const Film& film) {
 }
 
 std::vector<MeanError> block_errors(const Film& film) {
-    const Rounds batches(film);
+    const CompleteBatches batches(film);
     if (batches.count < 2) return {};
     const BlockGrid grid(film.key(), kErrorBlock);
     const std::vector<double> sums = complete_block_sums(film);
@@ -126,7 +126,7 @@ std::vector<MeanError> block_errors(const Film& film) {
 }
 
 std::optional<MeanError> image_error(const Film& film) {
-    const Rounds batches(film);
+    const CompleteBatches batches(film);
     if (batches.count < 2) return {};
     const double mean = total(complete_block_sums(film)) / static_cast<double>(film.key().pixels());
     if (mean == 0 && is_lit(film.sums().aovs[0])) return {};

@@ -15,7 +15,8 @@ namespace sunfleck {
 
 /// What walks from the view found.
 struct WalkedEmission {
-    std::vector<WeightedEmission> hints;  // emission that may be visible, and the flux it brings
+    std::vector<WeightedEmission>
+        guide_samples;    // emission that may be visible, and the flux it brings
     double possible = 0;  // the flux of all samples of light, were nothing in the way
 };
 

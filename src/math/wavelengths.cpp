@@ -61,7 +61,7 @@ struct Distribution {
 };
 
 /// The four bits of a pass's place in its batch, reversed: 2, 4, 8 passes are lattices too.
-std::uint32_t place_in_round(std::uint32_t pass) {
+std::uint32_t place_in_batch(std::uint32_t pass) {
     static_assert(kBatchPasses == 16);
     const std::uint32_t n = pass % kBatchPasses;
     return (n & 1U) << 3U | (n & 2U) << 1U | (n & 4U) >> 1U | (n & 8U) >> 3U;
@@ -74,7 +74,7 @@ Wavelengths Wavelengths::of_pass(PassId pass) {
     RandomStream stream(pass.seed, Purpose::wavelengths, pass.number / kBatchPasses, 0);
     // The shift is of a whole pass, not of a lattice cell: then each pass is unbiased by itself,
     // and a render that ends within a batch is too.
-    const double shift = stream.next() + place_in_round(pass.number) * (1.0 / kBatchPasses);
+    const double shift = stream.next() + place_in_batch(pass.number) * (1.0 / kBatchPasses);
     const double place = shift < 1 ? shift : shift - 1;
     Wavelengths drawn;
     for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength) {

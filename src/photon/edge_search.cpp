@@ -116,7 +116,7 @@ std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
     constexpr std::size_t kBlock = 1024;
     const Edges edges(view.scene.scene.geometry().input());
     if (edges.empty()) return {};
-    const InitialGuideSamples hints(view.scene, lights);
+    const InitialGuideSamples guide_samples(view.scene, lights);
     std::vector<std::vector<WeightedEmission>> blocks((tries.size() + kBlock - 1) / kBlock);
     parallel_blocks(tries.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -125,11 +125,12 @@ std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
             const double part = stream.next();
             const Vec3 at = point_by(edges.choose(which, part, stream.next()), stream);
             if (!std::isfinite(at.x + at.y + at.z)) continue;
-            const auto light = hints.sample(at, stream);
+            const auto light = guide_samples.sample(at, stream);
             if (!light) continue;
-            if (hints.panes_to({at, light->direct.direction}, light->direct.distance) < 0) continue;
-            if (const auto hint = hints.hint(*light, at, 1, stream))
-                blocks[begin / kBlock].push_back(*hint);
+            if (guide_samples.panes_to({at, light->direct.direction}, light->direct.distance) < 0)
+                continue;
+            if (const auto guide_sample = guide_samples.guide_sample(*light, at, 1, stream))
+                blocks[begin / kBlock].push_back(*guide_sample);
         }
     });
     std::vector<WeightedEmission> all;

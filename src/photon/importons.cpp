@@ -16,7 +16,7 @@ class Importon {
 public:
     Importon(const PhotonContext& view, const LightChoice& lights, RandomStream stream,
              WalkedEmission& found)
-        : scene_(view.scene), hints_(view.scene, lights), stream_(stream), found_(found) {}
+        : scene_(view.scene), guide_samples_(view.scene, lights), stream_(stream), found_(found) {}
 
     void start(const Disc& disc) {
         Vec3 normal = disc.normal;
@@ -30,12 +30,13 @@ public:
 private:
     /// At the walk's first point, which may leave direct light to the camera paths.
     void look_for_light(const Vec3& at, const Disc& disc, const Vec3& normal) {
-        const auto sample = hints_.sample(at, stream_);
+        const auto sample = guide_samples_.sample(at, stream_);
         if (!sample) return;
         const float cosine = normal.dot(sample->direct.direction);
         if (!(cosine > 0)) return;
         const double weight = weight_of(*sample, SampledSpectrum(cosine / kPi));
-        const int panes = hints_.panes_to({at, sample->direct.direction}, sample->direct.distance);
+        const int panes =
+            guide_samples_.panes_to({at, sample->direct.direction}, sample->direct.distance);
         const PhotonKind kind = kind_after_smooth(panes);
         if (panes < 0 || !disc.accepts_kind(kind)) return;
         add(*sample, at, weight);
@@ -54,7 +55,7 @@ private:
             const Frame frame(hit->shading_normal, hit->tangent);
             const Vec3 wo = frame.to_local(-ray.direction);
             if (scattering(bsdf) != Scattering::specular) {
-                const auto sample = hints_.sample(hit->position, stream_);
+                const auto sample = guide_samples_.sample(hit->position, stream_);
                 if (sample) add_if_lit(*hit, frame, bsdf, wo, *sample);
             }
             const auto drawn = sample(bsdf, wo, draw());
@@ -80,7 +81,7 @@ private:
         if (f.is_zero()) return;
         const double weight = weight_of(sample, f * std::abs(wi.z));
         const Ray ray = ray_from(hit, sample.direct.direction);
-        if (hints_.panes_to(ray, sample.direct.distance) < 0) return;
+        if (guide_samples_.panes_to(ray, sample.direct.distance) < 0) return;
         add(sample, hit.position, weight);
     }
 
@@ -106,12 +107,12 @@ private:
     }
 
     void add(const LightAtPoint& sample, const Vec3& at, double weight) {
-        if (const auto hint = hints_.hint(sample, at, weight, stream_))
-            found_.hints.push_back(*hint);
+        if (const auto guide_sample = guide_samples_.guide_sample(sample, at, weight, stream_))
+            found_.guide_samples.push_back(*guide_sample);
     }
 
     const PassScene& scene_;
-    InitialGuideSamples hints_;
+    InitialGuideSamples guide_samples_;
     RandomStream stream_;
     WalkedEmission& found_;
     SampledSpectrum throughput_{1};
@@ -136,7 +137,8 @@ WalkedEmission walk(const PhotonContext& view, const LightChoice& lights, PassId
     });
     WalkedEmission all;
     for (const WalkedEmission& block : blocks) {
-        all.hints.insert(all.hints.end(), block.hints.begin(), block.hints.end());
+        all.guide_samples.insert(all.guide_samples.end(), block.guide_samples.begin(),
+                                 block.guide_samples.end());
         all.possible += block.possible;
     }
     return all;
@@ -154,7 +156,7 @@ double flux_seen(const PhotonContext& view, PassId pass) {
     const WalkedEmission found =
         walk(view, view.scene.scene.light_choice(), pass, {0, kWalks}, kAllKinds);
     double flux = 0;
-    for (const WeightedEmission& hint : found.hints) flux += hint.weight;
+    for (const WeightedEmission& guide_sample : found.guide_samples) flux += guide_sample.weight;
     return flux / kWalks;
 }
 

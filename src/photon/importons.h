@@ -2,7 +2,7 @@
 //
 // In:  the view, some lights. Out: emission of paths that come near to the view or into it,
 // weighted by about the flux that they bring. Glass is passed straight on the way to a light, and a
-// walk may end on the dark side of a disc: what is found is a hint for emission guide
+// walk may end on the dark side of a disc: what is found is a guide sample for emission guide
 // (guide/emission_guide.h) and no part of a picture.
 // Source: importance carried from the eye: Jensen, Importance driven path tracing using the photon
 // map (1995); Peter and Pietrek, Importance driven construction of photon maps (1998).
@@ -19,7 +19,7 @@ WalkedEmission trace_importons(const PhotonContext& view, const LightChoice& lig
                                const PathRange& walks);
 
 /// The flux that a walk finds on average of all the scene's lights, direct light at the visible
-/// points included, whoever brings it. In the unit of the hints' weights.
+/// points included, whoever brings it. In the unit of the guide samples' weights.
 double flux_seen(const PhotonContext& view, PassId pass);
 
 }  // namespace sunfleck

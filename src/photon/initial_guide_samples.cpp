@@ -41,9 +41,9 @@ bool InitialGuideSamples::is_clear(Hit& hit, const Vec3& direction) const {
     return through && through->wi.z * wo.z < 0;
 }
 
-std::optional<WeightedEmission> InitialGuideSamples::hint(const LightAtPoint& sample,
-                                                          const Vec3& at, double weight,
-                                                          RandomStream& stream) const {
+std::optional<WeightedEmission> InitialGuideSamples::guide_sample(const LightAtPoint& sample,
+                                                                  const Vec3& at, double weight,
+                                                                  RandomStream& stream) const {
     const Light& light = scene_.scene.lights()[sample.light];
     const DirectSample& direct = sample.direct;
     const Vec3d to_light(direct.direction);

@@ -2,8 +2,8 @@
 //
 // In:  a point of the scene, random numbers. Out: a sample of a light, whether it arrives, and the
 // primary sample of a photon that would take its way. Glass is passed straight on the way to a
-// light: what is found is a hint for emission guide (guide/emission_guide.h) and no part of a
-// picture.
+// light: what is found is a guide sample for emission guide (guide/emission_guide.h) and no part of
+// a picture.
 #pragma once
 
 #include "core/random.h"
@@ -33,10 +33,10 @@ public:
     /// Surfaces that light passes along the ray, straight as if glass were flat.
     /// @param distance  to the light. @return -1: it is stopped.
     int panes_to(Ray ray, float distance) const;
-    /// The emission that arrives so. @param weight  of the hint.
+    /// The emission that arrives so. @param weight  of the guide sample.
     /// @return nothing where no numbers lead there, or the weight is not positive.
-    std::optional<WeightedEmission> hint(const LightAtPoint& sample, const Vec3& at, double weight,
-                                         RandomStream& stream) const;
+    std::optional<WeightedEmission> guide_sample(const LightAtPoint& sample, const Vec3& at,
+                                                 double weight, RandomStream& stream) const;
 
 private:
     bool is_clear(Hit& hit, const Vec3& direction) const;

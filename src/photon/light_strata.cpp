@@ -107,14 +107,14 @@ private:
     }
 
     std::vector<MeasuredLight> measured(const std::vector<Lights>& clusters, std::size_t paths,
-                                        std::uint32_t round) const {
+                                        std::uint32_t iteration) const {
         std::vector<MeasuredLight> lights;
         for (const Lights& cluster : clusters) {
             const SamplingContext context(view_, octree_, weights().among(cluster));
             const PilotName name{name_.seed, name_.epoch, kMeasuring};
             Statistics unused;
             const LevelCounts counts =
-                uniform_level(context.space, EmissionPoints(name.iteration(round)),
+                uniform_level(context.space, EmissionPoints(name.iteration(iteration)),
                               static_cast<std::uint32_t>(paths), kHeights, unused)
                     .counts;
             lights.push_back({context.lights.total(), paths, counts.at_least(kVisible)});

@@ -24,7 +24,8 @@ struct MeasuredLight {
 
 /// Lights by stratum, the most visible stratum first: within a stratum visible fractions differ by
 /// no more than kFractionsApart, but that
-/// - a stratum whose power is below a tenth of that before it stays with it: it takes too few paths
+/// - a stratum whose power is below a tenth of that before it stays with it: it takes too few
+/// paths
 ///   to be in the way;
 /// - so does one before which there is less than a hundredth of its own visible flux;
 /// - the last of kMostStrata holds all that is left.

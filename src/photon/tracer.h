@@ -89,7 +89,7 @@ public:
         if (pass_.scene.has_cover(hit) && !is_there(hit, state))
             return pass_absent(visit, hit, state);
         if (state.unlit > 0 && is_stopped(hit, state)) return PathEnd::absorbed;
-        if (has_media_ && !fade(hit, state)) return PathEnd::absorbed;
+        if (has_media_ && !attenuate(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         if (constant) return meet(read, visit, *constant, hit, state);
         if (!pass_.scene.is_null_interface(hit)) return meet_varied(read, visit, hit, state);
@@ -131,7 +131,7 @@ private:
                                                          PhotonState& state) const {
         const bool is_lit = !(hit.distance < state.unlit);
         state.unlit = std::max(0.0F, state.unlit - hit.distance);
-        if (has_media_ && !fade(hit, state)) return PathEnd::absorbed;
+        if (has_media_ && !attenuate(hit, state)) return PathEnd::absorbed;
         if (is_lit && pass_.may_gather(pass_.scene.material_of(hit))) visit(arrive(hit, state));
         state.at_light = false;
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
@@ -139,8 +139,8 @@ private:
     }
 
     /// The medium takes its share on the way to the hit. @return whether anything is left.
-    [[gnu::noinline]] bool fade(const Hit& hit, PhotonState& state) const {
-        const SampledSpectrum left = pass_.left_after(state.medium, hit.distance);
+    [[gnu::noinline]] bool attenuate(const Hit& hit, PhotonState& state) const {
+        const SampledSpectrum left = pass_.transmittance(state.medium, hit.distance);
         const float before = state.flux.sum();
         state.flux *= left;
         const float kept = share_kept(before, state.flux, left);

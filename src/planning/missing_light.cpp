@@ -38,7 +38,7 @@ double share_lit_by_photons(const Scene& scene, const RenderSettings& settings) 
         if (seen.index.points().empty()) continue;
         const PhotonContext view{at_wavelengths, settings.transport, seen.index};
         const WalkedEmission found = trace_importons(view, scene.light_choice(), id, {0, kWalks});
-        if (!found.hints.empty()) lit += window.pixels();
+        if (!found.guide_samples.empty()) lit += window.pixels();
     }
     return static_cast<double>(lit) / static_cast<double>(whole.pixels());
 }

@@ -46,7 +46,7 @@ private:
             if (!scene_.geometry().hit_of(met, hit)) return;
             const bool is_lit = !(hit.distance < unlit);
             unlit -= hit.distance;
-            if (scene_.has_media()) flux_ *= pass_.scene.left_after(medium_, hit.distance);
+            if (scene_.has_media()) flux_ *= pass_.scene.transmittance(medium_, hit.distance);
             if (!scene_.is_null_interface(hit)) {
                 if (!is_lit) return;
                 if (!scatter(hit, depth)) return;

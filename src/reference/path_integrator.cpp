@@ -50,7 +50,7 @@ private:
         while (true) {
             ++rays_;
             if (scene_.has_media())
-                throughput_ *= pass_.scene.left_after(medium_, hit ? hit->distance : kInfinity);
+                throughput_ *= pass_.scene.transmittance(medium_, hit ? hit->distance : kInfinity);
             if (!hit) {
                 add_emitters_beyond(ray.direction);
                 return {};

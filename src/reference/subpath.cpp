@@ -127,7 +127,7 @@ bool SubpathTracer::next_surface(Subpath& path) {
         ++rays_;
         const bool met = scene.geometry().hit_of(meeting_, hit_);
         if (scene.has_media())
-            throughput_ *= pass_.scene.left_after(medium_, met ? hit_.distance : kInfinity);
+            throughput_ *= pass_.scene.transmittance(medium_, met ? hit_.distance : kInfinity);
         if (transport_ == Transport::radiance) note_lights(met, path);
         if (!met) return false;
         const bool is_lit = !(hit_.distance < unlit_);

@@ -41,7 +41,7 @@ struct Media {
 
 /// Share of the light that is left after a way through a medium. @param absorption  per unit of
 /// length, not negative. @param distance  may be infinite: then all is absorbed that can be.
-inline SampledSpectrum left_after(const SampledSpectrum& absorption, float distance) {
+inline SampledSpectrum transmittance(const SampledSpectrum& absorption, float distance) {
     SampledSpectrum left;
     for (std::size_t i = 0; i < kWavelengths; ++i)
         left[i] = absorption[i] > 0 ? std::exp(-absorption[i] * distance) : 1;

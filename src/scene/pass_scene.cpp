@@ -59,7 +59,7 @@ MediumNumber PassScene::start_medium(std::size_t light, const Emission& start,
     if (!scene.has_media()) return 0;
     const MediumNumber medium =
         scene.media().at_lights[light].towards(start.normal, Vec3(start.direction));
-    if (comes_from_afar(scene.lights()[light])) flux *= left_after(medium, kInfinity);
+    if (comes_from_afar(scene.lights()[light])) flux *= transmittance(medium, kInfinity);
     return medium;
 }
 
@@ -71,14 +71,14 @@ SampledSpectrum PassScene::seen_from(const Hit& hit, const Vec3& direction, floa
     const float past_end = distance - ray.length;
     while (const auto met = scene.geometry().intersect(ray)) {
         if (!scene.is_null_interface(*met)) return SampledSpectrum(0);
-        left *= left_after(medium, met->distance);
+        left *= transmittance(medium, met->distance);
         medium = scene.medium_beyond(*met, direction, medium);
         const float rest = ray.length - met->distance;
         if (!(rest > 0)) return left;
         ray = ray_from(*met, direction);
         ray.length = rest;
     }
-    return left * left_after(medium, distance == kInfinity ? kInfinity : ray.length + past_end);
+    return left * transmittance(medium, distance == kInfinity ? kInfinity : ray.length + past_end);
 }
 
 /// Greys exactly, and without asking for the table.

@@ -48,8 +48,8 @@ struct PassScene {
     }
 
     /// Share of the light that is left after a way through a medium; of an endless way, too.
-    SampledSpectrum left_after(MediumNumber medium, float distance) const {
-        return sunfleck::left_after(absorption[medium], distance);
+    SampledSpectrum transmittance(MediumNumber medium, float distance) const {
+        return sunfleck::transmittance(absorption[medium], distance);
     }
     /// The medium in which light leaves a light, and what is left of its flux: that from afar has
     /// come an endless way already.

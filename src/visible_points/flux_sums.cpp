@@ -49,8 +49,8 @@ HWY_INLINE void add_lanes(const SortedPhotons& photons, std::span<const TakenPho
         const Vector flux = hn::LoadU(tag, &photon.flux.values[first]);
         const auto by = hn::Set(numbers, static_cast<std::int32_t>(accepting));
         const auto part = [&](std::int32_t bit) HWY_ATTR {
-            const auto takes = hn::TestBit(by, hn::Set(numbers, bit));
-            return hn::IfThenElseZero(hn::RebindMask(tag, takes), flux);
+            const auto accepts = hn::TestBit(by, hn::Set(numbers, bit));
+            return hn::IfThenElseZero(hn::RebindMask(tag, accepts), flux);
         };
         s0 = hn::Add(s0, part(1));
         s1 = hn::Add(s1, part(2));

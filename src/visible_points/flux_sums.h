@@ -11,7 +11,7 @@ namespace sunfleck {
 using BlockLight = std::array<SampledSpectrum, DiscBlock::kWidth>;
 
 /// Adds to light[i], in the order of the list, the flux of every photon of that kind that point i
-/// takes, for the points whose bit is set in `points`.
+/// accepts, for the points whose bit is set in `points`.
 void add_flux(const SortedPhotons& photons, std::span<const TakenPhoton> taken, PhotonKind kind,
               unsigned points, BlockLight& light);
 

@@ -1,6 +1,6 @@
 // Compiled once for each kind of processor; the first call picks one.
 //
-// The same operations in the same order as takes(), without fused ones: the same answers.
+// The same operations in the same order as accepts(), without fused ones: the same answers.
 #include "visible_points/lookup.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -105,7 +105,7 @@ HWY_INLINE Vector radii_for(const DiscBlock& discs, PhotonKind kind, std::size_t
     return hn::Sub(hn::Add(indirect, indirect), radius);
 }
 
-/// Bit i is set if disc i takes the photon. The names are those of takes().
+/// Bit i is set if disc i accepts the photon. The names are those of accepts().
 HWY_INLINE unsigned accepting(const DiscBlock& discs, const Photon& photon, int max_depth) {
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
@@ -167,8 +167,8 @@ HWY_INLINE std::size_t list_near(const VisiblePointIndex& index, const SortedPho
     return count;
 }
 
-/// Lists what the block takes from `first` on. All that is near is listed before any of it is asked
-/// for: loops whose ends can be foreseen.
+/// Lists what the block accepts from `first` on. All that is near is listed before any of it is
+/// asked for: loops whose ends can be foreseen.
 HWY_INLINE TakenPhotons::Block list_taken(const VisiblePointIndex& index,
                                           const SortedPhotons& photons, std::size_t block,
                                           std::size_t first, TakenPhotons& taken) {

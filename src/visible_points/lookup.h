@@ -1,7 +1,7 @@
 // Which photons do visible points take? Asked for many at once, with the widest instructions that
 // the processor has: the same answers everywhere.
 //
-// In:  an index of visible points, sorted photons. Out: who takes which.
+// In:  an index of visible points, sorted photons. Out: who accepts which.
 #pragma once
 
 #include "visible_points/sorted_photons.h"
@@ -23,7 +23,7 @@ struct TakenPhoton {
 struct TakenPhotons {
     static constexpr std::size_t kBlocks = 8;
 
-    /// What one block takes: some of `list`.
+    /// What one block accepts: some of `list`.
     struct Block {
         std::size_t first = 0;
         std::size_t count = 0;

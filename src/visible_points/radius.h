@@ -38,9 +38,9 @@ inline double radius_factor(std::uint32_t pass, double alpha) {
 }
 
 /// Mean of the disc's area over the passes of a batch, over that in pass 0.
-inline double batch_area(std::uint64_t round, double alpha) {
+inline double batch_area(std::uint64_t batch, double alpha) {
     DiscAreaSequence areas(alpha);
-    for (std::uint64_t p = 0; p < round * kBatchPasses; ++p) areas.next();
+    for (std::uint64_t p = 0; p < batch * kBatchPasses; ++p) areas.next();
     double sum = 0;
     for (std::uint32_t p = 0; p < kBatchPasses; ++p) sum += areas.next();
     return sum / kBatchPasses;

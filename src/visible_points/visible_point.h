@@ -1,7 +1,7 @@
 // Visible points: where camera paths end to gather photons; and the photons that they gather.
 //
-// A disc says where and what a visible point takes; photons that it takes are deposited. One
-// function, takes(), decides it for the visibility query and for the deposit alike.
+// A disc says where and what a visible point accepts; photons that it accepts are deposited. One
+// function, accepts(), decides it for the visibility query and for the deposit alike.
 #pragma once
 
 #include "aovs/light_groups.h"
@@ -46,14 +46,14 @@ inline float radius_of_kind(PhotonKind kind, float sharp, float indirect) {
     return kind == PhotonKind::long_specular_chain ? (indirect + indirect) - sharp : sharp;
 }
 
-/// The part of a visible point that decides which photons it takes. 36 bytes.
+/// The part of a visible point that decides which photons it accepts. 36 bytes.
 struct Disc {
     Vec3 position{0};
     float radius = 0;           // for direct photons and caustics
     Vec3 normal{0};             // geometric, on the side that the camera path arrived at
     std::uint16_t bounces = 0;  // scattering events of the camera path before this point
-    std::uint8_t kinds = 0;     // sum of the PhotonKinds that it takes
-    bool both_sides = false;    // transmits: takes photons from behind, too
+    std::uint8_t kinds = 0;     // sum of the PhotonKinds that it accepts
+    bool both_sides = false;    // transmits: accepts photons from behind, too
     float indirect_radius_scale =
         1;  // of the disc for indirect photons, over the radius; 1 or more
 
@@ -66,11 +66,11 @@ struct Disc {
     bool accepts_kind(PhotonKind kind) const {
         return (kinds & static_cast<std::uint8_t>(kind)) != 0;
     }
-    /// The widest of the kinds that it takes, but for long specular chains.
+    /// The widest of the kinds that it accepts, but for long specular chains.
     float usual_radius() const {
         return accepts_kind(PhotonKind::indirect) ? radius_for(PhotonKind::indirect) : radius;
     }
-    /// Of all kinds that it takes.
+    /// Of all kinds that it accepts.
     float widest_radius() const {
         const bool deep = accepts_kind(PhotonKind::long_specular_chain);
         return deep ? radius_for(PhotonKind::long_specular_chain) : usual_radius();
@@ -85,7 +85,7 @@ inline constexpr float kDiscFlatness = 0.25F;
 
 /// Does the disc take this photon?
 /// @param max_depth  scattering events of the whole path, at most.
-inline bool takes(const Disc& disc, const Photon& photon, int max_depth) {
+inline bool accepts(const Disc& disc, const Photon& photon, int max_depth) {
     const Vec3 d = photon.position - disc.position;
     const float radius = disc.radius_for(photon.kind);
     const float radius2 = radius * radius;

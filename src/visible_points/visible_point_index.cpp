@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;
 
-/// Around the disc of that radius: every photon that takes() accepts is in.
+/// Around the disc of that radius: every photon that accepts() holds for is in.
 Box box_of(const Disc& disc, float radius) {
     Vec3 half;
     for (int c = 0; c < 3; ++c) {

@@ -50,7 +50,7 @@ public:
         const DiscBlock& discs = blocks_[b];
         return radius_of_kind(kind, discs.radius[i], discs.indirect_radius[i]);
     }
-    /// Boxes that hold every photon of this kind that a point of the block takes. Those for deep
+    /// Boxes that hold every photon of this kind that a point of the block accepts. Those for deep
     /// caustics hold the others: they would make all questions dearer for the sake of few photons.
     const BlockBoxes& around(PhotonKind kind) const {
         return kind == PhotonKind::long_specular_chain ? all_ : usual_;
@@ -62,7 +62,7 @@ public:
 
 private:
     int max_depth_;
-    std::uint8_t kinds_ = 0;  // that any point takes
+    std::uint8_t kinds_ = 0;  // that any point accepts
     MortonGrid grid_;
     UnfilledVector<VisiblePoint> points_;  // in Morton order
     UnfilledVector<DiscBlock> blocks_;     // the same order: what a query reads

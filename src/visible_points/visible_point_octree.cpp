@@ -42,7 +42,7 @@ VisiblePointOctree::Cells VisiblePointOctree::cells_of(const Disc& disc) const {
     Cells cells{};
     double widest = 0;
     for (int c = 0; c < 3; ++c) {
-        // takes() accepts nothing beyond sqrt(1.5) radii.
+        // accepts() holds for nothing beyond sqrt(1.5) radii.
         const double half =
             1.23 * double{disc.widest_radius()} + std::abs(double{disc.position[c]}) * 1e-6;
         const double middle = (double{disc.position[c]} - low_[c]);

@@ -88,7 +88,7 @@ TEST_F(Extrapolate, is_in_snapshots_and_goes_on_from_checkpoints) {
     EXPECT_EQ(read_text(path("resumed.exr")), read_text(path("whole.exr")));
 }
 
-TEST_F(Extrapolate, of_too_few_rounds_is_the_plain_picture_with_a_warning) {
+TEST_F(Extrapolate, of_too_few_batches_is_the_plain_picture_with_a_warning) {
     render_to("plain", {"--passes", "63", "-o", "plain.film"});
     const Ran ran =
         render_to("zero", {"--passes", "63", "--extrapolate", "on", "--log-level", "warning"});

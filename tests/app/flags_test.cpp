@@ -121,22 +121,6 @@ TEST_F(Flags, resolution) {
     EXPECT_EQ(other.stats["resolution"], nlohmann::json::parse("[20,8]"));
 }
 
-/// As plug-ins of exporters call pbrt.
-TEST_F(Flags, outfile_is_the_output) {
-    const Ran ran = run({"render", "--outfile", "y.exr", "--spp", "1", "--nthreads", "1", "--quiet",
-                         "--seed", "3", "--photons-per-pass", "100", "room.pbrt"});
-    EXPECT_EQ(ran.code, 0) << ran.err;
-    EXPECT_EQ(read_exr(path("y.exr")).width, 16);
-}
-
-/// 16 x 12 pixels; rounded up, as pbrt-v4 does.
-TEST_F(Flags, a_crop_window_is_the_crop_of_its_pixels) {
-    const Words passes{"--spp", "2"};
-    const Rendered pixels = rendered(passes + Words{"--crop", "4,12,5,12"});
-    EXPECT_EQ(rendered(passes + Words{"--cropwindow", "0.25,0.75,0.4,1"}).picture.channels,
-              pixels.picture.channels);
-}
-
 /// Random numbers go by the pixel's place in the window: the same light, not the same bytes.
 TEST_F(Flags, crop_shows_the_same_part) {
     const Words passes{"--pass-range", "0:64", "--photons-per-pass", "20000", "--aovs", "depth"};

@@ -97,7 +97,7 @@ TEST_F(Stats, starved_passes_are_counted_and_warned_of) {
 /// A small part of a wall, and one photon a pass, which meets it in one of thirty: of some seed two
 /// batches are black and the passes after them are not. An error of zero would say that the picture
 /// is known.
-TEST_F(Stats, error_of_light_in_an_open_round_alone_is_absent) {
+TEST_F(Stats, error_of_light_in_an_open_batch_alone_is_absent) {
     write_text(path("room.pbrt"),
                "LookAt 0 0 4  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 20\n"
                "Film \"rgb\" \"integer xresolution\" 4 \"integer yresolution\" 4\nWorldBegin\n"

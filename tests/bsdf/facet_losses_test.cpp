@@ -87,7 +87,7 @@ TEST(FacetLosses, what_passes_is_bounded_by_smooth_glass) {
     for (const float eta : {1.5F, 0.7F})
         for (const float z : {1.0F, -1.0F}) {
             const Ggx facets{0.5F, 0.5F};
-            const RegainedByGlass lobe{FacetLosses::table(), facets, eta};
+            const GlassCompensation lobe{FacetLosses::table(), facets, eta};
             const float smooth = 1 - mean_dielectric_reflectance(z > 0 ? eta : 1 / eta);
             EXPECT_LE(lobe.passing(z), smooth * 1.0001F);
             EXPECT_GT(lobe.passing(z), 0.05F);
@@ -114,7 +114,7 @@ TEST(FacetLosses, brushed_metal_is_white_in_the_mean) {
 /// Gold deepens: what is reflected more often is redder.
 TEST(FacetLosses, colours_deepen) {
     const RoughConductor gold{laws::gold_eta(), laws::gold_k(), {0.7F, 0.7F}};
-    const RegainedByMetal lobe{FacetLosses::table(), gold.facets};
+    const MetalCompensation lobe{FacetLosses::table(), gold.facets};
     const SampledSpectrum once = conductor_reflectance(0.7F, gold.eta, gold.k);
     const SampledSpectrum again = lobe.reflectance(gold.eta, gold.k);
     EXPECT_LT(again[0] / again[kWavelengths - 1], once[0] / once[kWavelengths - 1]);

@@ -150,15 +150,15 @@ Hidden hidden() {
 }
 
 /// Emission on both islands, as walks from the other end would find it.
-WalkedEmission hints_of_hidden(PassId pass, const PathRange& walks) {
+WalkedEmission guide_samples_of_hidden(PassId pass, const PathRange& walks) {
     WalkedEmission found;
     for (std::size_t i = walks.begin; i < walks.end; i += 2000) {
         RandomStream stream = pass.stream(Purpose::test, i);
         const bool first = stream.next() < 0.67;
         const double half = first ? 1e-6 : 5e-7;
-        WeightedEmission& hint = found.hints.emplace_back();
-        for (double& x : hint.point) x = stream.next();
-        hint.point[0] = (first ? 0.3 : 0.7) + (2 * stream.next() - 1) * half;
+        WeightedEmission& guide_sample = found.guide_samples.emplace_back();
+        for (double& x : guide_sample.point) x = stream.next();
+        guide_sample.point[0] = (first ? 0.3 : 0.7) + (2 * stream.next() - 1) * half;
     }
     return found;
 }
@@ -172,14 +172,14 @@ TEST(Pilot, starts_from_guide_samples_where_climbing_fails) {
     EXPECT_EQ(lost.tail[kVisible], 0);
     EXPECT_EQ(lost.guided.paths, 0U);
     const PilotResult found =
-        Pilot<Hidden, EmissionPoints>(space, name, {true, hints_of_hidden}).run(kPaths);
+        Pilot<Hidden, EmissionPoints>(space, name, {true, guide_samples_of_hidden}).run(kPaths);
     EXPECT_NEAR(found.tail[kVisible] / space.visible_fraction(), 1, 0.1);
     EXPECT_GT(found.guided.paths, kPaths / 2);
     EXPECT_EQ(found.guided.paths + found.plan.paths(), kPaths);
     for (const double centre : {0.3, 0.7})
         EXPECT_GT(found.guided.map.density({centre, 0.5, 0.5, 0.5, 0.5}), 1e4) << centre;
     const PilotResult off =
-        Pilot<Hidden, EmissionPoints>(space, name, {false, hints_of_hidden}).run(kPaths);
+        Pilot<Hidden, EmissionPoints>(space, name, {false, guide_samples_of_hidden}).run(kPaths);
     EXPECT_EQ(off.guided.paths, 0U);
 }
 
@@ -190,7 +190,8 @@ TEST(Pilot, asks_for_guide_samples_where_climbing_was_luck) {
     space.islands = {{0.3, 4e-5, 0.5, 1}, {0.7, 2e-5, 0.5, 1}};
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         const PilotResult found =
-            Pilot<Hidden, EmissionPoints>(space, {seed, 0}, {true, hints_of_hidden}).run(kPaths);
+            Pilot<Hidden, EmissionPoints>(space, {seed, 0}, {true, guide_samples_of_hidden})
+                .run(kPaths);
         EXPECT_NEAR(found.tail[kVisible] / space.visible_fraction(), 1, 0.2) << seed;
         for (const double centre : {0.3, 0.7})
             EXPECT_GT(found.guided.map.density({centre, 0.5, 0.5, 0.5, 0.5}), 1e3) << seed;
@@ -240,19 +241,20 @@ TEST(Pilot, starts_from_points_by_edges_where_walks_find_nothing) {
     for (const bool matters : {true, false}) {
         std::size_t walked = 0;
         std::size_t tried = 0;
-        const GuideSource by_edges{true,
-                                   [&](PassId, const PathRange& walks) {
-                                       walked = walks.end;
-                                       return WalkedEmission{{}, double(walks.end - walks.begin)};
-                                   },
-                                   [&](PassId pass, const PathRange& tries) {
-                                       tried = tries.end;
-                                       std::vector<WeightedEmission> all =
-                                           hints_of_hidden(pass, {0, tries.end * 20}).hints;
-                                       all.resize(tries.end, {{0.1, 0.5, 0.5, 0.5, 0.5}, 1});
-                                       return all;
-                                   },
-                                   [&](PassId) { return matters ? 1e-6 : 1e-3; }};
+        const GuideSource by_edges{
+            true,
+            [&](PassId, const PathRange& walks) {
+                walked = walks.end;
+                return WalkedEmission{{}, double(walks.end - walks.begin)};
+            },
+            [&](PassId pass, const PathRange& tries) {
+                tried = tries.end;
+                std::vector<WeightedEmission> all =
+                    guide_samples_of_hidden(pass, {0, tries.end * 20}).guide_samples;
+                all.resize(tries.end, {{0.1, 0.5, 0.5, 0.5, 0.5}, 1});
+                return all;
+            },
+            [&](PassId) { return matters ? 1e-6 : 1e-3; }};
         const PilotResult found =
             Pilot<Hidden, EmissionPoints>(space, {1, 0}, by_edges).run(kPaths);
         EXPECT_EQ(walked, matters ? 500'000U : 400'000U);

@@ -1,4 +1,5 @@
-// Deposits against a double loop over takes(): values, counts, marks; threads; what is not finite.
+// Deposits against a double loop over accepts(): values, counts, marks; threads; what is not
+// finite.
 #include "estimate/deposit.h"
 
 #include "core/parallel.h"
@@ -130,7 +131,7 @@ struct Expected {
     }
 
     bool add(const PassScene& pass, const VisiblePoint& point, const Photon& photon) {
-        if (!takes(point.disc, photon, kMaxDepth)) return false;
+        if (!accepts(point.disc, photon, kMaxDepth)) return false;
         ++deposits;
         const double cosine{point.shading_normal.dot(photon.w)};
         double corrected = std::abs(cosine / double{photon.normal.dot(photon.w)});

@@ -95,7 +95,7 @@ TEST_F(PhotonCopies, are_counted_by_pixel) {
     for (std::size_t i = 0; i < photons_.size(); ++i) {
         const std::uint64_t before = deposits;
         for (const VisiblePoint& point : points_) {
-            if (!takes(point.disc, photons_[i], kMaxDepth)) continue;
+            if (!accepts(point.disc, photons_[i], kMaxDepth)) continue;
             taken[point.pixel] += copies_of(i);
             ++deposits;
         }

@@ -63,7 +63,7 @@ TEST(Bias, of_a_line_without_noise_is_found) {
     EXPECT_LT(extrapolated_pixel_errors(film)[80], 1e-4);
 }
 
-TEST(Bias, is_not_known_from_too_few_rounds) {
+TEST(Bias, is_not_known_from_too_few_batches) {
     const Film film = testing_support::film_of(testing_support::small_key(), numbers(0, 63));
     EXPECT_TRUE(pixel_biases(film).empty());
     EXPECT_TRUE(block_biases(film).empty());
@@ -72,7 +72,7 @@ TEST(Bias, is_not_known_from_too_few_rounds) {
     EXPECT_TRUE(extrapolated_block_errors(film).empty());
 }
 
-TEST(Bias, is_not_known_where_photons_have_lit_an_open_round_alone) {
+TEST(Bias, is_not_known_where_photons_have_lit_an_open_batch_alone) {
     FilmKey key{3, 2, {}, 1, 0, ""};
     key.alpha = 0.5;
     for (const bool is_lit : {false, true}) {

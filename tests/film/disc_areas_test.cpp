@@ -24,7 +24,7 @@ double area(std::uint32_t pass) {
 
 /// Batches 0, 1, 3 to 5, and of 2 and 7 six passes and one, which count less in the picture: four
 /// passes, two whose group is incomplete, and one.
-TEST(DiscAreas, are_sums_over_rounds_and_passes) {
+TEST(DiscAreas, are_sums_over_batches_and_passes) {
     std::vector<std::uint32_t> passes = numbers(0, 36);
     for (const std::uint32_t pass : numbers(46, 96)) passes.push_back(pass);
     passes.push_back(112);
@@ -42,15 +42,15 @@ TEST(DiscAreas, are_sums_over_rounds_and_passes) {
     double of_picture = 0;
     double count = 0;
     for (const std::uint32_t pass : passes) {
-        const double of_round_2 = pass < 36 ? 1.0 / 4 : 0;
-        const double share = pass / 16 == 2 ? of_round_2 : pass / 16 == 7 ? 1.0 / 64 : 1;
+        const double of_batch_2 = pass < 36 ? 1.0 / 4 : 0;
+        const double share = pass / 16 == 2 ? of_batch_2 : pass / 16 == 7 ? 1.0 / 64 : 1;
         of_picture += share * area(pass);
         count += share;
     }
     EXPECT_NEAR(areas->mean_of_passes, of_picture / count, 1e-14);
 }
 
-TEST(DiscAreas, need_four_complete_rounds_and_discs) {
+TEST(DiscAreas, need_four_complete_batches_and_discs) {
     EXPECT_FALSE(disc_areas(dark(numbers(0, 63))));
     EXPECT_TRUE(disc_areas(dark(numbers(0, 64))));
     FilmKey key = testing_support::small_key();

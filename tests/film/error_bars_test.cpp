@@ -86,7 +86,7 @@ TEST(ErrorBars, agree_with_the_spread_over_seeds) {
     EXPECT_GT(image.means[0].variance(), 1e-4);
 }
 
-TEST(ErrorBars, need_complete_rounds) {
+TEST(ErrorBars, need_complete_batches) {
     const FilmKey key = testing_support::small_key();
     Film film = testing_support::film_of(key, testing_support::numbers(0, 31));
     EXPECT_TRUE(pixel_errors(film).empty());
@@ -97,7 +97,7 @@ TEST(ErrorBars, need_complete_rounds) {
     EXPECT_EQ(block_errors(film).size(), 6U);
 }
 
-TEST(ErrorBars, two_rounds_by_hand) {
+TEST(ErrorBars, two_batches_by_hand) {
     // Batches of 1 and 3, and an open one of 100 that must not count: mean 2, error 1.
     const Film film = film_by_batch(3, 2, 37, [](std::uint32_t batch, std::size_t) {
         return batch == 0 ? 1.0F : batch == 1 ? 3.0F : 100.0F;
@@ -110,7 +110,7 @@ TEST(ErrorBars, two_rounds_by_hand) {
     EXPECT_NEAR(image_mean(film), (16 * 1 + 16 * 3 + 4 * 0.25 * 100) / (32 + 4 * 0.25), 1e-12);
 }
 
-TEST(ErrorBars, of_a_pixel_that_only_an_open_round_has_lit_is_its_light) {
+TEST(ErrorBars, of_a_pixel_that_only_an_open_batch_has_lit_is_its_light) {
     const Film film = film_by_batch(3, 2, 37, [](std::uint32_t batch, std::size_t pixel) {
         return batch == 2 && pixel == 4 ? 100.0F : 0.0F;
     });
@@ -146,7 +146,7 @@ TEST(ErrorBars, a_round_that_counts_three_times_by_hand) {
 }
 
 /// Noise whose variance is as one over how often a batch counts; and that is the same in all.
-TEST(ErrorBars, of_rounds_that_count_unlike) {
+TEST(ErrorBars, of_batches_that_count_unlike) {
     for (const bool is_as_foretold : {true, false}) {
         Spread pixels;
         for (std::uint32_t seed = 0; seed < kSeeds; ++seed)
@@ -188,7 +188,7 @@ double covered(std::uint32_t batches, float noise_of_others,
     return inside / static_cast<double>(means.size());
 }
 
-TEST(ErrorBars, as_reported_hold_the_truth_as_often_for_few_rounds_as_for_many) {
+TEST(ErrorBars, as_reported_hold_the_truth_as_often_for_few_batches_as_for_many) {
     for (const std::uint32_t batches : {2U, 3U, 4U, 8U})
         EXPECT_NEAR(covered(batches, 1, [](std::uint64_t) { return 1U; }), 0.9545, 0.022)
             << batches;
@@ -196,7 +196,7 @@ TEST(ErrorBars, as_reported_hold_the_truth_as_often_for_few_rounds_as_for_many) 
 
 /// Of variances as one over the weights, and equal ones. What is lost of 95.4% is what the
 /// standard error is too small by (error_bars.h), or too many degrees.
-TEST(ErrorBars, as_reported_hold_the_truth_where_rounds_count_unlike) {
+TEST(ErrorBars, as_reported_hold_the_truth_where_batches_count_unlike) {
     const auto heavy = [](std::uint64_t batch) { return batch > 0 ? 4U : 1U; };
     for (const std::uint32_t batches : {2U, 3U, 4U, 8U})
         for (const float noise : {0.5F, 1.0F}) {
@@ -206,7 +206,7 @@ TEST(ErrorBars, as_reported_hold_the_truth_where_rounds_count_unlike) {
         }
 }
 
-TEST(ErrorBars, degrees_of_freedom_are_fewer_where_rounds_count_unlike) {
+TEST(ErrorBars, degrees_of_freedom_are_fewer_where_batches_count_unlike) {
     const auto degrees = [](std::uint32_t batches, std::uint32_t (*weight)(std::uint64_t)) {
         const auto grey = [](std::uint32_t, std::size_t) { return 1.0F; };
         return error_degrees(film_by_batch(1, 1, batches * kBatchPasses + 3, grey, weight));
@@ -220,7 +220,7 @@ TEST(ErrorBars, degrees_of_freedom_are_fewer_where_rounds_count_unlike) {
 }
 
 /// An error of zero would say that the light is known.
-TEST(ErrorBars, of_light_in_an_open_round_alone_are_not_known) {
+TEST(ErrorBars, of_light_in_an_open_batch_alone_are_not_known) {
     for (const std::uint32_t lit : {2U, 9U}) {
         const Film film = film_by_batch(
             3, 2, 37, [&](std::uint32_t batch, std::size_t) { return batch < lit ? 0.0F : 1.0F; });
@@ -229,7 +229,7 @@ TEST(ErrorBars, of_light_in_an_open_round_alone_are_not_known) {
     }
 }
 
-TEST(ErrorBars, equal_rounds_have_no_error) {
+TEST(ErrorBars, equal_batches_have_no_error) {
     const Film film = film_by_batch(3, 2, 64, [](std::uint32_t, std::size_t) { return 0.1F; });
     EXPECT_LT(pixel_errors(film)[0].standard_error, 1e-8);
 }

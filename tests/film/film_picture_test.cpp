@@ -86,7 +86,7 @@ TEST(FilmPicture, of_passes_beyond_a_batch_is_hardly_off_by_their_wavelengths) {
     }
 }
 
-TEST(FilmPicture, of_a_part_of_one_round_is_the_plain_mean) {
+TEST(FilmPicture, of_a_part_of_one_batch_is_the_plain_mean) {
     const FilmKey key = small_key();
     const Film film = film_of(key, numbers(16, 27));
     EXPECT_EQ(film.picture_weight(), film.weight());
@@ -95,7 +95,7 @@ TEST(FilmPicture, of_a_part_of_one_round_is_the_plain_mean) {
 }
 
 /// Parts of batches: 12 passes of one, 3 of another, none complete; the first counts in full.
-TEST(FilmPicture, of_two_parts_of_rounds_weighs_them_by_their_passes) {
+TEST(FilmPicture, of_two_parts_of_batches_weighs_them_by_their_passes) {
     const FilmKey key{1, 1, {}, 1, 0, ""};
     Film film(key);
     for (const std::uint32_t pass :
@@ -107,7 +107,7 @@ TEST(FilmPicture, of_two_parts_of_rounds_weighs_them_by_their_passes) {
     EXPECT_NEAR(luminance_at(film_picture(film), 0), (3 * 0.25 + 2 * 12) / (3 * 0.25 + 12), 1e-6);
 }
 
-TEST(FilmPicture, has_an_error_from_two_rounds_on) {
+TEST(FilmPicture, has_an_error_from_two_batches_on) {
     const Film film = film_of(small_key(), numbers(0, 32));
     const Picture picture = film_picture(film);
     ASSERT_NE(picture.find("error.Y"), nullptr);
@@ -116,7 +116,7 @@ TEST(FilmPicture, has_an_error_from_two_rounds_on) {
     EXPECT_GT(widening(film), 6);
 }
 
-TEST(FilmPicture, has_a_bias_from_four_rounds_on) {
+TEST(FilmPicture, has_a_bias_from_four_batches_on) {
     const Film film = film_of(small_key(), numbers(0, 64));
     const Picture picture = film_picture(film);
     for (std::size_t c = 0; c < 3; ++c)

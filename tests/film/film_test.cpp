@@ -129,7 +129,7 @@ TEST(Film, what_photons_bring_is_summed_by_area) {
     }
 }
 
-TEST(Film, squares_of_what_photons_bring_are_those_of_complete_rounds) {
+TEST(Film, squares_of_what_photons_bring_are_those_of_complete_batches) {
     FilmKey key{9, 1, {}, 1, 1, ""};  // blocks of eight pixels and of one
     key.alpha = 0.5;
     Film film(key);

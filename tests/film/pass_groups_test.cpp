@@ -44,7 +44,7 @@ double largest_gap(const PassRange& group) {
     return most * static_cast<double>(nm.size()) / static_cast<double>(all.size());
 }
 
-TEST(PassGroups, an_open_round_has_its_start_and_what_follows_by_powers_of_two) {
+TEST(PassGroups, an_open_batch_has_its_start_and_what_follows_by_powers_of_two) {
     EXPECT_EQ(open_groups(set_of({{0, 1}})), (Ranges{{0, 1}}));
     EXPECT_EQ(open_groups(set_of({{0, 3}})), (Ranges{{0, 2}, {2, 4}}));
     EXPECT_EQ(open_groups(set_of({{0, 7}})), (Ranges{{0, 4}, {4, 8}}));

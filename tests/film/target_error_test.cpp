@@ -17,7 +17,7 @@ using testing_support::line_film;
 using testing_support::line_key;
 using testing_support::numbers;
 
-TEST(TargetError, needs_four_rounds) {
+TEST(TargetError, needs_four_batches) {
     const FilmKey key = testing_support::small_key();
     EXPECT_FALSE(target_error(testing_support::film_of(key, numbers(0, 63)), {}).has_value());
     EXPECT_TRUE(target_error(testing_support::film_of(key, numbers(0, 64)), {}).has_value());
@@ -117,7 +117,7 @@ TEST(TargetError, says_how_many_passes_are_left_that_count_as_the_latest) {
 }
 
 /// Or a render would end before the light is in any batch.
-TEST(TargetError, is_not_known_where_complete_rounds_are_black) {
+TEST(TargetError, is_not_known_where_complete_batches_are_black) {
     const Film film = film_by_batch(
         8, 8, 70, [](std::uint32_t batch, std::size_t) { return batch < 4 ? 0.0F : 1.0F; });
     EXPECT_EQ(film.batches(), kTargetBatches);

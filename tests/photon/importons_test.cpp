@@ -7,7 +7,7 @@ namespace sunfleck {
 namespace {
 
 struct LightFound {
-    std::size_t hints = 0;
+    std::size_t guide_samples = 0;
     double seen = 0;
     bool is_dark = false;  // at the wavelengths of the pass
 };
@@ -32,18 +32,18 @@ LightFound found_of(const Spectrum& sun) {
     const VisiblePointIndex index({{point}}, 8);
     const PhotonContext view{pass, transport, index};
     const WalkedEmission found = trace_importons(view, scene.light_choice(), id, {0, 1000});
-    return {found.hints.size(), flux_seen(view, id), pass.emission[0].is_zero()};
+    return {found.guide_samples.size(), flux_seen(view, id), pass.emission[0].is_zero()};
 }
 
 /// Few passes meet a lamp of 585 to 590 nm. Where one is dark it counts as if it were grey.
 TEST(Importons, find_a_light_that_is_dark_in_their_pass) {
     const LightFound white = found_of(Spectrum::constant(1));
     ASSERT_FALSE(white.is_dark);
-    EXPECT_GT(white.hints, 900U);
+    EXPECT_GT(white.guide_samples, 900U);
     const auto sodium = Spectrum::table({{585, 0}, {586, 1}, {589, 1}, {590, 0}});
     const LightFound dark = found_of(sodium);
     ASSERT_TRUE(dark.is_dark);
-    EXPECT_EQ(dark.hints, white.hints);
+    EXPECT_EQ(dark.guide_samples, white.guide_samples);
     EXPECT_NEAR(dark.seen / white.seen, static_cast<double>(sodium.luminance()),
                 1e-4 * static_cast<double>(sodium.luminance()));
 }

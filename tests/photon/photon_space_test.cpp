@@ -1,4 +1,4 @@
-// A photon path is visible, to a chain, exactly if the index takes one of its photons.
+// A photon path is visible, to a chain, exactly if the index accepts one of its photons.
 #include "photon/photon_space.h"
 
 #include "support/lantern.h"
@@ -8,7 +8,7 @@
 namespace sunfleck {
 namespace {
 
-/// A patch of the lower sheet that takes some kinds of photons.
+/// A patch of the lower sheet that accepts some kinds of photons.
 std::vector<VisiblePoint> patch(std::uint8_t kinds) {
     std::vector<VisiblePoint> points;
     for (int i = 0; i < 64; ++i) {
@@ -24,7 +24,7 @@ std::vector<VisiblePoint> patch(std::uint8_t kinds) {
 }
 
 // 40,000 paths for each set of kinds; some dozens of them or more are visible.
-TEST(PhotonSpace, visible_is_what_the_index_takes) {
+TEST(PhotonSpace, visible_is_what_the_index_accepts) {
     const PassId id{3, 1};
     const Scene scene(testing_support::lantern());
     const PassScene pass(scene, id);

@@ -208,11 +208,11 @@ TEST(AdaptivePixels, have_the_same_light_with_less_noise) {
     settings.photon.paths_per_pass = 100;
     Epoch epoch = learn_epoch(scene, settings, 128);
     epoch.log2_samples.clear();
-    constexpr Pictures kRounds{128, 16, kBatchPasses};
-    const PictureSpread even = spread_of(scene, settings, epoch, kRounds);
+    constexpr Pictures kBatches{128, 16, kBatchPasses};
+    const PictureSpread even = spread_of(scene, settings, epoch, kBatches);
     epoch.log2_samples.assign(256, 0);
     for (std::size_t i = 0; i < 256; ++i) epoch.log2_samples[i] = i % 2 == 0 ? 2 : 3;
-    const PictureSpread more = spread_of(scene, settings, epoch, kRounds);
+    const PictureSpread more = spread_of(scene, settings, epoch, kBatches);
     EXPECT_NEAR(more.mean / even.mean, 1, 0.004);
     EXPECT_LT(more.variance / even.variance, 0.25);
 }

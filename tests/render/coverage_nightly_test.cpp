@@ -36,7 +36,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
 
 class Coverage : public testing::TestWithParam<Case> {
 protected:
-    static constexpr std::uint32_t kRounds = 32;
+    static constexpr std::uint32_t kBatches = 32;
     static constexpr double kQuantile = 2.0395;  // Student's t, 97.5%, 31 degrees of freedom
     static constexpr int kSize = 32;
 
@@ -51,7 +51,7 @@ protected:
         for (int seed = 0; seed < GetParam().renders; ++seed) {
             settings.seed = static_cast<std::uint64_t>(seed);
             all.push_back(
-                block_errors(film_of_rounds(scene, settings, kRounds, GetParam().weights)));
+                block_errors(film_of_batches(scene, settings, kBatches, GetParam().weights)));
         }
         return all;
     }

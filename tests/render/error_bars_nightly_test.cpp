@@ -18,7 +18,7 @@ class ErrorBars : public testing::TestWithParam<std::string> {};
 
 TEST_P(ErrorBars, of_blocks_are_their_true_spread) {
     constexpr int kSeeds = 64;
-    constexpr std::uint32_t kRounds = 8;
+    constexpr std::uint32_t kBatches = 8;
     constexpr int kSize = 32;
     const Scene scene = procedural(GetParam(), kSize);
     RenderSettings settings;
@@ -27,7 +27,7 @@ TEST_P(ErrorBars, of_blocks_are_their_true_spread) {
     for (int seed = 0; seed < kSeeds; ++seed) {
         settings.seed = static_cast<std::uint64_t>(seed);
         const std::vector<MeanError> errors =
-            block_errors(film_of_rounds(scene, settings, kRounds));
+            block_errors(film_of_batches(scene, settings, kBatches));
         blocks.resize(errors.size());
         for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].add(errors[i]);
     }

@@ -12,7 +12,7 @@ namespace {
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
 constexpr int kSeeds = 800;
-constexpr std::uint32_t kRounds = 4;
+constexpr std::uint32_t kBatches = 4;
 constexpr int kSize = 4;
 
 /// Brightness of pictures of two batches, of three and of four, and its error as it is reported.
@@ -27,7 +27,7 @@ public:
     /// Two errors hold the mean over all seeds in 95.4% of the pictures; without Student's t in 70,
     /// 82 and 86%. Of 800 pictures the share has a standard error of .74%.
     void check() const {
-        for (std::size_t batches = 2; batches <= kRounds; ++batches) {
+        for (std::size_t batches = 2; batches <= kBatches; ++batches) {
             RunningMean truth;
             for (const MeanError& one : seen_.at(batches)) truth.add(one.mean);
             double inside = 0;
@@ -38,7 +38,7 @@ public:
     }
 
 private:
-    std::array<std::vector<MeanError>, kRounds + 1> seen_;
+    std::array<std::vector<MeanError>, kBatches + 1> seen_;
 };
 
 /// Batches tile wavelengths and camera numbers: passes are not independent, batches are. Within 10%
@@ -63,7 +63,7 @@ TEST(ErrorBars, reported_errors_are_the_true_spread) {
     for (int seed = 0; seed < kSeeds; ++seed) {
         settings.seed = static_cast<std::uint64_t>(seed);
         Film film(key);
-        for (std::uint32_t p = 0; p < kRounds * kBatchPasses; ++p) {
+        for (std::uint32_t p = 0; p < kBatches * kBatchPasses; ++p) {
             add_pass(film, p, render_pass(scene, settings, p));
             coverage.add(film);
         }

@@ -115,7 +115,7 @@ TEST(Turns, blocks_are_neighbours_of_even_length) {
             expect_even_blocks({37, 37 + passes}, size);
 }
 
-TEST(Turns, are_cut_where_rounds_end) {
+TEST(Turns, are_cut_where_batches_end) {
     EXPECT_EQ(cut_at_batches({0, 16}), (std::vector<PassRange>{{0, 16}}));
     EXPECT_EQ(cut_at_batches({5, 9}), (std::vector<PassRange>{{5, 9}}));
     EXPECT_EQ(cut_at_batches({14, 50}),

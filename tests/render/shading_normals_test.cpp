@@ -1,5 +1,5 @@
 // Photons and shading normals: light as bright as direct light that is sampled, also where facets
-// of a mesh meet and a disc takes photons of both.
+// of a mesh meet and a disc accepts photons of both.
 #include "support/renders.h"
 
 #include <gtest/gtest.h>

@@ -63,7 +63,7 @@ TEST_F(Draws, take_the_chains_noise_away) {
     expect_mean_of_subpasses(scene, Aov::caustic, 0.15, 0.4);
 }
 
-// Each photon that a visible point takes is a deposit.
+// Each photon that a visible point accepts is a deposit.
 TEST_F(Draws, tell_how_many_photons_a_pixel_took) {
     const Scene scene = procedural("cornell", 12);
     settings_.aovs[static_cast<std::size_t>(Aov::samples)] = true;

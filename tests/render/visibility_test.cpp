@@ -1,11 +1,11 @@
 // Query and deposit agree: the index says "visible" of a photon if and only if some visible point
-// takes it, on whole passes, and it misses none.
+// accepts it, on whole passes, and it misses none.
 #include "camera_paths/trace_camera_paths.h"
 #include "photon/tracer.h"
 #include "random_numbers/emission_points.h"
+#include "support/gather_tests.h"
 #include "support/procedural.h"
 #include "support/renders.h"
-#include "support/takers.h"
 #include "support/visible_points.h"
 #include "visible_points/visible_point_index.h"
 
@@ -29,9 +29,9 @@ struct Points {
           index({list}, max_depth) {}
 
     std::uint64_t one_by_one(const Photon& photon) const {
-        return static_cast<std::uint64_t>(
-            std::count_if(list.begin(), list.end(),
-                          [&](const VisiblePoint& p) { return takes(p.disc, photon, max_depth); }));
+        return static_cast<std::uint64_t>(std::count_if(
+            list.begin(), list.end(),
+            [&](const VisiblePoint& p) { return accepts(p.disc, photon, max_depth); }));
     }
 
     /// Points that take the photon, as the index has it; compared with `thorough` one by one.

@@ -31,13 +31,13 @@ Hit hit_below(const Scene& scene, float z) {
     return scene.geometry().intersect({{0.2F, 0.3F, z}, {0, 0, -1}, kInfinity}).value();
 }
 
-TEST(Media, left_after_is_beers_law) {
+TEST(Media, transmittance_is_beers_law) {
     SampledSpectrum sigma(0.7F);
     sigma[0] = 0;
-    EXPECT_FLOAT_EQ(left_after(sigma, 2)[1], std::exp(-1.4F));
-    EXPECT_EQ(left_after(sigma, 2)[0], 1);
-    EXPECT_EQ(left_after(sigma, kInfinity)[0], 1);
-    EXPECT_EQ(left_after(sigma, kInfinity)[1], 0);
+    EXPECT_FLOAT_EQ(transmittance(sigma, 2)[1], std::exp(-1.4F));
+    EXPECT_EQ(transmittance(sigma, 2)[0], 1);
+    EXPECT_EQ(transmittance(sigma, kInfinity)[0], 1);
+    EXPECT_EQ(transmittance(sigma, kInfinity)[1], 0);
 }
 
 TEST(Media, absorb_by_wavelength) {
@@ -48,7 +48,7 @@ TEST(Media, absorb_by_wavelength) {
     for (std::uint32_t p = 0; p < 3; ++p) {
         const PassScene pass(scene, {1, p});
         const SampledSpectrum sigma = curve.at(pass.wavelengths);
-        const SampledSpectrum left = pass.left_after(1, 0.3F);
+        const SampledSpectrum left = pass.transmittance(1, 0.3F);
         for (std::size_t i = 0; i < kWavelengths; ++i)
             EXPECT_FLOAT_EQ(left[i], std::exp(-0.3F * sigma[i]));
     }

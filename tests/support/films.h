@@ -15,8 +15,8 @@ namespace sunfleck::testing_support {
 using EpochWeights = std::array<std::uint32_t, 3>;
 
 /// @param settings  with a number of photon paths.
-inline Film film_of_rounds(const Scene& scene, const RenderSettings& settings,
-                           std::uint32_t batches, const EpochWeights& weights = {1, 1, 1}) {
+inline Film film_of_batches(const Scene& scene, const RenderSettings& settings,
+                            std::uint32_t batches, const EpochWeights& weights = {1, 1, 1}) {
     const PixelWindow window = window_of(scene.film());
     FilmKey key;
     key.width = window.width();

@@ -21,7 +21,7 @@ protected:
         return s;
     }
 
-    /// Of all kinds. No one takes the last one, whose flux is no number.
+    /// Of all kinds. No one accepts the last one, whose flux is no number.
     SortedPhotons photons(std::uint32_t count) {
         std::vector<PhotonChunk> chunks(1);
         for (std::uint32_t i = 0; i < count; ++i) {

@@ -1,4 +1,5 @@
-// What blocks take is what takes() says, on every kind of processor that this one can stand for.
+// What blocks accept is what accepts() says, on every kind of processor that this one can stand
+// for.
 #include "visible_points/lookup.h"
 
 #include "core/random.h"
@@ -86,13 +87,13 @@ std::vector<Pair> one_by_one(const VisiblePointIndex& index, const SortedPhotons
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < photons.size(); ++i)
         for (std::size_t p = 0; p < index.points().size(); ++p)
-            if (takes(index.points()[p].disc, photons[i], kMaxDepth)) pairs.emplace_back(i, p);
+            if (accepts(index.points()[p].disc, photons[i], kMaxDepth)) pairs.emplace_back(i, p);
     return pairs;
 }
 
 using Lookup = testing_support::OnProcessor;
 
-TEST_P(Lookup, finds_what_takes_accepts) {
+TEST_P(Lookup, finds_what_the_gather_test_accepts) {
     Sheet sheet;
     for (const std::size_t count : {1U, 9U, 200U, 1500U}) {
         const VisiblePointIndex index({sheet.points(count)}, kMaxDepth);

@@ -1,8 +1,8 @@
-// The index finds exactly the discs that takes() accepts, whatever their sizes and places.
+// The index finds exactly the discs that accepts() holds for, whatever their sizes and places.
 #include "visible_points/visible_point_index.h"
 
 #include "core/random.h"
-#include "support/takers.h"
+#include "support/gather_tests.h"
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ Photon random_photon(const std::vector<VisiblePoint>& points, RandomStream& stre
     return photon;
 }
 
-TEST(VisiblePointIndex, finds_what_takes_accepts) {
+TEST(VisiblePointIndex, finds_what_the_gather_test_accepts) {
     std::uint64_t found = 0;
     for (const std::uint32_t count : {1U, 7U, 8U, 9U, 64U, 65U, 1000U}) {
         const auto points = random_points(count, count);
@@ -68,7 +68,7 @@ TEST(VisiblePointIndex, finds_what_takes_accepts) {
             const Photon photon = random_photon(points, stream);
             std::set<std::uint32_t> expected;
             for (const VisiblePoint& p : points)
-                if (takes(p.disc, photon, kMaxDepth)) expected.insert(p.pixel);
+                if (accepts(p.disc, photon, kMaxDepth)) expected.insert(p.pixel);
             std::set<std::uint32_t> actual;
             const bool any = testing_support::for_each_accepting(
                 index, photon,
@@ -107,7 +107,7 @@ TEST(VisiblePointIndex, knows_who_shares_a_pixel_and_who_is_plain) {
     }
 }
 
-TEST(VisiblePointIndex, empty_takes_nothing) {
+TEST(VisiblePointIndex, an_empty_index_accepts_nothing) {
     const VisiblePointIndex index({}, 10);
     EXPECT_FALSE(index.any(Photon{}));
 }
@@ -127,28 +127,28 @@ protected:
 
 TEST_F(Accepts, a_disc_of_its_radius) {
     photon_.position = Vec3(0.999F, 0, 0);
-    EXPECT_TRUE(takes(disc_, photon_, 4));
+    EXPECT_TRUE(accepts(disc_, photon_, 4));
     photon_.position = Vec3(1.001F, 0, 0);
-    EXPECT_FALSE(takes(disc_, photon_, 4));
+    EXPECT_FALSE(accepts(disc_, photon_, 4));
 }
 
 TEST_F(Accepts, not_a_ball) {
     photon_.position = Vec3(0, 0, 0.24F);
-    EXPECT_TRUE(takes(disc_, photon_, 4));
+    EXPECT_TRUE(accepts(disc_, photon_, 4));
     photon_.position = Vec3(0, 0, 0.26F);
-    EXPECT_FALSE(takes(disc_, photon_, 4));
+    EXPECT_FALSE(accepts(disc_, photon_, 4));
 }
 
 TEST_F(Accepts, nothing_from_the_wrong_side) {
     photon_.normal = Vec3(0, 0, -1);
-    EXPECT_FALSE(takes(disc_, photon_, 4));
+    EXPECT_FALSE(accepts(disc_, photon_, 4));
     disc_.both_sides = true;
-    EXPECT_TRUE(takes(disc_, photon_, 4));
+    EXPECT_TRUE(accepts(disc_, photon_, 4));
 }
 
 TEST_F(Accepts, nothing_from_the_wall_beside) {
     photon_.normal = Vec3(1, 0, 0);
-    EXPECT_FALSE(takes(disc_, photon_, 4));
+    EXPECT_FALSE(accepts(disc_, photon_, 4));
 }
 
 TEST_F(Accepts, indirect_photons_and_deep_caustics_in_wider_discs) {
@@ -162,26 +162,26 @@ TEST_F(Accepts, indirect_photons_and_deep_caustics_in_wider_discs) {
     for (const auto& [kind, reach] : wanted) {
         photon_.kind = kind;
         photon_.position = Vec3(0.999F * reach, 0, 0);
-        EXPECT_TRUE(takes(disc_, photon_, 4));
+        EXPECT_TRUE(accepts(disc_, photon_, 4));
         photon_.position = Vec3(1.001F * reach, 0, 0);
-        EXPECT_FALSE(takes(disc_, photon_, 4));
+        EXPECT_FALSE(accepts(disc_, photon_, 4));
         photon_.position = Vec3(0, 0, 0.249F * reach);
-        EXPECT_TRUE(takes(disc_, photon_, 4));
+        EXPECT_TRUE(accepts(disc_, photon_, 4));
         photon_.position = Vec3(0, 0, 0.251F * reach);
-        EXPECT_FALSE(takes(disc_, photon_, 4));
+        EXPECT_FALSE(accepts(disc_, photon_, 4));
     }
 }
 
 TEST_F(Accepts, only_its_kinds) {
     photon_.kind = PhotonKind::direct;
-    EXPECT_FALSE(takes(disc_, photon_, 4));
+    EXPECT_FALSE(accepts(disc_, photon_, 4));
 }
 
 TEST_F(Accepts, no_path_beyond_the_greatest_depth) {
     disc_.bounces = 2;
     photon_.bounces = 1;  // with the scattering here: four events
-    EXPECT_TRUE(takes(disc_, photon_, 4));
-    EXPECT_FALSE(takes(disc_, photon_, 3));
+    EXPECT_TRUE(accepts(disc_, photon_, 4));
+    EXPECT_FALSE(accepts(disc_, photon_, 3));
 }
 
 /// On a sphere every photon within the tangential radius is taken, up to radius = 0.8 of the
@@ -191,7 +191,7 @@ TEST_F(Accepts, curved_surfaces_lose_nothing) {
     photon_.normal = Vec3(std::sin(angle), 0, std::cos(angle));
     photon_.position = (photon_.normal - Vec3(0, 0, 1));
     disc_.radius = 0.8F;
-    EXPECT_TRUE(takes(disc_, photon_, 4));
+    EXPECT_TRUE(accepts(disc_, photon_, 4));
 }
 
 }  // namespace

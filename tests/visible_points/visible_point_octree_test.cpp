@@ -47,7 +47,7 @@ std::vector<VisiblePoint> random_points(int count) {
 }
 
 // 200,000 photons that discs take, most of them near the rim: none in a cell that is not full.
-TEST(VisiblePointOctree, whatever_a_disc_takes_is_in_a_full_cell) {
+TEST(VisiblePointOctree, whatever_a_disc_accepts_is_in_a_full_cell) {
     const auto points = random_points(500);
     const VisiblePointOctree octree(points, kCentre, kRadius);
     RandomStream stream(1, Purpose::test, 1, 0);
@@ -65,7 +65,7 @@ TEST(VisiblePointOctree, whatever_a_disc_takes_is_in_a_full_cell) {
         const float r = radius * std::sqrt(0.7F + 0.31F * stream.next_float());
         const float z = 0.3F * radius * (2 * stream.next_float() - 1);
         photon.position = disc.position + Vec3(r * std::cos(phi), r * std::sin(phi), z);
-        if (!takes(disc, photon, kMaxDepth)) continue;
+        if (!accepts(disc, photon, kMaxDepth)) continue;
         ++taken;
         ASSERT_EQ(octree.height(photon.position), VisiblePointOctree::kFull) << which;
     }

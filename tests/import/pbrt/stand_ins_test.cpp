@@ -51,7 +51,7 @@ TEST(Subsurface, has_the_reflectance_that_it_is_given) {
     EXPECT_TRUE(skin.whole);
     EXPECT_FLOAT_EQ(at_500(skin.reflectance), 0.6F);
     EXPECT_EQ(skin.coat->eta(), 1.33F);
-    EXPECT_EQ(skin.coat->faded(0.5F), 1);
+    EXPECT_EQ(skin.coat->attenuated(0.5F), 1);
     EXPECT_FALSE(skin.coat->facets());
 }
 

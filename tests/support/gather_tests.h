@@ -13,7 +13,7 @@ inline bool is_inside(const Vec3& place, const Box& box) {
     return true;
 }
 
-/// Calls found(point) for every point that takes the photon and whose block's box holds it.
+/// Calls found(point) for every point that accepts the photon and whose block's box holds it.
 /// @return whether any does.
 template <class Found>
 bool for_each_accepting(const VisiblePointIndex& index, const Photon& photon, const Found& found) {
@@ -23,7 +23,7 @@ bool for_each_accepting(const VisiblePointIndex& index, const Photon& photon, co
     for (std::size_t b = 0; b < index.block_count(); ++b) {
         if (!is_inside(photon.position, index.around(photon.kind).boxes[b])) continue;
         for (std::size_t i = b * kWidth; i < std::min((b + 1) * kWidth, points.size()); ++i) {
-            if (!takes(points[i].disc, photon, index.max_depth())) continue;
+            if (!accepts(points[i].disc, photon, index.max_depth())) continue;
             found(points[i]);
             any = true;
         }
