@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Counts what should be zero in the structure of source and docs, to compare two states of them.
+
+Usage: structure_counts.py [REPOSITORY]. Prints one line for each count.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+import check_layers
+import check_words
+
+SCREEN = 60  # lines of a page without a heading
+
+
+def loops_among(files):
+    """Groups of units that include each other, each the largest of its kind (Tarjan 1972)."""
+    graph = {}
+    for file, includes in files.items():
+        others = graph.setdefault(check_layers.unit_of(file), set())
+        others |= {check_layers.unit_of(Path(name)) for _, quoted, name in includes
+                   if quoted and Path(name) in files}
+    order, low, stack, loops = {}, {}, [], []
+
+    def visit(unit):
+        order[unit] = low[unit] = len(order)
+        stack.append(unit)
+        for other in graph.get(unit, ()):
+            if other not in order:
+                visit(other)
+            if other in stack:
+                low[unit] = min(low[unit], low[other])
+        if low[unit] == order[unit]:
+            loop = stack[stack.index(unit):]
+            del stack[stack.index(unit):]
+            if len(loop) > 1:
+                loops.append(loop)
+
+    sys.setrecursionlimit(10_000)
+    for unit in graph:
+        if unit not in order:
+            visit(unit)
+    return loops
+
+
+def prose(text):
+    """The lines of a page that are neither tables, code nor pictures."""
+    return [line for line in text.splitlines() if not re.match(r"\||    |!\[|```", line)]
+
+
+def pages_without_headings(pages):
+    """Pages of which a screen or more has no heading."""
+    def is_long(text):
+        gap = 0
+        for line in text.splitlines():
+            gap = 0 if line.startswith("#") else gap + 1
+            if gap > SCREEN:
+                return True
+        return False
+    return sum(is_long(text) for text in pages)
+
+
+def words_that_left(root, rows):
+    files = [f for f in root.rglob("*") if f.is_file() and f.suffix in check_words.SUFFIXES
+             and not check_words.SKIPPED & set(f.relative_to(root).parts)]
+    return sum(len(list(check_words.check_gone(
+        str(f.relative_to(root)), f.read_text(encoding="utf-8", errors="replace"), rows)))
+        for f in files)
+
+
+def main(root):
+    files = check_layers.read_includes(root)
+    layers = check_layers.read_layers((root / "src/layers.txt").read_text(encoding="utf-8"))
+    modules = root / "cmake/modules.cmake"
+    needs = check_layers.read_needs(modules.read_text(encoding="utf-8")) if modules.exists() else {}
+    gone = Path(__file__).parent / "words_gone.txt"
+    loops = loops_among(files)
+    pages = [f.read_text(encoding="utf-8") for f in sorted((root / "docs").rglob("*.md"))]
+    print("words that left:", words_that_left(root, check_words.read_gone(gone.read_text())))
+    print("loops among units:", len(loops), "of", sum(map(len, loops)), "units")
+    print("false and missing edges of modules:",
+          len(list(check_layers.check_needs(needs, files, layers[0]))))
+    print("longest line of prose in docs:", max(len(line) for p in pages for line in prose(p)))
+    print("pages with a screen without a heading:", pages_without_headings(pages))
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1] if len(sys.argv) > 1 else "."))
