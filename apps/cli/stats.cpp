@@ -35,8 +35,8 @@ Fraction visible_fraction(const Film& film) {
     return {value, passes > 1 ? std::sqrt(variance / (passes - 1)) : 0};
 }
 
-/// Over all passes with a splitting: shares that went on from each level, accepted shares.
-/// @param name  of the stratum of lights, if it is that of one.
+/// Over all passes with splitting: the fraction that survived each level, accepted fractions.
+/// @param name  prefix of a light stratum's statistics; empty: all lights together.
 Json splitting_json(const Film& film, const std::string& name = "") {
     Json fractions = Json::array();
     Json acceptance = Json::array();

@@ -1,8 +1,7 @@
-// Paths through a guide, beside a splitting: they bring light, and survivors of its last set.
+// Guided paths beside splitting: they bring light, and survivors of the last level set.
 //
 // In:  a guide fixed before the pass. Out: visible paths with weights, the sum of which is an
-// estimate of what is visible where the guide covers; the same paths as survivors with these
-// weights.
+// estimate of what is visible in the guided region; the same paths as survivors with these weights.
 #pragma once
 
 #include "chains/uniform_level.h"
@@ -12,13 +11,12 @@
 
 namespace sunfleck {
 
-/// Uniform paths through a guide, and how the light from where it covers is shared: these paths
-/// bring some of it themselves; of the visible ones, as survivors, a splitting's last chains bring
-/// the rest.
+/// Guided paths, and how the light of the guided region is shared: these paths bring some of it
+/// themselves; the last chains of splitting, which start from the visible ones, bring the rest.
 struct GuidedPlan {
     EmissionGuide map;
-    std::uint32_t paths = 0;  // none: there is no map
-    double importance = 1;    // to the chains, of what the guide covers, in (0,1]
+    std::uint32_t paths = 0;  // none: there is no guide
+    double importance = 1;    // of the guided region to the chains, in (0,1]
     double own_share = 1;     // of the light, in [0,1]
 
     GuidedRegion cover() const {

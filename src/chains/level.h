@@ -1,4 +1,4 @@
-// One level of a splitting: chains that start from a population and walk one set.
+// One level of multilevel splitting: chains that start from a population and walk one level set.
 //
 // In:  a population of the set; how many states, how many chains. Out: every state with the number
 // of steps it stood, chain by chain, for collectors; integer counts.

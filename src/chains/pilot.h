@@ -1,5 +1,5 @@
-// Learning a splitting before it is used: how rare visible paths are, which sets lead to them, and
-// how far mutations should go.
+// Pilots: they learn, before any pass, how rare visible paths are, which level sets lead to them,
+// and how far mutations should go.
 //
 // In:  a space of paths, a budget. Out: a plan. Pilots are never part of a picture, so what they
 // learn may depend on their own random numbers in any way.

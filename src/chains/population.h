@@ -1,4 +1,4 @@
-// States of a splitting's set that lie in the next set: the survivors of its chains.
+// The survivors of a level: states of its chains that lie in the next level set.
 #pragma once
 
 #include "chains/target.h"

@@ -1,4 +1,4 @@
-// The multilevel splitting by visibility: uniform paths, then chains through nested sets, the last
+// Multilevel splitting by visibility: uniform paths, then chains through nested sets, the last
 // of which is "the path is visible". Every estimate of a pass is exactly unbiased, however few
 // survivors there are.
 //

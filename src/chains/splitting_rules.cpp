@@ -16,16 +16,16 @@ constexpr std::uint32_t kLastChains = 1024;  // no chain stays long in one place
 constexpr std::uint32_t kStatesOfAChain = 64;
 constexpr double kLastShare = 0.5;  // of paths: states of the last set
 
-/// How paths through a guide and a splitting beside it share their work.
+/// How guided paths and splitting beside them share the work.
 struct Division {
     double guided;  // of all paths
-    double last;    // of the splitting's paths: states of the last set
-    double own;     // of the light from where the guide covers: what paths through it bring
-    // Of the last set's states: where the guide covers; none: as many as come, for they bring
-    // light.
+    double last;    // of the paths of splitting: states of the last set
+    double own;     // of the light of the guided region: what guided paths bring
+    // Of the last set's states: those in the guided region; none: as many as come, for they
+    // bring light.
     std::optional<double> detour;
 };
-// Paths through the guide bring the light from there. What it leaves out is little, but rare: the
+// Guided paths bring the light from there. What it leaves out is little, but rare: the
 // uniform paths and the first sets must find it, so the last one has fewer states than without.
 constexpr Division kOftenSeen{0.35, 0.3, 1, 0.1};
 // No splitting leads to what is visible.

@@ -1,4 +1,5 @@
-// Which splitting suits how rare the visible paths are: the rules, without the sampling.
+// Chooses the levels of multilevel splitting by how rare visible paths are: the rules, without the
+// sampling.
 #pragma once
 
 #include "chains/learned_guide.h"
@@ -10,10 +11,10 @@ namespace sunfleck {
 /// P(height >= h) of a uniform path, by h; zero where none was found.
 using HeightTail = std::array<double, kHeights>;
 
-/// Are visible paths so rare that a splitting pays: less than one in 20?
+/// True if visible paths are so rare that splitting pays: less than one in 20.
 bool is_rare(const HeightTail& tail);
 
-/// How many sets a splitting may have.
+/// How many level sets there may be.
 enum class Sets { as_needed, one };
 
 /// The plan of a pass, its scales left as they start.
@@ -29,17 +30,16 @@ enum class Sets { as_needed, one };
 SplittingPlan splitting_plan(const HeightTail& tail, std::uint32_t paths,
                              Sets sets = Sets::as_needed);
 
-/// Paths through a guide, and a splitting beside them.
+/// Guided paths, and splitting beside them.
 struct SharedPlan {
     SplittingPlan splitting;
     GuidedPlan guided;
 };
 
-/// The plan where there is a guide. What it covers is brought
-/// - by the paths through it, and the splitting's chains bring what it leaves out;
-/// - by the splitting's chains, too, started by those paths, where less than a fifth of these is
-///   visible.
-/// A map of places that no splitting reaches gets most of the paths.
+/// The plan where there is a guide. The light of the guided region is brought
+/// - by guided paths, and the chains of splitting bring what the guide leaves out;
+/// - by those chains, too, started from guided paths, where less than a fifth of these is visible.
+/// A guide of places that splitting does not reach gets most of the paths.
 /// @param tail  of all paths. @param map  of which the rest is less than one. @param paths  at
 /// least 2.
 SharedPlan shared_plan(HeightTail tail, const LearnedGuide& map, std::uint32_t paths,

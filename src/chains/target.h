@@ -9,8 +9,8 @@
 
 namespace sunfleck {
 
-/// A sample's emission. Where maps are used, every path reads all of these numbers: whether it is
-/// covered must not depend on chance.
+/// A sample's emission. Where guides are used, every path reads all of these numbers: whether it is
+/// in the guided region must not depend on chance.
 inline EmissionPoint emission_of(const StoredSample& sample) {
     EmissionPoint point;
     for (std::uint32_t s = 0; s < kGuidedDimensions; ++s)

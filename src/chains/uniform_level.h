@@ -1,4 +1,4 @@
-// Level 0 of a splitting: uniform paths of a pass, and those high enough kept as survivors.
+// Level 0 of splitting: uniform paths of a pass, of which those high enough are kept as survivors.
 #pragma once
 
 #include "chains/level.h"

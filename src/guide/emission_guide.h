@@ -1,11 +1,11 @@
-// An emission guide's dimensions: where uniform paths should start so that more of them are seen.
+// The emission guide: a learned density over emission dimensions, by which more paths are visible.
 //
 // In:  points of [0,1)^5 from which visible paths start. Out: a density over [0,1)^5, constant in
-// the boxes of a tree, and a guide of uniform points to points of that density, continuous in every
+// the boxes of a tree, and a map from uniform points to points of that density, continuous in every
 // dimension but where boxes meet. Boxes may be sheared, dimension by dimension, on the way down the
-// tree. What starts with density q counts 1/q: exact for any map that was fixed before the pass, as
-// q is nowhere zero. Source: importance sampling; density trees: Ram and Gray 2011; guiding of
-// light paths by what was learned: Jensen 1995.
+// tree. What starts with density q counts 1/q: exact for any density that was fixed before the
+// pass, as q is nowhere zero. Source: importance sampling; density trees: Ram and Gray 2011;
+// guiding of light paths by what was learned: Jensen 1995.
 #pragma once
 
 #include "guide/emission_shear.h"

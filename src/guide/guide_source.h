@@ -1,5 +1,5 @@
-// Where a pilot may look for emission that climbing does not find: walks from the other end, and
-// gaps between surfaces.
+// Guide search: where a pilot looks for emission that splitting does not find, by importons and at
+// edges of surfaces.
 #pragma once
 
 #include "core/random.h"
@@ -13,26 +13,26 @@
 
 namespace sunfleck {
 
-/// What walks from the view found.
+/// What importons found.
 struct WalkedEmission {
     std::vector<WeightedEmission>
         guide_samples;    // emission that may be visible, and the flux it brings
     double possible = 0;  // the flux of all samples of light, were nothing in the way
 };
 
-/// Where climbing may fail and maps help.
+/// Sources of first guide samples, where splitting may fail and a guide helps.
 struct GuideSource {
-    /// Walks of a pass, by their numbers.
+    /// Importons of a pass, by their numbers.
     using Walks = std::function<WalkedEmission(PassId, PathRange)>;
 
-    bool is_on = true;  // off: no maps at all
-    Walks walks = {};   // none: climbing alone
+    bool is_on = true;  // off: no guide at all
+    Walks walks = {};   // none: splitting alone
     /// Emission that passes close to an edge, wherever it goes, by the numbers of tries.
     using Edges = std::function<std::vector<WeightedEmission>(PassId, PathRange)>;
     Edges edges = {};
-    /// Flux that a walk finds of all lights together, about: the picture's brightness.
+    /// Flux that an importon finds of all lights together, about: the picture's brightness.
     std::function<double(PassId)> seen = {};
-    /// Walks that a long search is worth, where a short one has found nothing.
+    /// Importons that a long search is worth, where a short one has found nothing.
     std::size_t most_walks = std::numeric_limits<std::size_t>::max();
 };
 

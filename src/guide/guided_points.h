@@ -13,8 +13,7 @@ namespace sunfleck {
 
 class GuidedPoints {
 public:
-    /// @param pass  of a splitting, whose own points these do not share. @param map  must outlive
-    /// this.
+    /// @param pass  its own uniform points are others than these. @param map  must outlive this.
     GuidedPoints(PassId pass, const EmissionGuide& map)
         : points_(pass.with_part(PassId::kParts / 2)), guide_(map) {}
 

@@ -1,4 +1,4 @@
-// Photon paths by the multilevel splitting by visibility: the sampler `adaptive`.
+// Photon paths by multilevel splitting on visibility: the sampler `adaptive`.
 //
 // In:  what is seen in a pass, a stratum of lights with its plan. Out: photons in chunks, weighted
 // so that their sum is the stratum's light in this pass: the estimate's N is one.

@@ -1,4 +1,4 @@
-// Pilots: a short one a light, then a splitting's a stratum.
+// Pilots: a short one for each light, then one for each stratum.
 #include "photon/light_strata.h"
 
 #include "photon/edge_search.h"
