@@ -9,8 +9,8 @@ import re
 import sys
 from pathlib import Path
 
-SKIPPED = {".git", "build", "out", ".cache", "__pycache__"}
-SUFFIXES = {"", ".h", ".cpp", ".inc", ".py", ".sh", ".md", ".txt", ".cmake", ".json"}
+from check_words import text_files
+
 # Their examples name pages that there are not.
 MADE_UP = {"check_links_test.py", "check_words_test.py"}
 LINK = re.compile(r"\]\(([^)\s]+)\)")
@@ -37,9 +37,7 @@ def check_link(file, target):
     return None
 
 
-def check_file(root, file):
-    name = file.relative_to(root)
-    text = file.read_text(encoding="utf-8", errors="replace")
+def check_file(root, file, name, text):
     for number, line in enumerate(text.splitlines(), 1):
         if file.suffix == ".md":
             for target in LINK.findall(line):
@@ -51,12 +49,8 @@ def check_file(root, file):
 
 
 def check(root):
-    faults = []
-    for file in sorted(root.rglob("*")):
-        name = file.relative_to(root)
-        if not SKIPPED & set(name.parts) and file.is_file() and file.suffix in SUFFIXES:
-            faults += check_file(root, file)
-    return faults
+    return [fault for file, name, text in text_files(root)
+            for fault in check_file(root, file, name, text)]
 
 
 if __name__ == "__main__":

@@ -72,17 +72,21 @@ def check_file(name, text):
                 yield f"{name}:{number}: {match[0]}: {why}"
 
 
+def text_files(root):
+    """Yields (file, its name in the repository, its text) of all that is written, not made."""
+    for file in sorted(root.rglob("*")):
+        name = file.relative_to(root)
+        if file.suffix in SUFFIXES and not SKIPPED & set(name.parts) and file.is_file():
+            yield file, str(name), file.read_text(encoding="utf-8", errors="replace")
+
+
 def check(root):
     faults = []
     gone = root / "tools/words_gone.txt"
     rows = read_gone(gone.read_text(encoding="utf-8")) if gone.exists() else []
-    for file in sorted(root.rglob("*")):
-        name = file.relative_to(root)
-        if SKIPPED & set(name.parts) or not file.is_file() or file.suffix not in SUFFIXES:
-            continue
-        text = file.read_text(encoding="utf-8", errors="replace")
-        faults += check_file(str(name), text)
-        faults += check_gone(str(name), text, rows)
+    for _, name, text in text_files(root):
+        faults += check_file(name, text)
+        faults += check_gone(name, text, rows)
     return faults
 
 

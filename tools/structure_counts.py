@@ -16,11 +16,7 @@ SCREEN = 60  # lines of a page without a heading
 
 def loops_among(files):
     """Groups of units that include each other, each the largest of its kind (Tarjan 1972)."""
-    graph = {}
-    for file, includes in files.items():
-        others = graph.setdefault(check_layers.unit_of(file), set())
-        others |= {check_layers.unit_of(Path(name)) for _, quoted, name in includes
-                   if quoted and Path(name) in files}
+    graph = check_layers.unit_graph(files)
     order, low, stack, loops = {}, {}, [], []
 
     def visit(unit):
@@ -62,11 +58,8 @@ def pages_without_headings(pages):
 
 
 def words_that_left(root, rows):
-    files = [f for f in root.rglob("*") if f.is_file() and f.suffix in check_words.SUFFIXES
-             and not check_words.SKIPPED & set(f.relative_to(root).parts)]
-    return sum(len(list(check_words.check_gone(
-        str(f.relative_to(root)), f.read_text(encoding="utf-8", errors="replace"), rows)))
-        for f in files)
+    return sum(len(list(check_words.check_gone(name, text, rows)))
+               for _, name, text in check_words.text_files(root))
 
 
 def main(root):

@@ -14,7 +14,7 @@ enum class Count : std::size_t {
     camera_paths,       // camera paths
     visible_points,     // visible points
     uniform_paths,      // photon paths traced from uniform numbers
-    guided_paths,       // photon paths whose emission went through a map
+    guided_paths,       // photon paths whose emission the guide chose
     uniform_visible,    // uniform paths with a photon that a visible point takes
     guided_visible,     // the same of mapped paths
     mutated_paths,      // photon paths proposed by mutation

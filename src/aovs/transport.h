@@ -16,7 +16,8 @@ inline constexpr int kDefaultMaxDepth = 64;
 
 struct TransportSettings {
     DirectLight direct = DirectLight::sampled;
-    int max_depth = kDefaultMaxDepth;  // scattering events on a whole path, eye and light together
+    int max_depth =
+        kDefaultMaxDepth;  // scattering events on a whole path, camera and light together
     LightGroups light_groups{};
 };
 

@@ -58,7 +58,7 @@ double importance_of(double share, double rest) {
     return std::min(kMostImportance, rest / (1 - rest) * share / (1 - share));
 }
 
-/// Chains of at least kStatesOfAChain states, so that copies of one seed part.
+/// Chains of at least kStatesOfAChain states, so that copies of one survivor part.
 std::uint32_t chains_for(std::uint32_t states, std::uint32_t most) {
     return std::clamp(states / kStatesOfAChain, 1U, most);
 }
@@ -110,7 +110,7 @@ SplittingPlan planned(const HeightTail& tail, std::uint32_t paths, double last_s
     const double visible = tail[kVisible];
     const auto last = std::max(1U, static_cast<std::uint32_t>(last_share * paths));
     const double survivors = visible * (paths - last);
-    if (survivors >= kSurvivorsForOneSet) {  // hardly a seed is left out
+    if (survivors >= kSurvivorsForOneSet) {  // hardly a survivor is left out
         const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * survivors));
         return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
     }

@@ -10,7 +10,7 @@
 namespace sunfleck {
 namespace {
 
-constexpr double kSeeds = 128;  // of a splitting's one set in a subpass, or more
+constexpr double kSurvivors = 128;  // or more in a subpass, where splitting has one level set
 constexpr double kRaysOfPath =
     0.6;  // work beside a camera path's rays: its point's place in the index
 constexpr double kRaysOfDeposit = 0.6;  // work
@@ -42,15 +42,15 @@ Work work_of(const CameraTrial& view, const PhotonTrials& trials) {
             kRaysOfDeposit * trials.deposits / paths};
 }
 
-/// The share of the usual paths that leaves kSeeds.
-/// @param found  seeds in all sets of photons. @param tried  the share that one of these has.
+/// The share of the usual paths that leaves kSurvivors.
+/// @param found  survivors in all sets of photons. @param tried  the share that one of these has.
 double share_of_survivors(std::uint64_t found, double tried) {
-    return kSeeds * kPhotonSets * tried / static_cast<double>(found);
+    return kSurvivors * kPhotonSets * tried / static_cast<double>(found);
 }
 
 /// The share of the usual paths below which nothing is known of what paths are worth: that of the
-/// trials, or less where a splitting has one set, seeds enough and no map beside it. All, where a
-/// splitting has found nothing.
+/// trials, or less where splitting has one level set, survivors enough and no guide beside it. All,
+/// where splitting has found nothing.
 /// @param totals  of all sets of photons. @param tried  the share that one of them has.
 double least_share(const std::vector<LightStratum>& strata, const PhotonTotals& totals,
                    double tried) {

@@ -22,8 +22,8 @@ struct CameraTrial {
 
 CameraTrial view_of(const CameraPass& pass);
 
-/// The same sets and maps, with one of so many parts of the paths and chains: what a trial measures
-/// holds for it, as it would not for levels planned anew for few paths.
+/// The same level sets and guides, with one of so many parts of the paths and chains: what a trial
+/// measures holds for it, as it would not for levels planned anew for few paths.
 std::vector<LightStratum> part_of(std::vector<LightStratum> strata, std::uint32_t parts);
 
 struct PhotonTrials {

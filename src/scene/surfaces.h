@@ -34,8 +34,8 @@ public:
     std::uint32_t material_of(const Hit& hit) const { return records_[hit.shape].material; }
     /// The area light at a hit, or kNone.
     std::uint32_t light_of(const Hit& hit) const;
-    /// Is the surface no obstacle: light goes straight on, and it is no bounce? Shadow rays, eye
-    /// and photon paths all ask here. (Interfaces that do not emit are not in the geometry.)
+    /// Is the surface no obstacle: light goes straight on, and it is no bounce? Shadow rays,
+    /// camera and photon paths all ask here. (Interfaces that do not emit are not in the geometry.)
     bool is_null_interface(const Hit& hit) const {
         return std::holds_alternative<InterfaceMaterial>(materials_[material_of(hit)]);
     }
