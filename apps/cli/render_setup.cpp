@@ -16,7 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The scene's own film name, as a picture that we write, where no -o is given.
@@ -78,10 +78,11 @@ void check_memory(const RenderJob& job, const std::optional<std::uint64_t>& limi
 
 void adjust(SceneDescription& description, const RenderOptions& options) {
     if (options.resolution) set_resolution(description, *options.resolution);
-    if (options.settings.energy_compensation) compensate_energy(description);
-    if (options.crop) set_crop(description, *options.crop, "--crop");
+    if (options.settings.energy_compensation) compensate_energy(description.materials);
+    if (options.crop) set_crop(description.film, *options.crop, "--crop");
     if (options.crop_window)
-        set_crop(description, pixels_of_window(*options.crop_window, description.film.resolution),
+        set_crop(description.film,
+                 pixels_of_window(*options.crop_window, description.film.resolution),
                  "--cropwindow");
 }
 
@@ -138,4 +139,4 @@ std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& 
     return setup;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

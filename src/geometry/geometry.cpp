@@ -14,7 +14,7 @@
 #include <limits>
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Hits at t = 0 are none: t must be at least this.
@@ -199,10 +199,7 @@ bool Geometry::Impl::is_far(double distance, const Vec3& p) const {
 }
 
 Geometry::Geometry(GeometryInput input, const std::string& isa)
-    : impl_(std::make_unique<Impl>(std::move(input), isa)) {}
-Geometry::~Geometry() = default;
-Geometry::Geometry(Geometry&&) noexcept = default;
-Geometry& Geometry::operator=(Geometry&&) noexcept = default;
+    : impl_(std::make_shared<const Impl>(std::move(input), isa)) {}
 
 Meeting Geometry::meet(const Ray& ray, AlphaTest alpha_test) const {
     return impl_->meet({Vec3d(ray.origin), Vec3d(ray.direction)}, 0, ray.length, alpha_test);
@@ -288,4 +285,4 @@ std::size_t Geometry::triangle_count() const {
     return impl_->triangles;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

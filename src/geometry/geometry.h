@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a ray meets, by name alone: where on it, is to be worked out.
 struct Meeting {
@@ -43,11 +43,6 @@ public:
     /// @param isa  "avx2" (the promise of equal bytes), or "native" (whatever Embree picks).
     /// @throws std::runtime_error when Embree cannot build (memory), or on another `isa`.
     explicit Geometry(GeometryInput input, const std::string& isa = "avx2");
-    ~Geometry();
-    Geometry(Geometry&&) noexcept;
-    Geometry& operator=(Geometry&&) noexcept;
-    Geometry(const Geometry&) = delete;
-    Geometry& operator=(const Geometry&) = delete;
 
     /// The nearest surface strictly between the ray's ends (t of a triangle is good to some 2^-22
     /// of itself). A ray that is not finite (or starts beyond 1e18)
@@ -87,7 +82,7 @@ public:
 
 private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    std::shared_ptr<const Impl> impl_;  // copies share it
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

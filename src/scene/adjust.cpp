@@ -1,10 +1,10 @@
-// What the command line changes in a scene before it is built.
+// Crops that keep their share, and checks of what is asked for.
 #include "scene/adjust.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The same share of another extent, of one pixel at least. @param low, high  of `before` pixels.
@@ -18,12 +18,12 @@ void keep_share(int& low, int& high, int before, int now) {
 
 }  // namespace
 
-void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
-    const Vec2i before = scene.film.resolution;
-    set_resolution(scene.camera, resolution);
-    scene.film.resolution = resolution;
-    if (scene.film.crop) {
-        auto& crop = *scene.film.crop;
+void set_resolution(Camera& camera, FilmDescription& film, const Vec2i& resolution) {
+    const Vec2i before = film.resolution;
+    set_resolution(camera, resolution);
+    film.resolution = resolution;
+    if (film.crop) {
+        auto& crop = *film.crop;
         keep_share(crop[0], crop[1], before.x, resolution.x);
         keep_share(crop[2], crop[3], before.y, resolution.y);
     }
@@ -40,8 +40,8 @@ std::array<int, 4> pixels_of_window(const std::array<double, 4>& window, const V
             pixel(std::max(window[2], window[3]), size.y)};
 }
 
-void set_crop(SceneDescription& scene, const std::array<int, 4>& crop, const std::string& flag) {
-    const Vec2i size = scene.film.resolution;
+void set_crop(FilmDescription& film, const std::array<int, 4>& crop, const std::string& flag) {
+    const Vec2i size = film.resolution;
     const auto is_run = [](int begin, int end, int most) {
         return 0 <= begin && begin < end && end <= most;
     };
@@ -49,11 +49,11 @@ void set_crop(SceneDescription& scene, const std::array<int, 4>& crop, const std
         throw Error({flag}, "is no part of the picture",
                     "give x0,x1,y0,y1 in pixels, with 0 <= x0 < x1 <= " + std::to_string(size.x) +
                         " and 0 <= y0 < y1 <= " + std::to_string(size.y));
-    scene.film.crop = crop;
+    film.crop = crop;
 }
 
-void compensate_energy(SceneDescription& scene) {
-    for (Material& material : scene.materials) {
+void compensate_energy(std::vector<Material>& materials) {
+    for (Material& material : materials) {
         if (auto* metal = std::get_if<ConductorMaterial>(&material))
             metal->roughness.gives_back = true;
         if (auto* glass = std::get_if<DielectricMaterial>(&material))
@@ -61,4 +61,4 @@ void compensate_energy(SceneDescription& scene) {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Where the scene's file speaks of its shapes.
 struct ScenePlaces {
@@ -28,7 +28,8 @@ struct ScenePlaces {
 /// the one through which they are seen. Warns of these, and of all that do not agree. A camera or
 /// light for which the scene names a medium decides what is right; where there is none, the camera
 /// stands in empty space. Found by walks (scene/media_walks.h); depends on the scene alone.
-void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
-                const ScenePlaces& places, Warnings& warnings);
+/// @return  the shapes whose media are exchanged.
+std::vector<std::uint32_t> mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
+                                      const ScenePlaces& places, Warnings& warnings);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

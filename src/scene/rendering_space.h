@@ -10,11 +10,14 @@
 
 #include "scene/description.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Moves shapes, instances, lights, the camera and the frames of objects.
 /// @return where the origin of rendering space is in the world: origin_near() the middle of what
 /// does not emit, or of what does if there is nothing else.
 Vec3d move_to_rendering_space(SceneDescription& scene);
 
-}  // namespace sunfleck
+/// Moves a camera of the world into the rendering space of that origin.
+void move_to(const Vec3d& origin, Camera& camera);
+
+}  // namespace sunfleck::engine

@@ -1,21 +1,30 @@
 // The immutable whole: surfaces, materials, lights and camera, ready to be traced.
 //
 // In:  a SceneDescription. Out: hits with their material and emission. Any number of threads.
+// A copy shares geometry and lights with the original, and may have a view of its own.
 #pragma once
 
 #include "scene/description.h"
+#include "scene/media_check.h"
 #include "scene/scene_lights.h"
 #include "scene/surfaces.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Scene {
 public:
     /// @param isa  see Geometry. @throws Error for a scene that cannot be built.
     explicit Scene(SceneDescription description, const std::string& isa = "avx2");
+
+    /// Another camera, another film: the scene is then as if it had been made with them.
+    /// @param camera  in the world.
+    void set_view(Camera camera, FilmDescription film);
+    /// Rough metals and glass give back what their facets lose (bsdf/facet_losses.h); coats do not.
+    void compensate_energy() { surfaces_.compensate_energy(); }
 
     /// Where the origin of rendering space is in the world (scene/rendering_space.h). All places
     /// that the scene gives or takes (of surfaces, lights, the camera) are relative to it.
@@ -27,15 +36,15 @@ public:
     const RenderHints& hints() const { return hints_; }
 
     // As SceneLights says.
-    const std::vector<Light>& lights() const { return lights_.all(); }
-    const std::vector<std::uint32_t>& infinite_lights() const { return lights_.infinite(); }
-    const LightChoice& light_choice() const { return lights_.choice(); }
-    const std::vector<LightRange>& light_sources() const { return lights_.sources(); }
-    const std::vector<LightStatement>& light_statements() const { return lights_.statements(); }
-    const std::vector<std::uint32_t>& stated_in() const { return lights_.stated_in(); }
-    const LightTree& light_tree() const { return lights_.tree(); }
-    const SceneSphere& sphere() const { return lights_.sphere(); }
-    bool has_lights_to_meet() const { return lights_.has_lights_to_meet(); }
+    const std::vector<Light>& lights() const { return lights_->all(); }
+    const std::vector<std::uint32_t>& infinite_lights() const { return lights_->infinite(); }
+    const LightChoice& light_choice() const { return lights_->choice(); }
+    const std::vector<LightRange>& light_sources() const { return lights_->sources(); }
+    const std::vector<LightStatement>& light_statements() const { return lights_->statements(); }
+    const std::vector<std::uint32_t>& stated_in() const { return lights_->stated_in(); }
+    const LightTree& light_tree() const { return lights_->tree(); }
+    const SceneSphere& sphere() const { return lights_->sphere(); }
+    bool has_lights_to_meet() const { return lights_->has_lights_to_meet(); }
 
     const Warnings& warnings() const { return warnings_; }
     const std::string& path() const { return path_; }
@@ -76,13 +85,14 @@ private:
     void finish_lights(const SceneDescription& description);
     void find_darkness();
     void join_media(Media media);
+    void place_view();
 
     Vec3d origin_;
     bool has_media_ = false;
     Media media_;
     MediumNumber outer_medium_ = 0;
     std::vector<Relief> reliefs_;
-    SceneLights lights_;
+    std::shared_ptr<SceneLights> lights_;
     Surfaces surfaces_;
     bool is_dark_ = false;
     Camera camera_;
@@ -91,6 +101,15 @@ private:
     RenderHints hints_;
     Warnings warnings_;
     std::string path_;
+
+    /// What a view changes, as it was before.
+    struct Stated {
+        Media media;
+        Warnings warnings;
+        ScenePlaces places;
+    };
+    std::shared_ptr<const Stated> stated_;
+    std::vector<std::uint32_t> exchanged_;  // shapes whose media the present view has exchanged
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine
