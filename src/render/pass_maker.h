@@ -1,7 +1,7 @@
 // Passes one after the other, each added to a film.
 #pragma once
 
-#include "paper/paper_render.h"
+#include "photon_samplers/paper_sampler.h"
 #include "planning/epoch.h"
 #include "render/render_job.h"
 #include "render/render_state.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "film/film.h"
-#include "paper/paper_memory.h"
+#include "photon_samplers/paper_memory.h"
 #include "stages/pass_result.h"
 
 #include <optional>

@@ -5,7 +5,7 @@
 #include "film/bias.h"
 #include "film/film_file.h"
 #include "image/temporary_folder.h"
-#include "paper/paper_render.h"
+#include "photon_samplers/paper_sampler.h"
 #include "render/progressive.h"
 #include "support/procedural.h"
 #include "support/renders.h"

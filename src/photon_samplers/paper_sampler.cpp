@@ -1,5 +1,5 @@
 // The stages of one pass around the paper's chain, and its estimate as a difference.
-#include "paper/paper_render.h"
+#include "photon_samplers/paper_sampler.h"
 
 #include "camera_paths/trace_camera_paths.h"
 #include "core/parallel.h"

@@ -5,7 +5,7 @@
 // passes: the mean over passes, which is what a film shows, is L_P.
 #pragma once
 
-#include "paper/paper_memory.h"
+#include "photon_samplers/paper_memory.h"
 #include "stages/pass_result.h"
 
 #include <atomic>

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "film/film.h"
-#include "paper/local_radii.h"
 #include "photon/paper_chain.h"
+#include "photon_samplers/local_radii.h"
 #include "stages/settings.h"
 
 #include <array>
