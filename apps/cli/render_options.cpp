@@ -5,6 +5,7 @@
 #include "apps/cli/values.h"
 #include "core/error.h"
 #include "image/picture_file.h"
+#include "photon_samplers/samplers.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -4,19 +4,21 @@
 // as if it had never stopped.
 #pragma once
 
-#include "film/film.h"
+#include "aovs/channels.h"
+#include "core/exact_sum.h"
 #include "photon/paper_chain.h"
 #include "photon_samplers/local_radii.h"
-#include "stages/settings.h"
 
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace sunfleck {
 
 struct PaperMemory {
-    /// @param pixels  of the window.
-    PaperMemory(const RenderSettings& settings, std::size_t pixels)
-        : chain(settings.photon.paper), radii(pixels, settings.alpha) {}
+    /// @param alpha  of the local radii. @param pixels  of the window.
+    PaperMemory(const PhotonSettings& settings, double alpha, std::size_t pixels)
+        : chain(settings.paper), radii(pixels, alpha) {}
 
     /// As StoredSample::visit().
     template <class Self, class Archive>
@@ -26,21 +28,27 @@ struct PaperMemory {
         LocalRadii::visit(self.radii, archive);
         for (auto& flux : self.flux) archive(flux);
     }
-    /// Can it be of the passes of this film?
-    bool is_sound(const Film& film) const {
-        const std::size_t pixels = film.key().pixels();
-        for (const FixedPoints& sums : flux)
+    /// Can it be the state after so many passes of a picture of so many pixels?
+    bool is_sound(std::size_t pixels, std::uint64_t after_passes) const {
+        for (const std::vector<FixedPoint>& sums : flux)
             if (!sums.empty() && sums.size() != 3 * pixels) return false;
-        return passes == film.pass_count() && shown >= 0 && std::isfinite(shown) &&
+        return passes == after_passes && shown >= 0 && std::isfinite(shown) &&
                std::isfinite(theta_counted) && chain.is_sound() && radii.is_sound(pixels);
+    }
+
+    /// @return the mean factor on the first radii.
+    double shrink(VisiblePointLists& points) const {
+        radii.shrink(points);
+        return radii.mean_factor();
     }
 
     std::uint64_t passes = 0;
     PaperState chain;
     LocalRadii radii;
-    std::array<FixedPoints, kAovCount> flux;  // tau / (pi R^2 paths), before normalisation
-    double shown = 0;                         // what flux was multiplied by after the last pass
-    double theta_counted = 0;                 // in the film's statistics
+    /// tau / (pi R^2 paths), before normalisation.
+    std::array<std::vector<FixedPoint>, kAovCount> flux;
+    double shown = 0;          // what flux was multiplied by after the last pass
+    double theta_counted = 0;  // in the film's statistics
     std::uint64_t floor_counted = 0;
 };
 

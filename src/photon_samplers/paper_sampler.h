@@ -1,40 +1,31 @@
-// Passes of the sampler `paper`: one chain and one set of counts for all of them, local radii.
+// The sampler `paper`: one chain and one set of counts for all passes, local radii.
 //
-// In:  scene, settings. Out: passes in their order; each builds on those before, so none can be
-// taken alone. A pass's image is P L_P - (P - 1) L_{P-1}, where L_P is the paper's estimate after P
-// passes: the mean over passes, which is what a film shows, is L_P.
+// Each pass builds on those before, so none can be taken alone. A pass's image is
+// P L_P - (P - 1) L_{P-1}, where L_P is the paper's estimate after P passes: the mean over passes,
+// which is what a film shows, is L_P.
 #pragma once
 
+#include "photon_samplers/model.h"
 #include "photon_samplers/paper_memory.h"
-#include "stages/pass_result.h"
 
-#include <atomic>
+#include <string>
 
 namespace sunfleck {
 
-class PaperRender {
-public:
-    /// @param memory  of the same settings and picture; outlives this, which goes on from it.
-    PaperRender(const Scene& scene, const RenderSettings& settings, PaperMemory& memory);
+struct PaperSampler {
+    using State = PaperMemory;
+    static constexpr PhotonSampler kind = PhotonSampler::paper;
+    static constexpr std::string_view name = "paper";
+    static constexpr std::string_view what =
+        "the paper's one chain over all passes, to the letter; biased at finite time";
+    static constexpr bool learns = false;
+    static constexpr SamplerMemory memory{580, 0};  // its chunks of paths are small
 
-    /// The next pass.
-    PassResult next_pass();
-
-    /// Adds to the film what the last pass counted beside its result: "mutation_size" (the sum
-    /// over all passes is theta as it stands) and "theta_floor_held". Once after each pass.
-    void count(Film& film);
-
-private:
-    FixedPoint scaled(const FixedPoint& flux, double factor);
-    void add_photon_light(const PassImage& photons, PassImage& image);
-
-    const Scene& scene_;
-    const RenderSettings& settings_;
-    PixelWindow window_;
-    std::uint32_t paths_;
-    PaperMemory& memory_;
-    std::uint64_t dropped_ = 0;                // of the last pass's photons
-    std::atomic<std::uint64_t> saturated_{0};  // the same, and of its differences
+    /// Section 7.
+    static std::uint32_t default_paths(std::size_t /*pixels*/) { return 200'000; }
+    static std::string settings_text(const PhotonSettings& settings);
+    /// The sum of "mutation_size" over all passes is theta as it stands.
+    static PhotonTotals trace(const PhotonPass& pass, const PhotonTarget& target, State& state);
 };
 
 }  // namespace sunfleck
