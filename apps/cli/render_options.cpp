@@ -4,6 +4,7 @@
 #include "apps/cli/number_check.h"
 #include "apps/cli/values.h"
 #include "image/picture_file.h"
+#include "photon_samplers/samplers.h"
 #include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>

@@ -10,35 +10,8 @@
 
 namespace sunfleck::engine {
 
-/// Where the primary samples of photon paths come from.
+/// Which sampler chooses the photon paths (photon_samplers/samplers.h).
 enum class PhotonSampler { random, uniform, adaptive, paper };
-
-struct PhotonSamplerRow {
-    PhotonSampler sampler;
-    std::string_view name;  // as the user writes it
-    std::string_view what;
-};
-
-inline constexpr std::array<PhotonSamplerRow, 4> kPhotonSamplers = {{
-    {PhotonSampler::adaptive, "adaptive", "Markov chains on the paths that can be seen"},
-    {PhotonSampler::uniform, "uniform", "evenly spread over the lights"},
-    {PhotonSampler::random, "random", "independent numbers, the paper's baseline"},
-    {PhotonSampler::paper, "paper",
-     "the paper's one chain over all passes, to the letter; biased at finite time"},
-}};
-
-constexpr std::string_view name_of(PhotonSampler sampler) {
-    for (const PhotonSamplerRow& row : kPhotonSamplers)
-        if (row.sampler == sampler) return row.name;
-    return {};
-}
-
-/// Nothing for a name that no sampler has.
-constexpr std::optional<PhotonSampler> sampler_named(std::string_view name) {
-    for (const PhotonSamplerRow& row : kPhotonSamplers)
-        if (row.name == name) return row.sampler;
-    return {};
-}
 
 /// Of the sampler `paper` alone: what its authors' experiments vary.
 struct PaperSettings {

@@ -5,6 +5,7 @@
 #include "film/target_error.h"
 #include "math/wavelengths.h"
 #include "photon/light_strata.h"
+#include "photon_samplers/samplers.h"
 #include "planning/photon_budget.h"
 #include "planning/trial_iterations.h"
 #include "visible_points/radius.h"
@@ -39,17 +40,9 @@ std::uint64_t worth_learning(std::uint32_t epoch) {
 
 }  // namespace
 
-std::uint32_t usual_paths(const PhotonSettings& settings, std::size_t pixels) {
-    constexpr std::size_t kLeast = 200'000;
-    constexpr std::size_t kOfPixel = 2;
-    constexpr std::size_t kMost = std::size_t{1} << 30U;
-    const std::size_t usual = std::min(kMost, std::max(kLeast, kOfPixel * pixels));
-    return settings.paths_per_pass.value_or(static_cast<std::uint32_t>(usual));
-}
-
 bool needs_learning(const Scene& scene, const RenderSettings& settings) {
     return !scene.is_dark() && settings.integrator == Integrator::sppm &&
-           settings.photon.sampler == PhotonSampler::adaptive;
+           learns(settings.photon.sampler);
 }
 
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,

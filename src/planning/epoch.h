@@ -40,9 +40,6 @@ struct Epoch {
     double seconds = 0;
 };
 
-/// Photon paths of a pass, unless learning finds others better.
-std::uint32_t usual_paths(const PhotonSettings& settings, std::size_t pixels);
-
 /// Is there anything to learn? If not, each epoch is the same but for its number.
 bool needs_learning(const Scene& scene, const RenderSettings& settings);
 

@@ -6,8 +6,8 @@
 
 #include "chains/chain_walk.h"
 #include "estimate/photon_counts.h"
+#include "photon_samplers/model.h"
 #include "planning/trial_variance.h"
-#include "stages/photon_stage.h"
 
 #include <vector>
 

@@ -49,6 +49,12 @@ void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     film.count(name + "paths", paths);
 }
 
+/// What Film::add_pass() counts by itself.
+std::uint64_t counted_by_film(const PassImage& image, Count count) {
+    if (count == Count::dropped_nonfinite) return image.dropped();
+    return count == Count::saturated ? image.saturated() : 0;
+}
+
 bool is_starved(const PassResult& pass) {
     return pass.statistics[Count::visible_states] == 0;
 }
@@ -58,8 +64,8 @@ bool is_starved(const PassResult& pass) {
 void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     film.add_pass(number, pass.image, pass.weight);
     for (const CountRow& row : kCountRows)
-        if (row.count != Count::dropped_nonfinite && row.count != Count::saturated)
-            film.count(row.name, pass.statistics[row.count]);
+        film.count(row.name, pass.statistics[row.count] - counted_by_film(pass.image, row.count));
+    for (const SamplerSum& sum : pass.sums) film.sum(sum.name, sum.value);
     if (pass.statistics[Count::uniform_paths] == 0) return;
     film.count("starved_passes", is_starved(pass) ? 1 : 0);
     film.sum("visible_fraction", pass.visible_fraction);

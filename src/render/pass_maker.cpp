@@ -12,8 +12,11 @@ namespace sunfleck::engine {
 PassMaker::PassMaker(const RenderJob& job, RenderState& state, PassHooks hooks)
     : job_(job), state_(state), hooks_(std::move(hooks)) {
     if (!is_sequential(job.settings)) return;
-    if (!state.paper) state.paper.emplace(job.settings, state.film.key().pixels());
-    paper_.emplace(job.scene, job.settings, *state.paper);
+    hooks_.cuts_learning = {};
+    hooks_.cuts_pass = {};
+    if (std::holds_alternative<NoState>(state.sampler))
+        state.sampler =
+            first_state(job.settings.photon, job.settings.alpha, state.film.key().pixels());
 }
 
 /// @return false if it was cut short.
@@ -31,17 +34,12 @@ bool PassMaker::learn(std::uint32_t number) {
 
 std::optional<double> PassMaker::make(std::uint32_t number, Film& film) {
     std::optional<PassResult> pass;
-    if (paper_) {
-        pass.emplace(paper_->next_pass());
-    } else {
-        if (!learn(number)) return {};
-        const bool is_whole = run_unless(hooks_.cuts_pass, [&] {
-            pass.emplace(render_pass(job_.scene, job_.settings, number, *epoch_));
-        });
-        if (!is_whole) return {};
-    }
+    if (!learn(number)) return {};
+    const bool is_whole = run_unless(hooks_.cuts_pass, [&] {
+        pass.emplace(render_pass(job_.scene, job_.settings, number, *epoch_, state_.sampler));
+    });
+    if (!is_whole) return {};
     add_pass(film, number, *pass);
-    if (paper_) paper_->count(film);
     state_.seconds += pass->seconds;
     return pass->radius_factor;
 }

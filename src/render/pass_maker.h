@@ -1,7 +1,6 @@
 // Passes one after the other, each added to a film.
 #pragma once
 
-#include "paper/paper_render.h"
 #include "planning/epoch.h"
 #include "render/render_job.h"
 #include "render/render_state.h"
@@ -21,12 +20,12 @@ struct PassHooks {
 
 class PassMaker {
 public:
-    /// @param state  its seconds grow with each pass; with the sampler `paper` its memory goes on.
+    /// @param state  its seconds grow with each pass, and the sampler's state goes on.
     PassMaker(const RenderJob& job, RenderState& state, PassHooks hooks = {});
 
     /// Renders a pass and adds it, with all that it counted, to a film of this job.
     /// @return its radius factor, or nothing if it was cut short: then the film has not changed.
-    ///         Passes of the sampler `paper` never are: they change its memory while they run.
+    ///         Passes of a sampler with a state never are: they change it while they run.
     std::optional<double> make(std::uint32_t number, Film& film);
 
 private:
@@ -36,7 +35,6 @@ private:
     RenderState& state_;
     PassHooks hooks_;
     std::optional<Epoch> epoch_;
-    std::optional<PaperRender> paper_;
 };
 
 }  // namespace sunfleck::engine

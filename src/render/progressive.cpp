@@ -90,7 +90,8 @@ RenderResult render_among(const Ranks& ranks, const RenderJob& job, const Render
 void check_shareable(const RenderSettings& settings, const Ranks& ranks) {
     if (ranks.is_alone() || !is_sequential(settings)) return;
     throw Error({"--photon-sampler"},
-                "paper builds each pass on those before, and " + std::to_string(ranks.size) +
+                std::string(name_of(settings.photon.sampler)) +
+                    " builds each pass on those before, and " + std::to_string(ranks.size) +
                     " ranks cannot share them",
                 "use one rank, or another sampler");
 }

@@ -2,10 +2,8 @@
 #pragma once
 
 #include "film/film.h"
-#include "paper/paper_memory.h"
+#include "photon_samplers/samplers.h"
 #include "stages/pass_result.h"
-
-#include <optional>
 
 namespace sunfleck::engine {
 
@@ -14,10 +12,10 @@ namespace sunfleck::engine {
 struct RenderState {
     Film film;
     PassTimes seconds;
-    double total_seconds = 0;          // of rendering, on the wall
-    double cpu_seconds = 0;            // the same of all threads together
-    double radius_factor = 1;          // of the last pass
-    std::optional<PaperMemory> paper;  // of the sampler `paper` alone
+    double total_seconds = 0;  // of rendering, on the wall
+    double cpu_seconds = 0;    // the same of all threads together
+    double radius_factor = 1;  // of the last pass
+    SamplerState sampler{};    // of the photon sampler after the last pass, if it has one
 };
 
 struct RenderResult : RenderState {

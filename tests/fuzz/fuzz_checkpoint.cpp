@@ -19,7 +19,8 @@ void read(const std::string& bytes) {
             sunfleck::engine::read_checkpoint(stream, bytes.size(), "fuzz.ckpt").state;
         const sunfleck::engine::FilmKey& key = state.film.key();
         if (key.pixels() == 0 || state.film.sums().aovs[0].size() != 3 * key.pixels() ||
-            state.film.passes().ranges().size() != 1 || state.paper.has_value() != key.sequential)
+            state.film.passes().ranges().size() != 1 ||
+            (state.sampler.index() != 0) != key.sequential)
             std::abort();
     } catch (const sunfleck::Error& error) {
         if (std::string(error.what()).find('\n') != std::string::npos) std::abort();
