@@ -3,10 +3,10 @@
 
 #include "apps/cli/experiment_options.h"
 #include "apps/cli/number_check.h"
-#include "apps/cli/renamed_flags.h"
 #include "apps/cli/render_options.h"
-#include "apps/cli/values.h"
 #include "core/error.h"
+#include "flags/renamed_flags.h"
+#include "flags/values.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,8 +2,8 @@
 #include "apps/cli/experiment_options.h"
 
 #include "apps/cli/number_check.h"
-#include "apps/cli/values.h"
 #include "core/error.h"
+#include "flags/values.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,9 +1,9 @@
 // What the commands are asked to do: every flag has its place here.
 #pragma once
 
-#include "apps/cli/light_groups.h"
 #include "experiment/cell.h"
 #include "film/relight.h"
+#include "flags/light_groups.h"
 #include "stages/settings.h"
 
 #include <array>

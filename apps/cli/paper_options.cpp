@@ -1,8 +1,8 @@
 // Reading the paper's flags, and refusing what cannot go together.
 #include "apps/cli/paper_options.h"
 
-#include "apps/cli/values.h"
 #include "core/error.h"
+#include "flags/values.h"
 
 #include <CLI/CLI.hpp>
 

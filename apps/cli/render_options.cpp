@@ -2,8 +2,8 @@
 #include "apps/cli/render_options.h"
 
 #include "apps/cli/number_check.h"
-#include "apps/cli/values.h"
 #include "core/error.h"
+#include "flags/values.h"
 #include "image/picture_file.h"
 
 #include <CLI/CLI.hpp>

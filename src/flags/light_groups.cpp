@@ -1,5 +1,5 @@
 // Reading --light-group, and finding the lights that it means.
-#include "apps/cli/light_groups.h"
+#include "flags/light_groups.h"
 
 #include "aovs/channels.h"
 #include "core/error.h"

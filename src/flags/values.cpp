@@ -1,5 +1,5 @@
 // Values of flags that are more than a number: durations, shares, sizes, rectangles, ranges.
-#include "apps/cli/values.h"
+#include "flags/values.h"
 
 #include "core/error.h"
 
