@@ -9,15 +9,9 @@ class App;
 
 namespace sunfleck {
 
-/// Flags whose text needs a reader of its own.
-struct ExperimentTexts {
-    std::string minutes;
-    std::vector<std::string> others;
-};
+void add_experiment_flags(CLI::App& app, ExperimentOptions& options);
 
-void add_experiment_flags(CLI::App& app, ExperimentOptions& options, ExperimentTexts& texts);
-
-/// To be called when all flags have been read. @throws Error naming a flag that cannot be used.
-void finish_experiment(const ExperimentTexts& texts, ExperimentOptions& options);
+/// @throws Error for flags that do not go together.
+void check_experiment(const CLI::App& given);
 
 }  // namespace sunfleck
