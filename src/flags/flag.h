@@ -55,7 +55,7 @@ inline FlagNeed refused_by_paper(const std::string& why, const std::string& mend
 struct RenderFlag {
     std::string name;     // "--passes"
     std::string alias{};  // "--spp"; empty: none
-    std::string group;    // heading of the help
+    std::string group{};  // heading of the help, of the table that the flag is in
     FlagValue value;
     std::string help;
     std::string standard{};  // its value where it is not given; empty: none

@@ -1,10 +1,8 @@
 // The rows of the flags about the method.
-#include "flags/method_flags.h"
+#include "flags/flag_tables.h"
 
 namespace sunfleck {
 namespace {
-
-const char* const kMethod = "Method";
 
 /// Sets the sampler, and with `paper` all that belongs to it.
 void set_sampler(RenderRequest& request, const std::string& name) {
@@ -15,21 +13,18 @@ void set_sampler(RenderRequest& request, const std::string& name) {
 std::vector<RenderFlag> estimator_flags() {
     return {
         {.name = "--integrator",
-         .group = kMethod,
          .value = one_of(choices_of(kIntegrators),
-                         [](RenderRequest& r, const std::string& name) {
+                         [](auto& r, const auto& name) {
                              r.settings.integrator = *integrator_named(name);  // a choice
                          }),
          .help = "What renders: the photon mapper, or a reference to compare it with",
          .standard = "sppm"},
         {.name = "--photon-sampler",
-         .group = kMethod,
          .value = one_of(choices_of(kPhotonSamplers), set_sampler),
          .help = "Where photon paths come from",
          .standard = "adaptive",
          .needs = {needs_photon_mapping()}},
         {.name = "--mode",
-         .group = kMethod,
          .value = one_of({{"paper", "the same as --photon-sampler paper"}}, set_sampler),
          .help = "The paper's algorithm",
          .needs = {needs_photon_mapping(),
@@ -38,9 +33,8 @@ std::vector<RenderFlag> estimator_flags() {
                     .why = "is the sampler paper, and --photon-sampler names another",
                     .mend = "leave one of them out"}}},
         {.name = "--direct",
-         .group = kMethod,
          .value = one_of({{"sampled", "by sampling the lights"}, {"photons", "by photons, too"}},
-                         [](RenderRequest& r, const std::string& name) {
+                         [](auto& r, const auto& name) {
                              r.settings.transport.direct =
                                  name == "photons" ? DirectLight::photons : DirectLight::sampled;
                          }),
@@ -52,12 +46,9 @@ std::vector<RenderFlag> estimator_flags() {
                     .why = "is photons with the sampler paper",
                     .of_value = "sampled"}}},
         {.name = "--ris",
-         .group = kMethod,
          .value = one_of({{"auto", "resampled importance sampling of several candidates"},
                           {"off", "one light sample per vertex"}},
-                         [](RenderRequest& r, const std::string& name) {
-                             r.settings.camera.ris = name == "auto";
-                         }),
+                         [](auto& r, const auto& name) { r.settings.camera.ris = name == "auto"; }),
          .help = "Direct light by sampling",
          .standard = "auto",
          .needs = {needs_photon_mapping(),
@@ -71,9 +62,8 @@ std::vector<RenderFlag> estimator_flags() {
 std::vector<RenderFlag> gathering_flags() {
     return {
         {.name = "--photons-per-pass",
-         .group = kMethod,
          .value = whole(1, 1 << 30,
-                        [](RenderRequest& r, std::int64_t n) {
+                        [](auto& r, const auto& n) {
                             r.settings.photon.paths_per_pass = static_cast<std::uint32_t>(n);
                         }),
          .help = "Photon paths per pass",
@@ -81,30 +71,25 @@ std::vector<RenderFlag> gathering_flags() {
                      "says; with the sampler paper 200000",
          .needs = {{.flag = "--integrator", .values = {"sppm", "light"}}}},
         {.name = "--radius-pixels",
-         .group = kMethod,
-         .value = number(1e-3, 1e3,
-                         [](RenderRequest& r, double x) { r.settings.camera.radius_pixels = x; }),
+         .value =
+             number(1e-3, 1e3, [](auto& r, const auto& x) { r.settings.camera.radius_pixels = x; }),
          .help = "First gather radius, in pixel footprints",
          .standard = "2, less in pictures of fewer than 512 pixels a side; with the sampler "
                      "paper 2",
          .needs = {needs_photon_mapping()}},
         {.name = "--radius",
-         .group = kMethod,
-         .value =
-             number(1e-30, 1e30, [](RenderRequest& r, double x) { r.settings.camera.radius = x; }),
+         .value = number(1e-30, 1e30, [](auto& r, const auto& x) { r.settings.camera.radius = x; }),
          .help = "First gather radius in scene units, in place of --radius-pixels",
          .needs = {needs_photon_mapping(), {.flag = "--radius-pixels"}}},
         {.name = "--indirect-radius",
-         .group = kMethod,
-         .value = number(1, 100,
-                         [](RenderRequest& r, double x) { r.settings.camera.indirect_radius = x; }),
+         .value =
+             number(1, 100, [](auto& r, const auto& x) { r.settings.camera.indirect_radius = x; }),
          .help = "Radius for photons that a rough surface has scattered, over that for others",
          .standard = "2 to 3.1, more in pictures of more than 512 pixels a side; less where a "
                      "radius is given; with the sampler paper 1",
          .needs = {needs_photon_mapping(), refused_by_paper("is 1 with the sampler paper")}},
         {.name = "--alpha",
-         .group = kMethod,
-         .value = number(1e-6, 1 - 1e-6, [](RenderRequest& r, double x) { r.settings.alpha = x; }),
+         .value = number(1e-6, 1 - 1e-6, [](auto& r, const auto& x) { r.settings.alpha = x; }),
          .help = "How slowly radii shrink: areas go with the number of passes to the power of "
                  "alpha - 1",
          .standard = "2/3; with the sampler paper 0.7",

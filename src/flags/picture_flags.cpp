@@ -1,13 +1,8 @@
 // The rows of the flags of every way of rendering.
-#include "flags/picture_flags.h"
+#include "flags/flag_tables.h"
 
 namespace sunfleck {
 namespace {
-
-const char* const kEnd = "When the render ends";
-const char* const kPicture = "Picture";
-const char* const kTransport = "Light transport";
-const char* const kRun = "Run";
 
 const char* const kIndependentPasses = "needs passes that do not build on one another";
 const char* const kOtherSampler = "leave it out, or use another sampler than paper";
@@ -15,26 +10,22 @@ const char* const kOtherSampler = "leave it out, or use another sampler than pap
 std::vector<RenderFlag> frame_flags() {
     return {
         {.name = "--resolution",
-         .group = kPicture,
-         .value = value_of("WxH", read_size,
-                           [](RenderRequest& r, const Vec2i& size) { r.resolution = size; }),
+         .value =
+             value_of("WxH", read_size, [](auto& r, const auto& size) { r.resolution = size; }),
          .help = "Size in pixels; the view keeps the extent of its shorter axis",
          .standard = "the scene's"},
         {.name = "--crop",
-         .group = kPicture,
          .value = value_of("X0,X1,Y0,Y1", read_crop,
-                           [](RenderRequest& r, const auto& pixels) { r.crop = pixels; }),
+                           [](auto& r, const auto& pixels) { r.crop = pixels; }),
          .help = "Render these pixels alone",
          .standard = "the scene's"},
         {.name = "--cropwindow",
-         .group = kPicture,
          .value = value_of("X0,X1,Y0,Y1", read_crop_window,
-                           [](RenderRequest& r, const auto& window) { r.crop_window = window; }),
+                           [](auto& r, const auto& window) { r.crop_window = window; }),
          .help = "The same as fractions of the picture, from 0 to 1, as pbrt has them",
          .needs = {{.flag = "--crop"}}},
         {.name = "--exposure",
-         .group = kPicture,
-         .value = number(-100, 100, [](RenderRequest& r, double stops) { r.exposure = stops; }),
+         .value = number(-100, 100, [](auto& r, const auto& stops) { r.exposure = stops; }),
          .help = "Stops, for PNG alone",
          .standard = "0"},
     };
@@ -43,13 +34,11 @@ std::vector<RenderFlag> frame_flags() {
 std::vector<RenderFlag> light_flags() {
     return {
         {.name = "--aovs",
-         .group = kPicture,
          .value = value_of("NAME,...", read_aovs,
-                           [](RenderRequest& r, const AovSet& aovs) { r.settings.aovs = aovs; }),
+                           [](auto& r, const auto& aovs) { r.settings.aovs = aovs; }),
          .help = "AOVs, as EXR layers: " + aov_names(),
          .needs = {needs_photon_mapping()}},
         {.name = "--light-group",
-         .group = kPicture,
          .value = {.form = "NAME=LIGHTS|each",
                    .repeats = true,
                    .read = [](RenderRequest& r, const std::string& text,
@@ -61,14 +50,12 @@ std::vector<RenderFlag> light_flags() {
                    refused_by_paper("the sampler paper sums the light of all lights in one",
                                     "use another sampler")}},
         {.name = "--extrapolate",
-         .group = kPicture,
-         .value = one_of({{"off"},
-                          {"on",
-                           "subtract the bias of the gather discs, as it shows in how light "
-                           "falls with their radius; pictures have 2 to 3.5 times the noise"}},
-                         [](RenderRequest& r, const std::string& name) {
-                             r.stop.error_terms.extrapolated = name == "on";
-                         }),
+         .value = one_of(
+             {{"off"},
+              {"on",
+               "subtract the bias of the gather discs, as it shows in how light "
+               "falls with their radius; pictures have 2 to 3.5 times the noise"}},
+             [](auto& r, const auto& name) { r.stop.error_terms.extrapolated = name == "on"; }),
          .help = "Bias of the picture",
          .standard = "off",
          .needs = {needs_photon_mapping(), refused_by_paper(kIndependentPasses, kOtherSampler)}},
@@ -80,46 +67,38 @@ std::vector<RenderFlag> light_flags() {
 std::vector<RenderFlag> end_flags() {
     return {
         {.name = "--target-error",
-         .group = kEnd,
          .value = value_of("X%", read_share,
-                           [](RenderRequest& r, double error) { r.stop.target_error = error; }),
+                           [](auto& r, const auto& error) { r.stop.target_error = error; }),
          .help = "End when the noise of 95% of the blocks and the bias together come to this "
                  "relative error",
          .standard = "2%, or after 10m, where no end is given",
          .needs = {refused_by_paper("the sampler paper has no error bars",
                                     "use --passes or --time")}},
         {.name = "--target-error-of",
-         .group = kEnd,
-         .value = one_of({{"all", "noise, and the bias of the gather discs"}, {"noise"}},
-                         [](RenderRequest& r, const std::string& name) {
-                             r.stop.error_terms.bias = name == "all";
-                         }),
+         .value =
+             one_of({{"all", "noise, and the bias of the gather discs"}, {"noise"}},
+                    [](auto& r, const auto& name) { r.stop.error_terms.bias = name == "all"; }),
          .help = "What --target-error counts",
          .standard = "all",
          .needs = {needs_photon_mapping(), refused_by_paper(kIndependentPasses, kOtherSampler)}},
         {.name = "--time",
-         .group = kEnd,
          .value = value_of("TIME", read_duration,
-                           [](RenderRequest& r, double seconds) { r.stop.seconds = seconds; }),
+                           [](auto& r, const auto& seconds) { r.stop.seconds = seconds; }),
          .help = "End after this time of rendering: 60s, 5m, 2h. Reading the scene does not "
                  "count; all rendering before --resume does"},
         {.name = "--cpu-time",
-         .group = kEnd,
          .value = value_of("TIME", read_duration,
-                           [](RenderRequest& r, double seconds) { r.stop.cpu_seconds = seconds; }),
+                           [](auto& r, const auto& seconds) { r.stop.cpu_seconds = seconds; }),
          .help = "The same of processor time, all threads together: for comparisons"},
         {.name = "--passes",
          .alias = "--spp",
-         .group = kEnd,
-         .value = whole(1, 1 << 30,
-                        [](RenderRequest& r, std::int64_t n) {
-                            r.stop.end_pass = static_cast<std::uint32_t>(n);
-                        }),
+         .value =
+             whole(1, 1 << 30,
+                   [](auto& r, const auto& n) { r.stop.end_pass = static_cast<std::uint32_t>(n); }),
          .help = "End after this many passes"},
         {.name = "--pass-range",
-         .group = kEnd,
          .value = value_of("A:B", read_pass_range,
-                           [](RenderRequest& r, const std::array<std::uint32_t, 2>& range) {
+                           [](auto& r, const auto& range) {
                                r.stop.first_pass = range[0];
                                r.stop.end_pass = range[1];
                            }),
@@ -139,19 +118,15 @@ std::vector<RenderFlag> picture_flags() {
 std::vector<RenderFlag> transport_flags() {
     return {
         {.name = "--max-depth",
-         .group = kTransport,
-         .value = whole(
-             1, 10000, [](RenderRequest& r, std::int64_t n) { r.max_depth = static_cast<int>(n); }),
+         .value =
+             whole(1, 10000, [](auto& r, const auto& n) { r.max_depth = static_cast<int>(n); }),
          .help = "Scattering events on a path, camera and light subpaths together",
          .standard = "the scene's, or 64"},
         {.name = "--energy-compensation",
-         .group = kTransport,
-         .value =
-             one_of({{"off"},
-                     {"on", "rough metals and glass give back what is lost between their facets"}},
-                    [](RenderRequest& r, const std::string& name) {
-                        r.settings.energy_compensation = name == "on";
-                    }),
+         .value = one_of(
+             {{"off"},
+              {"on", "rough metals and glass give back what is lost between their facets"}},
+             [](auto& r, const auto& name) { r.settings.energy_compensation = name == "on"; }),
          .help = "Multiple scattering between microfacets",
          .standard = "off"},
     };
@@ -160,16 +135,14 @@ std::vector<RenderFlag> transport_flags() {
 std::vector<RenderFlag> run_flags() {
     return {
         {.name = "--seed",
-         .group = kRun,
-         .value = value_of("N", read_seed,
-                           [](RenderRequest& r, std::uint64_t seed) { r.settings.seed = seed; }),
+         .value =
+             value_of("N", read_seed, [](auto& r, const auto& seed) { r.settings.seed = seed; }),
          .help = "Random seed",
          .standard = "0"},
         {.name = "--isa",
-         .group = kRun,
          .value = one_of({{"avx2", "the same bytes on every such machine"},
                           {"native", "all that this machine has; bytes may differ"}},
-                         [](RenderRequest& r, const std::string& name) { r.isa = name; }),
+                         [](auto& r, const auto& name) { r.isa = name; }),
          .help = "Instructions that rays are traced by",
          .standard = "avx2"},
     };

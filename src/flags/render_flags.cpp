@@ -2,10 +2,8 @@
 #include "flags/render_flags.h"
 
 #include "core/error.h"
-#include "flags/method_flags.h"
-#include "flags/picture_flags.h"
+#include "flags/flag_tables.h"
 #include "flags/renamed_flags.h"
-#include "flags/sampler_flags.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,12 +13,22 @@
 namespace sunfleck {
 namespace {
 
-std::vector<RenderFlag> joined_rows() {
-    std::vector<RenderFlag> rows;
-    for (const auto& some : {end_flags(), picture_flags(), transport_flags(), method_flags(),
-                             adaptive_flags(), paper_flags(), run_flags()})
-        rows.insert(rows.end(), some.begin(), some.end());
-    return rows;
+std::vector<RenderFlag> joined_tables() {
+    std::vector<RenderFlag> all;
+    const auto add = [&](const char* group, std::vector<RenderFlag> flags) {
+        for (RenderFlag& flag : flags) {
+            flag.group = group;
+            all.push_back(std::move(flag));
+        }
+    };
+    add("When the render ends", end_flags());
+    add("Picture", picture_flags());
+    add("Light transport", transport_flags());
+    add("Method", method_flags());
+    add("Parts of the sampler adaptive", adaptive_flags());
+    add("Parts of the sampler paper", paper_flags());
+    add("Run", run_flags());
+    return all;
 }
 
 /// "--light_group", "light-group" and the like, as flags are written.
@@ -54,8 +62,8 @@ void set_default_ends(RenderRequest& request) {
 }  // namespace
 
 const std::vector<RenderFlag>& render_flags() {
-    static const std::vector<RenderFlag> rows = joined_rows();
-    return rows;
+    static const std::vector<RenderFlag> all = joined_tables();
+    return all;
 }
 
 const RenderFlag& render_flag(const std::string& name) {

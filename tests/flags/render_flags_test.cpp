@@ -64,6 +64,14 @@ TEST(RenderFlags, have_names_of_their_own_and_help) {
     EXPECT_GT(names.size(), 30U);
 }
 
+TEST(RenderFlags, switch_each_part_of_the_sampler_adaptive_off) {
+    for (const AdaptivePart& part : kAdaptiveParts) {
+        EXPECT_TRUE(request_of({}).settings.photon.*part.is_on) << part.name;
+        const RenderRequest off = request_of({{std::string(part.name), "off"}});
+        EXPECT_FALSE(off.settings.photon.*part.is_on) << part.name;
+    }
+}
+
 TEST(RenderFlags, need_what_other_flags_can_say) {
     for (const RenderFlag& flag : render_flags())
         for (const FlagNeed& need : flag.needs) {
