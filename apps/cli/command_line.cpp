@@ -4,12 +4,12 @@
 #include "apps/cli/experiment_options.h"
 #include "apps/cli/flag_rows.h"
 #include "apps/cli/render_options.h"
-#include "core/error.h"
 #include "flags/renamed_flags.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// An output that may be repeated.
@@ -175,4 +175,4 @@ std::optional<Options> read_options(int count, const char* const* words) {
     return line.finish(count, words);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,14 +1,14 @@
 // Rows of flags for CLI11: each flag is read by a function of its text, into its place.
 #pragma once
 
-#include "core/error.h"
 #include "flags/render_flags.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A flag of renders, which `flags` takes. Any command may have it.
 inline void add_flag(CLI::App& app, const RenderFlag& row, RenderFlags& flags) {
@@ -55,4 +55,4 @@ inline std::string read_name(const std::string& text, const std::string& flag) {
     return text;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

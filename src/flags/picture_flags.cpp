@@ -1,7 +1,7 @@
 // The rows of the flags of every way of rendering.
 #include "flags/flag_tables.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const char* const kIndependentPasses = "needs passes that do not build on one another";
@@ -148,4 +148,4 @@ std::vector<RenderFlag> run_flags() {
     };
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

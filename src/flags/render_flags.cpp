@@ -1,16 +1,16 @@
 // Flags of a render: looked up, checked against one another, read into the request.
 #include "flags/render_flags.h"
 
-#include "core/error.h"
 #include "flags/flag_tables.h"
 #include "flags/renamed_flags.h"
+#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::vector<RenderFlag> joined_tables() {
@@ -117,4 +117,4 @@ RenderRequest RenderFlags::finish() const {
     return request;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // The rows of the flags of single samplers.
 #include "flags/flag_tables.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Only this sampler has a use for the flag.
@@ -118,4 +118,4 @@ std::vector<RenderFlag> paper_flags() {
     };
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine
