@@ -2,10 +2,9 @@
 #include "apps/cli/command_line.h"
 
 #include "apps/cli/experiment_options.h"
-#include "apps/cli/number_check.h"
-#include "apps/cli/renamed_flags.h"
+#include "apps/cli/flag_rows.h"
 #include "apps/cli/render_options.h"
-#include "apps/cli/values.h"
+#include "flags/renamed_flags.h"
 #include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
@@ -13,49 +12,57 @@
 namespace sunfleck::engine {
 namespace {
 
-void add_merge(CLI::App& app, MergeOptions& o, ErrorTexts& t) {
-    app.add_option("FILES", o.inputs, ".film files")->required();
-    app.add_option("-o,--output", o.outputs, ".exr, .png, .film; may be repeated")
+/// An output that may be repeated.
+void add_outputs(CLI::App& app, std::vector<std::string>& outputs, const char* formats) {
+    app.add_option("-o,--output", outputs,
+                   "Output file: " + std::string(formats) + "; may be repeated")
+        ->type_name("FILE")
         ->allow_extra_args(false)
         ->required();
-    app.add_option("--exposure", o.exposure, "Stops for PNG (default 0)")
-        ->check(between(-100, 100));
-    add_extrapolate_flag(app, t);
-    app.add_option("--stats", o.stats, "Write statistics as JSON");
 }
 
-void add_relight(CLI::App& app, RelightOptions& o, std::vector<std::string>& factors) {
-    app.add_option("PICTURE", o.picture, "EXR picture rendered with --light-group")->required();
-    app.add_option("FACTORS", factors,
-                   "Factor of a light group: NAME=0.5, or per channel: NAME=1,0.8,0.6")
+void add_merge(CLI::App& app, MergeOptions& o, RenderFlags& flags) {
+    app.add_option("FILES", o.inputs, ".film files")->required()->type_name("FILE");
+    add_outputs(app, o.outputs, ".exr, .png, .film");
+    for (const char* name : {"--exposure", "--extrapolate"})
+        add_flag(app, render_flag(name), flags);
+    app.add_option("--stats", o.stats, "Write statistics as JSON")->type_name("FILE");
+}
+
+void add_relight(CLI::App& app, RelightOptions& o, RenderFlags& flags) {
+    app.add_option("PICTURE", o.picture, "EXR picture rendered with --light-group")
+        ->required()
+        ->type_name("FILE");
+    add_values(app, "FACTORS", "NAME=FACTOR", o.factors, read_factor,
+               "Factor of a light group: NAME=0.5, or per channel: NAME=1,0.8,0.6")
         ->required();
-    app.add_option("-o,--output", o.outputs, ".exr, .png; may be repeated")
-        ->allow_extra_args(false)
-        ->required();
-    app.add_option("--exposure", o.exposure, "Stops for PNG (default 0)")
-        ->check(between(-100, 100));
+    add_outputs(app, o.outputs, ".exr, .png");
+    add_flag(app, render_flag("--exposure"), flags);
 }
 
 void add_compare(CLI::App& app, CompareOptions& o) {
-    app.add_option("REF", o.reference, "The reference: a picture, [LABEL=]FILE")->required();
+    app.add_option("REF", o.reference, "The reference: a picture, [LABEL=]FILE")
+        ->required()
+        ->type_name("FILE");
     app.add_option("PICTURES", o.inputs,
                    "Pictures, [LABEL=]FILE, or folders of snapshots, [LABEL=]FOLDER")
-        ->required();
-    app.add_option("--report", o.report,
-                   "Write a page to look at: one .html that needs no network");
-    app.add_option("--json", o.json, "Write the numbers as JSON");
+        ->required()
+        ->type_name("FILE");
+    app.add_option("--report", o.report, "Write a page to look at: one .html that needs no network")
+        ->type_name("FILE");
+    app.add_option("--json", o.json, "Write the numbers as JSON")->type_name("FILE");
 }
 
 void add_info(CLI::App& app, InfoOptions& o) {
-    auto* const scene = app.add_option("SCENE", o.scene, "Scene file");
+    auto* const scene = app.add_option("SCENE", o.scene, "Scene file")->type_name("FILE");
     app.add_flag("--lights", o.lights, "Also each light, by its number")->needs(scene);
     app.add_flag("--words", o.words, "Instead: all words of the language, as Markdown")
         ->excludes(scene);
 }
 
 void add_scene(CLI::App& app, SceneOptions& o) {
-    app.add_option("NAME", o.name, "Its name");
-    app.add_option("-o,--output", o.folder, "Folder to write to (default .)");
+    app.add_option("NAME", o.name, "Its name")->type_name("NAME");
+    app.add_option("-o,--output", o.folder, "Folder to write to (default .)")->type_name("FOLDER");
     app.add_flag("--force", o.force, "Replace files there that differ");
 }
 
@@ -65,13 +72,13 @@ public:
     CommandLine() {
         app_.set_version_flag("--version", "sunfleck " SUNFLECK_VERSION);
         app_.require_subcommand(1);
-        add_render_flags(*render_app_, render_, render_texts_);
+        add_render_flags(*render_app_, render_, flags_);
         add_info(*info_app_, info_);
         add_scene(*scene_app_, scene_);
-        add_merge(*merge_app_, merge_, merge_texts_);
-        add_relight(*relight_app_, relight_, factors_);
+        add_merge(*merge_app_, merge_, flags_);
+        add_relight(*relight_app_, relight_, flags_);
         add_compare(*compare_app_, compare_);
-        add_experiment_flags(*experiment_app_, experiment_, experiment_texts_);
+        add_experiment_flags(*experiment_app_, experiment_);
     }
 
     /// @return false where help or the version was asked for, and has been printed.
@@ -103,7 +110,7 @@ public:
     Options finish(int count, const char* const* words) {
         Options options;
         if (render_app_->parsed()) {
-            finish_render(*render_app_, render_texts_, render_);
+            finish_render(*render_app_, flags_, render_);
             for (int i = 1; i < count; ++i)
                 render_.command += std::string(i > 1 ? " " : "") + words[i];
             options.render = render_;
@@ -115,14 +122,15 @@ public:
         } else if (scene_app_->parsed()) {
             options.scene = scene_;
         } else if (merge_app_->parsed()) {
-            merge_.extrapolate = merge_texts_.extrapolate == "on";
+            const RenderRequest request = flags_.finish();
+            merge_.exposure = request.exposure;
+            merge_.extrapolate = request.stop.error_terms.extrapolated;
             options.merge = merge_;
         } else if (relight_app_->parsed()) {
-            for (const std::string& factor : factors_)
-                relight_.factors.push_back(read_factor(factor));
+            relight_.exposure = flags_.finish().exposure;
             options.relight = relight_;
         } else if (experiment_app_->parsed()) {
-            finish_experiment(experiment_texts_, experiment_);
+            check_experiment(*experiment_app_);
             options.experiment = experiment_;
         } else {
             options.compare = compare_;
@@ -150,16 +158,13 @@ private:
     CLI::App* experiment_app_ = app_.add_subcommand(
         "experiment", "Make the paper's figures and tables; without NAMES, list them");
     RenderOptions render_;
-    RenderTexts render_texts_;
+    RenderFlags flags_;  // of the command that is given: render, merge or relight
     InfoOptions info_;
     SceneOptions scene_;
     MergeOptions merge_;
-    ErrorTexts merge_texts_;
     RelightOptions relight_;
-    std::vector<std::string> factors_;
     CompareOptions compare_;
     ExperimentOptions experiment_;
-    ExperimentTexts experiment_texts_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "apps/cli/checkpoints.h"
 #include "apps/cli/options.h"
+#include "ranks/ranks.h"
 #include "render/render_job.h"
 
 #include <memory>

@@ -1,5 +1,5 @@
 // Reading --light-group, and finding the lights that it means.
-#include "apps/cli/light_groups.h"
+#include "flags/light_groups.h"
 
 #include "aovs/channels.h"
 #include "scene/scene.h"
@@ -85,21 +85,13 @@ std::vector<std::uint8_t> groups_of_statements(const std::vector<AskedLightGroup
 
 }  // namespace
 
-std::vector<AskedLightGroup> read_light_groups(const std::vector<std::string>& texts,
-                                               PhotonSampler sampler) {
-    if (!texts.empty() && sampler == PhotonSampler::paper)
-        throw Error({kFlag}, "the sampler paper sums the light of all lights in one",
-                    "use another sampler");
-    if (texts.size() == 1 && texts[0] == "each") return {{}};
-    std::vector<AskedLightGroup> groups;
-    for (const std::string& text : texts) {
-        if (text == "each")
-            throw Error({kFlag}, "each is given together with named groups", "give either");
-        AskedLightGroup group = read_group(text);
-        check_name(group.name, groups);
-        groups.push_back(std::move(group));
-    }
-    return groups;
+void add_light_group(const std::string& text, std::vector<AskedLightGroup>& groups) {
+    const bool is_each = text == "each";
+    if (!groups.empty() && (is_each || groups.front().name.empty()))
+        throw Error({kFlag}, "each is given together with other groups", "give either");
+    AskedLightGroup group = is_each ? AskedLightGroup() : read_group(text);
+    if (!is_each) check_name(group.name, groups);
+    groups.push_back(std::move(group));
 }
 
 LightGroups light_groups_of(const Scene& scene, const std::vector<AskedLightGroup>& asked) {

@@ -1,7 +1,10 @@
 // Values of flags that are more than a number: durations, shares, sizes, rectangles, ranges.
-#include "apps/cli/values.h"
+#include "flags/values.h"
 
 #include "sunfleck/error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
@@ -79,6 +82,24 @@ double read_positive(const std::string& text, const std::string& flag, int most)
                 "write such a number");
 }
 
+double read_number(const std::string& text, const std::string& flag, double low, double high) {
+    std::string rest;
+    const double value = leading_number(text, rest);
+    if (rest.empty() && value >= low && value <= high) return value;
+    throw Error({flag}, fmt::format("\"{}\" is no number from {} to {}", text, low, high),
+                "write such a number");
+}
+
+std::int64_t read_whole(const std::string& text, const std::string& flag, std::int64_t low,
+                        std::int64_t high) {
+    std::int64_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, fault] = std::from_chars(text.data(), end, value);
+    if (fault == std::errc() && stop == end && value >= low && value <= high) return value;
+    throw Error({flag}, fmt::format("\"{}\" is no whole number from {} to {}", text, low, high),
+                "write such a number");
+}
+
 std::uint64_t read_seed(const std::string& text, const std::string& flag) {
     std::uint64_t seed = 0;
     const char* const end = text.data() + text.size();
@@ -97,7 +118,7 @@ Vec2i read_size(const std::string& text, const std::string& flag) {
     return {v[0], v[1]};
 }
 
-LightGroupFactor read_factor(const std::string& text) {
+LightGroupFactor read_factor(const std::string& text, const std::string& flag) {
     const std::size_t equals = std::min(text.find('='), text.size());
     std::vector<float> factors;
     std::string rest = text.substr(equals);
@@ -110,7 +131,7 @@ LightGroupFactor read_factor(const std::string& text) {
     }
     if (!are_right || equals == 0 || (factors.size() != 1 && factors.size() != 3))
         throw Error(
-            {"sunfleck relight"}, "\"" + text + "\" is no factor of a light group",
+            {flag}, "\"" + text + "\" is no factor of a light group",
             "write NAME=FACTOR, for example sun=0.3, or NAME=R,G,B; numbers from 0 to 1000000");
     factors.resize(3, factors[0]);
     return {text.substr(0, equals), Vec3(factors[0], factors[1], factors[2])};
@@ -139,11 +160,15 @@ std::array<double, 4> read_crop_window(const std::string& text, const std::strin
     return window;
 }
 
+std::string aov_names() {
+    std::vector<std::string_view> names;
+    for (const AovRow& row : kAovs)
+        if (!row.name.empty()) names.push_back(row.name);
+    return fmt::format("{}", fmt::join(names, ","));
+}
+
 AovSet read_aovs(const std::string& text, const std::string& flag) {
     AovSet set{};
-    std::string known;
-    for (const AovRow& row : kAovs)
-        if (!row.name.empty()) known += (known.empty() ? "" : ", ") + std::string(row.name);
     std::size_t begin = 0;
     while (begin < text.size()) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -154,13 +179,14 @@ AovSet read_aovs(const std::string& text, const std::string& flag) {
             set[static_cast<std::size_t>(row.aov)] = true;
             found = true;
         }
-        if (!found) throw Error({flag}, "unknown AOV \"" + word + "\"", "use some of " + known);
+        if (!found)
+            throw Error({flag}, "unknown AOV \"" + word + "\"", "use some of " + aov_names());
         begin = end + 1;
     }
     return set;
 }
 
-void read_pass_range(const std::string& text, const std::string& flag, StopSettings& stop) {
+std::array<std::uint32_t, 2> read_pass_range(const std::string& text, const std::string& flag) {
     unsigned long first = 0;
     unsigned long end = 0;
     int used = 0;
@@ -170,8 +196,7 @@ void read_pass_range(const std::string& text, const std::string& flag, StopSetti
         end > (1UL << 30U))
         throw Error({flag}, "\"" + text + "\" is no range of passes",
                     "write a:b with a < b, such as 0:64");
-    stop.first_pass = static_cast<std::uint32_t>(first);
-    stop.end_pass = static_cast<std::uint32_t>(end);
+    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)};
 }
 
 }  // namespace sunfleck::engine

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "aovs/light_groups.h"
-#include "photon/settings.h"
 
 #include <cstdint>
 #include <string>
@@ -22,10 +21,9 @@ struct AskedLightGroup {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;  // of numbers, first to last
 };
 
-/// NAME=1,3-5, or each. Names begin with a letter and go on with letters, digits, _ and -.
-/// @throws Error for what is neither, for names that are taken, and for the sampler paper.
-std::vector<AskedLightGroup> read_light_groups(const std::vector<std::string>& texts,
-                                               PhotonSampler sampler);
+/// Adds NAME=1,3-5, or each. Names begin with a letter and go on with letters, digits, _ and -.
+/// @throws Error for what is neither, for names that are taken, and for each beside others.
+void add_light_group(const std::string& text, std::vector<AskedLightGroup>& groups);
 
 /// @throws Error for lights that the scene does not have or that are asked for twice, and for more
 ///         groups than there may be.
