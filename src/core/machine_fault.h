@@ -1,4 +1,4 @@
-// Faults of the machine: no room, no memory, no thread. The user's words are right; exit code 1.
+// MachineFault: the machine failed (disk full, no memory, no thread), not the input. Exit code 1.
 #pragma once
 
 #include "core/error.h"
@@ -8,7 +8,7 @@ namespace sunfleck {
 class MachineFault : public Error {
 public:
     using Error::Error;
-    /// An error that input which has been checked cannot be the cause of.
+    /// Converts an Error that checked input cannot have caused.
     explicit MachineFault(const Error& error) : Error(error) {}
 };
 

@@ -125,7 +125,7 @@ TEST_F(Merge, files_that_are_no_films_are_named) {
     std::filesystem::remove(path("b.film"));
     expect_refused({"there is no file"});
     write_text(path("B.film"), "");
-    expect_refused({"B.film", "capital letters"});
+    expect_refused({"B.film", "upper and lower case"});
     std::filesystem::create_directory(path("b.film"));
     expect_refused({"is a folder"});
 }
