@@ -42,8 +42,7 @@ Coat::Coat(float eta, const std::optional<Ggx>& facets, float thickness)
         for (int i = 0; i <= kCells; ++i)
             table_.at(static_cast<std::size_t>(i)) =
                 passed_rough(std::max(1e-3F, static_cast<float>(i) / kCells));
-    const int angles =
-        facets_ ? 64 : 2048;  // a smooth boundary has a discontinuity at the critical angle
+    const int angles = facets_ ? 64 : 2048;  // discontinuous if smooth
     mean_entering_ = mean_over_angles(angles, [&](float c) { return entering(c); });
     returning_ = mean_over_angles(
         angles, [&](float c) { return facets_ ? returned_rough(c) : returned_smooth(c); });

@@ -50,8 +50,7 @@ private:
     static constexpr std::size_t kWidths = 24;   // cells for alpha in [0,1]
     static constexpr std::size_t kCosines = 32;  // cells
     static constexpr std::size_t kIndices = 28;  // cells; an even number
-    static constexpr float kRoot =
-        0.78F;  // square root of the largest Fresnel amplitude: index 4.1
+    static constexpr float kRoot = 0.78F;        // sqrt of the largest amplitude: index 4.1
 
     /// A cell of a table, and the offset from its start in cells.
     struct Place {

@@ -28,9 +28,8 @@ double filter_value(const FilterSettings& filter, const Vec2d& offset);
 double filter_integral(const FilterSettings& filter);
 
 struct FilterSample {
-    Vec2d offset;  // from the centre of the pixel, in pixels
-    float weight =
-        1;  // f / (pdf * integral of f): one, or positive or negative for mitchell and sinc
+    Vec2d offset;      // from the centre of the pixel, in pixels
+    float weight = 1;  // f / (pdf * integral of f); either sign for mitchell and sinc
 };
 
 /// Samples offsets by inversion of the CDF, axis by axis, since all five filters are products. Box

@@ -47,8 +47,7 @@ std::optional<Sight> Projection::sight_of(const Vec3d& point, const Vec2d& lens)
                                                         from.y / c->focal_distance + along.y)
                                                 : Vec2d(along.x, along.y);
         const double length = turn(c->camera_to_world, along).length();
-        const double solid_angle =
-            volume_ / (length * length * length);  // of a unit area at the point
+        const double solid_angle = volume_ / (length * length * length);  // of unit area there
         const double distance = length * p.z;
         return Sight{film_point(*c, screen), from * c->camera_to_world,
                      pixels_by_area(*c) / (solid_angle * distance * distance)};

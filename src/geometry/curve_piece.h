@@ -30,8 +30,7 @@ Bezier part_of(const Bezier& curve, double from, double to);
 struct CurveMeeting {
     double t = 0;
     double u = 0;
-    double across =
-        0;  // signed distance from the curve along +v; for a tube, as seen along the line
+    double across = 0;  // signed distance from the curve along +v; of a tube, seen along the line
 };
 
 struct CurvePiece {

@@ -31,8 +31,7 @@ struct LocalSurface {
     Vec2 uv = Vec2(0);         // as in pbrt-v4
     /// dp/dv; zero if unknown, and bump mapping then uses the normal times dp/du.
     Vec3d cotangent = Vec3d(0);
-    Vec3d given_normal =
-        Vec3d(0);  // from the file, any length; zero if none. It selects the outside
+    Vec3d given_normal = Vec3d(0);  // from the file, or zero; selects the outside
     /// Extra distance from the position at which rays must start so that they do not hit the
     /// surface again, besides rounding; zero unless the surface turns to face the ray.
     double clearance = 0;

@@ -26,7 +26,7 @@ struct Encoding {
     float decode(float value) const;
 
     friend bool operator==(const Encoding&, const Encoding&) = default;
-    // The compiler-generated code triggers the check.
+    // NOLINTNEXTLINE(modernize-use-nullptr): seen in code that the compiler writes
     friend auto operator<=>(const Encoding&, const Encoding&) = default;
 };
 

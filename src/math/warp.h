@@ -116,8 +116,7 @@ inline Vec2d triangle_to_square(const Vec2d& weight) {
 /// @param axis  unit vector.
 inline Vec3d rotate_z_to(const Vec3d& axis, const Vec3d& local) {
     const double flat2 = axis.x * axis.x + axis.y * axis.y;
-    const double above =
-        axis.z > 0 ? 1 + axis.z : flat2 / (1 - axis.z);  // 1 + z without cancellation
+    const double above = axis.z > 0 ? 1 + axis.z : flat2 / (1 - axis.z);  // 1 + z, accurate
     if (!(above > 0)) return {local.x, -local.y, -local.z};
     const double flat = axis.x * local.x + axis.y * local.y;
     const double along = local.z - flat / above;

@@ -48,8 +48,7 @@ struct Subpass {
 /// One of the camera paths of a pixel in a subpass.
 struct PathOfPixel {
     std::uint32_t number = 0;
-    std::uint32_t log2_samples =
-        0;  // the pixel has 2^log2_samples paths, the same in all subpasses of a batch
+    std::uint32_t log2_samples = 0;  // paths of the pixel, the same in all subpasses of a batch
     Subpass subpass = {};
 
     std::uint32_t count() const { return 1U << log2_samples; }
