@@ -110,10 +110,10 @@ TEST_F(Merge, damaged_parts) {
     part("a.film", "0:2");
     std::string bytes = read_text(path("a.film"));
     write_text(path("b.film"), bytes.substr(0, bytes.size() - 8));
-    expect_refused({"cut or damaged"});
+    expect_refused({"truncated or damaged"});
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     write_text(path("b.film"), bytes);
-    expect_refused({"cut or damaged"});
+    expect_refused({"truncated or damaged"});
 }
 
 TEST_F(Merge, files_that_are_no_films_are_named) {
