@@ -1,4 +1,4 @@
-// The AOVs of light and features that a pass measures for each pixel: one row each.
+// The table of AOVs that a pass measures per pixel.
 #pragma once
 
 #include <array>
@@ -9,21 +9,21 @@ namespace sunfleck::engine {
 
 enum class Aov : std::size_t {
     total,     // all light, radiance
-    direct,    // light that comes straight from an emitter to what is seen
-    caustic,   // light from an emitter by way of smooth glass or metal alone
-    indirect,  // light that has met a rough surface before
-    emission,  // emitters seen by themselves, through glass or in mirrors
-    albedo,    // share of white light reflected by the first surface
-    normal,    // shading normal of the first surface, world frame
+    direct,    // emitter to visible surface without scattering in between
+    caustic,   // from an emitter by specular surfaces alone
+    indirect,  // scattered by a rough surface before
+    emission,  // emitters seen directly, through glass or in mirrors
+    albedo,    // reflectance of the first surface in white light
+    normal,    // shading normal of the first surface, in the world
     depth,     // distance to the first surface along the ray; 0 for none
-    samples,   // photons gathered, a pass, each pass as often as it counts; a state of the paper's
-               // chain as often as it stood
+    samples,   // photons gathered per pass, weighted like the pass; states of the paper's chain
+               // count with their repeats
     count
 };
 
 struct AovRow {
     Aov aov;
-    std::string_view name;      // as the user writes it and as EXR channels begin
+    std::string_view name;      // in flags, and as prefix of EXR channels
     std::string_view channels;  // one letter each, at most three
 };
 
@@ -41,7 +41,7 @@ inline constexpr std::array<AovRow, kAovCount> kAovs = {{
     {Aov::samples, "samples", "N"},
 }};
 
-/// Can a light group be called so? A letter, then letters, digits, _ and -.
+/// Returns whether a light group may have this name: a letter, then letters, digits, _ and -.
 constexpr bool is_aov_name(std::string_view name) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     if (name.empty() || !is_letter(name[0])) return false;
@@ -50,7 +50,7 @@ constexpr bool is_aov_name(std::string_view name) {
     return true;
 }
 
-/// Is there another AOV of that name in each picture?
+/// Returns whether every picture has another AOV of that name.
 constexpr bool is_taken_aov_name(std::string_view name) {
     for (const AovRow& row : kAovs)
         if (row.name == name) return true;

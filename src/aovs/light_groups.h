@@ -1,6 +1,6 @@
-// Light groups: outputs of a picture that hold the light of some of the scene's lights alone, so
-// that lamps can be dimmed after the render. A light is in at most one of them; emission, direct
-// light and photons count alike.
+// Light groups: AOVs that hold the light of some lights alone, for mixing after the render.
+//
+// A light is in at most one group. Emission, direct light and photons count alike.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ inline constexpr std::uint8_t kNoLightGroup = 0xFF;
 
 struct LightGroups {
     std::vector<std::string> names;      // by group, at most kMostLightGroups
-    std::string text;                    // which lights, as a user wrote it
-    std::vector<std::uint8_t> of_light;  // by light of the scene: its group; empty: all in none
+    std::string text;                    // the lights, as the user wrote them
+    std::vector<std::uint8_t> of_light;  // group of each light; empty if no light has one
 
     std::uint8_t of(std::size_t light) const {
         return of_light.empty() ? kNoLightGroup : of_light[light];

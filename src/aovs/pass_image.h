@@ -1,11 +1,11 @@
-// What one pass adds to each pixel: exact sums that many threads fill at once.
+// PassImage: the contribution of one pass to each pixel, in exact sums that many threads fill.
 //
 // Terms are pixel values of this pass alone (radiance in linear sRGB, or a feature), already
-// divided by the number of photon paths; the film's picture is the mean over passes, and a pass
+// divided by the number of photon paths. The film's picture is the mean over passes, and a pass is
 // the mean over its subpasses.
 //
-// What camera paths bring can be kept apart: the rest was brought by photons, gathered from discs,
-// and alone carries the bias of the disc's radius.
+// Light of camera paths can be stored apart. The rest is gathered from photons, and it alone has
+// the bias of the gather radius.
 #pragma once
 
 #include "aovs/channels.h"
@@ -21,15 +21,16 @@
 
 namespace sunfleck::engine {
 
-/// Which AOVs are measured; the total always is.
+/// The measured AOVs; the total always is one.
 using AovSet = std::array<bool, kAovCount>;
 
 class PassImage {
 public:
     using Pixel = std::array<AtomicFixedPoint, 3>;
 
-    /// @param photons_apart  by_photons() will be asked for. @param light_groups  how many.
-    /// @param subpasses  of the pass, each of which adds all its light: the image is their mean.
+    /// @param photons_apart  true if by_photons() will be called.
+    /// @param light_groups  their count.
+    /// @param subpasses  of the pass; each adds all its light, and the image is their mean.
     PassImage(std::size_t pixels, const AovSet& wanted, bool photons_apart = false,
               std::size_t light_groups = 0, std::uint32_t subpasses = 1)
         : pixels_(pixels), share_(1 / static_cast<double>(subpasses)) {
@@ -44,8 +45,8 @@ public:
     bool photons_apart() const { return !eye_.empty(); }
     std::size_t light_groups() const { return lights_.size(); }
 
-    /// Adds to the total and, if measured, to the AOV that owns this light. A value that is not
-    /// finite is dropped and counted; one beyond kLargestTerm is cut there and counted.
+    /// Adds to the total and, if measured, to the AOV of this light. A value that is not finite is
+    /// dropped and counted; one beyond kLargestTerm is clamped and counted.
     void add_light(std::size_t pixel, const Vec3& rgb, Aov owner) {
         if (!is_finite(rgb)) return;
         add(aovs_[0][pixel], rgb);
@@ -53,22 +54,22 @@ public:
             add(aovs_[static_cast<std::size_t>(owner)][pixel], rgb);
     }
 
-    /// add_light() of what no disc has brought.
+    /// Calls add_light() for light of a camera path, not gathered from photons.
     void add_camera_light(std::size_t pixel, const Vec3& rgb, Aov owner) {
         add_light(pixel, rgb, owner);
         if (!photons_apart() || !finite(rgb)) return;
         for (unsigned c = 0; c < 3; ++c) eye_[pixel][c].add(term_of(rgb[static_cast<int>(c)]));
     }
 
-    /// Adds what add_light() has added already to the group of the light that it comes from: cut
-    /// and dropped alike, and not counted again. @param group  kNoLightGroup: nothing is added.
+    /// Adds a value that add_light() has added before to the group of its light; it is clamped or
+    /// dropped alike, and not counted again. @param group  kNoLightGroup adds nothing.
     void add_to_light_group(std::size_t pixel, const Vec3& rgb, std::uint8_t group) {
         if (group == kNoLightGroup || !finite(rgb)) return;
         for (unsigned c = 0; c < 3; ++c)
             lights_[group][pixel][c].add(term_of(rgb[static_cast<int>(c)]));
     }
 
-    /// add_light() of what is_addable(), with no other thread at this pixel.
+    /// Adds light that is_addable(), while no other thread uses this pixel.
     void add_alone(std::size_t pixel, const Vec3& rgb, Aov owner) {
         const std::array<FixedPoint, 3> terms{share_of(rgb.x), share_of(rgb.y), share_of(rgb.z)};
         add_alone(aovs_[0][pixel], terms);
@@ -76,10 +77,10 @@ public:
             add_alone(aovs_[static_cast<std::size_t>(owner)][pixel], terms);
     }
 
-    /// What add_light() will write first: to be called into the cache.
+    /// Returns the address that add_light() writes first, for prefetching.
     const void* place_of(std::size_t pixel) const { return &aovs_[0][pixel]; }
 
-    /// Would add_light() add all of it?
+    /// Returns whether add_light() would add the value unchanged.
     static bool is_addable(const Vec3& rgb) {
         const auto fits = [](float x) { return std::abs(static_cast<double>(x)) <= kLargestTerm; };
         return fits(rgb.x) && fits(rgb.y) && fits(rgb.z);
@@ -90,7 +91,7 @@ public:
         if (has(aov) && is_finite(value)) add(aovs_[static_cast<std::size_t>(aov)][pixel], value);
     }
 
-    /// Adds to one channel of one AOV alone: for light that was summed up elsewhere, as it is.
+    /// Adds an exact sum to one channel of one AOV alone.
     void add_term(Aov aov, std::size_t pixel, std::size_t channel, const FixedPoint& term) {
         aovs_[static_cast<std::size_t>(aov)][pixel].at(channel).add(term);
     }
@@ -103,7 +104,7 @@ public:
         return lights_[light_group][pixel][channel].value();
     }
 
-    /// Of the total, what camera paths have not brought. @param channel  of RGB.
+    /// Returns the total minus the light of camera paths. @param channel  of RGB.
     FixedPoint by_photons(std::size_t pixel, std::size_t channel) const {
         FixedPoint sum = aovs_[0][pixel][channel].value();
         sum += -eye_[pixel][channel].value();
@@ -125,7 +126,7 @@ private:
     FixedPoint share_of(double term) const { return FixedPoint::from_double(term * share_); }
     FixedPoint term_of(float x) const { return share_of(cut_term(double{x})); }
 
-    /// Counts what is not.
+    /// Returns whether a value is finite, and counts it if not.
     bool is_finite(const Vec3& v) {
         if (finite(v)) return true;
         counts_[kDropped].fetch_add(1, std::memory_order_relaxed);
@@ -148,7 +149,7 @@ private:
     }
 
     std::size_t pixels_;
-    double share_;  // of a subpass
+    double share_;  // weight of a subpass
     std::array<std::vector<Pixel>, kAovCount> aovs_;
     std::vector<Pixel> eye_;  // part of the total
     std::vector<std::vector<Pixel>> lights_;

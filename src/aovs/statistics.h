@@ -1,4 +1,4 @@
-// What a pass counts: integers, so that their sums are the same in any order.
+// Statistics: integer counts of a pass, whose sums do not depend on order.
 #pragma once
 
 #include <array>
@@ -13,20 +13,20 @@ enum class Count : std::size_t {
     photon_rays,        // rays of photon paths
     camera_paths,       // camera paths
     visible_points,     // visible points
-    uniform_paths,      // photon paths traced from uniform numbers
-    guided_paths,       // photon paths whose emission the guide chose
-    uniform_visible,    // uniform paths with a photon that a visible point takes
-    guided_visible,     // the same of mapped paths
+    uniform_paths,      // photon paths from uniform primary samples
+    guided_paths,       // photon paths whose emission was sampled by the guide
+    uniform_visible,    // uniform paths with an accepted photon
+    guided_visible,     // guided paths with an accepted photon
     mutated_paths,      // photon paths proposed by mutation
-    accepted_paths,     // of these, accepted
-    distinct_visible,   // different photon paths that brought light
-    visible_states,     // the same, repeats of a chain counted each
-    photons_stored,     // photons that at least one visible point took
-    deposits,           // photons times the visible points that took them
+    accepted_paths,     // accepted proposals
+    distinct_visible,   // different photon paths that contributed light
+    visible_states,     // the same, with each repeat of a chain
+    photons_stored,     // photons that a visible point accepted
+    deposits,           // photons times the visible points that accepted them
     escaped,            // photon paths that left the scene
-    too_long,           // photon paths cut at the greatest depth
+    too_long,           // photon paths that reached the maximum depth
     dropped_nonfinite,  // contributions that were not finite
-    saturated,          // contributions cut at the range of the exact sums
+    saturated,          // contributions clamped to the range of exact sums
     count
 };
 

@@ -1,23 +1,21 @@
-// Choices that camera paths, photon paths and reference integrators share: who brings which light,
-// and where it counts.
+// Settings of light transport that camera paths, photon paths and reference integrators share.
 #pragma once
 
 #include "aovs/light_groups.h"
 
 namespace sunfleck::engine {
 
-/// Who brings the light that comes straight from an emitter to a surface that gathers.
+/// Which estimator computes direct light at surfaces that gather.
 enum class DirectLight {
-    sampled,  // the camera path samples it; photons count from their second hit on
-    photons   // photons bring it too
+    sampled,  // next event estimation of camera paths; photons count from their second hit on
+    photons   // photons, from their first hit on
 };
 
 inline constexpr int kDefaultMaxDepth = 64;
 
 struct TransportSettings {
     DirectLight direct = DirectLight::sampled;
-    int max_depth =
-        kDefaultMaxDepth;  // scattering events on a whole path, camera and light together
+    int max_depth = kDefaultMaxDepth;  // scattering events of a path, camera and light together
     LightGroups light_groups{};
 };
 

@@ -1,12 +1,12 @@
-// What a coat lets through and sends back, by quadrature.
+// Transmission and internal reflection of a coat, by quadrature.
 #include "bsdf/coat.h"
 
 namespace sunfleck::engine {
 namespace {
 
-constexpr int kFacets = 24;  // each way, of those that a direction sees
+constexpr int kFacets = 24;  // per axis, of the facets visible from a direction
 
-/// Mean of f(cosine) over evenly spread light: the squared cosine is uniform.
+/// Returns the mean of f(cosine) over diffuse light, for which the squared cosine is uniform.
 template <class F>
 float mean_over_angles(int count, const F& f) {
     double sum = 0;
@@ -16,7 +16,7 @@ float mean_over_angles(int count, const F& f) {
     return static_cast<float>(sum / count);
 }
 
-/// Mean of f(normal) over the facets that a direction sees.
+/// Returns the mean of f(normal) over the facets visible from a direction.
 template <class F>
 float mean_over_facets(const Ggx& facets, const Vec3& w, const F& f) {
     double sum = 0;
@@ -28,7 +28,7 @@ float mean_over_facets(const Ggx& facets, const Vec3& w, const F& f) {
     return static_cast<float>(sum / (kFacets * kFacets));
 }
 
-/// A direction of that cosine, between the axes of facets that are wider one way.
+/// Returns a direction of that cosine, midway between the axes of anisotropic facets.
 Vec3 between_axes(float cosine) {
     const float across = std::sqrt(std::max(0.0F, 1 - cosine * cosine) / 2);
     return {across, across, cosine};
@@ -42,7 +42,7 @@ Coat::Coat(float eta, const std::optional<Ggx>& facets, float thickness)
         for (int i = 0; i <= kCells; ++i)
             table_.at(static_cast<std::size_t>(i)) =
                 passed_rough(std::max(1e-3F, static_cast<float>(i) / kCells));
-    const int angles = facets_ ? 64 : 2048;  // a smooth boundary has an edge: total reflection
+    const int angles = facets_ ? 64 : 2048;  // discontinuous if smooth
     mean_entering_ = mean_over_angles(angles, [&](float c) { return entering(c); });
     returning_ = mean_over_angles(
         angles, [&](float c) { return facets_ ? returned_rough(c) : returned_smooth(c); });

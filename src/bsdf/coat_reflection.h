@@ -1,6 +1,6 @@
-// What a clear coat reflects itself; what it lets through is lost here.
+// CoatReflection: the reflection of a clear coat alone; light that it transmits is absorbed.
 //
-// In:  a coat. Out: one lobe, on both sides alike: a delta lobe, or a glossy one if it is rough.
+// In:  a coat. Out: one lobe, the same on both sides: a delta lobe if smooth, glossy if rough.
 // Source: Fresnel; Walter et al. 2007, eq. 20; visible normals, Heitz 2018 (bsdf/ggx.h).
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace sunfleck::engine {
 
 struct CoatReflection {
-    const Coat* coat;  // its material's: outlives all that scatters from it
+    const Coat* coat;  // owned by the material, which outlives the BSDF
 
     SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport) const {
         const Vec3 sum = wo + wi;

@@ -1,10 +1,10 @@
-// The metal's lobe seen through the coat, and how both lobes are sampled.
+// Evaluation of the metal's lobe through the coat, and sampling of both lobes.
 #include "bsdf/coated_conductor.h"
 
 namespace sunfleck::engine {
 namespace {
 
-/// Facets that spread light as those of the metal do after two crossings of the coat's.
+/// Returns facets with the slope variance of the metal plus two crossings of the coat's boundary.
 Ggx widened(const std::optional<Ggx>& metal, const Coat& coat) {
     const float bend = 1 - 1 / coat.eta();
     const auto wide = [&](float inner, float outer) {
@@ -92,7 +92,7 @@ float CoatedConductor::chance_of_top(const Vec3& wo) const {
     return a.coat / (a.coat + metal + 1e-6F);
 }
 
-/// A direction in the air by the metal's lobe; nothing when it cannot leave the coat.
+/// Samples a direction in the air by the metal's lobe; nothing if it cannot leave the coat.
 std::optional<Vec3> CoatedConductor::sample_metal(const Vec3& wo, const BsdfDraw& draw) const {
     const float side = std::copysign(1.0F, wo.z);
     const Vec3 w = inner(wo).w * side;

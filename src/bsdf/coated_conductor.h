@@ -1,13 +1,13 @@
-// Metal under a clear coat, in closed form: exact where both are smooth, close where one is rough.
+// CoatedConductor: metal under a clear coat in closed form, exact if both are smooth.
 //
-// Smooth on smooth, all inner reflections go one way: R = F + (1 - F)^2 A^2 r / (1 - F r A^2), with
-// F the coat's and r the metal's reflectance and A the light left after one way through the coat.
-// Else the coat's own reflection, and the metal's lobe between the refracted directions, times what
-// enters and what leaves; further inner reflections are taken to leave as the first one does, a
-// rough coat widens the metal's facets, and light that meets the coat from below beyond the
-// critical angle is lost.
-// Source: Airy's sum without phase (Born and Wolf 7.6); the widening by adding variances of slopes,
-// in the manner of Belcour, Efficient Rendering of Layered Materials (SIGGRAPH 2018).
+// If both are smooth, all inner reflections have one direction: R = F + (1 - F)^2 A^2 r / (1 - F r
+// A^2), where F is the reflectance of the coat, r that of the metal, and A the transmittance of one
+// way through the coat. Otherwise the lobes are the coat's own reflection, and the metal's lobe
+// between the refracted directions times what enters and what leaves. Three approximations apply:
+// further inner reflections leave like the first one, a rough coat widens the metal's facets, and
+// total reflection inside the coat is lost.
+// Source: Airy's sum without phase (Born and Wolf 7.6); widening by added slope variances, in the
+// manner of Belcour, Efficient Rendering of Layered Materials (SIGGRAPH 2018).
 #pragma once
 
 #include "bsdf/coat_reflection.h"
@@ -16,7 +16,8 @@ namespace sunfleck::engine {
 
 class CoatedConductor {
 public:
-    /// @param eta, k  of the metal over the air. @param facets  of the metal; none: smooth.
+    /// @param eta, k  complex index of the metal over that of the air.
+    /// @param facets  of the metal; none if it is smooth.
     CoatedConductor(const SampledSpectrum& eta, const SampledSpectrum& k,
                     const std::optional<Ggx>& facets, const Coat* coat);
 
@@ -29,10 +30,10 @@ public:
 
 private:
     struct Inner {
-        Vec3 w;             // within the coat, on the side of the direction in the air
-        float passed;       // Coat::entering()
-        float coat;         // its reflectance, inner reflection included: the same on both sides
-        float attenuation;  // what one way through leaves
+        Vec3 w;        // direction within the coat, on the side of the direction in the air
+        float passed;  // Coat::entering()
+        float coat;  // reflectance of the coat, inner reflections included; the same on both sides
+        float attenuation;  // transmittance of one way through the coat
     };
 
     Inner inner(const Vec3& w) const;
@@ -42,7 +43,7 @@ private:
     std::optional<Vec3> sample_metal(const Vec3& wo, const BsdfDraw& draw) const;
     float chance_of_top(const Vec3& wo) const;
 
-    SampledSpectrum eta_;  // over the coat's
+    SampledSpectrum eta_;  // over the index of the coat
     SampledSpectrum k_;
     Ggx facets_;
     const Coat* coat_;

@@ -1,10 +1,10 @@
-// A diffuse surface under a clear coat, with all reflections between the two, in closed form.
+// CoatedDiffuse: a diffuse base under a clear coat, all reflections between them in closed form.
 //
-// Light enters the coat (c = cosine in the air, Coat::entering), is scattered evenly by the base of
-// albedo a, comes back from the coat's underside (share K, Coat::returning) any number of times,
-// and leaves:  f = entering(c_from) entering(c_to) a / (pi eta^2 (1 - a K)), plus the coat's own
-// reflection. Exact for a diffuse base.
-// Source: Saunderson 1942, with angles kept. pbrt-v4 finds the same value by random walks.
+// Light enters the coat (Coat::entering, by the cosine c in the air). The base of albedo a scatters
+// it diffusely, the coat returns a fraction K of that (Coat::returning) any number of times, and
+// the rest leaves: f = entering(c_from) entering(c_to) a / (pi eta^2 (1 - a K)), plus the coat's
+// own reflection. The result is exact for a diffuse base.
+// Source: Saunderson 1942, extended by angles. pbrt-v4 estimates the same value by random walks.
 #pragma once
 
 #include "bsdf/coat_reflection.h"
@@ -12,9 +12,9 @@
 
 namespace sunfleck::engine {
 
-/// What comes back from the base; both sides alike.
+/// The diffuse lobe of a coated base, without the coat's own reflection; the same on both sides.
 struct CoatedBase {
-    SampledSpectrum albedo;  // of the base, per wavelength; times returning() below one
+    SampledSpectrum albedo;  // of the base; albedo times returning() is below one
     const Coat* coat;
 
     SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport) const {
@@ -35,12 +35,12 @@ struct CoatedBase {
     static constexpr Scattering scattering() { return Scattering::diffuse; }
     static bool gathers(float z_from, float z_to) { return Lambert::gathers(z_from, z_to); }
 
-    /// Of light that has entered: radiance towards the air, times pi.
+    /// Returns pi times the radiance towards the air, per unit of light that has entered.
     SampledSpectrum scattered() const {
         const float eta = coat->eta();
         return albedo / ((SampledSpectrum(1) - albedo * coat->returning()) * (eta * eta));
     }
-    /// Share of the light from that side that the base sends back into the air.
+    /// Returns the fraction of light from the side of wo that the base sends back into the air.
     SampledSpectrum reflectance(const Vec3& wo) const {
         return scattered() * (entering(wo) * coat->mean_entering());
     }
@@ -68,7 +68,7 @@ struct CoatedDiffuse {
         return coat->facets() ? below + chance * top().pdf(wo, wi, transport) : below;
     }
 
-    /// The coat's reflection or the base's light, by u.x.
+    /// Samples the coat's reflection or the base, selected by u.x.
     std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
         if (wo.z == 0) return {};
         const float chance = chance_of_top(wo);

@@ -1,7 +1,7 @@
-// Paper, leaves, lampshades: light is scattered evenly, part of it back and part of it through.
+// DiffuseTransmission: a sheet (paper, leaf, lampshade) that reflects and transmits diffusely.
 //
-// In:  directions in the local frame (bsdf/model.h). Out: f = reflectance / pi on the side that is
-// lit, transmittance / pi on the other; both sides alike.
+// In:  directions in the local frame (bsdf/model.h).
+// Out: f = reflectance / pi on the side of wo, transmittance / pi on the other; symmetric.
 #pragma once
 
 #include "bsdf/lambert.h"
@@ -9,8 +9,8 @@
 namespace sunfleck::engine {
 
 struct DiffuseTransmission {
-    SampledSpectrum reflectance;    // per wavelength; with the transmittance at most one
-    SampledSpectrum transmittance;  // likewise
+    SampledSpectrum reflectance;    // per wavelength; the sum with the transmittance is at most one
+    SampledSpectrum transmittance;  // per wavelength
 
     SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport) const {
         if (!gathers(wo.z, wi.z)) return {};
@@ -38,7 +38,8 @@ struct DiffuseTransmission {
     static bool gathers(float z_from, float z_to) { return z_from != 0 && z_to != 0; }
 
 private:
-    /// Of reflection; never zero or one, for a wavelength may have what their mean lacks.
+    /// Returns the probability of reflection; never zero or one, because single wavelengths may
+    /// differ from the mean.
     float chance_back() const {
         const float back = reflectance.mean();
         const float both = back + transmittance.mean();

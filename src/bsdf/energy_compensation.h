@@ -1,12 +1,14 @@
-// The wide lobes that give back what rough facets lose (bsdf/facet_losses.h): of metal, of glass.
+// Energy compensation for rough metal and glass: diffuse lobes for light that single scattering
+// loses.
 //
-// In:  facets, cosines with the normal. Out: f, the chance and the density by which it is sampled.
-// Source: Kulla and Conty 2017, as there; of glass the split below is our own.
+// In:  facets, and cosines with the normal. Out: f, and the probability and density of its
+// sampling.
+// Source: Kulla and Conty 2017 (bsdf/facet_losses.h); the division of glass into two sides is ours.
 //
-// Glass, with n the index and A the mean loss on either side: f(a -> b) = n_b^2 k L(a) L(b) / pi is
-// reciprocal for one k per pair of sides. All is given back if t = k n^2 A (of the other side)
-// passes through and 1 - t stays. We take the largest k of both sides with which neither passes
-// more than a smooth boundary does of evenly spread light.
+// Glass, with n the index and A the mean loss on a side: f(a -> b) = n_b^2 k L(a) L(b) / pi is
+// reciprocal with one k per pair of sides. All energy is restored if a fraction t = k n^2 A (of the
+// other side) is transmitted and 1 - t reflected. k is the largest value for which neither side
+// transmits more diffuse light than a smooth boundary does.
 #pragma once
 
 #include "bsdf/facet_losses.h"
@@ -20,9 +22,10 @@ struct MetalCompensation {
 
     float lost(float z) const { return losses.of_mirror(facets, std::abs(z)); }
 
-    /// The share that further facets reflect of what a first one has lost, colours deepened.
+    /// Returns the fraction of a first facet's losses that further facets reflect, with their
+    /// colour.
     SampledSpectrum reflectance(const SampledSpectrum& eta, const SampledSpectrum& k) const {
-        // Gauss's rule of four points in the squared cosine, which is uniform.
+        // Gauss's rule of four points over the squared cosine, which is uniform for diffuse light.
         const SampledSpectrum mean = 0.1739274F * (conductor_reflectance(0.2634992F, eta, k) +
                                                    conductor_reflectance(0.9646596F, eta, k)) +
                                      0.3260726F * (conductor_reflectance(0.5744645F, eta, k) +
@@ -31,7 +34,7 @@ struct MetalCompensation {
         return mean * mean * (1 - lost_again) / (SampledSpectrum(1) - mean * lost_again);
     }
 
-    /// f where reflectance() is one.
+    /// Returns f for a reflectance() of one.
     float eval(float z_from, float z_to) const {
         return lost(z_from) * lost(z_to) / (kPi * losses.mean_of_mirror(facets));
     }
@@ -40,13 +43,13 @@ struct MetalCompensation {
 struct GlassCompensation {
     const FacetLosses& losses;
     const Ggx& facets;
-    float eta;  // inside (side -z) over outside
+    float eta;  // index inside (side -z) over outside
 
-    /// @param z  the cosine of a direction: its side counts.
+    /// @param z  cosine of a direction; its sign selects the side.
     float lost(float z) const { return losses.of_glass(facets, std::abs(z), far_over_near(z)); }
     float mean_lost(float z) const { return losses.mean_of_glass(facets, far_over_near(z)); }
 
-    /// Of what is lost on the side of z, the share that goes to the other.
+    /// Returns the fraction of the losses on the side of z that is transmitted to the other side.
     float passing(float z) const {
         const float here = mean_lost(z);
         const float there = mean_lost(-z);
@@ -54,16 +57,17 @@ struct GlassCompensation {
         return smooth * there / std::max(here, there);
     }
 
-    /// f; where it goes through the surface, over the squared index of the side that it goes to.
+    /// Returns f; for transmission, f over the squared index of the side of z_to.
     float eval(float z_from, float z_to) const {
-        // Seen from outside where it goes through: no bit may change when both are swapped.
+        // Transmission is computed from outside, so that an exchange of both directions changes no
+        // bit.
         const bool through = z_from * z_to < 0;
         const float z = through ? 1 : z_to;
         const float share = through ? passing(z) / (eta * eta) : 1 - passing(z);
         return share * lost(z_from) * lost(z_to) / (kPi * mean_lost(through ? -z : z));
     }
 
-    /// Density of directions after `lost` of the chance has gone to this lobe.
+    /// Returns the density of directions, given that this lobe was selected.
     float pdf(float z_from, float z_to) const {
         const float through = passing(z_from);
         return (z_from * z_to < 0 ? through : 1 - through) * std::abs(z_to) / kPi;

@@ -1,4 +1,4 @@
-// The table of what facets lose, by quadrature over the facets that a direction sees.
+// The table of facet losses, by quadrature over the facets visible from a direction.
 #include "bsdf/facet_losses.h"
 
 #include "bsdf/fresnel.h"
@@ -8,17 +8,17 @@
 namespace sunfleck::engine {
 namespace {
 
-// Of the facets that a direction sees, Fibonacci's lattice: no ring of facets, as the critical
-// angle cuts one out, lies along its rows.
+// Visible facets are sampled by a Fibonacci lattice, because no ring of facets, such as one at the
+// critical angle, lies along its rows.
 constexpr int kFacets = 1597;
 constexpr int kLatticeStep = 987;
 
-/// Numbers of sample_visible(), close together at the edge of its disc: the long tail of GGX.
+/// Coordinates for sample_visible(), dense at the edge of its disc: the long tail of GGX.
 struct Number {
     float value;
     double weight;
 
-    /// @param place  in (-1,1), evenly spread.
+    /// @param place  in (-1,1), evenly spaced.
     static Number at(double place) {
         const double p2 = place * place;
         const double stretched = place * (15 - p2 * (10 - 3 * p2)) / 8;
@@ -26,7 +26,7 @@ struct Number {
     }
 };
 
-/// What stays in the lobes of one facet: reflected whole, and by glass.
+/// Energy that stays in single scattering: of a perfect mirror, and of glass.
 struct Seen {
     const Ggx& facets;
     Vec3 w;
@@ -38,7 +38,7 @@ struct Seen {
         return wi.z > 0 ? facets.shadowing_given_masking(w, wi) : 0;
     }
 
-    /// @param reflected  mirrored().
+    /// @param reflected  result of mirrored().
     float kept(float far_over_near, float reflected) const {
         const float far = refracted_cosine(1 - cosine * cosine, far_over_near);
         if (far == 0) return reflected;
@@ -63,12 +63,13 @@ FacetLosses::FacetLosses() {
     take_means(mirror_);
 }
 
-/// Of no width the row is the limit: by cosine / alpha, losses along the surface stay.
+/// Returns the width of a node. At width zero the row is the limit by cosine / alpha, in which
+/// losses at grazing angles remain.
 float FacetLosses::width_at(std::size_t node) {
     return std::max(1e-3F, static_cast<float>(node) / kWidths);
 }
 
-/// The inverse of place_of_cosine().
+/// Inverts place_of_cosine().
 float FacetLosses::cosine_at(std::size_t node, float alpha) {
     const float t = static_cast<float>(node) / kCosines;
     return std::max(1e-6F, alpha * t / (1 + alpha - t));
@@ -109,7 +110,7 @@ void FacetLosses::measure(std::size_t width, std::size_t cosine) {
         glass_.at(k).lost.at(width).at(cosine) = lost(glass.at(k));
 }
 
-/// The squared cosine of evenly spread light is uniform.
+/// Computes means over diffuse light, for which the squared cosine is uniform.
 void FacetLosses::take_means(Slice& slice) const {
     constexpr int kAngles = 512;
     for (std::size_t width = 0; width <= kWidths; ++width) {

@@ -1,14 +1,13 @@
-// Light that one meeting with rough (GGX) facets loses: it goes on to a second facet, which the
-// lobes do not follow. And how it is given back, as wide lobes.
+// FacetLosses: energy that single scattering on rough (GGX) facets loses to multiple scattering.
 //
-// In:  facets and a direction. Out: the lost share, from a table made by quadrature.
+// In:  facets and a direction. Out: the lost fraction, from a table that is computed by quadrature.
 // Source: Kulla and Conty, Revisiting Physically Based Shading at Imageworks (SIGGRAPH 2017
-// course): with L(w) = 1 - E(w) lost and A its integral over cosines, the lobe L(a) L(b) / A gives
-// back all, and is reciprocal.
+// course): with the loss L(w) = 1 - E(w) and A its cosine-weighted integral, the lobe L(a) L(b) / A
+// is reciprocal and restores all energy.
 //
-// The table knows facets of one width. Two widths count as the root of their mean square, in every
-// azimuth: of metal right to 3% at 30 degrees above the surface and more, but not where it is seen
-// flatly (docs/develop/decisions.md).
+// The table holds isotropic facets. Anisotropic facets use the root mean square of both widths at
+// every azimuth. For metal this is right to 3% from 30 degrees above the surface upwards, but not
+// at grazing angles (docs/develop/decisions.md).
 #pragma once
 
 #include "bsdf/ggx.h"
@@ -20,26 +19,27 @@ namespace sunfleck::engine {
 
 class FacetLosses {
 public:
-    /// Made at the first call. Any number of threads.
+    /// Returns the table, which the first call computes. Thread-safe.
     static const FacetLosses& table();
 
-    /// Share in [0,1] that facets which reflect everything lose. @param cosine  with the normal,
-    /// not negative.
+    /// Returns the fraction in [0,1] that perfectly reflecting facets lose.
+    /// @param cosine  with the normal, not negative.
     float of_mirror(const Ggx& facets, float cosine) const {
         return looked_up(mirror_, mean_width(facets), cosine);
     }
-    /// Its mean over evenly spread light.
+    /// Returns the mean of of_mirror() over diffuse light.
     float mean_of_mirror(const Ggx& facets) const { return mean(mirror_, mean_width(facets)); }
 
-    /// Share in [0,1] that facets of glass lose, of what they reflect and refract together.
-    /// @param far_over_near  index of the other side over that of the side of the direction.
+    /// Returns the fraction in [0,1] that facets of glass lose of reflected and refracted light
+    /// together.
+    /// @param far_over_near  index of the other side over that of the direction's side.
     float of_glass(const Ggx& facets, float cosine, float far_over_near) const {
         const float alpha = mean_width(facets);
         const Place at = place_of_index(far_over_near);
         return at.between(looked_up(glass_[at.cell], alpha, cosine),
                           looked_up(glass_[at.cell + 1], alpha, cosine));
     }
-    /// Its mean over evenly spread light.
+    /// Returns the mean of of_glass() over diffuse light.
     float mean_of_glass(const Ggx& facets, float far_over_near) const {
         const float alpha = mean_width(facets);
         const Place at = place_of_index(far_over_near);
@@ -47,12 +47,12 @@ public:
     }
 
 private:
-    static constexpr std::size_t kWidths = 24;   // cells up to an alpha of one
+    static constexpr std::size_t kWidths = 24;   // cells for alpha in [0,1]
     static constexpr std::size_t kCosines = 32;  // cells
-    static constexpr std::size_t kIndices = 28;  // cells, an even number
-    static constexpr float kRoot = 0.78F;        // of the greatest Fresnel amplitude: index 4.1
+    static constexpr std::size_t kIndices = 28;  // cells; an even number
+    static constexpr float kRoot = 0.78F;        // sqrt of the largest amplitude: index 4.1
 
-    /// A cell of a table, and how far beyond its start.
+    /// A cell of a table, and the offset from its start in cells.
     struct Place {
         std::size_t cell;
         float beyond;
@@ -71,21 +71,21 @@ private:
     static float cosine_at(std::size_t node, float alpha);
     static float index_at(std::size_t node);
 
-    /// @param place  in cells. Held within the table.
+    /// @param place  in cells; clamped to the table.
     static Place place_in(float place, std::size_t cells) {
         const float held = std::clamp(place, 0.0F, static_cast<float>(cells));
         const std::size_t cell = std::min(static_cast<std::size_t>(held), cells - 1);
         return {cell, held - static_cast<float>(cell)};
     }
-    /// Nodes are even in the square root of the amplitude that is reflected at a right angle: the
-    /// critical angle is, too.
+    /// Spaces nodes evenly in the square root of the amplitude reflected at normal incidence, in
+    /// which the critical angle is even as well.
     static Place place_of_index(float far_over_near) {
         const float amplitude = (far_over_near - 1) / (far_over_near + 1);
         const float root = std::copysign(std::sqrt(std::abs(amplitude)), amplitude);
         return place_in((root / kRoot + 1) * 0.5F * kIndices, kIndices);
     }
     static Place place_of_width(float alpha) { return place_in(alpha * kWidths, kWidths); }
-    /// Close together below alpha, where losses change.
+    /// Spaces nodes densely below alpha, where losses change.
     static float place_of_cosine(float cosine, float alpha) {
         return cosine * (1 + alpha) / (cosine + alpha) * kCosines;
     }

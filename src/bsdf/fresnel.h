@@ -1,6 +1,6 @@
-// How much of unpolarised light a plane boundary reflects: exact, for glass and for metal.
+// Fresnel reflectance of unpolarised light at a plane boundary of dielectrics and of metals, exact.
 //
-// Source: Born and Wolf, Principles of Optics (7th ed.), 1.5.2 and 14.2. Mean of the two
+// Source: Born and Wolf, Principles of Optics (7th ed.), 1.5.2 and 14.2; the mean of both
 // polarisations.
 #pragma once
 
@@ -11,37 +11,42 @@
 
 namespace sunfleck::engine {
 
-/// The cosine on the far side of the boundary; 0 under total reflection.
-/// @param sin2  squared sine of the incident angle. @param eta  far index over near index, > 0.
+/// Returns the cosine on the far side of the boundary; 0 under total reflection.
+/// @param sin2  squared sine of the incident angle.
+/// @param eta  far index over near index, positive.
 inline float refracted_cosine(float sin2, float eta) {
     return std::sqrt(std::max(0.0F, 1 - sin2 / (eta * eta)));
 }
 
-/// Reflected fraction in [0,1] between two dielectrics, 1 under total reflection (cos_far 0).
-/// @param cos_near  in (0,1]. @param cos_far  refracted_cosine(). @param eta  far over near.
+/// Returns the reflectance in [0,1] between two dielectrics; 1 under total reflection (cos_far 0).
+/// @param cos_near  in (0,1].
+/// @param cos_far  refracted_cosine().
+/// @param eta  far index over near index.
 inline float dielectric_reflectance(float cos_near, float cos_far, float eta) {
     const float parallel = (eta * cos_near - cos_far) / (eta * cos_near + cos_far);
     const float across = (cos_near - eta * cos_far) / (cos_near + eta * cos_far);
     return 0.5F * (parallel * parallel + across * across);
 }
 
-/// The same from the incident cosine alone. @param cos_near  in (0,1].
+/// Returns the reflectance from the incident cosine alone. @param cos_near  in (0,1].
 inline float dielectric_reflectance(float cos_near, float eta) {
     const float sin2 = std::max(0.0F, 1 - cos_near * cos_near);
     return dielectric_reflectance(cos_near, refracted_cosine(sin2, eta), eta);
 }
 
-/// Mean of dielectric_reflectance() over evenly spread light, to 0.006 for eta in [1/4, 4].
-/// Source: the fit of Kulla and Conty, Revisiting Physically Based Shading at Imageworks (2017);
-/// from the denser side by what passes, which differs by eta^2. @param eta  far over near, > 0.
+/// Returns the mean of dielectric_reflectance() over diffuse light, to 0.006 for eta in [1/4, 4].
+/// Source: the fit of Kulla and Conty, Revisiting Physically Based Shading at Imageworks (2017).
+/// From the denser side it follows from the transmittance, which differs by eta^2.
+/// @param eta  far index over near index, positive.
 inline float mean_dielectric_reflectance(float eta) {
     const float up = std::max(eta, 1 / eta);
     const float passed = 1 - (up - 1) / (4.08567F + 1.00071F * up);
     return 1 - (eta < 1 ? passed * eta * eta : passed);
 }
 
-/// Reflected fraction per wavelength of a metal of index eta + i k (over that of air), in [0,1].
-/// @param cosine  of the incident angle, in (0,1]. @param eta, k  not negative, not both zero.
+/// Returns the reflectance in [0,1] per wavelength of a metal of index eta + i k over that of air.
+/// @param cosine  of the incident angle, in (0,1].
+/// @param eta, k  not negative, not both zero.
 ///
 /// With a + i b = sqrt((eta + i k)^2 - sin^2): |r_s|^2 = |cos - a - i b|^2 / |cos + a + i b|^2,
 /// and |r_p|^2 = |r_s|^2 |cos (a + i b) - sin^2|^2 / |cos (a + i b) + sin^2|^2.

@@ -1,4 +1,4 @@
-// Microfacets of the GGX (Trowbridge-Reitz) distribution, with a width along x and one along y.
+// Ggx: the anisotropic GGX (Trowbridge-Reitz) microfacet distribution.
 //
 // Source: Walter et al., Microfacet Models for Refraction through Rough Surfaces (EGSR 2007);
 // Heitz, Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs (JCGT 2014);
@@ -21,7 +21,7 @@ struct Ggx {
     float alpha_x = 0.1F;  // positive
     float alpha_y = 0.1F;
 
-    /// D(h), per steradian; the same for h and -h. @param h  unit.
+    /// Returns D(h) per steradian; the same for h and -h. @param h  unit vector.
     float density(const Vec3& h) const {
         const float x = h.x / alpha_x;
         const float y = h.y / alpha_y;
@@ -29,41 +29,42 @@ struct Ggx {
         return 1 / (kPi * alpha_x * alpha_y * t * t);
     }
 
-    /// s(w) of the head comment.
+    /// Returns s(w) of the head comment.
     float stretched_length(const Vec3& w) const {
         const float x = alpha_x * w.x;
         const float y = alpha_y * w.y;
         return std::sqrt(w.z * w.z + x * x + y * y);
     }
 
-    /// G2(a, b) / (|a.z| |b.z|).
+    /// Returns G2(a, b) / (|a.z| |b.z|).
     float shadowing_over_cosines(const Vec3& a, const Vec3& b) const {
         return 2 / (stretched_length(a) * std::abs(b.z) + stretched_length(b) * std::abs(a.z));
     }
 
-    /// G2(a, b) / G1(a), in [0,1]: what is left to b of the facets that a sees.
+    /// Returns G2(a, b) / G1(a) in [0,1]: the fraction of facets visible from a that b sees, too.
     float shadowing_given_masking(const Vec3& a, const Vec3& b) const {
         const float s = stretched_length(a);
         const float z = std::abs(b.z);
         return z * (std::abs(a.z) + s) / (s * z + stretched_length(b) * std::abs(a.z));
     }
 
-    /// Density of the normals that w sees, divided by |w.h|: G1(w) D(h) / |w.z|.
+    /// Returns the density of visible normals divided by |w.h|: G1(w) D(h) / |w.z|.
     float visible_density_over_cosine(const Vec3& w, const Vec3& h) const {
         return 2 * density(h) / (std::abs(w.z) + stretched_length(w));
     }
 
-    /// A normal that w sees, with density G1(w) D(h) (w.h) / w.z; h.z >= 0.
-    /// @param w  unit, w.z > 0. @param u, v  in [0,1].
+    /// Samples a visible normal with density G1(w) D(h) (w.h) / w.z; h.z >= 0.
+    /// @param w  unit vector, w.z > 0.
+    /// @param u, v  random numbers in [0,1].
     Vec3 sample_visible(const Vec3& w, float u, float v) const {
-        // The stretched view of a hemisphere, and a frame of its disc.
+        // Stretch the direction to the hemisphere, and make a frame of its disc.
         const Vec3 view = Vec3(alpha_x * w.x, alpha_y * w.y, w.z).normalized();
         const float flat2 = view.x * view.x + view.y * view.y;
         const float flat = std::sqrt(flat2);
         const Vec3 t1 = flat2 > 1e-30F ? Vec3(-view.y / flat, view.x / flat, 0) : Vec3(1, 0, 0);
         const Vec3 t2 = view.cross(t1);
 
-        // A point of the disc, squeezed into the part that is seen, lifted to the hemisphere.
+        // Sample the disc, warp it to the visible part, and project it to the hemisphere.
         const Vec2 p(concentric_disc(Vec2d(u, v)));
         const float half_width = std::sqrt(std::max(0.0F, 1 - p.x * p.x));
         const float s = 0.5F * (1 + view.z);

@@ -1,6 +1,6 @@
-// Lambertian reflection: radiance leaves evenly in all directions of the side that is lit.
+// Lambert: diffuse reflection, with constant radiance on the side that is lit.
 //
-// In:  directions in the local frame (bsdf/model.h). Out: f = albedo / pi, on both sides alike.
+// In:  directions in the local frame (bsdf/model.h). Out: f = albedo / pi, the same on both sides.
 // Source: Lambert, Photometria (1760); cosine sampling by Malley's method.
 #pragma once
 
@@ -23,14 +23,14 @@ struct Lambert {
     [[gnu::always_inline]] inline std::optional<BsdfSample> sample(const Vec3& wo,
                                                                    const BsdfDraw& draw) const {
         const FloatDiscPoint disc = float_disc_point({draw.u.y, draw.u.z});
-        // The floor keeps u at the very edge of the square from leaving along the surface.
+        // The lower bound keeps directions from the edge of the square off the surface's plane.
         const float height = std::sqrt(std::max(1e-8F, disc.height2));
         const Vec3 wi(disc.position.x, disc.position.y, std::copysign(height, wo.z));
         return BsdfSample{albedo, wi, height / kPi};
     }
 
     static constexpr Scattering scattering() { return Scattering::diffuse; }
-    /// Light must arrive on the side that is looked at.
+    /// Returns whether both directions are on the same side.
     static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
 };
 

@@ -1,8 +1,8 @@
-// A metal of many small facets (GGX), lit on both sides; light that meets a second facet is lost,
-// or given back in a wide lobe.
+// RoughConductor: metal with GGX facets on both sides, optionally with energy compensation.
 //
-// In:  eta + i k per wavelength over the index of air, facets. Out: one glossy lobe, and the wide
-// one. Source: Walter et al. 2007, eq. 20; visible normals, Heitz 2018 (bsdf/ggx.h).
+// In:  eta + i k per wavelength over the index of air; facets.
+// Out: one glossy lobe, and a diffuse one with compensation.
+// Source: Walter et al. 2007, eq. 20; visible normals, Heitz 2018 (bsdf/ggx.h).
 #pragma once
 
 #include "bsdf/energy_compensation.h"
@@ -17,9 +17,9 @@ struct RoughConductor {
     SampledSpectrum eta;
     SampledSpectrum k;
     Ggx facets;
-    const FacetLosses* losses = nullptr;  // given back; null: they are lost
+    const FacetLosses* losses = nullptr;  // for energy compensation; null for none
 
-    /// F D G / (4 |cos| |cos|); the same for both transports, for it is symmetric.
+    /// Returns F D G / (4 |cos| |cos|), which is symmetric and hence the same for both transports.
     SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport) const {
         const Vec3 sum = wo + wi;
         const float length = sum.length();
@@ -42,7 +42,8 @@ struct RoughConductor {
         return (1 - chance) * once + chance * std::abs(wi.z) / kPi;
     }
 
-    /// With losses given back: the wide lobe, as often as a white metal needs it, or the facets'.
+    /// Samples the compensation lobe with the probability that a white metal needs, else the
+    /// facets.
     std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
         if (wo.z == 0) return {};
         if (losses == nullptr) return sample_facets(wo, draw);

@@ -1,4 +1,4 @@
-// Rough glass: its two lobes for one index, and how wavelengths share them.
+// Rough glass: both lobes for one index, and how wavelengths share them.
 #include "bsdf/rough_dielectric.h"
 
 #include "bsdf/fresnel.h"
@@ -8,36 +8,37 @@ namespace sunfleck::engine {
 
 namespace {
 
-/// The facet that refracts one direction into the other. Built from the two sides, not from
-/// wo and wi, so that swapping these changes no bit.
+/// The facet that refracts one direction into the other. It is computed from the two sides, not
+/// from wo and wi, so that an exchange of these changes no bit.
 struct RefractingFacet {
-    Vec3 normal;        // unit
-    float cos_out = 0;  // of the outer direction with the normal; 0 when there is no such facet
-    float cos_in = 0;   // of the inner direction, as a positive number
+    Vec3 normal;  // unit vector
+    float cos_out =
+        0;             // cosine of the outer direction with the normal; 0 if there is no such facet
+    float cos_in = 0;  // cosine of the inner direction, positive
     float length2 = 0;  // (cos_out - eta cos_in)^2: the change of solid angle
 };
 
 RefractingFacet refracting_facet(const Vec3& a, const Vec3& b, float eta) {
     const Vec3& outer = a.z > 0 ? a : b;
     const Vec3& inner = a.z > 0 ? b : a;
-    const Vec3 sum = outer + inner * eta;  // along the facet's normal, by Snell's law
+    const Vec3 sum = outer + inner * eta;  // along the facet's normal by Snell's law
     const float length2 = sum.length2();
     if (!(length2 > 0)) return {};
     const Vec3 normal = sum * (std::copysign(1.0F, sum.z) / std::sqrt(length2));
     const float cos_out = outer.dot(normal);
     const float cos_in = -inner.dot(normal);
-    if (!(cos_out > 0 && cos_in > 0)) return {};  // seen from behind
+    if (!(cos_out > 0 && cos_in > 0)) return {};  // the facet is seen from behind
     return {normal, std::min(1.0F, cos_out), std::min(1.0F, cos_in), length2};
 }
 
-/// Rough glass of one index, between two given directions.
+/// Rough glass of one index between two given directions.
 struct GlassAtWavelength {
     const Ggx& facets;
-    float eta;  // inside over outside
+    float eta;  // index inside over outside
     const FacetLosses* losses;
 
-    /// The part of f that both transports share: times the squared index of the side that light
-    /// goes out into it is Walter's eq. 21.
+    /// Returns the factor of f that both transports share. Times the squared index of the side into
+    /// which light leaves, it is Walter's eq. 21.
     float transmitted(const Vec3& a, const Vec3& b) const {
         const RefractingFacet facet = refracting_facet(a, b, eta);
         if (facet.cos_out == 0) return with_compensation(0, a, b);
@@ -67,7 +68,7 @@ struct GlassAtWavelength {
     float with_compensation(float f, const Vec3& a, const Vec3& b) const {
         return losses == nullptr ? f : f + compensation().eval(a.z, b.z);
     }
-    /// @param density  by which sample_facets() chooses wi.
+    /// @param density  with which sample_facets() chooses wi.
     float with_compensation_pdf(float density, const Vec3& wo, const Vec3& wi) const {
         if (losses == nullptr) return density;
         const float chance = compensation().lost(wo.z);
@@ -78,8 +79,8 @@ struct GlassAtWavelength {
     std::optional<BsdfSample> sample_compensation(const Vec3& wo, const BsdfDraw& draw) const;
 };
 
-/// The wide lobes, as often as all facets together lose, or the facets'.
-/// @return the direction and eta alone.
+/// Samples the compensation lobes with the probability of all facets' losses, else the facets.
+/// @return direction and eta only.
 std::optional<BsdfSample> GlassAtWavelength::sample_compensation(const Vec3& wo,
                                                                  const BsdfDraw& draw) const {
     const float chance = compensation().lost(wo.z);
@@ -98,7 +99,7 @@ std::optional<BsdfSample> GlassAtWavelength::sample_compensation(const Vec3& wo,
 
 std::optional<BsdfSample> GlassAtWavelength::sample_facets(const Vec3& wo,
                                                            const BsdfDraw& draw) const {
-    // In a frame turned about the surface so that wo lies above; GGX looks the same there.
+    // Rotate the frame so that wo is above; GGX is symmetric under that rotation.
     const float side = std::copysign(1.0F, wo.z);
     const Vec3 w = wo * side;
     const Vec3 h = facets.sample_visible(w, draw.u.y, draw.u.z);
@@ -145,7 +146,7 @@ SampledSpectrum RoughDielectric::eval(const Vec3& wo, const Vec3& wi, Transport 
             f[i] = i < different ? glass(i).with_compensation(f[i], wo, wi) : f[0];
         return f;
     }
-    // Light goes out into the side of wo in radiance transport, of wi in flux transport.
+    // Light leaves into the side of wo in radiance transport, into that of wi in flux transport.
     const bool goes_inside = (transport == Transport::radiance ? wo.z : wi.z) < 0;
     for (std::size_t i = 0; i < different; ++i) f[i] = glass(i).transmitted(wo, wi);
     if (!dispersive_) f = SampledSpectrum(f[0]);

@@ -1,10 +1,10 @@
-// Rough glass: a boundary of small facets (GGX), each of which reflects and refracts.
+// RoughDielectric: rough glass; each facet of a GGX distribution reflects and refracts.
 //
-// In:  eta per wavelength, index inside (side -z) over outside (side +z); facets. Out: two glossy
-// lobes, and wide ones where losses are given back. Source: Walter et al., Microfacet Models for
-// Refraction through Rough Surfaces (EGSR 2007), eq. 16, 17, 20, 21; visible normals, Heitz 2018
-// (bsdf/ggx.h). Light that leaves a facet towards another is lost, or given back by
-// bsdf/energy_compensation.h.
+// In:  eta per wavelength, index inside (side -z) over outside (side +z); facets.
+// Out: two glossy lobes, and diffuse ones with energy compensation (bsdf/energy_compensation.h);
+// without it, light from facet to facet is lost.
+// Source: Walter et al., Microfacet Models for Refraction through Rough Surfaces (EGSR 2007), eq.
+// 16, 17, 20, 21; visible normals, Heitz 2018 (bsdf/ggx.h).
 #pragma once
 
 #include "bsdf/energy_compensation.h"
@@ -16,26 +16,24 @@ namespace sunfleck::engine {
 class RoughDielectric {
 public:
     /// @param eta  positive; no wavelength within kLeastContrast of 1, where nothing is refracted
-    /// and
-    ///             the lobe has no density: that is a SmoothDielectric.
-    /// @param losses  given back; null: they are lost. Outlives this.
+    /// and the lobe has no density (SmoothDielectric handles that).
+    /// @param losses  for energy compensation; null for none. It outlives this BSDF.
     RoughDielectric(const SampledSpectrum& eta, const Ggx& facets,
                     const FacetLosses* losses = nullptr)
         : eta_(eta), facets_(facets), losses_(losses), dispersive_(eta.min() != eta.max()) {}
 
     static constexpr float kLeastContrast = 1e-3F;
 
-    /// Right in every wavelength, dispersive or not.
+    /// Returns f, exact in every wavelength, dispersive or not.
     SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport transport) const;
 
-    /// Dispersive: the mean over wavelengths, which is the density of sample() over all choices of
-    /// wavelength. Who weighs sample() against another technique takes at_wavelength() first, for
-    /// then both know the wavelength.
+    /// Returns the density of sample(). If dispersive, it is the mean over hero wavelengths. MIS
+    /// weights take at_wavelength() first, because both techniques then know the wavelength.
     float pdf(const Vec3& wo, const Vec3& wi, Transport transport) const;
 
-    /// Reflects with the facet's Fresnel reflectance. Dispersive: bends as wavelength
-    /// draw.hero.chosen does; unless hero.single, the sample is dispersed, with that wavelength
-    /// alone in the weight and that wavelength's own pdf: as at_wavelength() gives, times
+    /// Reflects with the facet's Fresnel reflectance, else refracts. If dispersive, wavelength
+    /// draw.hero.chosen decides the direction; unless hero.single, the sample terminates the
+    /// secondary wavelengths: weight and pdf are those of at_wavelength(), the weight times
     /// kWavelengths.
     std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const;
 

@@ -1,6 +1,6 @@
-// A polished metal: a mirror on both sides, coloured by its complex index.
+// SmoothConductor: polished metal, a mirror on both sides coloured by its complex index.
 //
-// In:  eta + i k per wavelength, over the index of air. Out: one delta lobe.
+// In:  eta + i k per wavelength over the index of air. Out: one delta lobe.
 #pragma once
 
 #include "bsdf/fresnel.h"

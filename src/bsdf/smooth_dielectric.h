@@ -1,8 +1,8 @@
-// A perfectly smooth boundary between two clear media: reflects and refracts, by Fresnel's shares.
+// SmoothDielectric: a smooth boundary between clear media, which reflects and refracts by Fresnel.
 //
 // In:  eta per wavelength, index inside (side -z) over outside (side +z). Out: two delta lobes.
 // Source: Fresnel's and Snell's laws; radiance scales by the squared ratio of indices at a
-// refraction (Veach 1997, section 5.2). Dispersion: docs/method/method.md, one wavelength kept.
+// refraction (Veach 1997, section 5.2). Dispersion: docs/method/method.md, hero wavelength.
 #pragma once
 
 #include "bsdf/fresnel.h"
@@ -12,15 +12,15 @@ namespace sunfleck::engine {
 
 class SmoothDielectric {
 public:
-    /// @param eta  positive in all wavelengths; 1 lets light pass straight.
+    /// @param eta  positive in all wavelengths; 1 transmits without deflection.
     explicit SmoothDielectric(const SampledSpectrum& eta)
         : eta_(eta), dispersive_(eta.min() != eta.max()) {}
 
     static SampledSpectrum eval(const Vec3&, const Vec3&, Transport) { return {}; }
     static float pdf(const Vec3&, const Vec3&, Transport) { return 0; }
 
-    /// Reflects when u.x lies below the reflectance. Where wavelengths differ and none has been
-    /// singled out, reflection keeps all of them and refraction keeps draw.hero.chosen alone.
+    /// Reflects if u.x is below the reflectance. If the glass is dispersive and no wavelength is
+    /// kept yet, reflection keeps all wavelengths and refraction keeps draw.hero.chosen alone.
     std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
         if (wo.z == 0) return {};
         if (dispersive_ && !draw.hero.single) return sample_wavelengths(wo, draw);
@@ -30,7 +30,7 @@ public:
         return refracted(wo, crossing, SampledSpectrum(crossing.scale(draw.transport)));
     }
 
-    /// The probability with which sample() reflects.
+    /// Returns the probability with which sample() reflects.
     float mirror_share(const Vec3& wo, const HeroWavelength& hero) const {
         if (wo.z == 0) return 0;
         if (dispersive_ && !hero.single) return reflectances(wo).mean();
@@ -48,9 +48,9 @@ public:
     }
 
 private:
-    /// One wavelength's light at the boundary.
+    /// Reflection and refraction of one wavelength.
     struct Crossing {
-        float eta;  // far side over near side
+        float eta;  // index of the far side over that of the near side
         float cos_far;
         float reflectance;
 
@@ -78,10 +78,10 @@ private:
         return reflectance;
     }
 
-    /// Reflection with the wavelengths' mean probability p, weights F / p <= kWavelengths.
-    /// Refraction keeps one wavelength c, uniform over wavelengths, weight kWavelengths (1 - F_c) /
-    /// (1 - p): the mean over c and u.x is 1 - F in every wavelength. Under total reflection of
-    /// wavelength c that weight is zero: nothing.
+    /// Reflects with the mean probability p over wavelengths, with weights F / p <= kWavelengths.
+    /// Refraction keeps one wavelength c, uniform over wavelengths, with weight kWavelengths (1 -
+    /// F_c) / (1 - p), so that the mean over c and u.x is 1 - F in every wavelength. Under total
+    /// reflection of wavelength c that weight is zero, and nothing is returned.
     std::optional<BsdfSample> sample_wavelengths(const Vec3& wo, const BsdfDraw& draw) const {
         const SampledSpectrum reflectance = reflectances(wo);
         const float p = reflectance.mean();

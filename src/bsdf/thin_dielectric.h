@@ -1,9 +1,11 @@
-// A thin clear sheet, like a window pane: both its faces at one place, all echoes between them.
+// ThinDielectric: a thin clear sheet (window pane), both faces at one place, with all
+// interreflections.
 //
-// In:  eta per wavelength, index of the sheet over that of the air on both sides. Out: two delta
-// lobes, mirror and straight on. With R one face's reflectance and T = 1 - R the sheet reflects R +
-// T^2 R + T^2 R^3 + ... = R + T^2 R / (1 - R^2) = 2 R / (1 + R). Nothing bends, so no wavelength
-// parts from the others: it is never dispersive.
+// In:  eta per wavelength, index of the sheet over that of the air on both sides.
+// Out: two delta lobes, mirror reflection and straight transmission.
+// With R the reflectance of one face and T = 1 - R, the sheet reflects R + T^2 R + T^2 R^3 + ... =
+// R + T^2 R / (1 - R^2) = 2 R / (1 + R). Directions do not depend on the wavelength, so the sheet
+// is never dispersive.
 #pragma once
 
 #include "bsdf/fresnel.h"
@@ -17,9 +19,9 @@ struct ThinDielectric {
     static SampledSpectrum eval(const Vec3&, const Vec3&, Transport) { return {}; }
     static float pdf(const Vec3&, const Vec3&, Transport) { return 0; }
 
-    /// Reflects when u.x lies below the mean reflectance of the wavelengths that are left. The two
-    /// weights are reflectance / p and (1 - reflectance) / (1 - p), at most kWavelengths; exactly
-    /// one where wavelengths do not differ or but one is left.
+    /// Reflects if u.x is below the mean reflectance of the remaining wavelengths. The two weights
+    /// are reflectance / p and (1 - reflectance) / (1 - p), at most kWavelengths; exactly one if
+    /// all wavelengths agree or one remains.
     std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
         if (wo.z == 0) return {};
         const SampledSpectrum share = reflectance(std::abs(wo.z));
@@ -31,12 +33,13 @@ struct ThinDielectric {
             alike ? SampledSpectrum(1) : (SampledSpectrum(1) - share) / (1 - p), -wo, {}};
     }
 
-    /// The probability with which sample() reflects.
+    /// Returns the probability with which sample() reflects.
     float mirror_share(const Vec3& wo, const HeroWavelength& hero) const {
         return mirror_share(reflectance(std::abs(wo.z)), hero);
     }
 
-    /// What the sheet throws back, per wavelength. @param cosine  of the incident angle, in (0,1].
+    /// Returns the reflectance of the sheet per wavelength. @param cosine  of the incident angle,
+    /// in (0,1].
     SampledSpectrum reflectance(float cosine) const {
         SampledSpectrum sheet;
         for (std::size_t i = 0; i < kWavelengths; ++i) {
@@ -46,12 +49,12 @@ struct ThinDielectric {
         return sheet;
     }
 
-    /// The same of a given reflectance.
+    /// Returns the probability of reflection for a given reflectance.
     static float mirror_share(const SampledSpectrum& share, const HeroWavelength& hero) {
         return are_alike(share, hero) ? share[hero.chosen] : share.mean();
     }
 
-    /// Do the wavelengths that are left reflect alike?
+    /// Returns whether the remaining wavelengths have the same reflectance.
     static bool are_alike(const SampledSpectrum& share, const HeroWavelength& hero) {
         return hero.single || share.min() == share.max();
     }

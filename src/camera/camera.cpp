@@ -1,4 +1,4 @@
-// Rays through a thin lens, and pbrt-v4's screen; spheres of directions.
+// Camera rays: thin lens, parallel projection, spherical maps; pbrt-v4's screen.
 #include "camera/camera.h"
 
 #include "camera/screen.h"
@@ -13,13 +13,14 @@ CameraRay PerspectiveCamera::ray(const Vec2d& film, const Vec2d& lens) const {
     const Vec2d point = on_screen(*this, film);
     const Vec3d through(point.x, point.y, 1);
 
-    // A pixel's patch of the plane z = 1, as a solid angle in the world.
+    // Converts the area of a pixel on the plane z = 1 to a solid angle in the world.
     const double length = turn(camera_to_world, through).length();
     const double solid_angle =
         pixel.x * pixel.y * volume_scale(camera_to_world) / (length * length * length);
 
     const Vec3d origin = on_lens(*this, lens);
-    // Towards the point of the focal plane that the ray through the lens's centre meets.
+    // The direction leads to the point of the focal plane that the ray through the lens's centre
+    // hits.
     const Vec3d local = lens_radius > 0 ? through * focal_distance - origin : through;
     const Vec3d direction = turn(camera_to_world, local);
     return {origin * camera_to_world, direction / direction.length(),
@@ -33,7 +34,7 @@ CameraRay OrthographicCamera::ray(const Vec2d& film, const Vec2d& lens) const {
     const Vec3d origin = Vec3d(point.x, point.y, 0) + offset;
     const Vec3d local = lens_radius > 0 ? Vec3d(0, 0, focal_distance) - offset : Vec3d(0, 0, 1);
     const Vec3d direction = turn(camera_to_world, local);
-    // A pixel's patch of the screen, as it is seen along z.
+    // The area of a pixel on the screen, projected along z.
     const double area = pixel.x * pixel.y * volume_scale(camera_to_world) /
                         turn(camera_to_world, {0, 0, 1}).length();
     return {origin * camera_to_world, direction / direction.length(), 0,
@@ -45,7 +46,7 @@ CameraRay SphericalCamera::ray(const Vec2d& film, const Vec2d&) const {
     double solid_angle = 4 * kPiDouble / (double(resolution.x) * resolution.y);
     Vec3d z_up;
     if (map == SphereMap::equal_area) {
-        // Filters reach beyond the square, where it goes on as it was folded.
+        // Filters reach beyond the square, where the octahedral map continues by reflection.
         Vec2d inside = u;
         if (inside.x < 0 || inside.x > 1) inside = {inside.x < 0 ? -u.x : 2 - u.x, 1 - u.y};
         if (inside.y < 0 || inside.y > 1)
@@ -55,7 +56,7 @@ CameraRay SphericalCamera::ray(const Vec2d& film, const Vec2d&) const {
         const SinCos polar = sin_cos_2pi(u.y / 2);
         const SinCos azimuth = sin_cos_2pi(u.x);
         z_up = {polar.sin * azimuth.cos, polar.sin * azimuth.sin, polar.cos};
-        // 2 pi by pi, times sin(theta); a pixel at a pole is wide enough to hold some of it.
+        // 2 pi by pi, times sin(theta); the lower bound stands for a pixel at a pole.
         const double sine = std::max(std::abs(polar.sin), 0.25 / resolution.y);
         solid_angle *= kPiDouble / 2 * sine;
     }

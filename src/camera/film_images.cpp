@@ -1,10 +1,10 @@
-// Images of a point by the symmetries of each map, on the unit square.
+// Equivalent film points by the symmetries of each spherical map on the unit square.
 #include "camera/film_images.h"
 
 namespace sunfleck::engine {
 namespace {
 
-/// Azimuth has a period of one; beyond a pole it is half a turn further.
+/// The azimuth has a period of one; beyond a pole it is shifted by one half.
 template <class Add>
 void add_equirectangular(const Vec2d& u, const Add& add) {
     for (const double x : {u.x, u.x - 1, u.x + 1}) add(x, u.y);
@@ -12,7 +12,7 @@ void add_equirectangular(const Vec2d& u, const Add& add) {
         for (const double y : {-u.y, 2 - u.y}) add(x, y);
 }
 
-/// Each edge is folded onto itself around its middle.
+/// Each edge is glued to itself, reflected at its middle.
 template <class Add>
 void add_equal_area(const Vec2d& u, const Add& add) {
     add(u.x, u.y);

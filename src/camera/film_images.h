@@ -1,5 +1,5 @@
-// Where a film shows one thing several times: around a spherical one, where filters reach beyond
-// its edges and rays go on over the seam, a pole or a fold.
+// Film points that show the same direction: spherical cameras have several beyond the film's edges,
+// where pixel filters reach across the seam, a pole or a fold.
 #pragma once
 
 #include "camera/camera.h"
@@ -9,7 +9,7 @@
 
 namespace sunfleck::engine {
 
-/// Points of a film, and around it.
+/// A film point and its equivalents.
 class FilmPoints {
 public:
     void add(const Vec2d& point) { points_.at(count_++) = point; }
@@ -21,9 +21,9 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The point, and all others less than half a film beyond the edges that camera_ray() takes to show
-/// the same. Alone where the film is flat. @param film  in pixels; of a spherical camera on the
-/// film.
+/// Returns the point, and all others within half a film of the edges for which camera_ray() gives
+/// the same direction. A flat film has no others.
+/// @param film  in pixels; for a spherical camera it lies on the film.
 FilmPoints film_images(const Camera& camera, const Vec2d& film);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Pixel filters: their formulas along one axis, and offsets drawn from |f|.
+// Pixel filters: formulas along one axis, and sampling of |f|.
 #include "camera/filter.h"
 
 #include "math/trigonometry.h"
@@ -10,21 +10,21 @@ namespace sunfleck::engine {
 
 namespace {
 
-constexpr std::size_t kCells = 1024;  // a multiple of four: Mitchell's pieces end at nodes
+constexpr std::size_t kCells = 1024;  // a multiple of four, so that Mitchell's pieces end at nodes
 
-/// Same bits everywhere: the float function.
+/// Uses the float function, whose bits are the same on every machine.
 double gauss(double x, double sigma) {
     const double exponent = -x * x / (2 * sigma * sigma);
     return static_cast<double>(std::exp(static_cast<float>(exponent)));
 }
 
-/// sin(pi x) / (pi x).
+/// Returns sin(pi x) / (pi x).
 double sinc(double x) {
     if (std::abs(x) < 1e-8) return 1;
     return sin_cos_2pi(x / 2).sin / (kPiDouble * x);
 }
 
-/// @param x  not negative; zero beyond two.
+/// @param x  not negative; the result is zero beyond two.
 double mitchell(double x, double b, double c) {
     if (x <= 1)
         return (((12 - 9 * b - 6 * c) * x + (-18 + 12 * b + 6 * c)) * x * x + (6 - 2 * b)) / 6;
@@ -53,7 +53,7 @@ double axis_value(const FilterSettings& filter, double radius, double offset) {
     return 0;
 }
 
-/// axis_value() by place, in cells from the left end.
+/// axis_value() as a function of position, in cells from the left end.
 struct AxisCells {
     const FilterSettings& filter;
     double radius;
@@ -61,7 +61,7 @@ struct AxisCells {
     double operator()(double cell) const {
         return axis_value(filter, radius, (2 * cell / kCells - 1) * radius);
     }
-    /// Integral over cell i, in cells: Simpson's rule.
+    /// Returns the integral over cell i, in cells, by Simpson's rule.
     double over(std::size_t i) const {
         const auto left = static_cast<double>(i);
         return ((*this)(left) + 4 * (*this)(left + 0.5) + (*this)(left + 1)) / 6;
@@ -77,12 +77,12 @@ double axis_integral(const FilterSettings& filter, double radius) {
     return sum * (2 * radius / kCells);
 }
 
-/// Quantile of the triangle of half width one.
+/// Returns the quantile of the triangle distribution of half width one.
 double tent(double u) {
     return u < 0.5 ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
 }
 
-/// Where in [0,1] a density that runs from a to b has the share v of its mass below.
+/// Returns the quantile v in [0,1] of a linear density that runs from a to b.
 double linear_quantile(double a, double b, double v) {
     const double slope = a + std::sqrt(a * a + v * (b * b - a * a));
     return slope > 0 ? std::min(v * (a + b) / slope, 1.0) : 0;

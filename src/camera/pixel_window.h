@@ -1,4 +1,4 @@
-// The part of the film that is rendered.
+// PixelWindow: the rectangle of the film that is rendered.
 #pragma once
 
 #include "math/vector.h"
@@ -8,7 +8,7 @@
 
 namespace sunfleck::engine {
 
-/// Pixels [x0, x1) x [y0, y1) of the film, row by row: pixel i of a pass.
+/// Pixels [x0, x1) x [y0, y1) of the film in row-major order: pixel i of a pass.
 struct PixelWindow {
     int x0 = 0;
     int y0 = 0;
@@ -19,7 +19,7 @@ struct PixelWindow {
     std::size_t pixels() const {
         return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
     }
-    /// Where on the film, as camera_ray() takes it. @param offset  from the pixel's middle, in
+    /// Returns the film point for camera_ray(). @param offset  from the centre of the pixel, in
     /// pixels.
     Vec2d place(std::size_t pixel, const Vec2d& offset) const {
         const auto columns = static_cast<std::size_t>(width());
@@ -29,22 +29,23 @@ struct PixelWindow {
     }
 };
 
-/// Cells of `side` x `side` pixels, those at the right and lower edges cut off, and one pixel of
-/// each: sheared, so that no row and no column of the window goes without.
+/// A grid of cells of `side` x `side` pixels, cropped at the right and lower edges, with one chosen
+/// pixel per cell. The chosen pixels are sheared, so that each row and column of the window has
+/// some.
 struct PixelCells {
     PixelWindow window;
     int side = 1;
 
     int across() const { return (window.width() + side - 1) / side; }
     int down() const { return (window.height() + side - 1) / side; }
-    /// The one of cell x, y.
+    /// Returns the chosen pixel of cell x, y.
     std::size_t pixel_of(int x, int y) const {
         const int u = std::min(x * side + y % side, window.width() - 1);
         const int v = std::min(y * side + x % side, window.height() - 1);
         return static_cast<std::size_t>(v) * static_cast<std::size_t>(window.width()) +
                static_cast<std::size_t>(u);
     }
-    /// Is this pixel the one of its cell?
+    /// Returns whether this pixel is the chosen one of its cell.
     bool has(std::size_t pixel) const {
         if (side == 1) return true;
         const auto columns = static_cast<std::size_t>(window.width());

@@ -1,4 +1,4 @@
-// One inverse for each kind of camera.
+// Projection of points, one function per camera type.
 #include "camera/projection.h"
 
 #include "camera/screen.h"
@@ -9,14 +9,14 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Film area (pixels) by area of the plane z = 1 (or of the screen).
+/// Returns the film area in pixels per area of the plane z = 1 (or of the screen).
 double pixels_by_area(const ScreenCamera& camera) {
     const Vec2d pixel = pixel_of(camera);
     return 1 / (pixel.x * pixel.y);
 }
 
-/// A direction from the eye, in a frame with z up: where it is on the unit square of the map, and
-/// the area there by solid angle.
+/// Maps a direction from the camera, in a frame with z up, to the unit square, with the area per
+/// solid angle.
 std::pair<Vec2d, double> on_square(SphereMap map, const Vec3d& z_up) {
     if (map == SphereMap::equal_area) return {sphere_to_square(z_up), 1 / (4 * kPiDouble)};
     const float flat = std::hypot(static_cast<float>(z_up.x), static_cast<float>(z_up.y));
@@ -41,7 +41,7 @@ std::optional<Sight> Projection::sight_of(const Vec3d& point, const Vec2d& lens)
     if (const auto* c = std::get_if<PerspectiveCamera>(&camera_)) {
         if (!(p.z > 0)) return {};
         const Vec3d from = on_lens(*c, lens);
-        // Where the ray meets the plane z = 1 (of the focal plane, brought there, with a lens).
+        // The point where the ray crosses z = 1 (with a lens: the focal plane, scaled to z = 1).
         const Vec3d along = (p - from) / p.z;
         const Vec2d screen = c->lens_radius > 0 ? Vec2d(from.x / c->focal_distance + along.x,
                                                         from.y / c->focal_distance + along.y)

@@ -1,7 +1,6 @@
-// How a camera sees a point: the inverse of camera_ray(), for paths that come from the lights.
+// Projection: the inverse of camera_ray(), for light paths that connect to the camera.
 //
-// In:  a point of the world and one of the lens. Out: where on the film it is seen, from where, and
-// how large.
+// In:  a point of the world and one of the lens. Out: film point, ray origin and scale.
 #pragma once
 
 #include "camera/camera.h"
@@ -11,23 +10,23 @@
 namespace sunfleck::engine {
 
 struct Sight {
-    Vec2d film;       // pixels from the top left corner, as camera_ray() takes them; may be outside
-    Vec3d origin;     // of the camera ray that meets the point
-    double area = 0;  // of the film, in pixels, that a unit area there facing the camera covers
+    Vec2d film;    // in pixels from the top left corner as in camera_ray(); may be outside the film
+    Vec3d origin;  // of the camera ray through the point
+    double area = 0;  // film area in pixels per unit area at the point that faces the camera
 };
 
 class Projection {
 public:
     explicit Projection(Camera camera);
 
-    /// @param lens  in (0,1)^2, as for camera_ray(). @return nothing for what lies behind the
-    /// camera, or in its very point.
+    /// @param lens  in (0,1)^2 as for camera_ray().
+    /// @return nothing for points behind the camera or at its position.
     std::optional<Sight> sight_of(const Vec3d& point, const Vec2d& lens) const;
 
 private:
     Camera camera_;
     Matrix world_to_camera_;
-    double volume_ = 1;  // of the unit cube of the camera's frame, in the world
+    double volume_ = 1;  // of the unit cube of camera space, in the world
 };
 
 }  // namespace sunfleck::engine

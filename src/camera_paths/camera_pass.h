@@ -1,4 +1,4 @@
-// What the camera paths of a pass share: scene, settings, pixels and radii.
+// CameraPass: scene, settings, pixels and radii that the camera paths of a pass share.
 #pragma once
 
 #include "aovs/transport.h"
@@ -12,7 +12,7 @@
 
 namespace sunfleck::engine {
 
-/// Pixel i has 2^log2_samples[i] camera paths, each with that share of its light; one if empty.
+/// Pixel i has 2^log2_samples[i] camera paths of equal weight; one path if the list is empty.
 using Log2Samples = std::vector<std::uint8_t>;
 
 struct CameraPass {
@@ -21,18 +21,18 @@ struct CameraPass {
     const CameraPathSettings& settings;
     PixelWindow window;
     PassId id;
-    double radius_factor = 1;  // r_p / r_0
-    /// Of discs for other photons, in pixels.
+    double radius_factor = 1;  // gather radius of this pass over that of pass 0
+    /// Initial gather radius for direct and caustic photons, in pixel footprints.
     float first_radius =
         static_cast<float>(sunfleck::engine::first_radius(settings, scene.scene.film().resolution));
-    /// Of discs for indirect photons, over that.
+    /// Radius scale: gather radius for indirect photons over that for the others.
     float indirect_radius_scale = static_cast<float>(
         sunfleck::engine::indirect_radius_scale(settings, scene.scene.film().resolution));
     std::span<const std::uint8_t> log2_samples = {};  // Log2Samples
-    /// Rays of each pixel's paths are added, unless empty.
+    /// The rays of each pixel's paths are added here, unless it is empty.
     std::span<std::uint64_t> rays = {};
     Subpass subpass = {};
-    int cells = 1;  // one pixel of each PixelCells of that side has paths
+    int cells = 1;  // if above 1, only the chosen pixels of PixelCells with this side have paths
 };
 
 }  // namespace sunfleck::engine

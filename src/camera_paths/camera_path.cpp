@@ -1,4 +1,5 @@
-// Follows one camera path; who brings which light is decided here (docs/method/method.md, owners).
+// Traces one camera path, with the path-space partition of its light (docs/method/method.md,
+// owners).
 #include "camera_paths/camera_path.h"
 
 #include <algorithm>
@@ -12,21 +13,21 @@ constexpr std::uint8_t kCausticOnly = static_cast<std::uint8_t>(PhotonKind::caus
 constexpr std::uint8_t kScattered = kCausticOnly | static_cast<std::uint8_t>(PhotonKind::indirect);
 constexpr std::uint8_t kEverything = kScattered | static_cast<std::uint8_t>(PhotonKind::direct);
 
-/// Discs are never smaller than some steps of the float positions that they are compared with.
+/// Returns the lower bound of the gather radius: some spacings of the float positions.
 float smallest_radius(const Vec3& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1e-30F}) * 0x1p-20F;
 }
 
-/// Russian roulette begins after this many events: short paths are worth their numbers.
+/// Russian roulette begins after this many events, because short paths contribute most.
 constexpr int kRouletteFrom = 4;
 
-/// Both lobes of smooth glass are followed if neither is worth less than that share of the pixel.
+/// Both lobes of smooth glass are traced if neither has a smaller weight in the pixel.
 constexpr float kLeastBranch = 0.002F;
 
-/// What a glossy surface adds to the angle of the footprint, of the width of its lobe (the root of
-/// the solid angle in which it samples, at most one). What lies beyond is seen blurred by all of
-/// the lobe: discs of a hundredth of it blur no more, and where they stayed as small as the pixel
-/// few met a photon.
+/// Growth of the footprint's angle at a glossy surface, as a fraction of the lobe's width (the
+/// square root of the sampled solid angle, at most one). Objects behind it are blurred by the whole
+/// lobe, so gather discs of a hundredth of it add no visible blur; discs of the pixel's size would
+/// find few photons.
 constexpr float kGlossySpread = 0.01F;
 
 }  // namespace
@@ -39,7 +40,7 @@ void CameraPath::trace(std::uint32_t pixel, const PathOfPixel& path) {
     follow(pass_.scene.scene.first_hit(view), numbers);
 }
 
-/// @param hit  what the ray meets, if anything.
+/// @param hit  what the ray hits, if anything.
 void CameraPath::follow(std::optional<Hit> hit, BatchPoints& numbers) {
     const Scene& scene = pass_.scene.scene;
     while (true) {
@@ -83,7 +84,7 @@ CameraRay CameraPath::start(BatchPoints& numbers) {
     return ray;
 }
 
-/// @return whether the path goes on, in the new direction.
+/// @return whether the path continues, in the new direction.
 bool CameraPath::meet(Hit& hit, BatchPoints& numbers) {
     const TransportSettings& transport = pass_.transport;
     std::optional<Bsdf> room;
@@ -112,7 +113,7 @@ bool CameraPath::meet(Hit& hit, BatchPoints& numbers) {
     return go_on(vertex, numbers);
 }
 
-/// The path ends at what is wide.
+/// Ends the path at a diffuse lobe.
 void CameraPath::meet_base(const CameraVertex& vertex, BatchPoints& numbers) {
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
     gather(vertex.hit, vertex.bsdf, sampled ? kScattered : kEverything);
@@ -120,7 +121,7 @@ void CameraPath::meet_base(const CameraVertex& vertex, BatchPoints& numbers) {
     add_features(vertex.hit, spread_share(vertex.bsdf, vertex.wo));
 }
 
-/// The path goes on from what is narrow. @return whether it does.
+/// Continues the path from a specular or glossy lobe. @return whether it does.
 bool CameraPath::go_on(const CameraVertex& vertex, BatchPoints& numbers) {
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
     if (scattering(vertex.bsdf) == Scattering::glossy) {
@@ -150,7 +151,7 @@ void CameraPath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
     point.disc.bounces = bounces_;
     point.disc.kinds = kinds;
     point.disc.both_sides = gathers(bsdf, 1, -1);
-    // Beyond a rough surface the camera path is the noise, and the disc is wider already.
+    // Behind a rough surface the camera path causes the noise, and the disc is wider already.
     if (rough_ == 0) point.disc.indirect_radius_scale = pass_.indirect_radius_scale;
     point.shading_normal = hit.shading_normal;
     point.tangent = hit.tangent;
@@ -180,7 +181,7 @@ void CameraPath::add_light(const SampledSpectrum& radiance, float weight, Aov ow
     parts_.clear();
 }
 
-/// @param follow  trace a bsdf sample for the other half of MIS (a path that goes on needs none).
+/// @param follow  trace a bsdf sample for MIS (a path that continues needs none).
 void CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow) {
     const PassScene& pass = pass_.scene;
     const Vec2d choices = numbers.next_2d();
@@ -243,8 +244,9 @@ bool CameraPath::take(const CameraVertex& vertex, const BsdfDraw& draw, float sh
     direction_ = vertex.frame.to_world(drawn->wi);
     position_ = vertex.hit.position;
     if (bounces_ < kRouletteFrom) return !throughput_.is_zero();
-    // A branch is worth little from its start: ended as other paths are, it would bring its light
-    // in flashes as bright as a whole pixel; never ended, it would cost as much as a whole path.
+    // The survival probability is relative to the branch. Ended like other paths, a branch would
+    // contribute in flashes as bright as a whole pixel; without roulette, it would cost as much as
+    // a whole path.
     const float survival = std::min(1.0F, std::max(0.0F, importance() / std::sqrt(share_)));
     if (!(roulette < survival)) return false;
     throughput_ /= survival;
@@ -255,8 +257,8 @@ float CameraPath::importance() const {
     return throughput_.sum() * eta_scale_ / static_cast<float>(kWavelengths);
 }
 
-/// Footprint = pixel angle times path length; a refraction changes the angle by the ratio of
-/// indices. Curvature and grazing angles are left out: the radius shrinks anyway.
+/// Footprint = pixel angle times path length; a refraction scales the angle by the ratio of
+/// indices. Curvature and grazing angles are ignored, because the radius shrinks anyway.
 void CameraPath::grow_footprint(const Hit& hit) {
     footprint_ += footprint_angle_ * hit.distance;
     spread_ += spread_angle_ * hit.distance;
@@ -268,14 +270,14 @@ float CameraPath::radius_at(const Hit& hit) const {
     const auto factor = static_cast<float>(pass_.radius_factor);
     const float floor = smallest_radius(hit.position);
     if (settings.radius) return std::max(floor, static_cast<float>(*settings.radius) * factor);
-    // A footprint that swings from pass to pass would give 1 / (pi r^2) a heavy tail.
+    // A footprint that varies between passes would give 1 / (pi r^2) a heavy tail.
     const float width =
         std::clamp(footprint_, 0.25F * first_footprint_, 4 * first_footprint_) + spread_;
     return std::max(floor, pass_.first_radius * width * factor);
 }
 
-/// Of the first surface; of a coated one what lies below the coat.
-/// @param reflectance  share of the light of each wavelength that the surface scatters.
+/// Adds the features of the first surface; for a coated one, of the base.
+/// @param reflectance  fraction of each wavelength that the surface scatters.
 void CameraPath::add_features(const Hit& hit, const SampledSpectrum& reflectance) {
     if (has_features_) return;
     has_features_ = true;

@@ -1,7 +1,7 @@
-// One camera path: through smooth surfaces to what gathers, with the light that it finds itself. At
-// smooth glass it parts, and both ways are followed, as long as neither is worth little: which of
-// them light takes is no chance then. (A choice of 4% that leads to a lamp is most of a pixel's
-// noise.)
+// CameraPath: traces one camera path through specular surfaces to visible points, with emission and
+// direct light on the way. At smooth glass the path splits into reflection and refraction, as long
+// as neither branch has a small weight, so that the choice between them causes no noise. (A lobe of
+// 4% that leads to a lamp would cause most of a pixel's noise.)
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -23,36 +23,35 @@ public:
                std::vector<VisiblePoint>& points, Statistics& statistics)
         : pass_(pass), filter_(filter), image_(image), points_(points), statistics_(statistics) {}
 
-    /// @param pixel  index in the pass's window. @param path  which of the pixel's.
+    /// @param pixel  index in the window of the pass. @param path  index among the pixel's paths.
     void trace(std::uint32_t pixel, const PathOfPixel& path);
 
 private:
-    /// What an emitter met by the next hit counts, by the vertex that the path left last.
+    /// Which emitters at the next hit count, by the last vertex of the path.
     enum class Emitters {
-        all,       // only smooth surfaces since the camera: nobody else brings it
-        weighted,  // straight after a glossy vertex: the bsdf's half of MIS
-        none       // by smooth surfaces after a glossy vertex: photons bring it
+        all,       // only specular surfaces since the camera: no other estimator finds them
+        weighted,  // directly after a glossy vertex: the bsdf sample of MIS
+        none       // by specular surfaces after a glossy vertex: photons bring that light
     };
 
     CameraRay start(BatchPoints& numbers);
     void follow(std::optional<Hit> hit, BatchPoints& numbers);
-    /// On from a hit, in the new direction.
+    /// Returns the next ray from a hit, in the new direction.
     Ray ray_beyond(const Hit& hit);
     bool meet(Hit& hit, BatchPoints& numbers);
     void meet_base(const CameraVertex& vertex, BatchPoints& numbers);
     bool go_on(const CameraVertex& vertex, BatchPoints& numbers);
     void add_emission(const EmitterMet& met);
-    /// @param radiance  that arrives, of which parts_ are parts.
+    /// @param radiance  incident radiance, of which parts_ are the parts.
     void add_light(const SampledSpectrum& radiance, float weight, Aov owner);
     LightParts* wanted_parts() { return image_.light_groups() > 0 ? &parts_ : nullptr; }
     void add_features(const Hit& hit, const SampledSpectrum& reflectance);
     void gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds);
     void add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow);
     bool scatter(const CameraVertex& vertex, BatchPoints& numbers);
-    /// Goes on by one bsdf sample, as a branch with that share of the light. @return whether it
-    /// does.
+    /// Continues by one bsdf sample as a branch with weight `share`. @return whether it does.
     bool take(const CameraVertex& vertex, const BsdfDraw& draw, float share, double roulette);
-    /// What light from here on counts in the pixel, about; 1 at the camera.
+    /// Returns an estimate of the weight of further light in the pixel; 1 at the camera.
     float importance() const;
     void grow_footprint(const Hit& hit);
     float radius_at(const Hit& hit) const;
@@ -64,29 +63,29 @@ private:
     Statistics& statistics_;
 
     std::uint32_t pixel_ = 0;
-    bool has_met_ = false;  // a surface
+    bool has_met_ = false;  // the path has hit a surface
     bool has_features_ = false;
-    float of_pixel_ = 1;  // this path's share of the pixel's light
-    float weight_ = 1;    // of the pixel filter, and of the film's exposure, of that share
+    float of_pixel_ = 1;  // weight of this path in the pixel
+    float weight_ = 1;    // of the pixel filter, the exposure and of_pixel_
     SampledSpectrum throughput_;
     HeroWavelength hero_;
     Vec3 position_{0};  // of the last vertex
     Vec3 direction_{0};
     MediumNumber medium_ = 0;    // of the next ray
     float length_ = 0;           // of the path so far
-    float footprint_ = 0;        // width of the pixel here
+    float footprint_ = 0;        // width of the pixel at the current vertex
     float footprint_angle_ = 0;  // its growth per distance
     float first_footprint_ = 0;  // at the first surface
-    float spread_ = 0;           // width that glossy lobes add here
+    float spread_ = 0;           // width that glossy lobes add
     float spread_angle_ = 0;     // its growth per distance
-    float eta_scale_ = 1;        // undoes the radiance's factor of refraction for Russian roulette
-    float share_ = 1;            // of the light: of the branches taken where the path parted
+    float eta_scale_ = 1;        // squared index ratio of refractions, undone for Russian roulette
+    float share_ = 1;            // product of the branch weights
     std::uint16_t bounces_ = 0;
     Emitters emitters_ = Emitters::all;
     float bsdf_pdf_ = 0;     // of the last glossy sample, over the RIS candidates there
-    Receiver glossy_;        // its vertex
-    std::size_t rough_ = 0;  // glossy vertices so far
-    LightParts parts_;       // of light that is about to be added
+    Receiver glossy_;        // the vertex of that sample
+    std::size_t rough_ = 0;  // count of glossy vertices
+    LightParts parts_;       // parts of the light that is added next
 };
 
 }  // namespace sunfleck::engine

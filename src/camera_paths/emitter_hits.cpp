@@ -1,4 +1,4 @@
-// Area lights at a hit; infinite lights beyond the scene.
+// Area lights at a hit; infinite lights outside the scene.
 #include "camera_paths/emitter_hits.h"
 
 namespace sunfleck::engine {

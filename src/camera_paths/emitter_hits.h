@@ -1,5 +1,5 @@
-// Radiance that emitters send along a ray of a camera path, and the density with which next event
-// estimation would have sampled the same direction.
+// Emitter hits of camera paths: radiance of emitters along a ray, and the density with which next
+// event estimation would have sampled the direction.
 #pragma once
 
 #include "scene/pass_scene.h"
@@ -8,29 +8,30 @@
 
 namespace sunfleck::engine {
 
-/// Radiance that an emitter sends along a ray, and how else it could have been found.
+/// Radiance of an emitter along a ray, with the density of the other strategy for MIS.
 struct EmitterMet {
     SampledSpectrum radiance;
-    float pdf = 0;  // per steradian, of a RIS candidates at the ray's origin, choice included
+    float pdf = 0;  // per steradian, of a RIS candidate, choice included
 };
 
-/// What one light has to do with a result of the functions below. Where a list of these is given,
-/// they append to it; a result is the sum of its parts. Null: nobody asks.
+/// The part of one light in a result of the functions below, which append to a list of these,
+/// unless it is null. A result is the sum of its parts.
 struct LightPart {
     std::uint32_t light = 0;
     SampledSpectrum radiance;
 };
 using LightParts = std::vector<LightPart>;
 
-/// Appends a part, where anybody asks and there is any light.
+/// Appends a part, if there is a list and the radiance is not zero.
 void note(LightParts* parts, std::size_t light, const SampledSpectrum& radiance);
 
-/// The emitter at a hit, seen along `direction` (unit, of the ray); zero if it shows its dark side
-/// or is none. @param from  the vertex that the ray comes from; null: without a density.
+/// Returns the emitter at a hit, seen along `direction` (unit, of the ray); zero if it emits to the
+/// other side, or does not emit.
+/// @param from  vertex at the origin of the ray; null for no density.
 EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* from,
                       const Vec3& direction, LightParts* parts = nullptr);
 
-/// The infinite lights along a ray from a vertex, at `from`, that leaves the scene.
+/// Returns the infinite lights along a ray that leaves the scene, from a vertex at `from`.
 EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction,
                           LightParts* parts = nullptr);
 

@@ -1,4 +1,4 @@
-// RIS candidates, which of them has a shadow ray, and the bsdf sample beside them.
+// RIS candidates, the choice of the one with a shadow ray, and the bsdf sample.
 #include "camera_paths/next_event_estimation.h"
 
 #include "random_numbers/sobol.h"
@@ -9,8 +9,8 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Density with which a RIS candidates takes a direction, for the weights: infinite lights lie
-/// upon each other, and a bsdf sample finds them all at once, so they count together.
+/// Returns the density of a direction under RIS candidates, for MIS weights. Infinite lights
+/// overlap, and a bsdf sample finds all of them at once, so their densities are added.
 float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen& light,
               const DirectSample& drawn) {
     if (is_infinite(pass.scene.lights()[light.index]))
@@ -18,8 +18,8 @@ float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen
     return *drawn.pdf * static_cast<float>(light.probability);
 }
 
-/// As many cells as candidates on either side of the unit square, and in each the same numbers:
-/// a candidate has the sample's in another cell. Together they fill the square as a net does.
+/// Divides the unit square into as many cells as candidates. A candidate has the position of the
+/// sample in another cell, so that together they are stratified.
 Vec2d place_of(const Vec2d& u, std::size_t number, std::size_t candidates) {
     const int unused = 32 - std::countr_zero(candidates);
     const auto moved = [&](double x, std::size_t dimension) {
@@ -34,7 +34,7 @@ Vec2d place_of(const Vec2d& u, std::size_t number, std::size_t candidates) {
     return {moved(u.x, 0), moved(u.y, 1)};
 }
 
-/// @param many  candidates.
+/// @param many  number of candidates.
 RisCandidate candidate(const PassScene& pass, const CameraVertex& vertex,
                        const LightChoice::Chosen& choice, const Vec2d& place, float many) {
     const auto light = sample_direct(pass.scene.lights()[choice.index], vertex.hit.position,
@@ -51,15 +51,15 @@ RisCandidate candidate(const PassScene& pass, const CameraVertex& vertex,
             f * pass.tinted(pass.emission[choice.index], light->tint) * weight};
 }
 
-/// The rays to candidates of a vertex.
+/// Shadow rays to the candidates of a vertex.
 class ShadowRays {
 public:
     ShadowRays(const PassScene& pass, const CameraVertex& vertex, Statistics& statistics,
                LightParts* parts)
         : pass_(pass), vertex_(vertex), statistics_(statistics), parts_(parts) {}
 
-    /// What is seen of a candidate.
-    /// @param by  one over the probability with which it is asked for.
+    /// Returns the visible contribution of a candidate.
+    /// @param by  one over the probability of its choice.
     SampledSpectrum seen(const RisCandidate& light, float by) {
         ++statistics_[Count::camera_rays];
         const MediumNumber medium =
@@ -85,11 +85,12 @@ SampledSpectrum seen_of_each(const RisCandidates& candidates, ShadowRays rays) {
     return found;
 }
 
-/// @param u  in [0,1): which is picked, in their order, so that neighbouring numbers pick alike.
+/// @param u  in [0,1): selects the candidate in list order, so that neighbouring numbers select
+/// alike.
 SampledSpectrum seen_of_one(const RisCandidates& candidates, double u, ShadowRays rays) {
     float all = 0;
     for (const RisCandidate& light : candidates) all += light.arriving.sum();
-    if (!(all > 0)) return SampledSpectrum(all);  // nothing, or no number, which pictures count
+    if (!(all > 0)) return SampledSpectrum(all);  // zero, or NaN, which pictures count
     const RisCandidate* picked = nullptr;
     double left = u * static_cast<double>(all);
     for (const RisCandidate& light : candidates) {

@@ -1,4 +1,4 @@
-// All pixels of a pass, in blocks.
+// Camera paths of all pixels of a pass, in blocks.
 #include "camera_paths/trace_camera_paths.h"
 
 #include "camera_paths/camera_path.h"

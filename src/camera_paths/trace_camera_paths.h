@@ -1,10 +1,9 @@
-// Camera paths of all pixels of a pass: they end in visible points, and in light that needs no
-// photon.
+// Camera pass: traces the camera paths of all pixels.
 //
-// In:  the scene at a pass's wavelengths. Out: visible points; emission and direct light are added
-// to the pass's image.
-// Owners of light: docs/method/method.md has the table; visible_points/visible_point.h what photons
-// bring.
+// In:  the scene at the wavelengths of a pass. Out: visible points; emission and direct light are
+// added to the image of the pass.
+// docs/method/method.md has the path-space partition; visible_points/visible_point.h says which
+// light photons bring.
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -14,7 +13,7 @@
 
 namespace sunfleck::engine {
 
-/// All camera paths of all pixels. The order of the points, list after list, is that of the pixels.
+/// Traces all camera paths. The concatenated lists of visible points are in pixel order.
 VisiblePointLists trace_camera_paths(const CameraPass& pass, PassImage& image,
                                      Statistics& statistics);
 

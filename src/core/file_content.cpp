@@ -1,4 +1,4 @@
-// The table of first bytes, and texts that are told by more than these.
+// The table of first bytes, and rules for texts that need more than these.
 #include "core/file_content.h"
 
 #include "core/small_letters.h"
@@ -119,7 +119,7 @@ constexpr auto kMarks = std::to_array<Mark>({
      {"a program", ""}},
 });
 
-/// What stands before these bytes, where they alone say too little.
+/// Checks further bytes for marks that are ambiguous alone.
 bool begins_as_it_should(const Mark& mark, std::string_view bytes) {
     if (mark.bytes == "WEBP") return bytes.starts_with("RIFF");
     if (mark.bytes == "1AY&SY") return bytes.starts_with("BZh");
@@ -129,7 +129,7 @@ bool begins_as_it_should(const Mark& mark, std::string_view bytes) {
     return true;
 }
 
-/// ASCII as UTF-16 without its mark: every second byte is zero.
+/// Recognises ASCII as UTF-16 without byte order mark: every second byte is zero.
 bool is_bare_utf16(std::string_view bytes) {
     constexpr std::size_t kLooked = 16;
     if (bytes.size() < kLooked) return false;
@@ -142,7 +142,7 @@ bool is_bare_utf16(std::string_view bytes) {
     return false;
 }
 
-/// Texts with angle brackets or braces, of which no file of a scene is made.
+/// Recognises texts in angle brackets or braces; no file of a scene has such content.
 std::optional<FileContent> markup_of(std::string_view bytes) {
     const std::string_view text = without_mark(bytes);
     const std::size_t begin = text.find_first_not_of(" \t\r\n");

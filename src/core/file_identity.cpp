@@ -1,4 +1,4 @@
-// Names followed to their files: stat() and readlink().
+// File identities by stat() and readlink().
 #include "core/file_identity.h"
 
 #include "sunfleck/error.h"
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As many as the system follows.
+/// The system's own limit of links in a chain.
 constexpr int kMostLinks = 40;
 
 std::optional<FileIdentity> existing(const std::string& path) {
@@ -31,7 +31,8 @@ std::string link_target(const std::string& path) {
         if (code) {
             // The system's own links (/proc/self/fd/3) may lead to what their text does not name.
             if (step > 0 && existing(path) != existing(at.string()))
-                throw Error({path}, "leads to a file that has no name", "name a file");
+                throw Error({path}, "leads to a deleted file that has no name",
+                            "name another file");
             return at.string();
         }
         at = at.parent_path() / next;

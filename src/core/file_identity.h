@@ -1,4 +1,4 @@
-// Which file a name leads to, so that one file is known under all of its names.
+// Identity of files: device and inode, so that one file is recognised under all its names.
 #pragma once
 
 #include <compare>
@@ -8,20 +8,21 @@
 
 namespace sunfleck::engine {
 
-/// Device and inode of a file. Of a file that is yet to be made: those of its folder, and its name.
+/// Device and inode of a file; for a file that does not exist yet, those of its folder, and its
+/// name.
 struct FileIdentity {
     std::uint64_t device = 0;
     std::uint64_t inode = 0;
-    std::string new_name;  // empty for a file that is there
+    std::string new_name;  // empty for a file that exists
 
     auto operator<=>(const FileIdentity&) const = default;
 };
 
-/// @return  nothing where neither the file nor its folder is there.
+/// Returns the identity, or nothing if neither the file nor its folder exists.
 std::optional<FileIdentity> identity_of(const std::string& path);
 
-/// The end of a chain of symbolic links, whether it is there or not; else the path itself.
-/// @throws Error for links that lead back to themselves, or to a file that has no name any more.
+/// Returns the end of a chain of symbolic links, whether it exists or not; else the path itself.
+/// @throws Error  for a cycle of links, and for a link to a file that has no name any more.
 std::string link_target(const std::string& path);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// gzip by way of zlib: the output comes in pieces, so that a file's claim is never believed.
+// gzip through zlib: output grows in steps, so that the size that a file claims is never trusted.
 #include "core/gzip.h"
 
 #include "core/memory_room.h"
@@ -33,7 +33,7 @@ public:
 
     std::string all() {
         std::vector<std::string> pieces(1, std::string(kPiece, '\0'));
-        std::size_t filled = 0;  // of the last piece
+        std::size_t filled = 0;  // bytes of the last piece that are used
         while (step(pieces.back(), filled))
             if (filled == kPiece) {
                 check_size(pieces.size() * kPiece);
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    /// The pieces and what is joined of them are in memory together.
+    /// Throws if the pieces and their concatenation would not fit in memory together.
     void check_size(std::size_t unpacked) const {
         if (unpacked <= free_memory()) return;
         constexpr std::size_t kMebi = std::size_t{1} << 20U;
@@ -58,7 +58,7 @@ private:
                     "free some memory, or use a smaller file");
     }
 
-    /// Fills more of the output. @return whether there may be more.
+    /// Decompresses more of the output. @return whether more may follow.
     bool step(std::string& output, std::size_t& filled) {
         const std::string_view in = input_.substr(used_, kLargestStep);
         const std::size_t space = std::min(output.size() - filled, kLargestStep);
@@ -73,7 +73,7 @@ private:
         filled += space - stream_.avail_out;
         if (result == Z_STREAM_END)
             return is_gzip(input_.substr(used_)) && inflateReset(&stream_) == Z_OK;
-        if (result == Z_BUF_ERROR && used_ == input_.size()) fail("the gzip file is cut");
+        if (result == Z_BUF_ERROR && used_ == input_.size()) fail("the gzip file is truncated");
         if (result != Z_OK && result != Z_BUF_ERROR) fail("the gzip file is damaged");
         return true;
     }
@@ -94,7 +94,7 @@ std::string gunzip(std::string_view bytes, const std::string& name) {
     try {
         return Inflater(bytes, name).all();
     } catch (const std::bad_alloc&) {
-        throw Error({name}, "unpacks to more than there is memory for", "use a smaller file");
+        throw Error({name}, "unpacks to more than the free memory", "use a smaller file");
     }
 }
 

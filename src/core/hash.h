@@ -1,11 +1,11 @@
-// Hashes of values, for choices that must be the same wherever and whenever they are made.
+// Hash functions on 64-bit values, for choices that must be the same at every place and time.
 #pragma once
 
 #include <cstdint>
 
 namespace sunfleck::engine {
 
-/// A bijection of 64 bits after which all of them depend on all.
+/// Mixes 64 bits: a bijection in which each output bit depends on all input bits.
 /// Source: Stafford, Better Bit Mixing (2011), variant 13, as used by SplitMix64.
 constexpr std::uint64_t hash_mixed(std::uint64_t bits) {
     bits = (bits ^ bits >> 30U) * 0xBF58476D1CE4E5B9;
@@ -13,12 +13,12 @@ constexpr std::uint64_t hash_mixed(std::uint64_t bits) {
     return bits ^ bits >> 31U;
 }
 
-/// A hash of what `hash` is of, and of `bits` after it.
+/// Combines a hash with the next value of a sequence.
 constexpr std::uint64_t hash_joined(std::uint64_t hash, std::uint64_t bits) {
     return hash_mixed(hash + 0x9E3779B97F4A7C15 + bits);
 }
 
-/// A hash as a number in [0,1).
+/// Maps a hash to a number in [0,1).
 constexpr float hash_to_unit(std::uint64_t hash) {
     return static_cast<float>(hash >> 40U) * 0x1p-24F;
 }

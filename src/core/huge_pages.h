@@ -1,6 +1,7 @@
-// Large arrays that are read here and there: on large pages, where the system offers them.
+// Vectors on huge pages, for large arrays with random access.
 //
-// A processor remembers where some thousand pages lie; of 4 KiB each, these are few megabytes.
+// The processor caches the addresses of a few thousand pages. With pages of 4 KiB these cover only
+// some megabytes.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 
 namespace sunfleck::engine {
 
-/// An allocator that asks for large pages for all that fills one. Nothing else differs.
+/// Allocator that requests huge pages for arrays of at least one; smaller arrays are ordinary.
 template <class T>
 struct HugePages {
     using value_type = T;  // NOLINT(readability-identifier-naming): the name containers ask for
@@ -29,7 +30,7 @@ struct HugePages {
             return static_cast<T*>(::operator new(bytes, std::align_val_t(alignof(T))));
         void* memory = ::operator new(whole_pages(bytes), std::align_val_t(kPage));
 #if defined(__linux__)
-        madvise(memory, whole_pages(bytes), MADV_HUGEPAGE);  // if refused, pages are small
+        madvise(memory, whole_pages(bytes), MADV_HUGEPAGE);  // if refused, pages stay small
 #endif
         return static_cast<T*>(memory);
     }

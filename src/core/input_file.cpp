@@ -1,4 +1,4 @@
-// Input files by the C++ library; what kind of thing a name stands for by the file system.
+// Input files by the C++ library; the file system tells the type of a path.
 #include "core/input_file.h"
 
 #include "core/memory_room.h"
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kCheckName = "check the name";
 
-/// A path in quotes, on one line: control characters as the escapes that made them.
+/// Quotes a path on one line, with control characters as escapes.
 std::string in_one_line(const std::string& path) {
     constexpr std::size_t kMost = 4096;
     constexpr std::string_view kControls = "\n\r\t\b\f";
@@ -38,7 +38,7 @@ std::string in_one_line(const std::string& path) {
     return shown + '"';
 }
 
-/// The first entry of a folder, by the alphabet, whose name is taken for another one.
+/// Returns the alphabetically first entry of a folder whose name satisfies a test.
 template <class IsLike>
 std::optional<fs::path> entry_like(const fs::path& folder, const IsLike& is_like) {
     std::error_code code;
@@ -52,14 +52,14 @@ std::optional<fs::path> entry_like(const fs::path& folder, const IsLike& is_like
     return found;
 }
 
-/// The entry of a folder that differs from `name` in case alone.
+/// Returns the entry of a folder that differs from `name` in case alone.
 std::optional<fs::path> entry_of_other_case(const fs::path& folder, const std::string& name) {
     const std::string wanted = small_letters(name);
     return entry_like(
         folder, [&](const fs::path& entry) { return small_letters(entry.string()) == wanted; });
 }
 
-/// The file beside it that differs in its ending: another format, or none, or a blank behind it.
+/// Returns a file with the same stem: another ending, none, or trailing blanks.
 std::optional<fs::path> path_of_other_ending(const fs::path& path) {
     const std::string wanted = small_letters(path.stem().string());
     return entry_like(path.parent_path(), [&](const fs::path& entry) {
@@ -67,7 +67,7 @@ std::optional<fs::path> path_of_other_ending(const fs::path& path) {
     });
 }
 
-/// What a name is that no file of this machine has: "C:/a.png", "https:/b.org/a.png"; else empty.
+/// Returns a remark for paths of another system, "C:/a.png" or "https:/b.org/a.png"; else empty.
 std::string_view foreign_name(std::string_view path) {
     const std::size_t colon = path.find(":/");
     if (colon == std::string_view::npos) return "";
@@ -77,11 +77,11 @@ std::string_view foreign_name(std::string_view path) {
         std::all_of(path.begin() + static_cast<int>(begin), path.begin() + static_cast<int>(colon),
                     [](unsigned char c) { return std::isalpha(c) != 0; });
     if (!is_word || colon == begin) return "";
-    return colon - begin == 1 ? "it stands on a drive of Windows: name files relative to the scene"
-                              : "it is an address: download the file, and name that";
+    return colon - begin == 1 ? "it is on a drive of Windows: name the file relative to the scene"
+                              : "it is an address: download the file and name the copy";
 }
 
-/// The file whose path differs in case alone, or nothing.
+/// Returns the file whose path differs in case alone, or nothing.
 std::optional<fs::path> path_of_other_case(const fs::path& path) {
     fs::path found;
     std::error_code code;
@@ -102,17 +102,18 @@ std::optional<fs::path> path_of_other_case(const fs::path& path) {
     if (fs::is_symlink(fs::symlink_status(path, code)))
         throw MissingFile(from, path,
                           "it is a link to " + in_one_line(fs::read_symlink(path, code).string()) +
-                              ", which is not there");
+                              ", which does not exist");
     if (const auto other = path_of_other_case(path))
-        throw MissingFile(from, path,
-                          "there is " + in_one_line(other->string()) + ": mind capital letters");
+        throw MissingFile(
+            from, path,
+            "there is " + in_one_line(other->string()) + ": check upper and lower case");
     if (const auto other = path_of_other_ending(path))
         throw MissingFile(from, path, "there is " + in_one_line(other->string()));
     const std::string_view foreign = foreign_name(path);
     throw MissingFile(from, path, std::string(foreign.empty() ? kCheckName : foreign));
 }
 
-/// Refuses what is no regular file.
+/// Throws if the path is not a regular file.
 void check_kind(const std::string& path, const SourceLocation& from) {
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
@@ -132,7 +133,8 @@ void check_kind(const std::string& path, const SourceLocation& from) {
             throw Error(from, quoted + " cannot be reached: " + code.message(),
                         "check that you may read it");
         default:
-            throw Error(from, quoted + " is a device or a socket, no file", "name a file");
+            throw Error(from, quoted + " is a device or a socket, not a file",
+                        "name a regular file");
     }
 }
 
@@ -170,7 +172,7 @@ OpenFile open_input_file(const std::string& path, const SourceLocation& from) {
 std::string read_input_file(const std::string& path, const SourceLocation& from) {
     auto [stream, size] = open_input_file(path, from);
     const std::string quoted = in_one_line(path);
-    constexpr std::uintmax_t kSmall = 1U << 24U;  // less is not worth the question
+    constexpr std::uintmax_t kSmall = 1U << 24U;  // smaller files are read without asking
     if (size > kSmall && size > free_memory()) too_large(size, quoted, from);
     std::string bytes(size, '\0');
     stream.read(bytes.data(), static_cast<std::streamsize>(size));
@@ -188,7 +190,7 @@ std::string read_standard_input(const std::string& name) {
         filled += count;
         bytes.resize(filled);
         if (count < kPiece) break;
-        // The text grows by doubling: as much as there is must be free once more.
+        // The text grows by doubling, so the same amount again must be free.
         if (filled > free_memory()) too_large(filled, "the text", {name});
     }
     if (std::ferror(stdin) != 0) throw Error({name}, "cannot be read to its end", "try again");

@@ -1,4 +1,4 @@
-// Input files: whole as bytes, for the readers that parse in memory, or open to be read in pieces.
+// Input files: read whole into memory, or opened as a stream.
 #pragma once
 
 #include "sunfleck/error.h"
@@ -9,16 +9,16 @@
 
 namespace sunfleck::engine {
 
-/// A file that is not there, or not under that very name.
+/// Error for a file that does not exist under exactly that name.
 class MissingFile : public Error {
 public:
-    /// @param from  the statement that names it.
-    /// @param mend  what to do: for example, which file there is instead.
+    /// @param from  statement that names the file.
+    /// @param mend  remedy: for example, the name of a similar file that exists.
     MissingFile(const SourceLocation& from, const std::string& path, const std::string& mend);
 
     const std::string& path() const { return path_; }
     const std::string& mend() const { return mend_; }
-    /// Path, place, and what there is instead: for a list of missing files.
+    /// Returns path, location and remedy on one line, for a list of missing files.
     std::string line() const;
 
 private:
@@ -26,22 +26,25 @@ private:
     std::string mend_;
 };
 
-/// A regular file, open at its first byte.
+/// A regular file, opened at its first byte.
 struct OpenFile {
     std::ifstream stream;
     std::uintmax_t size = 0;  // bytes
 };
 
-/// @param from  the statement that names it: the place of the error if it cannot be opened.
-/// @throws MissingFile  if there is none; its remedy names a file that differs in case alone.
-/// @throws Error  for folders, pipes, devices, and what cannot be opened.
+/// Opens a regular file.
+/// @param from  statement that names the file; the location of errors.
+/// @throws MissingFile  if it does not exist; the remedy names a file that differs in case alone.
+/// @throws Error  for folders, pipes, devices, and files that cannot be opened.
 OpenFile open_input_file(const std::string& path, const SourceLocation& from);
 
-/// The bytes of a regular file.
-/// @throws Error  as open_input_file(), and for what cannot be read or held in memory.
+/// Reads a regular file into memory.
+/// @throws Error  as open_input_file(), and for a file that cannot be read or does not fit in
+/// memory.
 std::string read_input_file(const std::string& path, const SourceLocation& from);
 
-/// All of standard input. @param name  of it, for messages. @throws Error  beyond free memory.
+/// Reads all of standard input. @param name  its name in messages.
+/// @throws Error  if the text exceeds free memory.
 std::string read_standard_input(const std::string& name);
 
 }  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
-// Memory that a pass gives back stays with the program, for the next pass.
+// Keeps freed memory in the process, for the next pass.
 //
-// A pass fills some hundred megabytes and gives them back. If they go back to the system, they come
-// again page by page, each of them cleared and entered anew: a third of a render's time
+// A pass allocates some hundred megabytes and frees them. Memory that returns to the system comes
+// back page by page, each cleared and mapped anew: a third of the time of a render
 // (docs/develop/decisions.md).
 #pragma once
 
@@ -13,12 +13,12 @@
 
 namespace sunfleck::engine {
 
-/// From now on no memory goes back to the system before the program ends. To be called at its
-/// start; does nothing where the C library is not glibc.
+/// Returns no memory to the system from now on until the program ends. It is called when the
+/// program starts. Without glibc it does nothing.
 inline void keep_freed_memory() {
 #if defined(__GLIBC__)
     // NOLINTBEGIN(concurrency-mt-unsafe): no other thread runs yet
-    mallopt(M_MMAP_MAX, 0);         // large pieces come from where small ones do, and stay there
+    mallopt(M_MMAP_MAX, 0);  // large blocks come from the same heap as small ones, and stay there
     mallopt(M_TRIM_THRESHOLD, -1);  // never
     // NOLINTEND(concurrency-mt-unsafe)
 #endif

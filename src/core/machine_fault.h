@@ -1,4 +1,4 @@
-// Faults of the machine: no room, no memory, no thread. The user's words are right; exit code 1.
+// MachineFault: the machine failed (disk full, no memory, no thread), not the input. Exit code 1.
 #pragma once
 
 #include "sunfleck/error.h"
@@ -9,7 +9,7 @@ class MachineFault : public Error {
 public:
     MachineFault(SourceLocation where, const std::string& what, const std::string& mend)
         : Error(std::move(where), what, mend, ErrorCode::machine) {}
-    /// An error that input which has been checked cannot be the cause of.
+    /// Converts an Error that checked input cannot have caused.
     explicit MachineFault(const Error& error)
         : Error(error.where(), error.what(), ErrorCode::machine) {}
 };

@@ -1,4 +1,4 @@
-// Files of /proc and /sys, and getrlimit().
+// Available memory from /proc, /sys and getrlimit().
 #include "core/memory_room.h"
 
 #include <sys/resource.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-/// The number after a word of a file; nothing where the file has no such word.
+/// Returns the number after a word in a file, or nothing if the word is missing.
 std::optional<std::uint64_t> number_after(const fs::path& path, const std::string& word) {
     std::ifstream file(path);
     for (std::string found; file >> found;) {
@@ -30,7 +30,7 @@ std::optional<std::uint64_t> number_after(const fs::path& path, const std::strin
     return {};
 }
 
-/// A file that holds one number, or a word for "no limit".
+/// Returns the number in a file that holds one, or nothing for a word such as "max".
 std::optional<std::uint64_t> number_in(const fs::path& path) {
     std::ifstream file(path);
     std::uint64_t number = 0;
@@ -38,13 +38,13 @@ std::optional<std::uint64_t> number_in(const fs::path& path) {
     return {};
 }
 
-/// The files of one version of control groups.
+/// File names of one version of control groups.
 struct GroupFiles {
-    const char* controller;  // of the line in /proc/self/cgroup
+    const char* controller;  // name in /proc/self/cgroup
     const char* mount;
     const char* limit;
     const char* usage;
-    const char* cache;  // in memory.stat: what is given back when asked for
+    const char* cache;  // key in memory.stat: reclaimable cache
 };
 
 constexpr std::array kGroupFiles = {
@@ -53,7 +53,7 @@ constexpr std::array kGroupFiles = {
                "total_inactive_file"},
 };
 
-/// Bytes that a group leaves beside what it uses; nothing if it sets no limit.
+/// Returns the bytes that a group leaves beside what it uses; nothing if it sets no limit.
 std::optional<std::uint64_t> left_in(const fs::path& group, const GroupFiles& files) {
     const auto limit = number_in(group / files.limit);
     if (!limit) return {};
@@ -63,7 +63,7 @@ std::optional<std::uint64_t> left_in(const fs::path& group, const GroupFiles& fi
     return *limit - std::min(*limit, held);
 }
 
-/// The group of this process, as /proc/self/cgroup has it: "4:memory:/a/b", "0::/a/b".
+/// Returns the group of this process as in /proc/self/cgroup: "4:memory:/a/b", "0::/a/b".
 std::optional<fs::path> group_of(const fs::path& root, const std::string& controller) {
     std::ifstream file(root / "proc/self/cgroup");
     for (std::string line; std::getline(file, line);) {
@@ -79,7 +79,7 @@ std::optional<fs::path> group_of(const fs::path& root, const std::string& contro
     return {};
 }
 
-/// What all groups around this process leave.
+/// Returns the smallest remainder of all control groups around this process.
 std::uint64_t left_by_strata(const fs::path& root) {
     std::uint64_t left = kNoLimit;
     for (const GroupFiles& files : kGroupFiles) {
@@ -97,7 +97,7 @@ std::uint64_t sum(std::uint64_t a, std::uint64_t b) {
     return a > kNoLimit - b ? kNoLimit : a + b;
 }
 
-/// Numbers of /proc/self/statm: address space, memory.
+/// Returns address space and resident size from /proc/self/statm.
 std::array<std::uint64_t, 2> own_sizes() {
     std::ifstream file("/proc/self/statm");
     std::array<std::uint64_t, 2> pages{};

@@ -1,4 +1,4 @@
-// The only file that includes the thread library.
+// Parallel loops on TBB; the only file that includes it.
 #include "core/parallel.h"
 
 #include <tbb/global_control.h>
@@ -20,7 +20,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Denormals are flushed to zero and read as zero while it lives, on every thread alike.
+/// Flushes denormals to zero, and reads them as zero, while it lives; alike on every thread.
 class FlushDenormals {
 public:
 #if defined(__SSE__)
@@ -45,10 +45,10 @@ private:
 
 using IsOver = std::function<bool()>;
 
-/// What the loops of this thread ask.
+/// The cancellation test of the loops of this thread.
 thread_local const IsOver* asked = nullptr;
 
-/// They ask this while it lives.
+/// Sets the cancellation test while it lives.
 class Asking {
 public:
     explicit Asking(const IsOver* is_over) : before_(std::exchange(asked, is_over)) {}
@@ -62,16 +62,16 @@ private:
     const IsOver* before_;
 };
 
-/// Thrown by a loop of run_unless(), which catches it.
+/// Thrown by a cancelled loop; run_unless() catches it.
 struct LoopIsOver {};
 
-/// The innermost ThreadLimit's threads; null while there is none.
+/// The arena of the innermost ThreadLimit; null without one.
 std::atomic<tbb::task_arena*> limited_arena{nullptr};
 
 }  // namespace
 
-/// The control bounds the threads of all libraries that share TBB (Embree's builds, too); the
-/// arena gives loops that many even where there are fewer cores.
+/// The control bounds the threads of all libraries that share TBB (also Embree's builds). The arena
+/// gives loops that many threads even where there are fewer cores.
 struct ThreadLimit::Control {
     explicit Control(std::size_t count)
         : control(tbb::global_control::max_allowed_parallelism, count),
@@ -105,8 +105,8 @@ std::size_t thread_count() {
 namespace {
 
 #if defined(__SANITIZE_THREAD__)
-/// The library is not built for the thread sanitizer, which would take its insides for races. In
-/// such a build plain threads run the loops, so that what tasks do to each other is what is found.
+/// TBB is not built for the thread sanitizer, which would report races inside it. In such a build
+/// plain threads run the loops, so that races between tasks are found.
 template <class Task>
 void run_loop(std::size_t count, const Task& task) {
     std::atomic<std::size_t> next{0};

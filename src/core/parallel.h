@@ -1,8 +1,8 @@
-// Work shared among threads without the result knowing it. The only door to the thread library.
+// Parallel loops with deterministic results; the only module that uses the thread library.
 //
 // In:  a count of independent tasks. Out: their effects.
-// Rules: a task writes only to places that belong to its own index, or adds integers
-// (AtomicFixedPoint, std::atomic counts). Every thread flushes denormals alike.
+// Rules: a task writes only to data of its own index, or adds integers (AtomicFixedPoint,
+// std::atomic counts). Every thread flushes denormals alike.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace sunfleck::engine {
 
-/// All later work runs on `count` threads, even where there are fewer cores, for as long as it
-/// lives; 0 changes nothing: as many threads as cores. Made by the main thread, outside of loops;
-/// the later ones end first, and an inner one only lowers the number.
+/// Limits later work to `count` threads while it lives, even where there are fewer cores. 0 means
+/// as many threads as cores. The main thread creates it, outside of loops. Nested limits end in
+/// reverse order; an inner one can only lower the number.
 class ThreadLimit {
 public:
     explicit ThreadLimit(std::size_t count);
@@ -28,25 +28,27 @@ private:
     std::unique_ptr<Control> control_;
 };
 
-/// Threads that parallel_for may use now.
+/// Returns the number of threads that parallel_for() may use now.
 std::size_t thread_count();
 
-/// Calls task(i) once for each i in [0, count), on any thread, in any order; the first exception
-/// thrown reaches the caller. For tasks of at least some microseconds.
+/// Calls task(i) once for each i in [0, count), on any thread, in any order. The first exception
+/// reaches the caller. A task should take at least some microseconds.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task);
 
-/// How long blocks of `count` indices are so that each thread gets one. @param least  the result is
-/// at least this, so that small work is not cut up.
+/// Returns the block length that splits `count` indices into one block per thread.
+/// @param least  lower bound of the result, so that small work is not split.
 std::size_t block_of_a_thread(std::size_t count, std::size_t least);
 
-/// Calls task(begin, end) for consecutive blocks of `block` indices that cover [0, count); the last
-/// may be shorter. @param block  at least 1.
+/// Calls task(begin, end) for consecutive blocks that cover [0, count); the last may be shorter.
+/// @param block  block length, at least 1.
 void parallel_blocks(std::size_t count, std::size_t block,
                      const std::function<void(std::size_t, std::size_t)>& task);
 
-/// Runs task(). Its loops, and loops within their tasks, ask before each task whether it is_over(),
-/// on any thread. @param is_over  none: it never is. @return false if a loop was cut short: then
-/// task() was left, and what it has written is of no use.
+/// Runs task() with cancellation: its loops, and loops nested in them, call is_over() before each
+/// task, on any thread.
+/// @param is_over  may be empty: no cancellation.
+/// @return false if a loop was cancelled: then task() was abandoned, and its results are
+/// incomplete.
 bool run_unless(const std::function<bool()>& is_over, const std::function<void()>& task);
 
 }  // namespace sunfleck::engine

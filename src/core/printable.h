@@ -1,4 +1,4 @@
-// Text of unknown origin, for messages of one line.
+// Text of unknown origin made safe for messages of one line.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace sunfleck::engine {
 
-/// The text, its control characters replaced by '?', and "..." for what is beyond `most` bytes.
+/// Returns the text with control characters as '?', and "..." for what exceeds `most` bytes.
 inline std::string printable(std::string_view text, std::size_t most) {
     std::string shown(text.substr(0, most));
     for (char& c : shown)
@@ -14,7 +14,7 @@ inline std::string printable(std::string_view text, std::size_t most) {
     return text.size() > most ? shown + "..." : shown;
 }
 
-/// The same in quotes.
+/// Returns printable() text in quotes.
 inline std::string in_quotes(std::string_view text, std::size_t most = 60) {
     return '"' + printable(text, most) + '"';
 }

@@ -1,4 +1,4 @@
-// Asks the processor by the compiler's built-in.
+// Instruction sets by the compiler's built-in function.
 #include "core/processor.h"
 
 namespace sunfleck::engine {

@@ -1,10 +1,10 @@
-// The instruction sets that the processor has.
+// Detection of the processor's instruction sets.
 #pragma once
 
 namespace sunfleck::engine {
 
-/// True if the processor has what Embree's AVX2 kernels need. Without it bytes may differ from
-/// other machines', for Embree then picks other kernels.
+/// Returns whether the processor has what Embree's AVX2 kernels need. Without AVX2 Embree uses
+/// other kernels, and bytes may differ from those of other machines.
 bool cpu_has_avx2();
 
 }  // namespace sunfleck::engine

@@ -1,8 +1,8 @@
 // Counter-based random streams: number n of a stream is a function of the stream's name alone.
 //
-// In:  a seed, and a name (purpose, pass, index) that no other stream of the render has.
-// Out: 64-bit fractions of one turn, words of 32 bits, or numbers of the open interval (0,1); the
-// same everywhere.
+// In:  a seed, and a name (purpose, pass, index) that is unique in the render.
+// Out: 64-bit fractions of the unit interval, 32-bit words, or numbers of the open interval (0,1);
+// the same on every machine.
 // Source: Philox4x32-10; Salmon et al., Parallel Random Numbers: As Easy as 1, 2, 3 (SC 2011).
 #pragma once
 
@@ -31,7 +31,7 @@ constexpr RandomBlock philox(RandomBlock counter, std::uint64_t key) {
     return counter;
 }
 
-/// What a stream is for: one entry per place that draws, so that no two places share numbers.
+/// Purpose of a stream: one value per place that draws numbers, so that no two places share them.
 enum class Purpose : std::uint32_t {
     wavelengths,
     camera,
@@ -52,51 +52,51 @@ enum class Purpose : std::uint32_t {
     edge_search
 };
 
-/// A 64-bit fraction of one turn as a double of the open interval (0,1): an odd multiple of 2^-53.
+/// Converts a 64-bit fraction to a double of the open interval (0,1): an odd multiple of 2^-53.
 constexpr double to_unit(std::uint64_t fraction) {
     return (static_cast<double>(fraction >> 12U) + 0.5) * 0x1p-52;
 }
 
-/// The other way round. @param unit  in [0,1].
+/// Inverts to_unit(). @param unit  in [0,1].
 constexpr std::uint64_t to_fraction(double unit) {
     return static_cast<std::uint64_t>((unit < 1 ? unit : 1 - 0x1p-53) * 0x1p64);
 }
 
-/// The highest 32 bits of a fraction of one turn as a float of (0,1): an odd multiple of 2^-24.
+/// Converts the highest 32 bits of a fraction to a float of (0,1): an odd multiple of 2^-24.
 constexpr float word_to_unit_float(std::uint32_t word) {
     return (static_cast<float>(word >> 9U) + 0.5F) * 0x1p-23F;
 }
 
-/// The same of a 64-bit fraction.
+/// Converts a 64-bit fraction to a float of (0,1).
 constexpr float to_unit_float(std::uint64_t fraction) {
     return word_to_unit_float(static_cast<std::uint32_t>(fraction >> 32U));
 }
 
-/// Numbers by position: number i of a stream, in any order.
+/// A random stream with random access: number i is available in any order.
 class RandomStream {
 public:
-    /// @param part  see PassId.
+    /// @param part  see PassId::part.
     constexpr RandomStream(std::uint64_t seed, Purpose purpose, std::uint32_t pass,
                            std::uint32_t index, std::uint32_t part = 0)
         : seed_(seed), name_{0, index, pass, static_cast<std::uint32_t>(purpose) | part << 16U} {}
 
-    /// Number i of the stream, as a fraction of one turn. Neighbours i, i ^ 1 share one block.
+    /// Returns number i as a 64-bit fraction. Numbers i and i ^ 1 share one Philox block.
     constexpr std::uint64_t at(std::uint32_t i) {
         go_to(i >> 1U);
         const std::size_t half = (i & 1U) * 2;
         return (std::uint64_t{block_.at(half)} << 32U) | block_.at(half + 1);
     }
 
-    /// Word i of the stream, of 32 bits: number i consists of words 2 i and 2 i + 1. Words i to
-    /// i | 3 share one block.
+    /// Returns 32-bit word i; number i consists of words 2 i and 2 i + 1. Words i to i | 3 share
+    /// one block.
     constexpr std::uint32_t word(std::uint32_t i) {
         go_to(i >> 2U);
         return block_.at(i & 3U);
     }
 
-    /// The word after the last one that any next_...() read. There are 2^32.
+    /// Returns the word after the last one that any next_...() has read. A stream has 2^32 words.
     constexpr std::uint32_t next_word() { return word(next_++); }
-    /// The first number after that.
+    /// Returns the first number after that word.
     constexpr std::uint64_t next_fraction() {
         const std::uint32_t i = (next_ + 1) / 2;
         next_ = 2 * i + 2;
@@ -117,25 +117,26 @@ private:
     RandomBlock name_;
     RandomBlock block_{};
     std::uint32_t cached_ = 0;
-    std::uint32_t next_ = 0;  // word
+    std::uint32_t next_ = 0;  // index of the next word
 };
 
-/// Which pass of which render: all that randomness may depend on.
+/// Identifies a pass of a render; all randomness of the pass depends on it alone.
 struct PassId {
     std::uint64_t seed = 0;
     std::uint32_t number = 0;  // from 0
-    std::uint32_t part = 0;    // of its numbers: see draw() and with_part(); below 2^16
+    std::uint32_t part = 0;    // subpass and stratum: see subpass() and with_part(); below 2^16
 
-    /// The stream of one pixel, uniform path or chain of this pass. @param index  below 2^32.
+    /// Returns the stream of one pixel, uniform path or chain of this pass. @param index  below
+    /// 2^32.
     constexpr RandomStream stream(Purpose purpose, std::size_t index) const {
         return {seed, purpose, number, static_cast<std::uint32_t>(index), part};
     }
-    /// The pass drawn once more, camera and photon paths. @param which  below 128.
+    /// Returns the id of one subpass. @param which  below 128.
     constexpr PassId subpass(std::uint32_t which) const { return {seed, number, which * kParts}; }
-    /// Some of the draw's photon paths, where lights are in groups. @param which  below kParts.
+    /// Returns the id of one light stratum of the subpass. @param which  below kParts.
     constexpr PassId with_part(std::uint32_t which) const { return {seed, number, part + which}; }
 
-    static constexpr std::uint32_t kParts = 512;  // of a draw
+    static constexpr std::uint32_t kParts = 512;  // strata of a subpass
 };
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Text without the difference between capital and small letters.
+// Lower case, for comparison of text without regard to capitals.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace sunfleck::engine {
 
-/// @param text  ASCII; other bytes stay.
+/// Returns the text in lower case. @param text  ASCII letters change; other bytes stay.
 inline std::string small_letters(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -1,4 +1,4 @@
-// The file of statistics that a render writes (docs/reference/stats.md), for what reads it again.
+// Reads the statistics file that a render wrote (docs/reference/stats.md).
 #pragma once
 
 #include "core/file_content.h"
@@ -8,8 +8,8 @@
 
 namespace sunfleck::engine {
 
-/// The text of the file, not parsed.
-/// @throws Error  for a file that is not there, or that is something else by its first bytes.
+/// Returns the text of the file, not parsed.
+/// @throws Error  for a missing file, and for one whose first bytes show another type.
 inline std::string read_statistics_file(const std::string& path) {
     std::string text = read_input_file(path, {path});
     if (!text.starts_with("{")) refuse_other_content(text, path, "the statistics of a render");

@@ -1,5 +1,4 @@
-// Time on the wall and of the processors, in seconds. For reports and limits alone: no pixel may
-// depend on it.
+// Wall-clock time and processor time in seconds. Reports and limits use it; no pixel depends on it.
 #pragma once
 
 #include <chrono>
@@ -9,10 +8,10 @@ namespace sunfleck::engine {
 
 class Stopwatch {
 public:
-    /// Since it was made.
+    /// Returns the time since construction.
     double seconds() const { return since(start_, std::chrono::steady_clock::now()); }
 
-    /// Since the last lap, or since it was made.
+    /// Returns the time since the last lap, or since construction.
     double lap() {
         const auto now = std::chrono::steady_clock::now();
         const double passed = since(last_, now);
@@ -31,21 +30,21 @@ private:
     Time last_ = start_;
 };
 
-/// Of all threads of this process, since it began.
+/// Returns the processor time of all threads of this process since it began.
 inline double process_cpu_seconds() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The time of the work itself: what is done aside does not count.
+/// Measures the time of rendering, without work that is done aside (saving, showing).
 class WorkClock {
 public:
     double seconds() const { return watch_.seconds() - aside_; }
-    /// Of all threads of this process.
+    /// Returns the processor time of all threads of this process.
     double cpu_seconds() const { return process_cpu_seconds() - start_cpu_ - aside_cpu_; }
 
-    /// Runs task() while the clock stands.
+    /// Runs task() while the clock is stopped.
     template <class Task>
     void aside(const Task& task) {
         const Stopwatch watch;

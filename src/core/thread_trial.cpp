@@ -1,4 +1,4 @@
-// Threads that wait for the last of them.
+// Threads that all wait until the last of them has started.
 #include "core/thread_trial.h"
 
 #include "core/machine_fault.h"
@@ -13,7 +13,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Threads that end when it does.
+/// Threads that wait until this object is destroyed.
 class Waiting {
 public:
     Waiting() = default;
@@ -45,7 +45,7 @@ private:
     std::vector<std::thread> threads_;
 };
 
-/// @param count  threads beside the caller's.
+/// Starts threads and joins them. @param count  threads beside the caller.
 void start_and_end(std::size_t count) {
     Waiting waiting;
     try {
@@ -54,7 +54,7 @@ void start_and_end(std::size_t count) {
         const std::string had = std::to_string(waiting.count() + 1);
         throw MachineFault(
             {"--nthreads"},
-            std::to_string(count + 1) + " threads are asked for, and the machine gives " + had +
+            std::to_string(count + 1) + " threads were asked for, but the machine gives " + had +
                 ": " + fault.code().message(),
             "use --nthreads " + had + ", or raise the limit of processes (ulimit -u)");
     }
@@ -64,7 +64,8 @@ void start_and_end(std::size_t count) {
 
 void try_threads() {
     start_and_end(thread_count() - 1);
-    // Else it would begin within Embree, and where it has no memory then, wait for itself forever.
+    // Otherwise TBB would start inside Embree; without memory it would then wait for itself
+    // forever.
     parallel_for(2, [](std::size_t) {});
 }
 

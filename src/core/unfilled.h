@@ -1,7 +1,6 @@
-// Lists that come without their first values: whoever makes one writes every item before it is
-// read, each thread its own.
+// Vectors without initial values: the owner writes every element before it is read.
 //
-// A list that is filled with zeros first is filled, and its memory entered, by one thread.
+// A vector that is zeroed first is touched, and its memory mapped, by one thread alone.
 #pragma once
 
 #include <memory>
@@ -10,7 +9,7 @@
 
 namespace sunfleck::engine {
 
-/// An allocator that leaves items that are given no value as the memory is.
+/// Allocator that leaves elements without a given value uninitialised.
 template <class T>
 struct Unfilled : std::allocator<T> {
     static_assert(std::is_trivially_destructible_v<T>);
@@ -18,7 +17,7 @@ struct Unfilled : std::allocator<T> {
     template <class U>
     Unfilled(const Unfilled<U>&) {}
 
-    /// Of an item without a value; those with one are made as ever.
+    /// Constructs nothing for an element without a value; elements with a value use the default.
     template <class U>
     void construct(U* /*place*/) {}
 };

@@ -1,4 +1,4 @@
-// Warnings: what a scene asks for and does not get, each said once, with what was done instead.
+// Warnings: features of a scene that are not supported as asked, each reported once.
 #pragma once
 
 #include "sunfleck/error.h"
@@ -9,16 +9,15 @@
 
 namespace sunfleck::engine {
 
-/// A list in the order of first appearance. A second warning of the same text adds to a count.
-/// For one thread at a time.
+/// A list in order of first appearance. A repeated text increases a count. Not thread-safe.
 class Warnings {
 public:
     struct Entry {
-        SourceLocation where;  // of the first
+        SourceLocation where;  // of the first occurrence
         std::string text;
         int count = 1;
 
-        /// One line: place, text, and how often when more than once.
+        /// Returns one line: location, text, and the count if above one.
         std::string line() const {
             const std::string times = count > 1 ? " (" + std::to_string(count) + " times)" : "";
             return where.text() + ": warning: " + text + times;

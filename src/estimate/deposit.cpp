@@ -1,4 +1,4 @@
-// Deposits of many photons at once: every block of eight visible points gathers its photons.
+// Deposit of photons: every block of eight visible points gathers its photons.
 #include "estimate/deposit.h"
 
 #include "core/parallel.h"

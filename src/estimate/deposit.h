@@ -1,6 +1,7 @@
-// Photons and visible points become pixel values: the density estimate of one pass.
+// Depositor: the radiance estimate of one pass, from photons and visible points to pixel values.
 //
-// In:  photons, an index of visible points. Out: the sums of photon_terms.h in the pass's image.
+// In:  photons, an index of visible points. Out: the sums of photon_terms.h in the image of the
+// pass.
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -14,16 +15,17 @@ namespace sunfleck::engine {
 
 class Depositor {
 public:
-    /// @param paths   photon paths of the pass: N of the estimate.
-    /// @param counts  one of each pixel, to be added to; or none.
+    /// @param paths   number of photon paths of the pass: N of the estimate.
+    /// @param counts  photon counts per pixel, to be added to; or null.
     Depositor(const PassScene& pass, const VisiblePointIndex& index, PassImage& image,
               std::uint32_t paths, PhotonCounts* counts = nullptr)
         : pass_(pass), index_(index), image_(image), paths_(paths), counts_(counts) {}
 
-    /// Adds to every visible point the photons that it accepts, and marks in the chunks which were
-    /// taken. Each point sums in floats, in an order that depends on the chunks alone (not on the
-    /// threads), and adds one term a kind of photon to the exact sums of its pixel. The flux of a
-    /// photon is taken as it is: whoever weights paths scales it before. @return counts.
+    /// Adds to every visible point the photons that it accepts, and marks accepted photons in their
+    /// chunks. Each point sums in floats, in an order that depends on the chunks alone (not on the
+    /// threads), and adds one term per kind of photon to the exact sums of its pixel. The flux of a
+    /// photon is used as it is; the caller includes path weights.
+    /// @return statistics of the deposit.
     Statistics operator()(std::vector<PhotonChunk>& chunks) const;
 
 private:

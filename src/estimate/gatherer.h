@@ -1,8 +1,8 @@
-// Blocks of visible points gather the photons that they take.
+// Gatherer: blocks of visible points gather the photons that they accept.
 //
-// In:  sorted photons, an index of visible points. Out: terms of pixels, marks at photons that were
-// taken. A few blocks that are neighbours in space go together: first all look for their photons,
-// and what the sums will read is called into the cache; then all sum up.
+// In:  sorted photons, an index of visible points. Out: terms of pixels, marks at accepted photons.
+// A few blocks that are close in space are processed together: all of them look up their photons
+// and prefetch what the sums read, then all of them sum up.
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -27,7 +27,7 @@ inline std::size_t number_of(PhotonKind kind) {
     return static_cast<std::size_t>(__builtin_ctz(static_cast<unsigned>(kind)));
 }
 
-/// VisibleFlags that several threads may set at once.
+/// Visible flags that several threads may set at once.
 class VisibleFlags {
 public:
     explicit VisibleFlags(std::size_t count) : marks_(count, 0) {}
@@ -41,28 +41,28 @@ private:
     std::vector<std::uint8_t> marks_;
 };
 
-/// What all blocks share.
+/// Data that all blocks share.
 struct GatherContext {
     const PassScene& pass;
     const VisiblePointIndex& index;
     PassImage& image;
     std::uint32_t paths;
-    PhotonCounts* counts;  // or none
+    PhotonCounts* counts;  // or null
     const SortedPhotons& photons;
     VisibleFlags& taken;
     PixelLocks& locks;
 };
 
-/// Blocks of visible points one after the other: sums of light by kind and point.
+/// Sums of light by kind and point, block by block.
 class Gatherer {
 public:
     static constexpr std::size_t kTogether = TakenPhotons::kBlocks;
-    static constexpr std::size_t kPoints = VisiblePointIndex::kWidth;  // of a block
+    static constexpr std::size_t kPoints = VisiblePointIndex::kWidth;  // per block
 
     explicit Gatherer(const GatherContext& all) : all_(all), shared_(all.image, all.locks) {}
 
-    /// Blocks begin .. end - 1, kTogether at most, neighbours in space.
-    /// @return photons times points that took them.
+    /// Gathers for blocks begin .. end - 1, at most kTogether, close in space.
+    /// @return the number of accepted photons times accepting points.
     std::uint64_t gather(std::size_t begin, std::size_t end) {
         if (!find_taken(all_.index, all_.photons, begin, end, taken_)) return 0;
         for (std::size_t b = begin; b < end; ++b)
@@ -75,7 +75,7 @@ public:
         return deposits;
     }
 
-    /// To be called at the end: the image lacks some terms till then.
+    /// Adds the remaining terms to the image; it is called once, last.
     void finish() { shared_.flush(); }
 
 private:
@@ -88,7 +88,7 @@ private:
         return std::min(kPoints, all_.index.points().size() - block_ * kPoints);
     }
 
-    /// Calls into the cache what sum_up() reads of the points. @param accepting  bits.
+    /// Prefetches what sum_up() reads of the points. @param accepting  bit mask.
     void call_points(std::size_t block, unsigned accepting) const {
         for (; accepting != 0; accepting &= accepting - 1) {
             const VisiblePoint& to = point(block, static_cast<unsigned>(__builtin_ctz(accepting)));
@@ -97,7 +97,7 @@ private:
         }
     }
 
-    /// The same for the points' pixels.
+    /// Prefetches the points' pixels.
     void call_pixels(std::size_t block, unsigned accepting) const {
         for (; accepting != 0; accepting &= accepting - 1) {
             const VisiblePoint& to = point(block, static_cast<unsigned>(__builtin_ctz(accepting)));
@@ -109,7 +109,7 @@ private:
         if (found.count == 0) return 0;
         plain_ = all_.index.plain(block_);
         here_ = {&taken_.list[found.first], found.count};
-        std::array<unsigned, kKinds.size()> met{};  // points that took a photon of the kind
+        std::array<unsigned, kKinds.size()> met{};  // points that accepted a photon of the kind
         std::uint64_t deposits = 0;
         for (const TakenPhoton& taken : here_) {
             const Photon& photon = all_.photons[taken.photon];
@@ -133,9 +133,9 @@ private:
         return deposits;
     }
 
-    /// The same light again, by the groups of the lights that it comes from.
+    /// Adds the same light to the light groups.
     void add_to_light_groups() const {
-        std::array<std::uint64_t, kKinds.size()> groups{};  // by kind: one bit per group
+        std::array<std::uint64_t, kKinds.size()> groups{};  // by kind: a bit per group
         for (const TakenPhoton& taken : here_) {
             const Photon& photon = all_.photons[taken.photon];
             if (photon.light_group != kNoLightGroup)
@@ -175,7 +175,7 @@ private:
             light[i] += light_of(all_.pass, point(i), photon);
     }
 
-    /// Adds the point's sum to its pixel, and makes it zero for the next block.
+    /// Adds the sum of a point to its pixel, and resets it for the next block.
     void finish_point(std::size_t i, PhotonKind kind) {
         const VisiblePoint& to = point(i);
         const SampledSpectrum share = this->share(i, kind);
@@ -190,7 +190,7 @@ private:
             all_.image.add_alone(to.pixel, rgb, owner_of(to, kind));
     }
 
-    /// Where the sum is not a number that can be added: each photon stands or falls by itself.
+    /// Adds photons one by one if their sum is not finite, so that only faulty ones are dropped.
     void add_one_by_one(std::size_t i, PhotonKind kind, const SampledSpectrum& share) const {
         const std::lock_guard<std::mutex> guard(all_.locks.of_pixel(point(i).pixel));
         for (const TakenPhoton& taken : here_) {
@@ -202,7 +202,7 @@ private:
         }
     }
 
-    /// Adds what the points have taken to the counts of their pixels.
+    /// Adds the accepted photons of the points to the counts of their pixels.
     void count(PhotonCounts& counts) const {
         std::array<std::uint64_t, kPoints> copies{};
         for (const TakenPhoton& taken : here_)
@@ -218,9 +218,9 @@ private:
     SharedTerms shared_;
     TakenPhotons taken_;
     std::size_t block_ = 0;
-    std::span<const TakenPhoton> here_;            // of the block
+    std::span<const TakenPhoton> here_;            // of the current block
     unsigned plain_ = 0;                           // points whose light is the photons' flux
-    std::array<BlockLight, kKinds.size()> light_;  // all zero between blocks
+    std::array<BlockLight, kKinds.size()> light_;  // zero between blocks
 };
 
 }  // namespace sunfleck::engine

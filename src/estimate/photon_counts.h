@@ -1,7 +1,7 @@
-// Photons that were taken, by pixel, copies counted each: what local radii follow.
+// Photon counts: accepted photons per pixel with their copies, from which local radii follow.
 //
-// Source: M of section 4, Hachisuka and Jensen 2009, "Stochastic Progressive Photon Mapping". Sums
-// of integers: the same for any number of threads.
+// Source: M in section 4 of Hachisuka and Jensen 2009, "Stochastic Progressive Photon Mapping".
+// Counts are integers, so their sums are the same for any number of threads.
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -14,7 +14,7 @@ namespace sunfleck::engine {
 
 using PhotonCounts = std::vector<std::atomic<std::uint64_t>>;
 
-/// Adds them to the AOV of samples, which must be measured.
+/// Adds the counts to the AOV "samples", which must be measured.
 inline void add_samples(const PhotonCounts& counts, PassImage& image) {
     for (std::size_t i = 0; i < counts.size(); ++i)
         image.add_term(Aov::samples, i, 0, {static_cast<std::int64_t>(counts[i].load()), 0});

@@ -1,11 +1,11 @@
-// The term that one photon adds to the estimate of a visible point, in its two factors.
+// The contribution of one photon to the radiance estimate at a visible point, in two factors.
 //
 // L = 1 / (N pi r^2) sum over photons of throughput * f(w, wo) * flux * |n_s.w| / |n_g.w|.
 // Source: paper section 3.1 (progressive density estimation); Hachisuka and Jensen 2009, eq. 8,
-// with one radius a pass; shading normals: photon density measures |n_g.w|, a bsdf |n_s.w|
-// (Veach, Robust Monte Carlo Methods, 1997, section 5.3.2). n_g is that of the photon's own
-// surface: beyond an edge of a mesh it differs from the point's, and the light there is to be as
-// bright as on this side.
+// with one radius per pass; shading normals: photon density measures |n_g.w|, a bsdf |n_s.w|
+// (Veach, Robust Monte Carlo Methods, 1997, section 5.3.2). n_g is the normal at the photon: beyond
+// an edge of a mesh it differs from the point's, and the light there should be as bright as on this
+// side.
 #pragma once
 
 #include "scene/pass_scene.h"
@@ -14,8 +14,8 @@
 
 namespace sunfleck::engine {
 
-/// f of the visible point towards the camera for light that comes from the photon's side, without
-/// the part that its throughput holds already.
+/// Returns f at the visible point from the photon's side towards the camera, without the part that
+/// the throughput already contains.
 inline SampledSpectrum gather_lobe(const PassScene& pass, const VisiblePoint& point,
                                    const Vec3& w) {
     const Frame frame(point.shading_normal, point.tangent);
@@ -27,8 +27,8 @@ inline SampledSpectrum gather_lobe(const PassScene& pass, const VisiblePoint& po
     return eval(bsdf, from, to, Transport::radiance);
 }
 
-/// |n_s.w| / |n_g.w|; zero where a Lambertian surface is lit and looked at from different sides of
-/// its shading normal (other bsdfs know by themselves).
+/// Returns |n_s.w| / |n_g.w|; zero if light and camera are on different sides of the shading normal
+/// of a Lambertian surface (other bsdfs handle that themselves).
 inline float correction(const VisiblePoint& point, const Photon& photon) {
     if (point.is_flat()) return 1;
     const float cosine = point.shading_normal.dot(photon.w);
@@ -37,20 +37,21 @@ inline float correction(const VisiblePoint& point, const Photon& photon) {
     return std::abs(cosine) / std::abs(photon.normal.dot(photon.w));
 }
 
-/// The part of the estimate that differs from photon to photon: flux as the point's bsdf sees it.
+/// Returns the factor that differs between photons: flux times the point's bsdf.
 inline SampledSpectrum light_of(const PassScene& pass, const VisiblePoint& point,
                                 const Photon& photon) {
     const SampledSpectrum light = photon.flux * correction(point, photon);
     return point.bsdf == kLambertian ? light : light * gather_lobe(pass, point, photon.w);
 }
 
-/// The part that is the same for all photons of a point.
-/// @param radius  of its disc (which a caller may have at hand). @param paths  N.
+/// Returns the factor that all photons of a point share.
+/// @param radius  of its gather disc.
+/// @param paths  N.
 inline SampledSpectrum share_of(const VisiblePoint& point, float radius, std::uint32_t paths) {
     return point.throughput * (1 / (static_cast<float>(paths) * (kPi * radius * radius)));
 }
 
-/// The AOV that owns what a photon of this kind brings to this point.
+/// Returns the AOV of the light that a photon of this kind brings to this point.
 inline Aov owner_of(const VisiblePoint& point, PhotonKind kind) {
     if (point.after_rough || kind == PhotonKind::indirect) return Aov::indirect;
     return kind == PhotonKind::direct ? Aov::direct : Aov::caustic;

@@ -1,8 +1,9 @@
-// Terms of pixels to which several threads add: kept, and added many at a time under a lock.
+// SharedTerms: additions to pixels by several threads, collected and applied in groups under a
+// lock.
 //
-// Sums of pixels are exact, so the order of adding does not matter. A locked addition a channel and
-// a word would wait for memory each time; so terms wait in a list, and a lock stands for all pixels
-// of a stripe.
+// Pixel sums are exact, so the order of additions does not matter. An atomic addition per channel
+// and word would wait for memory each time. Instead, terms are collected in a list, and a lock
+// covers all pixels of a stripe.
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -13,7 +14,7 @@
 
 namespace sunfleck::engine {
 
-/// One lock a stripe of the image's pixels.
+/// One lock per stripe of the image's pixels.
 class PixelLocks {
 public:
     static constexpr std::size_t kStripes = 64;
@@ -23,7 +24,7 @@ public:
     std::mutex& of_pixel(std::size_t pixel) { return of_stripe(stripe_of(pixel)); }
 
 private:
-    static constexpr std::size_t kPixels = 256;  // side by side in one stripe
+    static constexpr std::size_t kPixels = 256;  // consecutive pixels of a stripe
 
     struct alignas(64) Lock {
         std::mutex lock;
@@ -34,12 +35,12 @@ private:
 class SharedTerms {
 public:
     struct Term {
-        Vec3 rgb;  // PassImage::is_addable()
+        Vec3 rgb;  // PassImage::is_addable() holds
         std::uint32_t pixel = 0;
         Aov owner = Aov::total;
     };
 
-    /// Whoever else adds to the same pixels meanwhile must hold their locks.
+    /// Other threads that add to the same pixels meanwhile must hold their locks.
     SharedTerms(PassImage& image, PixelLocks& locks) : image_(image), locks_(locks) {}
 
     void add(const Term& term) {
@@ -47,7 +48,7 @@ public:
         if (terms_.size() == kAtOnce) flush();
     }
 
-    /// Adds what was kept to the image. To be called at the end.
+    /// Adds the collected terms to the image; it is called once, last.
     void flush() {
         std::array<std::size_t, PixelLocks::kStripes + 1> ends{};
         for (const Term& term : terms_) ++ends[PixelLocks::stripe_of(term.pixel) + 1];
@@ -78,7 +79,7 @@ private:
     PassImage& image_;
     PixelLocks& locks_;
     std::vector<Term> terms_;
-    std::vector<std::uint32_t> order_;  // of terms, by stripe
+    std::vector<std::uint32_t> order_;  // indices of terms, by stripe
 };
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Slopes over areas, and their residuals.
+// Slopes over disc areas, and their residuals.
 #include "film/bias.h"
 
 #include "core/parallel.h"
@@ -12,21 +12,21 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Luminance brought by photons over complete batches: of a block or the picture.
+/// Photons' luminance over complete batches, of a block or the picture.
 struct BatchMeans {
     double mean = 0;
     double mean_by_area = 0;
     double mean_square = 0;
 };
 
-/// The line through complete batches.
+/// The regression line through complete batches.
 struct Line {
     double slope = 0;
-    double variance = 0;  // around it, of a batch that counts once
+    double variance = 0;  // residual variance of a batch of weight one
 };
 
-/// Variance of a batch that counts once, from the sum of squares around the mean and the slope. Two
-/// numbers have been fitted.
+/// Returns the residual variance of a batch of weight one, from the sum of squares around the mean
+/// and the slope; the fit takes two degrees of freedom.
 double residual_variance(double squares, double slope, const DiscAreas& areas) {
     return std::max(0.0, squares - slope * slope * areas.squares) / (areas.batches - 2);
 }
@@ -42,7 +42,7 @@ Bias bias_of(const BatchMeans& y, const DiscAreas& areas) {
     return {line.slope * areas.mean_of_passes, std::sqrt(line.variance * areas.bias_variance())};
 }
 
-/// Of each block, over its pixels: means over complete batches. Squares are left out.
+/// Returns means over complete batches of each block, summed over its pixels, without squares.
 std::vector<BatchMeans> block_sums(const Film& film, const BlockGrid& grid) {
     const FilmSums& sums = film.sums();
     const double passes = film.complete_weight();
@@ -69,7 +69,7 @@ std::vector<BatchMeans> block_sums(const Film& film, const BlockGrid& grid) {
     return result;
 }
 
-/// Means over a block's pixels, or the picture's.
+/// Returns means per pixel of a block, or of the picture.
 BatchMeans means(const BatchMeans& sums, std::size_t pixels, double mean_square) {
     const auto n = static_cast<double>(pixels);
     return {sums.mean / n, sums.mean_by_area / n, mean_square};
@@ -86,14 +86,14 @@ void for_blocks(const Film& film, const Visit& visit) {
         visit(b, means(sums[b], grid.block(b).pixels(), squares[b].to_double() / weight));
 }
 
-/// Variance of a mean less its bias: the mean's and the slope's have nothing in common.
-/// @param batch  variance of the luminance of a batch that counts once. @param photons  of that by
-/// photons.
+/// Returns the variance of a mean minus its bias; the errors of mean and slope are uncorrelated.
+/// @param batch  variance of the luminance of a batch of weight one.
+/// @param photons  variance of the photons' luminance.
 double extrapolated_error(double batch, double photons, const DiscAreas& areas) {
     return std::sqrt(batch / areas.weight + photons * areas.bias_variance());
 }
 
-/// Sum of a quantity's squares around its mean.
+/// Returns the sum of squares of a quantity around its mean.
 double squares_around_mean(const MeanError& error, const DiscAreas& areas) {
     return error.standard_error * error.standard_error * areas.weight * (areas.batches - 1);
 }

@@ -1,4 +1,4 @@
-// Sums over passes and batches of a film, in the order of their numbers.
+// Sums over passes and batches of a film, in ascending order.
 #include "film/disc_areas.h"
 
 #include "math/wavelengths.h"
@@ -7,17 +7,17 @@
 namespace sunfleck::engine {
 namespace {
 
-/// A batch, and those of its passes that a film holds.
+/// A batch, with sums over its passes in the film.
 struct BatchAreas {
     double mean = 0;  // over all passes of the batch
-    double held = 0;  // sum over those that the film holds
+    double held = 0;  // sum over its passes in the film
     double count = 0;
-    double shown = 0;  // these two as far as passes count in the picture
+    double shown = 0;  // both with the weights of the picture
     double shown_areas = 0;
-    double weight = 1;  // how often each counts
+    double weight = 1;  // of each pass
 };
 
-/// Goes on to the next batch.
+/// Advances to the next batch.
 BatchAreas next_round(const Film& film, std::uint64_t batch, DiscAreaSequence& areas) {
     BatchAreas result;
     result.weight = film.weight_of_batch(batch);
@@ -39,11 +39,11 @@ BatchAreas next_round(const Film& film, std::uint64_t batch, DiscAreaSequence& a
 struct Sums {
     double passes = 0;
     double held = 0;   // areas of passes
-    double shown = 0;  // passes, and their areas, as they count in the picture
+    double shown = 0;  // count and areas of passes, with the weights of the picture
     double shown_areas = 0;
-    double means = 0;          // of a pass that of its batch
+    double means = 0;          // for each pass, the mean of its batch
     double means_by_held = 0;  // areas of passes times those of their batches
-    double batches = 0;        // complete ones; how often they count, their areas and squares
+    double batches = 0;        // of complete batches: weights, areas, and their squares
     double weight = 0;
     double areas = 0;
     double squares = 0;
@@ -80,7 +80,7 @@ std::optional<DiscAreas> disc_areas(const Film& film) {
     result.mean_of_passes = sums.shown_areas / sums.shown;
     result.share = sums.means / sums.passes;
     result.divisor = sums.means_by_held - result.share * sums.held;
-    // Of a mean over batches the variance is that of a batch that counts once over their weight.
+    // The variance of a mean over batches is that of a batch of weight one over their weight.
     const double lever_squared = result.bias_variance() * result.weight;
     if (!(result.squares > 0 && result.divisor > 0)) return {};
     if (!(lever_squared <= kLargestLever * kLargestLever)) return {};

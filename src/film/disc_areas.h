@@ -1,10 +1,10 @@
-// The areas of the discs in a film's passes, over that in pass 0: what the light that photons bring
-// is regressed on.
+// DiscAreas: the disc areas of a film's passes relative to pass 0, the regressor of bias
+// estimation.
 //
-// To first order the mean of that light, y = a + c s, is linear in the area s
-// (docs/method/method.md): c s is the bias, a the light without it. In a batch s is the mean over
-// its passes. Passes and batches count as often as they do in the film, in all sums and means; in
-// that of the picture as they do there.
+// To first order the mean light of photons is linear in the disc area s, y = a + c s
+// (docs/method/method.md): c s is the bias, a the unbiased light. For a batch, s is the mean over
+// its passes. Passes and batches are weighted as in the film, in all sums and means; in those of
+// the picture as in the picture.
 #pragma once
 
 #include "film/film.h"
@@ -13,30 +13,30 @@
 
 namespace sunfleck::engine {
 
-/// Complete batches that a slope needs: from fewer, its standard error is itself too uncertain.
+/// Complete batches needed for a slope; with fewer, its standard error is itself too uncertain.
 inline constexpr std::uint64_t kBiasBatches = 4;
 
-/// The standard error of the bias may be at most so many times that of the mean. Beyond, radii have
-/// hardly shrunk (alpha near one, late passes alone), and the bias cannot be seen.
+/// Limit of the standard error of the bias over that of the mean. Beyond it, radii have hardly
+/// shrunk (alpha near one, late passes alone), and the bias cannot be measured.
 inline constexpr double kLargestLever = 10;
 
 struct DiscAreas {
-    double batches = 0;         // complete ones
-    double weight = 0;          // how often they count together
-    double mean = 0;            // over complete batches
-    double squares = 0;         // of complete batches: sum of (s - mean)^2
-    double mean_of_passes = 0;  // of the picture: with the slope, the bias of the picture
+    double batches = 0;         // count of complete batches
+    double weight = 0;          // sum of their weights
+    double mean = 0;            // mean area over complete batches
+    double squares = 0;         // sum of (s - mean)^2 over complete batches
+    double mean_of_passes = 0;  // of the picture: times the slope, its bias
 
-    // Of sums over all passes, Y of light and M of light times its batch's area, the slope is
-    // (M - share Y) / divisor: both sums are linear in a and c, so it is unbiased.
+    // With sums Y of light and M of light times the area of its batch, over all passes, the slope
+    // is (M - share Y) / divisor. Both sums are linear in a and c, so the slope is unbiased.
     double share = 0;
     double divisor = 0;
 
-    /// Variance of the bias over that of a batch that counts once.
+    /// Returns the variance of the bias over that of a batch of weight one.
     double bias_variance() const { return mean_of_passes * mean_of_passes / squares; }
 };
 
-/// Nothing without discs, with too few batches, or where radii have hardly shrunk.
+/// Returns nothing without discs, with too few batches, or if radii have hardly shrunk.
 std::optional<DiscAreas> disc_areas(const Film& film);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Means over complete batches: the totals less the batches that are still open, exactly.
+// Means over complete batches: totals minus open batches, exactly.
 #include "film/error_bars.h"
 
 #include "core/parallel.h"
@@ -11,14 +11,14 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Exact sum of a pixel over the passes of complete batches.
+/// Returns the exact sum of a pixel over the passes of complete batches.
 RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
     RgbSum rgb = rgb_of(sums.aovs[0], pixel);
     for (const auto& [first, group] : sums.open_groups) rgb -= rgb_of(group.aovs[0], pixel);
     return rgb;
 }
 
-/// Complete batches: their number, and how often they count.
+/// The number of complete batches, and their weight.
 struct CompleteBatches {
     explicit CompleteBatches(const Film& film)
         : count(static_cast<double>(film.batches())), weight(film.weight_of_batches()) {}
@@ -32,7 +32,7 @@ MeanError mean_error(double mean, const FixedPoint& squares, const CompleteBatch
     return {mean, std::sqrt(std::max(0.0, variance) / (batches.count - 1))};
 }
 
-/// Luminance of each block, summed over its pixels, for `passes` passes.
+/// Returns the luminance of each block, summed over its pixels, over `passes` passes.
 template <class PixelSum>
 std::vector<double> block_sums(const BlockGrid& grid, double passes, const PixelSum& pixel_sum) {
     std::vector<double> sums(grid.count());
@@ -55,7 +55,7 @@ std::vector<double> complete_block_sums(const Film& film) {
                       [&](std::size_t pixel) { return complete_sum(film.sums(), pixel); });
 }
 
-/// Of all pixels. @param rgb  of each, over passes.
+/// Returns the mean luminance of all pixels. @param rgb  of each, over passes.
 double mean_luminance(const Film& film, const FixedPoints& rgb) {
     if (film.pass_count() == 0) return 0;
     const BlockGrid grid(film.key(), kErrorBlock);
@@ -66,9 +66,9 @@ double mean_luminance(const Film& film, const FixedPoints& rgb) {
 
 }  // namespace
 
-/// With variances in proportion to one over the weights w the sum of w (y - m)^2 has the
-/// distribution of chi-square with n - 1 degrees. With equal variances its mean and variance are
-/// those of chi-square with trace(A)^2 / trace(A^2) degrees, A = diag(w) - w w^T / sum(w).
+/// If variances are inverse to the weights w, the sum of w (y - m)^2 has a chi-square distribution
+/// of n - 1 degrees. If they are equal, its mean and variance are those of chi-square with
+/// trace(A)^2 / trace(A^2) degrees, A = diag(w) - w w^T / sum(w).
 double error_degrees(const Film& film) {
     std::array<double, 4> powers{};  // sums of w^0, w, w^2, w^3
     const auto add = [&](double batches, double weight) {
@@ -103,7 +103,8 @@ std::vector<MeanError> pixel_errors(const Film& film) {
         for (std::size_t i = begin; i < end; ++i) {
             const double mean = complete_sum(film.sums(), i).mean_luminance(passes);
             errors[i] = mean_error(mean, film.sums().pixel_squares[i], batches);
-            // All light of one batch of n has the standard error of its mean, whatever n is.
+            // If all light is in one of n batches, the standard error equals the mean, whatever n
+            // is.
             if (mean == 0 && errors[i].standard_error == 0)
                 errors[i].standard_error =
                     std::abs(rgb_of(film.sums().aovs[0], i).mean_luminance(film.weight()));

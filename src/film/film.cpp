@@ -1,4 +1,4 @@
-// Adding passes, folding complete batches, merging films.
+// Addition of passes, completion of batches, merging of films.
 #include "film/film.h"
 
 #include "film/pass_groups.h"
@@ -30,38 +30,37 @@ void check_image(const FilmKey& key, std::uint32_t number, const PassImage& imag
                         std::to_string(key.light_groups.size()),
                     "render it with the film's AOVs and light groups");
     if (key.has_discs() && !image.photons_apart())
-        throw Error(where, "does not hold apart what photons have brought",
-                    "add it to a film without discs");
+        throw Error(where, "does not store photons' light apart", "add it to a film without discs");
 }
 
 std::string text_of(const PassRange& range) {
     return std::to_string(range.begin) + ":" + std::to_string(range.end);
 }
 
-/// Are these of one render, and is no pass in both?
+/// Checks that both belong to one render and have no common pass.
 void check_parts(const FilmSums& sums, const FilmSums& other, const std::string& other_name) {
     if (const auto differs = difference(sums.key, other.key)) {
         const std::string values =
             differs->here.empty() ? "" : ": " + differs->here + " and " + differs->there;
         throw Error({other_name}, "is of another render: " + differs->what + " differs" + values,
-                    "merge parts of one render alone");
+                    "merge films of one render");
     }
     if (sums.key.sequential)
-        throw Error({other_name}, "its passes build on one another and are no parts of a render",
+        throw Error({other_name},
+                    "its passes depend on each other, so that films of them cannot be merged",
                     "render with another --photon-sampler to merge");
     for (const PassRange& range : other.passes.ranges())
         if (sums.passes.count_in(range) != 0)
-            throw Error({other_name},
-                        "passes " + text_of(range) + " are in another part, too, some or all",
-                        "give each part passes of its own with --pass-range");
+            throw Error({other_name}, "passes " + text_of(range) + " overlap those of another film",
+                        "render disjoint passes with --pass-range");
 }
 
-/// Has a part of the passes all that there are of a batch?
+/// Returns whether a shard has all existing passes of a batch.
 bool has_all_of_batch(const PassSet& part, std::uint64_t batch, const PassSet& passes) {
     return part.count_in(batch_range(batch)) == passes.count_in(batch_range(batch));
 }
 
-/// @param sums  of all passes or of an open batch: arrays of AOVs that are not kept are empty.
+/// @param sums  of all passes or of an open batch; arrays of AOVs that are not kept are empty.
 template <class Sums>
 void add_aovs(Sums& sums, const PassImage& image, std::uint32_t weight) {
     for (std::size_t i = 0; i < kAovCount; ++i)
@@ -96,7 +95,7 @@ std::optional<std::uint64_t> uneven_batch(const PassSet& passes, const HeavyPass
             const std::uint64_t first = range.begin / kBatchPasses;
             const std::uint64_t last = (range.end - 1) / kBatchPasses;
             if (!has_all_of_batch(of_weight, first, passes)) return first;
-            if (!has_all_of_batch(of_weight, last, passes)) return last;  // whole batches between
+            if (!has_all_of_batch(of_weight, last, passes)) return last;  // batches lie between
         }
     return {};
 }
@@ -169,15 +168,15 @@ double Film::statistic(std::string_view name) const {
 void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t weight) {
     const PassRange range{number, std::uint64_t{number} + 1};
     if (sums_.passes.count_in(range) != 0)
-        throw Error({"pass " + std::to_string(number)}, "the film holds it already",
+        throw Error({"pass " + std::to_string(number)}, "the film already contains it",
                     "add each pass once");
     const std::uint64_t batch_number = number / kBatchPasses;
     if (sums_.passes.count_in(batch_range(batch_number)) != 0 &&
         weight != weight_of_batch(batch_number))
         throw Error({"pass " + std::to_string(number)},
-                    "counts " + std::to_string(weight) + " times, others of its batch " +
+                    "counts " + std::to_string(weight) + " times, but others of its batch " +
                         std::to_string(weight_of_batch(batch_number)),
-                    "let all passes of a batch count alike");
+                    "give all passes of a batch the same weight");
     check_image(sums_.key, number, image);
     add_aovs(sums_, image, weight);
     count("dropped_nonfinite", image.dropped());
@@ -198,8 +197,8 @@ void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t 
     close_batches();
 }
 
-/// Adds sums of passes of one group. @param number  of any of its passes, or the first of a group
-/// of fewer passes.
+/// Adds sums of passes of one group. @param number  of any of its passes, or the first of a smaller
+/// group.
 void Film::add_group(std::uint64_t number, OpenGroup group) {
     const std::uint64_t first = group_of(sums_.passes, number).begin;
     const auto [place, is_new] = sums_.open_groups.try_emplace(first, std::move(group));
@@ -209,7 +208,7 @@ void Film::add_group(std::uint64_t number, OpenGroup group) {
     for (std::size_t i = 0; i < sums.size(); ++i) add_all(sums[i], terms[i]);
 }
 
-/// After passes have come.
+/// Merges groups after passes were added.
 void Film::join_groups() {
     for (auto& [first, group] : std::exchange(sums_.open_groups, {}))
         add_group(first, std::move(group));
@@ -235,8 +234,8 @@ void Film::merge(const Film& other, const std::string& other_name) {
     if (const auto batch = uneven_batch(passes, heavy))
         throw Error({other_name},
                     "passes of " + text_of(batch_range(*batch)) +
-                        " count more often in one part than in another",
-                    "render all parts with one version of the program");
+                        " have different weights in the two films",
+                    "render all films with one version of the program");
     const auto sums = total_arrays(sums_);
     const auto terms = total_arrays(from);
     for (std::size_t i = 0; i < sums.size(); ++i) add_all(sums[i], terms[i]);

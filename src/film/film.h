@@ -1,22 +1,23 @@
-// The film: exact sums over passes, from which picture and error bars are computed.
+// Film: exact sums over passes, from which picture and error bars are computed.
 //
-// In:  PassImages, in any order, each once. Out: sums that depend on the set of passes alone.
-// Unit 2^-64; range of a pixel's sum [-2^63, 2^63): a PassImage's terms are at most 2^47 each
-// (core/exact_sum.h), so 2^16 passes fit even if a term that large hits one pixel in every pass;
-// fewer, if they count more than once.
+// In:  PassImages in any order, each once. Out: sums that depend on the set of passes alone.
+// The unit is 2^-64, the range of a pixel's sum [-2^63, 2^63). Terms of a PassImage are at most
+// 2^47 (core/exact_sum.h), so 2^16 passes fit even if a pixel has such a term in every pass; fewer
+// if passes have weights.
 //
-// Batches of kBatchPasses passes are the independent samples of error bars. When a batch is
-// complete its mean luminance y is computed from its exact sums, of each pixel, each block and the
-// whole picture, and w y^2 is added to the sums of squares, w being how often its passes count:
-// floored to 2^-64, at most 2^47 (beyond: cut and counted). Until then the batch's own RGB sums are
-// kept beside the totals, by groups of passes. The same is done for the luminance that photons have
-// brought, of blocks and the picture, where there are discs.
+// Batches of kBatchPasses passes are the independent samples of error bars (batch means). When a
+// batch is complete, its mean luminance y is computed from its exact sums, for each pixel, each
+// block and the whole picture. w y^2 is added to the sums of squares, where w is the weight of the
+// batch: rounded down to 2^-64 and at most 2^47 (larger terms are clamped and counted). Until then
+// the RGB sums of the batch are stored beside the totals, by groups of passes. With gather discs,
+// the same is done for the photons' light, for blocks and the picture.
 //
-// In the picture passes of an open batch count as far as the wavelengths of their group are spread
-// evenly (pass_groups.h): where lamps have lines the light of other passes may be off as a whole
-// (docs/method/method.md). So the sums of the groups of open batches are kept for each AOV.
+// In the picture, passes of an open batch count as far as the wavelengths of their group are evenly
+// spread (pass_groups.h), because other passes may have a wrong colour for lamps with spectral
+// lines (docs/method/method.md). So the sums of the groups of open batches are stored for each AOV.
 //
-// Passes that build on those before are no samples: a sequential film (film_key.h) has no batches.
+// Passes that depend on earlier ones are not independent: a sequential film (film_key.h) has no
+// batches.
 #pragma once
 
 #include "film/film_sums.h"
@@ -32,29 +33,30 @@ namespace sunfleck::engine {
 
 class Film {
 public:
-    /// @param key  at least one pixel.
+    /// @param key  with at least one pixel.
     explicit Film(FilmKey key);
-    /// Sums that keep the rules above, as film_file reads them.
+    /// Takes sums that satisfy the rules above, as film_file reads them.
     explicit Film(FilmSums sums) : sums_(std::move(sums)) {}
 
     /// Adds one pass, and its dropped and saturated counts to the statistics.
-    /// @param weight  how often it counts: 1 to kMostWeight, the same for all passes of a batch.
-    /// @throws Error, and changes nothing, if the film holds it already, or other passes of its
-    ///         batch that count unlike, its size or AOVs are other than the key's, or it does not
-    ///         hold photons apart and the key has discs.
+    /// @param weight  of the pass: 1 to kMostWeight, the same for all passes of a batch.
+    /// @throws Error, and changes nothing, if the film already contains the pass, if passes of its
+    /// batch have another weight, if size or AOVs differ from the key, or if the key has discs and
+    /// the image has no photons apart.
     void add_pass(std::uint32_t number, const PassImage& image, std::uint32_t weight = 1);
 
     /// Adds to the statistic of that name. Zero makes no entry.
     void count(std::string_view name, std::uint64_t events);
-    /// The same for a real number. @param x  finite; cut at +-kLargestTerm.
+    /// Adds a real number to the statistic of that name. @param x  finite; clamped to
+    /// +-kLargestTerm.
     void sum(std::string_view name, double x);
-    /// Value of a statistic; zero if nothing was added.
+    /// Returns a statistic; zero if nothing was added.
     double statistic(std::string_view name) const;
 
-    /// Adds another film of the same render. The result does not depend on the order of merging.
-    /// @param other_name  where it came from, for the Error.
-    /// @throws Error, and changes nothing, if the keys differ, both hold one pass, passes of a
-    ///         batch would count unlike, or passes are sequential.
+    /// Adds another film of the same render. The order of merging has no effect on the result.
+    /// @param other_name  its source, for the Error.
+    /// @throws Error, and changes nothing, if the keys differ, if both have a common pass, if
+    /// weights of a batch differ, or if passes are sequential.
     void merge(const Film& other, const std::string& other_name);
 
     const FilmKey& key() const { return sums_.key; }
@@ -62,19 +64,20 @@ public:
     FilmSums sums() && { return std::move(sums_); }
     const PassSet& passes() const { return sums_.passes; }
     std::uint64_t pass_count() const { return sums_.passes.count(); }
-    /// How often all passes count together: sums over passes have so many terms.
+    /// Returns the sum of weights of all passes.
     double weight() const;
-    /// Complete batches; none of a sequential film.
+    /// Returns the number of complete batches; zero for a sequential film.
     std::uint64_t batches() const;
-    /// How often these count together, each as its passes.
+    /// Returns the sum of weights of complete batches.
     double weight_of_batches() const;
-    /// How often the passes of complete batches count together.
+    /// Returns the sum of weights of the passes of complete batches.
     double complete_weight() const;
     std::uint32_t weight_of_batch(std::uint64_t batch) const;
-    /// Factor on a pass's weight in the picture: share_of_group(); one of complete batches. Where
-    /// no batch is complete, the passes that are there of its batch over the most of any.
+    /// Returns the factor of a pass's weight in the picture: share_of_group(), which is one for
+    /// complete batches. If no batch is complete, it is the number of passes of its batch over the
+    /// largest number.
     double share_of_pass(std::uint64_t number) const;
-    /// How often all passes count in the picture together.
+    /// Returns the sum of weights of all passes in the picture.
     double picture_weight() const;
 
 private:
@@ -85,18 +88,18 @@ private:
     FilmSums sums_;
 };
 
-/// merge() with the words for films that are no files.
+/// Calls merge() with a name for films that are not files.
 inline void merge(Film& film, const Film& other) {
     film.merge(other, "the other film");
 }
 
-/// Passes of a batch.
+/// Returns the passes of a batch.
 PassRange batch_range(std::uint64_t batch);
 
-/// Complete batches in a set of passes.
+/// Returns the number of complete batches in a set of passes.
 std::uint64_t complete_batches(const PassSet& passes);
 
-/// A batch whose passes do not all count alike, if there is one. @param heavy  of the passes.
+/// Returns a batch whose passes have different weights, if there is one. @param heavy  the weights.
 std::optional<std::uint64_t> uneven_batch(const PassSet& passes, const HeavyPasses& heavy);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Film files, word by word; a reader never allocates more than the file can fill.
+// Reading and writing of film files; a reader never allocates more than the file can fill.
 #include "film/film_file.h"
 
 #include "core/input_file.h"
@@ -12,7 +12,7 @@ namespace {
 constexpr WordFileKind kKind{kFilmMagic, "film file",
                              "use another copy, or render its passes again"};
 
-/// Do the sums fill the rest of the file? Asked before any room is made for them.
+/// Returns whether the sums fill the rest of the file; checked before they are allocated.
 bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_group_count) {
     const auto blocks = [](int pixels) {
         return static_cast<std::uint64_t>((pixels + kErrorBlock - 1) / kErrorBlock);

@@ -1,4 +1,4 @@
-// Heads of films, word by word.
+// Reading and writing of film heads.
 #include "film/film_head.h"
 
 #include "film/pass_groups.h"
@@ -57,7 +57,7 @@ PassSet read_passes(WordReader& in) {
     return passes;
 }
 
-/// @param passes  all there are: those of a batch count alike.
+/// @param passes  all passes; those of a batch have equal weights.
 HeavyPasses read_heavy(WordReader& in, const PassSet& passes) {
     HeavyPasses heavy;
     PassSet known;

@@ -1,4 +1,4 @@
-// What stands in a film file before its sums: from it a reader knows how many follow.
+// The head of a film file, from which a reader knows how many sums follow.
 #pragma once
 
 #include "film/film_sums.h"
@@ -9,7 +9,7 @@
 
 namespace sunfleck::engine {
 
-/// The first word of a film: "sunfilm\n".
+/// The first word of a film file: "sunfilm\n".
 inline constexpr std::uint64_t kFilmMagic = 0x0A'6D'6C'69'66'6E'75'73;
 
 struct FilmHead {
@@ -19,16 +19,16 @@ struct FilmHead {
     FilmStatistics statistics;
 };
 
-/// The head as words, magic and version first (film_file.h has the layout).
+/// Returns the head as words, beginning with magic and version (layout: film_file.h).
 std::vector<std::uint64_t> head_words(const FilmSums& sums);
 
-/// The same back. @throws Error for what is none, or of another version.
+/// Reads a head. @throws Error  for an invalid one, and for another version.
 FilmHead take_head(WordReader& in);
 
-/// The groups of open batches whose sums stand in a film of that head.
+/// Returns the groups of open batches whose sums follow this head.
 std::vector<PassRange> open_groups(const FilmHead& head);
 
-/// A film of that head, all its sums zero.
+/// Returns a film with this head and sums of zero.
 FilmSums empty_sums(FilmHead head);
 
 }  // namespace sunfleck::engine

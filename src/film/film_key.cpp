@@ -1,4 +1,4 @@
-// Two film keys compared, field by field, for the user to read.
+// Comparison of film keys, field by field, with text for the user.
 #include "film/film_key.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ bool has_same_aovs(const FilmKey& here, const FilmKey& there) {
     return here.light_groups == there.light_groups;
 }
 
-/// For the user to read.
+/// Returns the names of the AOVs for messages.
 std::string aov_names(const FilmKey& key) {
     std::string names = "RGB";
     for (std::size_t i = 1; i < kAovCount; ++i)
@@ -26,7 +26,7 @@ std::string aov_names(const FilmKey& key) {
     return names;
 }
 
-/// The first lines of two texts that differ.
+/// Returns the first lines of two texts that differ.
 KeyDifference differing_lines(const std::string& here, const std::string& there) {
     std::istringstream lines(here);
     std::istringstream others(there);

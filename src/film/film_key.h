@@ -1,4 +1,4 @@
-// What two films must have in common to be parts of one render.
+// FilmKey: what two films must have in common to be shards of one render.
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -14,13 +14,13 @@ namespace sunfleck::engine {
 struct FilmKey {
     int width = 0;
     int height = 0;
-    AovSet aovs{};  // the total counts as wanted, whatever this says
+    AovSet aovs{};  // the total is always measured, whatever this says
     std::uint64_t seed = 0;
-    std::uint64_t scene_hash = 0;  // of all that the scene file and its parts hold
-    std::string settings;          // one "name=value" a line: all that a pass depends on
-    bool sequential = false;       // a pass builds on those before: no error bars, no merging
-    double alpha = 0;  // of the radii of discs (visible_points/radius.h), which bias the picture;
-                       // zero: there are none, or they follow no such sequence
+    std::uint64_t scene_hash = 0;  // of everything in the scene file and its parts
+    std::string settings;          // one "name=value" per line: everything that a pass depends on
+    bool sequential = false;       // a pass depends on earlier ones: no error bars, no merging
+    double alpha = 0;  // of the radius sequence (visible_points/radius.h), which biases the
+                       // picture; zero: there are none, or they follow no such sequence
     std::vector<std::string> light_groups{};  // their names: aovs/light_groups.h
 
     friend bool operator==(const FilmKey&, const FilmKey&) = default;
@@ -32,7 +32,7 @@ struct FilmKey {
     bool has_discs() const { return alpha > 0; }
 };
 
-/// FNV-1a, 64 bits: for scene_hash. Start with the hash of what came before to hash in parts.
+/// FNV-1a hash, 64 bits, for scene_hash. `before` is the hash of the preceding parts.
 constexpr std::uint64_t hash_text(std::string_view text,
                                   std::uint64_t before = 0xCBF29CE484222325) {
     for (const char c : text)
@@ -40,14 +40,14 @@ constexpr std::uint64_t hash_text(std::string_view text,
     return before;
 }
 
-/// One thing in which two keys differ, and its values, as the user reads them.
+/// A difference between two keys, with both values as text for the user.
 struct KeyDifference {
     std::string what;
-    std::string here;  // empty where it is no text: of scenes
+    std::string here;  // empty if the value is not shown (scenes)
     std::string there;
 };
 
-/// The first; nothing if the keys are equal.
+/// Returns the first difference; nothing if the keys are equal.
 std::optional<KeyDifference> difference(const FilmKey& here, const FilmKey& there);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Means of the film's sums as floats.
+// Means of a film's sums as floats.
 #include "film/film_picture.h"
 
 #include "core/parallel.h"
@@ -10,10 +10,10 @@
 namespace sunfleck::engine {
 namespace {
 
-/// An AOV's sums, and those of open groups with what of them does not count in the picture.
+/// The sums of an AOV, and those of open groups minus what does not count in the picture.
 class AovSums {
 public:
-    /// @param aov  of FilmSums or an OpenGroup.
+    /// @param aov  accessor for FilmSums and OpenGroup.
     template <class AovOf>
     AovSums(const Film& film, const AovOf& aov) : all_(aov(film.sums())) {
         for (const auto& [first, group] : film.sums().open_groups) {
@@ -50,7 +50,7 @@ void add_aov(Picture& picture, const AovSums& sums, std::string_view aov, std::s
     }
 }
 
-/// Subtracts it from RGB, too, if so wanted.
+/// Adds bias channels, and subtracts the bias from RGB if requested.
 void add_bias(Picture& picture, const Film& film, const FilmPictureOptions& options) {
     const auto biases = pixel_biases(film);
     if (biases.empty()) return;
@@ -66,7 +66,7 @@ void add_bias(Picture& picture, const Film& film, const FilmPictureOptions& opti
     if (options.extrapolate) picture.metadata[kExtrapolated] = "to a radius of zero";
 }
 
-/// Nothing is added with fewer than two batches.
+/// Adds the error channel if there are two batches.
 void add_error(Picture& picture, const Film& film, const FilmPictureOptions& options) {
     std::vector<double> errors;
     if (options.extrapolate) errors = extrapolated_pixel_errors(film);

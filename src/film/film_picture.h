@@ -1,5 +1,5 @@
-// The film as a picture: the mean over passes, AOV by AOV, and its error. Passes of open batches
-// count less or not at all (film.h).
+// The picture of a film: the mean over passes for each AOV, and its error. Passes of open batches
+// have reduced weight, or none (film.h).
 #pragma once
 
 #include "film/film.h"
@@ -7,23 +7,22 @@
 
 namespace sunfleck::engine {
 
-/// Name of the metadata that says of a picture that its bias has been subtracted.
+/// Metadata key of pictures whose bias has been subtracted.
 inline constexpr const char* kExtrapolated = "extrapolated";
 
-/// Name of the metadata that names the light groups, with spaces between.
+/// Metadata key of the names of light groups, separated by spaces.
 inline constexpr const char* kLightGroupNames = "light_groups";
 
 struct FilmPictureOptions {
-    bool extrapolate = false;  // subtract the bias, where it is known (film/bias.h)
+    bool extrapolate = false;  // subtract the bias where it is known (film/bias.h)
 };
 
-/// Channels R, G, B, then those of each AOV that the film has ("direct.R", "depth.Z", ...), those
-/// of lights last; from
-/// two complete batches on "error.Y", the standard error of the pixel's luminance (from complete
-/// batches alone, widened as error_bars.h says); and where the bias of the discs is known "bias.R",
-/// "bias.G", "bias.B": what to subtract from RGB, or what has been subtracted. Then metadata say
-/// so, the error is that of the difference, and AOVs are as they were: they add up to RGB and
-/// bias. Black without passes.
+/// Returns channels R, G, B, then those of each AOV of the film ("direct.R", "depth.Z", ...), light
+/// groups last. With two or more complete batches there is "error.Y", the standard error of the
+/// pixel's luminance (from complete batches alone, widened as in error_bars.h). Where the bias of
+/// the gather radius is known, "bias.R", "bias.G", "bias.B" are what to subtract from RGB, or what
+/// has been subtracted. In the latter case metadata say so, the error is that of the difference,
+/// and AOVs are unchanged: they add up to RGB plus bias. Without passes the picture is black.
 Picture film_picture(const Film& film, FilmPictureOptions options = {});
 
 }  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Those of all passes or of an open group.
+/// Returns the arrays of light of all passes or of an open group.
 template <class Sum, class Sums>
 std::vector<std::span<Sum>> light_sums(Sums& sums) {
     std::vector<std::span<Sum>> all(sums.aovs.begin(), sums.aovs.end());
@@ -41,7 +41,7 @@ std::vector<std::span<Sum>> everything(Sums& sums) {
     return all;
 }
 
-/// Room for the AOVs that the key has.
+/// Sizes the AOVs that the key has.
 template <class Sums>
 void make_room(const FilmKey& key, Sums& sums) {
     for (std::size_t i = 0; i < kAovCount; ++i)

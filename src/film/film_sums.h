@@ -1,12 +1,11 @@
-// All that a film is, as plain sums; and these as a list of arrays, in the order of film files.
+// FilmSums: all data of a film as plain sums, and as a list of arrays in the order of film files.
 //
-// What photons have brought is summed apart where their discs shrink from pass to pass: each pass
-// once as it is, once times its batch's area (visible_points/radius.h). From both bias.h has how
-// the light depends on the area of the discs. The second needs no sums of open batches: the factor
-// is that of the batch, complete or not.
+// If gather discs shrink, photons' light is summed apart: once as it is, and once times the disc
+// area of the batch (visible_points/radius.h). From both, bias.h computes how the light depends on
+// the area. The second needs no sums of open batches, because the factor is the same for all passes
+// of a batch.
 //
-// A pass that counts w times, as all of its batch do, is in the sums with w times its light, and
-// its batch with w times its square.
+// A pass of weight w is in the sums with w times its light, and its batch with w times its square.
 #pragma once
 
 #include "film/film_key.h"
@@ -21,7 +20,7 @@
 
 namespace sunfleck::engine {
 
-/// Errors are also measured for square blocks of that many pixels a side.
+/// Side of the square blocks for which errors are measured, in pixels.
 inline constexpr int kErrorBlock = 8;
 
 using FixedPoints = std::vector<FixedPoint>;
@@ -29,63 +28,63 @@ using FixedPoints = std::vector<FixedPoint>;
 /// Name to sum; names are those of stats.json where it has them.
 using FilmStatistics = std::map<std::string, FixedPoint, std::less<>>;
 
-/// Of light brought by photons; all empty where the key has no discs.
+/// Sums of photons' light; all empty if the key has no discs.
 struct PhotonSums {
     FixedPoints rgb;            // of each pixel, over passes
-    FixedPoints rgb_by_area;    // the same, each pass times the area of its batch
-    FixedPoints block_squares;  // of complete batches' luminance, row after row of blocks
+    FixedPoints rgb_by_area;    // each pass times the disc area of its batch
+    FixedPoints block_squares;  // squared luminance of complete batches, row by row of blocks
     FixedPoint image_square;
 
     friend bool operator==(const PhotonSums&, const PhotonSums&) = default;
 };
 
-/// Sums over the passes that are there of one group of an open batch (pass_groups.h).
+/// Sums over the passes of one group of an open batch (pass_groups.h).
 struct OpenGroup {
     std::array<FixedPoints, kAovCount> aovs;  // as in FilmSums
     std::vector<FixedPoints> light_groups;
-    FixedPoints photon_blocks;  // RGB of each block, over its pixels: what photons have brought
+    FixedPoints photon_blocks;  // photons' RGB of each block, summed over its pixels
 
     friend bool operator==(const OpenGroup&, const OpenGroup&) = default;
 };
 
-/// How often a pass may count (planning/budget_allocation.h).
+/// Largest weight of a pass (planning/budget_allocation.h).
 inline constexpr std::uint32_t kMostWeight = 4;
 
-/// Passes that count more than once, by how often.
+/// Passes with a weight above one, by weight.
 using HeavyPasses = std::map<std::uint32_t, PassSet>;
 
-/// One set of passes has one value of this, however it was put together.
+/// All data of a film; equal sets of passes have equal sums, in whatever order they were added.
 struct FilmSums {
     FilmKey key;
     PassSet passes;
     HeavyPasses heavy;
     FilmStatistics statistics;
-    std::array<FixedPoints, kAovCount> aovs;  // pixel after pixel, channel after channel
-    std::vector<FixedPoints> light_groups;    // the same, RGB
-    FixedPoints pixel_squares;                // of complete batches' luminance
-    FixedPoints block_squares;                // row after row of blocks
+    std::array<FixedPoints, kAovCount> aovs;  // pixel by pixel, channel by channel
+    std::vector<FixedPoints> light_groups;    // pixel by pixel, RGB
+    FixedPoints pixel_squares;                // squared luminance of complete batches
+    FixedPoints block_squares;                // row by row of blocks
     FixedPoint image_square;
     PhotonSums photons;
-    std::map<std::uint64_t, OpenGroup> open_groups;  // of open batches, by the group's first number
+    std::map<std::uint64_t, OpenGroup> open_groups;  // of open batches, by the group's first pass
 
     friend bool operator==(const FilmSums&, const FilmSums&) = default;
 };
 
-/// Sums of no pass, of the sizes that the key asks for. @param key  at least one pixel.
+/// Returns sums of zero, sized by the key. @param key  with at least one pixel.
 FilmSums empty_sums(FilmKey key);
 
-/// A group with no pass.
+/// Returns a group without passes.
 OpenGroup empty_group(const FilmKey& key);
 
-/// The arrays that grow with each pass or batch, those of open groups left out. Some are empty.
+/// Returns the arrays of totals, without those of open groups. Some are empty.
 std::vector<std::span<FixedPoint>> total_arrays(FilmSums& sums);
 std::vector<std::span<const FixedPoint>> total_arrays(const FilmSums& sums);
 
-/// These and the open groups', group after group.
+/// Returns all arrays: totals, then the open groups one by one.
 std::vector<std::span<FixedPoint>> all_arrays(FilmSums& sums);
 std::vector<std::span<const FixedPoint>> all_arrays(const FilmSums& sums);
 
-/// The arrays of an open group. Some are empty.
+/// Returns the arrays of an open group. Some are empty.
 std::vector<std::span<FixedPoint>> arrays(OpenGroup& group);
 std::vector<std::span<const FixedPoint>> arrays(const OpenGroup& group);
 

@@ -1,4 +1,4 @@
-// From exact sums to luminance: of pixels, of 8 x 8 blocks, of the picture.
+// Luminance of pixels, of 8 x 8 blocks, and of the picture, from exact sums.
 #pragma once
 
 #include "core/exact_sum.h"
@@ -30,7 +30,7 @@ struct RgbSum {
         return *this;
     }
 
-    /// Luminance of this divided by `terms`.
+    /// Returns the luminance of this sum divided by `terms`.
     double mean_luminance(double terms) const {
         const std::array<double, 3> rgb = {channel[0].to_double(), channel[1].to_double(),
                                            channel[2].to_double()};
@@ -38,12 +38,12 @@ struct RgbSum {
     }
 };
 
-/// Number i of RGB sums that stand one after the other.
+/// Returns triple i of consecutive RGB sums.
 inline RgbSum rgb_of(const std::vector<FixedPoint>& sums, std::size_t i) {
     return {{sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]}};
 }
 
-/// The pixel rectangle of each block: blocks at the right and lower edges may be smaller.
+/// The pixel rectangles of blocks; those at the right and lower edges may be smaller.
 class BlockGrid {
 public:
     struct Block {
@@ -68,7 +68,7 @@ public:
         return {x, std::min(x + size_, width_), y, std::min(y + size_, height_)};
     }
 
-    /// Calls visit(pixel) for each pixel of block i, row after row.
+    /// Calls visit(pixel) for each pixel of block i, row by row.
     template <class Visit>
     void for_pixels(std::size_t i, const Visit& visit) const {
         const Block b = block(i);

@@ -1,4 +1,4 @@
-// Which passes are spread evenly, and what they are worth.
+// Which groups of passes are evenly spread, and their weights.
 #include "film/pass_groups.h"
 
 #include "math/wavelengths.h"
@@ -9,7 +9,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Passes of a batch at which groups begin and end.
+/// Indices in a batch at which groups begin and end.
 constexpr std::array<std::uint64_t, 7> kEnds = {0, 1, 2, 4, 8, 12, kBatchPasses};
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Inserting into a set of ranges, and counting in it.
+// Insertion into a set of ranges, and counting.
 #include "film/pass_set.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Which passes a film holds: ranges of numbers, joined wherever they touch.
+// PassSet: the passes of a film, as ranges that are merged where they touch.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ struct PassRange {
     friend bool operator==(const PassRange&, const PassRange&) = default;
 };
 
-/// A set with one form for one content: ranges ascend, none is empty, none touches the next.
+/// A set in canonical form: ranges ascend, none is empty, none touches the next.
 class PassSet {
 public:
-    /// @param range  not empty, none of it in the set.
+    /// @param range  not empty, disjoint from the set.
     void insert(const PassRange& range);
 
-    /// How many passes of [range.begin, range.end) are in the set.
+    /// Returns how many passes of [range.begin, range.end) are in the set.
     std::uint64_t count_in(const PassRange& range) const;
 
     std::uint64_t count() const { return count_in({0, ~std::uint64_t{0}}); }

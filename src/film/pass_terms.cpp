@@ -1,4 +1,4 @@
-// Terms of a film's sums, in parallel: each place belongs to one task.
+// Terms of a film's sums, in parallel: each sum belongs to one task.
 #include "film/pass_terms.h"
 
 #include "core/parallel.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kPixelsPerTask = 1U << 14U;
 
-/// Numbers on their way into exact sums: cut where they are too large.
+/// Conversion of numbers to exact sums, with clamping of large ones.
 class Terms {
 public:
     FixedPoint operator()(double x) {
@@ -27,8 +27,9 @@ private:
 };
 
 /// Adds the squares of a quantity's mean luminance in each block of a complete batch.
-/// @param block_sum  of a block, over its pixels. @param square  term of a luminance.
-/// @return that of the picture's mean.
+/// @param block_sum  of a block, over its pixels.
+/// @param square  term of a luminance.
+/// @return the square of the picture's mean.
 template <class BlockSum, class Square>
 FixedPoint add_block_squares(const BlockGrid& grid, const BlockSum& block_sum, const Square& square,
                              FixedPoints& squares) {

@@ -1,4 +1,4 @@
-// Adds what each group of lights gains, channel by channel.
+// Adds the change of each light group, channel by channel.
 #include "film/relight.h"
 
 #include "film/film_picture.h"
@@ -32,8 +32,7 @@ std::string joined(const std::set<std::string>& names) {
 Channel& channel_of(Picture& picture, const std::string& channel, const std::string& name) {
     for (Channel& one : picture.channels)
         if (one.name == channel) return one;
-    throw Error({name}, "has no channel \"" + channel + "\"",
-                "use a picture that sunfleck has rendered");
+    throw Error({name}, "has no channel \"" + channel + "\"", "use a picture rendered by sunfleck");
 }
 
 void apply(const LightGroupFactor& factor, Picture& picture, const std::string& name) {
@@ -48,7 +47,7 @@ void apply(const LightGroupFactor& factor, Picture& picture, const std::string& 
     }
 }
 
-/// Is the channel still true when lights change?
+/// Returns whether the channel stays valid when lights change.
 bool stays(const std::string& channel, const std::set<std::string>& lights) {
     constexpr std::array<std::string_view, 3> kFeatures = {"albedo", "normal", "depth"};
     const std::size_t dot = channel.rfind('.');

@@ -1,5 +1,4 @@
-// Light changed after the render: a picture whose light groups hold the light of some lights apart
-// (aovs/light_groups.h), with other brightness for these.
+// Relighting: changes the brightness of light groups (aovs/light_groups.h) in a rendered picture.
 #pragma once
 
 #include "image/picture.h"
@@ -10,7 +9,7 @@
 
 namespace sunfleck::engine {
 
-/// What to multiply a light group by.
+/// The factor of a light group.
 struct LightGroupFactor {
     std::string name;
     Vec3 rgb{1};  // not negative
@@ -18,14 +17,14 @@ struct LightGroupFactor {
 
 struct Relit {
     Picture picture;
-    std::vector<std::string> left_out;  // AOVs of the picture as it was, which no longer hold
+    std::vector<std::string> left_out;  // AOVs left out, because they are no longer valid
 };
 
-/// RGB and the light groups as they would be; AOVs of features (albedo, normal, depth) as
-/// they are. All other AOVs are left out: they are of all lights together. What `extrapolated`
-/// pictures have lost as bias stays as it was.
+/// Returns RGB and the light groups with new brightness, and the feature AOVs (albedo, normal,
+/// depth) unchanged. All other AOVs are left out, because they contain all lights. The bias
+/// subtracted from `extrapolated` pictures is unchanged.
 /// @param name  of the picture, for errors.
-/// @throws Error for a group that the picture does not have, or that is named twice.
+/// @throws Error  for a group that the picture does not have, or that is named twice.
 Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors,
             const std::string& name);
 

@@ -27,7 +27,7 @@ std::vector<BrightBlock> bright_blocks(const Film& film) {
     return bright;
 }
 
-/// @param bright  at least one.
+/// @param bright  at least one block.
 double noise_of(const Film& film, const std::vector<BrightBlock>& bright, bool extrapolated) {
     const auto errors = extrapolated ? extrapolated_block_errors(film) : std::vector<double>();
     std::vector<double> relative;
@@ -40,7 +40,7 @@ double noise_of(const Film& film, const std::vector<BrightBlock>& bright, bool e
     return wider * relative[(relative.size() * 95 + 99) / 100 - 1];
 }
 
-/// @param bright  at least one. Nothing where no bias is known.
+/// @param bright  at least one block. @return nothing if the bias is unknown.
 std::optional<double> bias_of(const Film& film, const std::vector<BrightBlock>& bright) {
     const std::vector<Bias> biases = block_biases(film);
     if (biases.empty()) return {};

@@ -1,4 +1,4 @@
-// What --target-error compares: one number for the noise of a picture and the bias of its discs.
+// The error that --target-error limits: noise of the picture and bias of the gather radius.
 #pragma once
 
 #include "film/film.h"
@@ -8,42 +8,42 @@
 
 namespace sunfleck::engine {
 
-/// Batches that target_error() needs: from fewer a standard error is itself too uncertain.
+/// Complete batches needed; with fewer, standard errors are themselves too uncertain.
 inline constexpr std::uint64_t kTargetBatches = 4;
 
-/// What counts.
+/// The terms that count.
 struct ErrorTerms {
     bool bias = true;
-    bool extrapolated =
-        false;  // of the picture less its bias: more noise, and no bias (to first order)
+    bool extrapolated = false;  // of the picture minus its bias
 };
 
 /// Relative errors.
 struct TargetError {
-    double noise = 0;  // the widened standard error that 95% of the bright blocks keep
-    double bias = 0;   // relative_bias(); zero where it does not count, is not there, or not known
+    double noise = 0;  // the widened standard error below which 95% of the bright blocks are
+    double bias = 0;   // relative_bias(); zero if it does not count, does not exist, or is unknown
 
     double value() const { return std::sqrt(noise * noise + bias * bias); }
 };
 
-/// How many times the weight of the passes that there are brings the error down to the target: its
-/// noise falls with their root, its bias with the area of the discs, as passes^(alpha - 1); 1 if it
-/// is there.
-/// @param target  positive. @param alpha  of the radii, in (0, 1).
+/// Returns the factor of the present weight of passes that reaches the target; 1 if it is reached.
+/// Noise is inverse to the square root of passes, bias to passes^(1 - alpha).
+/// @param target  positive.
+/// @param alpha  of the radii, in (0, 1).
 double times_passes_to(const TargetError& error, double target, double alpha);
 
-/// The same in passes to come, which count as often as the latest. @param film  has passes.
+/// Returns the number of further passes, with the weight of the latest. @param film  with passes.
 double passes_left(const Film& film, const TargetError& error, double target, double alpha);
 
-/// Bright blocks are those above 1% of the mean luminance. Nothing with fewer than kTargetBatches
-/// complete batches, or where these are black or the picture is too dim for error bars.
+/// Returns the error over blocks brighter than 1% of the mean luminance. Nothing with fewer than
+/// kTargetBatches complete batches, if these are black, or if the picture is too dim for error
+/// bars.
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms);
 
-/// Bias of bright blocks over their luminance: the root of the mean square, its noise subtracted;
-/// never below zero. Nothing where bias.h knows none, or in a black picture.
+/// Returns the bias of bright blocks over their luminance: the root mean square with its noise
+/// subtracted, not negative. Nothing if bias.h has none, or for a black picture.
 ///
-/// A quantile, as for noise, would be one of the estimates' noise: a block's bias is known 2 to 3.5
-/// times less well than its mean.
+/// A quantile, as for noise, would measure the noise of the estimates, because the bias of a block
+/// has 2 to 3.5 times the error of its mean.
 std::optional<double> relative_bias(const Film& film);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Buffers of words on their way to a file and back.
+// Buffers of words between memory and file.
 #include "film/word_file.h"
 
 #include "core/file_content.h"
@@ -18,7 +18,7 @@ static_assert(sizeof(FixedPoint) == 16, "sums are stored as two words");
 
 namespace {
 
-/// The first bytes of a stream, which is back at its beginning then.
+/// Returns the first bytes of a stream and rewinds it.
 std::string beginning_of(std::istream& stream, std::uint64_t size) {
     constexpr std::uint64_t kLooked = 512;
     std::string bytes(std::min(size, kLooked), '\0');
@@ -64,7 +64,7 @@ WordReader::WordReader(std::istream& stream, std::uint64_t size, std::string pat
     if (!begins_with(bytes, kind.magic))
         refuse_other_content(bytes, path_, "a " + std::string(kind.name));
     if (size % 8 != 0 || size < 16) damaged();
-    left_ = size / 8 - 1;  // the last is the checksum
+    left_ = size / 8 - 1;  // the last one is the checksum
 }
 
 std::string WordReader::text() {
@@ -92,7 +92,8 @@ void WordReader::finish() {
 }
 
 void WordReader::damaged() const {
-    throw Error({path_}, "is no " + std::string(kind_.name) + ", or is cut or damaged", kind_.mend);
+    throw Error({path_}, "is not a " + std::string(kind_.name) + ", or is truncated or damaged",
+                kind_.mend);
 }
 
 void WordReader::refill() {

@@ -1,8 +1,8 @@
-// Files of 64-bit little-endian words that end in a checksum: what film files and checkpoints are
-// made of.
+// Files of 64-bit little-endian words with a checksum at the end: the format of film files and
+// checkpoints.
 //
-// Texts are their length in bytes and those, padded with zeros; sums are two words, the high one
-// first. A reader never makes room for more than the file can fill.
+// A text is its length in bytes and the bytes, padded with zeros. A sum is two words, the high one
+// first. A reader never allocates more than the file can fill.
 #pragma once
 
 #include "core/exact_sum.h"
@@ -17,10 +17,10 @@
 
 namespace sunfleck::engine {
 
-/// A text as words: its length in bytes and those, padded with zeros.
+/// Returns a text as words: its length in bytes and the bytes, padded with zeros.
 std::vector<std::uint64_t> words_of(const std::string& text);
 
-/// Words in memory, put together as in a file.
+/// Words in memory, in the format of a file.
 struct WordList {
     std::vector<std::uint64_t> words;
 
@@ -34,7 +34,7 @@ struct WordList {
     }
 };
 
-/// Writes a file; it has its name when finish() has returned. All faults throw Error.
+/// Writes a file, which has its name when finish() has returned. All faults throw Error.
 class WordWriter {
 public:
     explicit WordWriter(const std::string& path) : file_(path) {}
@@ -56,7 +56,7 @@ public:
         for (const FixedPoint& sum : sums) put(sum);
     }
 
-    /// Adds the checksum and commits the file. Call it once, last.
+    /// Adds the checksum and commits the file; it is called once, last.
     void finish();
 
 private:
@@ -69,22 +69,22 @@ private:
     std::vector<std::uint64_t> buffer_;
 };
 
-/// A kind of file that begins with its own word, and what a reader's faults say.
+/// A type of file with its own first word, and the text of a reader's errors.
 struct WordFileKind {
     std::uint64_t magic;
     const char* name;  // "film file"
-    const char* mend;  // what to do about a damaged one
+    const char* mend;  // remedy for a damaged one
 };
 
-/// Accepts the words one after the other; all faults throw Error, of one line.
+/// Reads words in order; all faults throw an Error of one line.
 class WordReader {
 public:
-    /// @param stream  to be read to its end, which is `size` bytes from here on; outlives this.
+    /// @param stream  read to its end, `size` bytes from here; it outlives the reader.
     /// @param path    its name, for errors.
-    /// @throws Error  that says what the file is, where that is known and it is not of this kind.
+    /// @throws Error  that names the type of the file, if it is known to be another.
     WordReader(std::istream& stream, std::uint64_t size, std::string path, WordFileKind kind);
 
-    /// Words before the checksum that were not taken yet.
+    /// Returns the number of unread words before the checksum.
     std::uint64_t left() const { return left_; }
 
     std::uint64_t word() {
@@ -94,7 +94,7 @@ public:
         hash_.add(word);
         return word;
     }
-    /// A word that is at most so large.
+    /// Reads a word that is at most `largest`.
     std::uint64_t word_up_to(std::uint64_t largest) {
         const std::uint64_t value = word();
         if (value > largest) damaged();
@@ -109,9 +109,9 @@ public:
         for (FixedPoint& value : sums) value = sum();
     }
 
-    /// Accepts two words, and refuses a file of another kind or version.
+    /// Reads two words, and refuses files of another type or version.
     void check_head(std::uint64_t magic, std::uint64_t version);
-    /// The end of the file: nothing left, and the checksum agrees.
+    /// Checks that nothing is left and that the checksum agrees.
     void finish();
 
     [[noreturn]] void damaged() const;

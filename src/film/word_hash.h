@@ -1,7 +1,7 @@
-// A checksum of 64-bit words: any change of one word changes it, as does any likely other damage.
+// Checksum of 64-bit words: a change of one word always changes it, other damage almost certainly.
 //
-// Each step is a bijection of the state for a given word, and of the word for a given state; the
-// rotation brings high bits back down, so that no two single-bit faults cancel by themselves.
+// Each step is a bijection of the state for a given word, and of the word for a given state. The
+// rotation moves high bits down, so that no two single-bit faults cancel.
 #pragma once
 
 #include <bit>

@@ -8,10 +8,10 @@ namespace sunfleck::engine {
 
 void adjust_scene(SceneDescription& scene, const RenderRequest& request) {
     if (request.resolution) set_resolution(scene, *request.resolution);
-    if (request.settings.energy_compensation) compensate_energy(scene);
-    if (request.crop) set_crop(scene, *request.crop, "--crop");
+    if (request.settings.energy_compensation) compensate_energy(scene.materials);
+    if (request.crop) set_crop(scene.film, *request.crop, "--crop");
     if (request.crop_window)
-        set_crop(scene, pixels_of_window(*request.crop_window, scene.film.resolution),
+        set_crop(scene.film, pixels_of_window(*request.crop_window, scene.film.resolution),
                  "--cropwindow");
 }
 

@@ -1,7 +1,8 @@
-// Affine maps in double, ready for the inner loop: points, directions and normals.
+// Affine maps in double for inner loops: points, directions and normals.
 //
-// In:  the object-to-world matrix of a placed shape or instance (row vectors, as Imath has it).
-// Out: images under it and under its inverse. Only + - * / on doubles: the same bits everywhere.
+// In:  the object-to-world matrix of a placed shape or instance (row vectors, as in Imath).
+// Out: images under the map and its inverse. Only + - * / on doubles are used, so that bits are the
+// same on every machine.
 #pragma once
 
 #include "math/vector.h"
@@ -18,7 +19,7 @@ struct Affine {
     Vec3d origin{0, 0, 0};  // image of the origin
 
     Affine() = default;
-    /// The last column is taken to be (0 0 0 1).
+    /// The last column is assumed to be (0 0 0 1).
     explicit Affine(const Matrix& m)
         : x(m[0][0], m[0][1], m[0][2]),
           y(m[1][0], m[1][1], m[1][2]),
@@ -29,14 +30,15 @@ struct Affine {
     Vec3d point(const Vec3d& p) const { return vector(p) + origin; }
     double determinant() const { return x.dot(y.cross(z)); }
 
-    /// Finite, and its determinant more than the rounding errors of its terms.
+    /// Returns whether the map is finite and its determinant exceeds the rounding errors of its
+    /// terms.
     bool is_invertible() const {
         const double volume = std::abs(determinant());
         const bool finite = std::isfinite(volume) && std::isfinite(origin.x + origin.y + origin.z);
         return finite && volume > 1e-14 * x.length() * y.length() * z.length();
     }
 
-    /// Of an invertible map.
+    /// Returns the inverse; the map must be invertible.
     Affine inverse() const {
         const double scale = 1 / determinant();
         const Vec3d a = y.cross(z) * scale;
@@ -51,11 +53,11 @@ struct Affine {
     }
 };
 
-/// Where something stands: its map, the inverse, and how normals go.
+/// Placement of a shape: its map, the inverse, and the map of normals.
 struct Placement {
     Affine to_world;
-    Affine to_object;  // the identity when the map has no inverse
-    Affine normals;    // inverse transpose, times the size of the determinant; no translation
+    Affine to_object;  // the identity if the map has no inverse
+    Affine normals;    // inverse transpose times |determinant|; no translation
     bool is_invertible = true;
     bool mirrors = false;  // the determinant is negative
 
@@ -70,7 +72,7 @@ struct Placement {
         normals.z = map.x.cross(map.y) * sign;
     }
 
-    /// The normal of the image of a surface on the same side of it; any length.
+    /// Returns a normal of the image of a surface, on the same side; not normalised.
     Vec3d normal(const Vec3d& n) const { return normals.vector(n); }
 };
 

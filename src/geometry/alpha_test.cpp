@@ -1,4 +1,4 @@
-// The hash of a ray and of its crossing with a primitive.
+// The hash of a ray and its crossing with a primitive.
 #include "geometry/alpha_test.h"
 
 #include "core/hash.h"

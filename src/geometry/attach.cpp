@@ -1,4 +1,4 @@
-// Meshes one by one, then all surfaces that are intersected exactly.
+// Attaches meshes one by one, then all exactly intersected surfaces together.
 #include "geometry/attach.h"
 
 #include "geometry/cover.h"

@@ -1,4 +1,4 @@
-// Fills the Embree scene of a group with its shapes.
+// Attaches the shapes of a group to its Embree scene.
 #pragma once
 
 #include "geometry/built.h"
@@ -7,9 +7,9 @@
 
 namespace sunfleck::engine {
 
-/// Makes the group's scene and attaches its shapes; what remains is more geometry, and commit().
-/// The group must stay where it is from then on.
-/// @param exact_number  Embree's number for the shapes that are intersected exactly.
+/// Makes the Embree scene of the group and attaches its shapes. The caller may attach further
+/// geometry and then calls commit(). The group's address must not change from then on.
+/// @param exact_number  Embree's geometry id of the exact shapes.
 void attach_shapes(ShapeGroup& group, RTCDevice device, std::uint32_t exact_number);
 
 }  // namespace sunfleck::engine

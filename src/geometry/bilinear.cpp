@@ -9,7 +9,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// u and v this far outside belong to the patch, so that rounding leaves no gap between patches.
+/// Margin of u and v around a patch, so that rounding leaves no gap between patches.
 constexpr double kSlack = 0x1p-44;
 
 struct Roots {
@@ -17,7 +17,7 @@ struct Roots {
     int count = 0;
 };
 
-/// Of a x^2 + b x + c, both by sums that do not cancel.
+/// Roots of a x^2 + b x + c, both without cancellation.
 Roots roots_of(double a, double b, double c) {
     const double discriminant = b * b - 4 * a * c;
     if (!(discriminant >= 0)) return {};
@@ -32,13 +32,13 @@ bool is_inside(double x) {
     return x >= -kSlack && x <= 1 + kSlack;
 }
 
-/// t and (u, v) of one meeting: P(u, v) = origin + t direction.
+/// t and (u, v) of one intersection: P(u, v) = origin + t direction.
 struct Meeting3 {
     double t = 0;
     Vec2d uv{0};
 };
 
-/// One step of Newton's method in all three unknowns: it takes away what the quadratic rounded.
+/// One step of Newton's method in all three unknowns, which removes the rounding of the quadratic.
 void refine(const Bilinear& patch, const Vec3d& origin, const Vec3d& direction, Meeting3& m) {
     const Vec3d du = patch.du(m.uv.y);
     const Vec3d dv = patch.dv(m.uv.x);
@@ -47,15 +47,16 @@ void refine(const Bilinear& patch, const Vec3d& origin, const Vec3d& direction, 
     const Vec3d apart = origin + direction * m.t - patch.point(m.uv);
     const Vec2d step(apart.dot(dv.cross(direction)) / determinant,
                      apart.dot(direction.cross(du)) / determinant);
-    if (!(std::abs(step.x) < 1e-4 && std::abs(step.y) < 1e-4)) return;  // tangent: leave it
+    if (!(std::abs(step.x) < 1e-4 && std::abs(step.y) < 1e-4))
+        return;  // nearly tangent: keep the values
     m.uv += step;
     m.t -= apart.dot(area) / determinant;
 }
 
 }  // namespace
 
-/// Rulings of equal u run from A(u) on the side v = 0 along E(u). The line meets one where
-/// (A - origin) . (E x direction) = 0, a quadratic equation in u.
+/// Rulings of constant u run from A(u) on the side v = 0 along E(u). The line crosses one where (A
+/// - origin) . (E x direction) = 0, a quadratic equation in u.
 Bilinear::Meetings Bilinear::meet(const Vec3d& origin, const Vec3d& direction) const {
     const Vec3d a0 = corner[0] - origin;
     const Vec3d a1 = corner[1] - corner[0];
@@ -87,8 +88,8 @@ Bilinear::Meetings Bilinear::meet(const Vec3d& origin, const Vec3d& direction) c
     return result;
 }
 
-/// By Gauss-Newton from the best of a grid where the line misses by a rounding
-/// error: near the border, or where the patch has no normal.
+/// If the line misses by a rounding error (near the border, or where the patch has no normal),
+/// Gauss-Newton iterates from the best point of a grid.
 Vec2d Bilinear::locate(const Vec3d& on, const Vec3d& direction) const {
     const Meetings met = meet(on, direction);
     const bool second =
@@ -116,8 +117,8 @@ Vec2d Bilinear::locate(const Vec3d& on, const Vec3d& direction) const {
     return best;
 }
 
-/// The area vector is linear: where the patch is flat, and does not fold, its mean length is that
-/// of the middle.
+/// The area vector is linear, so for a planar patch without fold its mean length is that at the
+/// centre.
 double Bilinear::area() const {
     const Vec3d middle = area_vector({0.5, 0.5});
     bool is_flat = true;

@@ -1,4 +1,4 @@
-// Surfaces and areas of meshes of bilinear patches.
+// Surface points and areas of meshes of bilinear patches.
 #include "geometry/bilinear_mesh.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// dP/ds of texture coordinates (s, t) that are bilinear in (u, v). Nothing where they have no
+/// Returns dP/ds of texture coordinates (s, t) that are bilinear in (u, v); zero if they have no
 /// area.
 Vec3d tangent_by(const std::array<Vec2, 4>& st, const Vec2d& uv, const Vec3d& du, const Vec3d& dv) {
     const auto at = [&](std::size_t i) { return Vec2d(st.at(i)); };

@@ -7,11 +7,12 @@
 
 namespace sunfleck::engine {
 
-/// One patch with what its corners bring along. The normal is dP/du x dP/dv, or on the side of the
-/// corners' normals.
+/// One patch with the attributes of its corners. The normal is dP/du x dP/dv, flipped to the side
+/// of the corners' normals if there are any.
 struct BilinearPatch {
     Bilinear surface;
-    std::array<Vec3d, 4> normals{Vec3d(0), Vec3d(0), Vec3d(0), Vec3d(0)};  // zeros: none
+    std::array<Vec3d, 4> normals{Vec3d(0), Vec3d(0), Vec3d(0),
+                                 Vec3d(0)};  // zeros if there are none
     std::array<Vec2, 4> uvs{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)};
     bool has_uvs = false;
 
@@ -19,21 +20,21 @@ struct BilinearPatch {
         return surface.meet(origin, direction).line;
     }
     LocalSurface at(const Vec3d& near, const Vec3d& direction) const;
-    /// Of the corners: tight.
+    /// Returns tight bounds of the patch's image.
     Bounds bounds(const Affine& map) const { return surface.image(map).bounds(); }
 };
 
-/// The corners of a patch are given in the order P(0,0), P(1,0), P(0,1), P(1,1) (pbrt-v4).
+/// The corners of a patch have the order P(0,0), P(1,0), P(0,1), P(1,1) (pbrt-v4).
 struct BilinearMesh {
     std::vector<Vec3> positions;
     std::vector<std::array<std::uint32_t, 4>> patches;
-    std::vector<Vec3> normals;  // one a vertex, or empty
-    std::vector<Vec2> uvs;      // one a vertex, or empty
+    std::vector<Vec3> normals;  // one per vertex, or empty
+    std::vector<Vec2> uvs;      // one per vertex, or empty
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(patches.size()); }
-    /// Patches with a vertex that is not in the list have corners that are not numbers.
+    /// Returns a patch; invalid vertex indices give corners that are NaN.
     BilinearPatch element(std::uint32_t patch) const;
-    /// Of all patches.
+    /// Returns the total area of all patches.
     double area(const Affine& map) const;
 };
 

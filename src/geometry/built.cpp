@@ -1,4 +1,4 @@
-// Building: vertices into the group's frame, what cannot be hit left out, groups and instances.
+// Construction: vertices in the group's frame, surfaces that cannot be hit, groups and instances.
 #include "geometry/built.h"
 
 #include "geometry/measure.h"
@@ -21,7 +21,7 @@ Vec3d absolute(const Vec3d& v) {
     return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
 }
 
-/// The components of a cross product with every term taken as positive.
+/// Returns the components of a cross product with every term taken as positive.
 Vec3d absolute_cross(const Vec3d& a, const Vec3d& b) {
     return {std::abs(a.y * b.z) + std::abs(a.z * b.y), std::abs(a.z * b.x) + std::abs(a.x * b.z),
             std::abs(a.x * b.y) + std::abs(a.y * b.x)};
@@ -36,8 +36,8 @@ Affine absolute(const Affine& map) {
     return result;
 }
 
-/// Embree inverts by cofactors, in float: each is off by three roundings of its terms, and the
-/// determinant by as much. Times the matrix itself, for that is what the error is applied to.
+/// Returns the error of Embree's inverse times the matrix. Embree inverts by cofactors in float:
+/// each is off by three roundings of its terms, and the determinant by as much.
 Affine inverse_error(const Affine& map, const Affine& inverse) {
     const double volume = std::abs(map.determinant());
     const std::array<Vec3d, 3> rows{absolute_cross(map.y, map.z) / volume,
@@ -87,7 +87,7 @@ Bounds BuiltShape::bounds_of(std::uint32_t element) const {
     return size < embree::kLargest ? box : Bounds();
 }
 
-/// What cannot be hit keeps its place, but its corners are not numbers: Embree passes over it.
+/// A triangle that cannot be hit keeps its index, but its corners are NaN: Embree ignores it.
 void BuiltShape::place_triangles() {
     const TriangleMesh& source = *mesh();
     vertices_.reserve(9 * source.triangles.size() + 1);
@@ -143,7 +143,7 @@ Bounds BuiltInstance::bounds() const {
     return image_of(group->bounds, placement.to_world);
 }
 
-/// Embree's inverse maps the world point as W p - W t, three products and four sums, each rounded.
+/// Embree's inverse maps the world point as W p - W t: three products and four sums, each rounded.
 double BuiltInstance::ray_uncertainty(const Vec3d& normal, const Vec3d& local,
                                       const Vec3d& world) const {
     const Vec3d far = absolute(world) + absolute(placement.to_world.origin);

@@ -7,14 +7,14 @@
 namespace sunfleck::engine {
 namespace {
 
-/// A surface around a point, in the frame of the group.
+/// The surface at a point, in the frame of the group.
 struct Patch {
     Vec3d position;
-    Vec3d normal;  // unit
+    Vec3d normal;  // unit vector
     Vec3d shading_normal;
     Vec3d tangent;
     Vec2 uv;
-    double uncertainty = 0;  // along the normal, of the surface that Embree sees
+    double uncertainty = 0;  // along the normal, of the surface that Embree uses
 };
 
 template <class V>
@@ -30,7 +30,7 @@ Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
     return usable ? v * (1 / std::sqrt(length2)) : otherwise;
 }
 
-/// dp/du of the linear map from uv to position; any edge where the uvs have no area.
+/// Returns dp/du of the linear map from uv to position; any edge if the uvs have no area.
 Vec3d tangent_from_uvs(const Triangle& triangle, const std::array<Vec2, 3>& uv) {
     const Vec2d du(double{uv[0].x} - uv[2].x, double{uv[1].x} - uv[2].x);
     const Vec2d dv(double{uv[0].y} - uv[2].y, double{uv[1].y} - uv[2].y);
@@ -84,7 +84,7 @@ Patch on_mesh(const Found& found, const Line& line) {
     return patch;
 }
 
-/// Rounding in double, of a point that went through a map and its inverse.
+/// Returns the rounding error in double of a point that went through a map and its inverse.
 double double_uncertainty(const Vec3d& position, const Affine& map) {
     const Vec3d from_origin = position - map.origin;
     const double size = std::abs(position.x) + std::abs(position.y) + std::abs(position.z) +
@@ -92,7 +92,8 @@ double double_uncertainty(const Vec3d& position, const Affine& map) {
     return 0x1p-42 * size;
 }
 
-/// How much farther apart planes are after the map. @param image  of their unit normal.
+/// Returns the factor by which a map changes the distance of planes. @param image  of their unit
+/// normal.
 double stretch_across(const Placement& placement, const Vec3d& image) {
     return std::abs(placement.to_world.determinant()) / std::sqrt(image.dot(image));
 }
@@ -124,7 +125,7 @@ Patch on_exact_shape(const Found& found, const Line& line) {
     return patch;
 }
 
-/// Accepts the patch out of the instance's frame into the world.
+/// Transforms the patch from the instance's frame to the world.
 void leave_instance(const BuiltInstance& instance, bool is_mesh, Patch& patch) {
     const Placement& placement = instance.placement;
     const Vec3d local = patch.position;
@@ -147,8 +148,8 @@ float distance_along(const Line& line, const Vec3d& position) {
     return static_cast<float>(way / line.direction.dot(line.direction));
 }
 
-/// Most hits: on a mesh of the world that has nothing but positions. The same as by way of a
-/// Patch, to the last bits, with one square root and three divisions.
+/// Completes the most frequent hits: on a world mesh that has positions alone. The result equals
+/// that of a Patch to the last bits, with one square root and three divisions.
 void complete_plain(const Found& found, const Line& line, Hit& hit) {
     const BuiltShape& shape = *found.shape;
     const Triangle triangle = shape.triangle(found.primitive);

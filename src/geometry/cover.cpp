@@ -1,4 +1,4 @@
-// Filters for Embree: each hit is completed, and its cover asked.
+// Embree filter functions that complete each hit and apply the alpha test.
 #include "geometry/cover.h"
 
 #include <embree3/rtcore_ray.h>
@@ -33,7 +33,7 @@ bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
 
 void attach_cover(const BuiltShape& mesh) {
     RTCGeometry g = mesh.geometry();
-    rtcSetGeometryUserData(g, const_cast<BuiltShape*>(&mesh));  // NOLINT: only ever read
+    rtcSetGeometryUserData(g, const_cast<BuiltShape*>(&mesh));  // NOLINT: never written
     rtcSetGeometryIntersectFilterFunction(g, filter);
     rtcSetGeometryOccludedFilterFunction(g, filter);
     rtcCommitGeometry(g);

@@ -1,4 +1,4 @@
-// The alpha test inside Embree: hits on surfaces that are there in part are kept or passed over.
+// The alpha test within Embree's traversal: hits on surfaces with alpha are kept or ignored.
 #pragma once
 
 #include "geometry/complete_hit.h"
@@ -8,12 +8,12 @@
 
 namespace sunfleck::engine {
 
-/// Is the surface there where a query's ray meets it? Always, without an alpha test.
-/// @param crossing  tells apart the points where a ray meets one primitive several times.
+/// Returns whether the alpha test passes; always true if the query has none.
+/// @param crossing  index among several hits of a ray with one primitive.
 bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
               std::uint32_t crossing);
 
-/// Makes Embree ask is_there() for each hit on the mesh, whose place in memory must last.
+/// Makes Embree call is_there() for each hit on the mesh, whose address must not change.
 void attach_cover(const BuiltShape& mesh);
 
 }  // namespace sunfleck::engine

@@ -1,10 +1,10 @@
-// Where lines meet pieces of curves: cut until straight, then solved for in double.
+// Intersection of lines with curve pieces: subdivision until straight, then iteration in double.
 //
-// Everything happens in the frame of the line, which is the z axis there: x and y say how far the
-// curve is, z where. A part whose box in x and y, widened by half the width, does not hold the
-// origin is passed over, and so is one behind the line's start. What is left is solved to rounding,
-// so the surfaces do not depend on how curves were cut. Source for the recursion: Nakamaru and
-// Ohno, Ray Tracing for Curves Primitive (WSCG 2002).
+// The line is the z axis of the frame used: x and y are distances of the curve, z is along the
+// line. A part is discarded if its box in x and y, widened by half the width, does not contain the
+// origin, or if it lies behind the line's start. The remaining parts are solved to rounding errors,
+// so that surfaces do not depend on the subdivision.
+// Source of the recursion: Nakamaru and Ohno, Ray Tracing for Curves Primitive (WSCG 2002).
 #include "geometry/curve_piece.h"
 #include "geometry/sweep.h"
 
@@ -15,12 +15,12 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Part ends belong to both neighbours, this far out, so that no line slips through.
+/// The ends of a part are extended by this into both neighbours, so that no line passes between.
 constexpr double kSlack = 1e-9;
-/// How far from its part, in u, a search may go before it comes back.
+/// How far from its part, in u, an iteration may go before it returns.
 constexpr double kStray = 0.5;
 
-/// A cubic by its coefficients: evaluated often, so with few operations.
+/// A cubic in monomial form, for fast evaluation.
 class Cubic {
 public:
     Cubic() = default;
@@ -42,7 +42,7 @@ private:
     Vec3d c3_{0};
 };
 
-/// Both halves of a curve (de Casteljau).
+/// Returns both halves of a curve (de Casteljau).
 std::array<Bezier, 2> halves_of(const Bezier& p) {
     const auto middle = [](const Vec3d& a, const Vec3d& b) { return (a + b) * 0.5; };
     const Vec3d p01 = middle(p[0], p[1]);
@@ -54,7 +54,7 @@ std::array<Bezier, 2> halves_of(const Bezier& p) {
     return {Bezier{p[0], p01, p012, p0123}, Bezier{p0123, p123, p23, p[3]}};
 }
 
-/// The greater of a curve's second differences: the curve stays within 3/4 of it from its chord.
+/// Returns the largest second difference of a curve, which stays within 3/4 of it from its chord.
 double bend_of(const Bezier& p) {
     return std::sqrt(
         std::max((p[0] - p[1] * 2 + p[2]).length2(), (p[1] - p[2] * 2 + p[3]).length2()));
@@ -119,8 +119,8 @@ private:
             found_.at(count_++) = {z / length_, u, across};
     }
 
-    /// The root between two ends at which f has different signs: bisection with secants (the
-    /// Illinois rule).
+    /// Returns the root between two ends at which f has different signs, by regula falsi with the
+    /// Illinois rule.
     template <class F>
     static double root_between(double a, double fa, double b, double fb, const F& f) {
         double last = a;
@@ -143,7 +143,7 @@ private:
         return 0.5 * (a + b);
     }
 
-    /// The strip faces the line: it is met where the curve comes nearest.
+    /// A flat strip faces the line, so the intersection is where the curve is nearest to the line.
     void meet_flat(double from, double to) {
         const auto slope = [&](double u) {
             const CurvePoint c = cubic_.at(u);
@@ -159,7 +159,8 @@ private:
         if (std::abs(across) <= piece_.width_at(u) / 2) add(c.position.z, u, across);
     }
 
-    /// The normal of a ribbon, of any length: sin((1 - u) t) by the angles t and u t alone.
+    /// Returns the normal of a ribbon, not normalised: sin((1 - u) t) by the angles t and u t
+    /// alone.
     Vec3d normal_at(double u) const {
         if (!(piece_.turn > 0)) return piece_.normal[0] * (1 - u) + piece_.normal[1] * u;
         const SinCos part = sin_cos(u * piece_.turn);
@@ -167,7 +168,7 @@ private:
                piece_.normal[1] * part.sin;
     }
 
-    /// A ruled surface: the line meets the ruling that passes it at no distance.
+    /// A ribbon is a ruled surface: the line intersects the ruling at distance zero.
     void meet_ribbon(double from, double to) {
         const auto distance = [&](double u) {
             const CurvePoint c = cubic_.at(u);
@@ -184,8 +185,8 @@ private:
         if (std::abs(s) <= piece_.width_at(u) / 2) add(c.position.z + s * b.z, u, s);
     }
 
-    /// Starts from the straight cylinder around the chord, made wider by more than the curve may
-    /// bulge: from outside, Newton's method tends to the nearer of two roots that lie close.
+    /// Starts from the straight cylinder around the chord, widened by a bound of the curve's bulge.
+    /// From outside, Newton's method converges to the nearer of two close roots.
     void meet_tube(const Bezier& part, double from, double to) {
         const Vec3d& start = part[0];
         const Vec3d chord = part[3] - start;
@@ -208,10 +209,10 @@ private:
         }
     }
 
-    /// How far beyond an end, in parts of the chord, the straight cylinder may be met where the
-    /// tube is met within: the line meets both as far apart as `half` at most, and the planes
-    /// across the curve are turned against those across the chord. Rather too far: then a search is
-    /// in vain.
+    /// Returns how far beyond an end, in chord lengths, the straight cylinder may be hit if the
+    /// tube is hit within: both hits are at most `half` apart, and planes across the curve are
+    /// tilted against those across the chord. A value that is too large only costs a futile
+    /// iteration.
     static double stray_of(const Bezier& part, double radius, double half) {
         const Vec3d chord = part[3] - part[0];
         const double along = std::abs(chord.z) * half;
@@ -219,9 +220,9 @@ private:
         return 0.1 + (along + 3 * bend * radius + bend * chord.length()) / chord.length2();
     }
 
-    /// Newton's method for (p - C) . C' = 0 and |p - C| = radius, p on the line. The last step
-    /// squares what the one before left, or comes down to rounding. Steps that have become small do
-    /// not come back from beyond the ends.
+    /// Solves (p - C) . C' = 0 and |p - C| = radius by Newton's method, p on the line. The last
+    /// step squares the remaining error, or reaches rounding. Small steps do not return from beyond
+    /// the ends.
     void refine_tube(double z, double u, const Vec2d& range) {
         const double slope = (piece_.width[1] - piece_.width[0]) / 2;
         const double near = 0.25 * (range.y - range.x);
@@ -256,7 +257,7 @@ private:
     Found& found_;
     std::size_t count_ = 0;
     double length_;
-    double size_ = 0;  // of the numbers that are added: 2^-53 of it is lost
+    double size_ = 0;  // magnitude of the added numbers: 2^-53 of it is the rounding error
 };
 
 }  // namespace

@@ -1,9 +1,9 @@
-// A piece of a cubic Bezier curve with a width: a strip or a tube, intersected in double.
+// CurvePiece: part of a cubic Bezier curve with a width, intersected in double as strip or tube.
 //
-// flat:      a strip that turns around the curve to face each ray, as pbrt-v4's.
-// cylinder:  the tube of circles around the curve, open at its ends.
-// ribbon:    the strip whose normal is as near to the given one as the curve lets it be.
-// All parameters u are those of the whole Bezier segment, in [0, 1].
+// flat:      a strip that faces each ray, as in pbrt-v4.
+// cylinder:  a tube around the curve, open at its ends.
+// ribbon:    a strip whose normal is as close to the given one as the curve allows.
+// Parameters u refer to the whole Bezier segment, in [0, 1].
 #pragma once
 
 #include "geometry/local_surface.h"
@@ -23,14 +23,14 @@ struct CurvePoint {
 using Bezier = std::array<Vec3d, 4>;
 
 CurvePoint evaluate(const Bezier& p, double u);
-/// The control points of the part with u in [from, to] (blossoming).
+/// Returns the control points of the part with u in [from, to] (blossoming).
 Bezier part_of(const Bezier& curve, double from, double to);
 
-/// Where a line meets a piece.
+/// An intersection of a line with a piece.
 struct CurveMeeting {
     double t = 0;
     double u = 0;
-    double across = 0;  // signed distance from the curve, along +v; of a tube as the line sees it
+    double across = 0;  // signed distance from the curve along +v; of a tube, seen along the line
 };
 
 struct CurvePiece {
@@ -38,26 +38,28 @@ struct CurvePiece {
 
     CurveKind kind = CurveKind::flat;
     Bezier curve;
-    std::array<double, 2> width{};                    // at u = 0 and u = 1, linear between them
-    std::array<Vec3d, 2> normal{Vec3d(0), Vec3d(0)};  // of ribbons at both ends, unit
-    double turn = 0;                                  // the angle between them, radians
-    double from = 0;                                  // this piece: u in [from, to]
+    std::array<double, 2> width{};                    // at u = 0 and u = 1, linear in between
+    std::array<Vec3d, 2> normal{Vec3d(0), Vec3d(0)};  // unit normals of a ribbon at both ends
+    double turn = 0;                                  // angle between the normals, radians
+    double from = 0;                                  // this piece has u in [from, to]
     double to = 1;
 
     CrossingsOf<kMostCrossings> crossings(const Vec3d& origin, const Vec3d& direction) const;
     LocalSurface at(const Vec3d& near, const Vec3d& direction) const;
-    /// Around the control points: not tight.
+    /// Returns bounds of the control points; not tight.
     Bounds bounds(const Affine& map) const;
 
     double width_at(double u) const { return width[0] * (1 - u) + width[1] * u; }
-    /// The direction across a ribbon, unit, towards greater v. @param here  of `curve` at u.
+    /// Returns the unit direction across a ribbon, towards greater v. @param here  point of `curve`
+    /// at u.
     Vec3d across_ribbon(const CurvePoint& here, double u) const;
 };
 
 static_assert(ExactShape<CurvePiece>);
 
-/// All meetings of a line with a piece from the line's start on, and some before it, in any order.
-/// @return how many.
+/// Finds all intersections of a line with a piece from the line's start on, and some before it, in
+/// any order.
+/// @return their count.
 std::size_t meet(const CurvePiece& piece, const Vec3d& origin, const Vec3d& direction,
                  std::array<CurveMeeting, CurvePiece::kMostCrossings>& found);
 

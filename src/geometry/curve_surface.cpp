@@ -12,7 +12,7 @@ Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
     return length2 > 0 && std::isfinite(length2) ? v * (1 / std::sqrt(length2)) : otherwise;
 }
 
-/// The meeting that was found before, or, where rounding lost it, the nearest point of the curve.
+/// Returns the intersection found before or, if rounding lost it, the nearest point of the curve.
 CurveMeeting nearest_meeting(const CurvePiece& piece, const Vec3d& near, const Vec3d& direction) {
     std::array<CurveMeeting, CurvePiece::kMostCrossings> found;
     const std::size_t count = meet(piece, near, direction, found);
@@ -33,7 +33,7 @@ CurveMeeting nearest_meeting(const CurvePiece& piece, const Vec3d& near, const V
     return best;
 }
 
-/// Faces where the line comes from.
+/// The normal of a flat strip faces the origin of the line.
 void flat_strip(const CurvePiece& piece, const CurvePoint& c, double u, const Vec3d& direction,
                 LocalSurface& surface) {
     const Vec3d across = unit_or(direction.cross(c.first), Vec3d(0));
@@ -42,7 +42,8 @@ void flat_strip(const CurvePiece& piece, const CurvePoint& c, double u, const Ve
     surface.clearance = piece.width_at(u);
 }
 
-/// The gradient of |p - C| - radius, where C is the point of the curve nearest to p.
+/// The normal of a tube is the gradient of |p - C| - radius, where C is the curve point nearest to
+/// p.
 void tube(const CurvePiece& piece, const CurvePoint& c, double u, LocalSurface& surface) {
     const double radius = piece.width_at(u) / 2;
     const double slope = (piece.width[1] - piece.width[0]) / 2;
@@ -53,7 +54,7 @@ void tube(const CurvePiece& piece, const CurvePoint& c, double u, LocalSurface& 
     surface.tangent = c.first * stretch + unit_or(apart, Vec3d(0)) * slope;
 }
 
-/// dP/du along lines of equal v, with the change of the direction across by differences.
+/// The tangent of a ribbon is dP/du at constant v, with finite differences of the direction across.
 void ribbon(const CurvePiece& piece, const CurvePoint& c, const CurveMeeting& met,
             LocalSurface& surface) {
     constexpr double kStep = 1e-5;

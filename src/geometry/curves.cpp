@@ -1,4 +1,4 @@
-// Pieces of curves: evaluation, cutting, boxes.
+// Curve pieces: evaluation, subdivision, bounds.
 #include "geometry/curves.h"
 
 #include "geometry/quadrature.h"
@@ -15,7 +15,7 @@ Vec3d unit_or_zero(const Vec3d& v) {
     return length2 > 0 ? v * (1 / std::sqrt(length2)) : Vec3d(0);
 }
 
-/// The blossom of a cubic: symmetric, linear in each parameter, C(u) for three equal ones.
+/// Returns the blossom of a cubic: symmetric, linear in each parameter, C(u) for three equal ones.
 Vec3d blossom(const Bezier& p, double a, double b, double c) {
     const auto mix = [](const Vec3d& x, const Vec3d& y, double w) { return x * (1 - w) + y * w; };
     const Vec3d first = mix(mix(p[0], p[1], a), mix(p[1], p[2], a), b);
@@ -57,7 +57,7 @@ CurvePiece Curves::element(std::uint32_t piece) const {
     return result;
 }
 
-/// Normals are turned evenly from one end to the other, along the great circle (pbrt-v4).
+/// Normals rotate uniformly from one end to the other along a great circle (pbrt-v4).
 Vec3d CurvePiece::across_ribbon(const CurvePoint& here, double u) const {
     Vec3d n = normal[0] * (1 - u) + normal[1] * u;
     if (turn > 0) n = normal[0] * sin_cos((1 - u) * turn).sin + normal[1] * sin_cos(u * turn).sin;

@@ -10,11 +10,11 @@ namespace sunfleck::engine {
 struct CurveSegment {
     std::array<Vec3, 4> points;                    // control points
     std::array<float, 2> width;                    // at both ends
-    std::array<Vec3, 2> normal{Vec3(0), Vec3(0)};  // of ribbons, at both ends
+    std::array<Vec3, 2> normal{Vec3(0), Vec3(0)};  // of a ribbon, at both ends
 };
 
 struct Curves {
-    /// What one segment is cut into, so that boxes around the pieces are small.
+    /// Pieces per segment, so that their bounding boxes are small.
     static constexpr std::uint32_t kPieces = 4;
 
     CurveKind kind = CurveKind::flat;

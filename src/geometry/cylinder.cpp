@@ -8,8 +8,8 @@
 
 namespace sunfleck::engine {
 
-/// From the middle of the chord that the circle cuts off, as for spheres (sphere.cpp), seen along
-/// the axis.
+/// Computes from the midpoint of the chord in the projection along the axis, as for spheres
+/// (sphere.cpp).
 Crossings Cylinder::crossings(const Vec3d& origin, const Vec3d& direction) const {
     const double length2 = direction.x * direction.x + direction.y * direction.y;
     if (!(length2 > 0)) return {};
@@ -28,7 +28,7 @@ Crossings Cylinder::crossings(const Vec3d& origin, const Vec3d& direction) const
     return result;
 }
 
-/// The parametrisation of pbrt-v4: u the azimuth, v the height.
+/// Parametrisation of pbrt-v4: u is the azimuth, v the height.
 LocalSurface Cylinder::at(const Vec3d& near, const Vec3d&) const {
     const double distance = std::sqrt(near.x * near.x + near.y * near.y);
     const Vec3d normal =
@@ -56,9 +56,8 @@ Bounds Cylinder::bounds(const Affine& map) const {
     return box;
 }
 
-/// A strip along the axis keeps its width and height but for the length of the image of
-/// (tangent x axis): the same all around where the map takes circles to circles at right angles
-/// to the axis.
+/// A strip along the axis is scaled by the length of the image of (tangent x axis), which is
+/// constant around the axis if the map takes circles to circles perpendicular to the axis.
 double Cylinder::area(const Affine& map) const {
     const double turn = Sweep(phi_max).angle();
     const double flat = std::abs(radius) * turn * std::abs(z_max - z_min);

@@ -1,12 +1,12 @@
-// How a surface goes on around a hit: what bumps are measured against.
+// SurfaceDerivatives: partial derivatives of position and normal, the input of bump mapping.
 #pragma once
 
 #include "math/vector.h"
 
 namespace sunfleck::engine {
 
-/// In the world, per unit of u and of v, of the surface that shading sees: across vertex normals
-/// and given tangents, tangents are perpendicular and of one length, as in pbrt-v4.
+/// Derivatives per unit of u and v of the shaded surface, in the world. With vertex normals or
+/// given tangents, the tangents are perpendicular and of equal length, as in pbrt-v4.
 struct SurfaceDerivatives {
     Vec3 dp_du{0};
     Vec3 dp_dv{0};

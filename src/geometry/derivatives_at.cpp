@@ -1,4 +1,4 @@
-// Derivatives by the triangle's own plane and normals, or by the exact shape.
+// Surface derivatives by the triangle's plane and vertex normals, or by the exact shape.
 //
 // Source: Pharr, Jakob, Humphreys, Physically Based Rendering, 4th edition, section 6.5.3.
 #include "geometry/derivatives_at.h"
@@ -8,7 +8,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The linear map from uv to some quantity, by its values at the corners.
+/// The linear map from uv to a quantity that is given at the corners.
 struct Slopes {
     Vec3d du{0};
     Vec3d dv{0};
@@ -67,7 +67,7 @@ SurfaceDerivatives of_exact_shape(const BuiltShape& shape, const BuiltInstance* 
     const Vec3d p(hit.position);
     const Vec3d in_group = instance == nullptr ? p : instance->placement.to_object.point(p);
     const Vec3d local = shape.placement().to_object.point(in_group);
-    // Along the normal: what turns with the ray shows this side then.
+    // Along the normal, so that a surface that turns to the ray shows this side.
     Vec3d inwards(-hit.normal);
     if (instance != nullptr) inwards = instance->placement.to_object.vector(inwards);
     inwards = shape.placement().to_object.vector(inwards);

@@ -1,4 +1,4 @@
-// The derivatives of a built shape around a hit.
+// Computes surface derivatives at a hit on a built shape.
 #pragma once
 
 #include "geometry/built.h"
@@ -7,7 +7,7 @@
 
 namespace sunfleck::engine {
 
-/// @param instance  that the hit is on, or null.
+/// @param instance  instance that was hit, or null.
 SurfaceDerivatives derivatives_at(const BuiltShape& shape, const BuiltInstance* instance,
                                   const Hit& hit);
 

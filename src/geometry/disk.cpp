@@ -17,7 +17,7 @@ Crossings Disk::crossings(const Vec3d& origin, const Vec3d& direction) const {
     return {{t, t}, {in_ring && Sweep(phi_max).contains(x, y), false}};
 }
 
-/// The parametrisation of pbrt-v4: u the azimuth, v one at the inner rim and zero at the outer.
+/// Parametrisation of pbrt-v4: u is the azimuth, v is one at the inner rim and zero at the outer.
 LocalSurface Disk::at(const Vec3d& near, const Vec3d&) const {
     const double turn = Sweep(phi_max).angle();
     const double distance = std::sqrt(near.x * near.x + near.y * near.y);

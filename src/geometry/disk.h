@@ -1,4 +1,4 @@
-// A disk in the plane z = height of its frame, or a sector of a ring; the normal is +z.
+// Disk: a disk in the plane z = height of its frame, or a sector of a ring; the normal is +z.
 #pragma once
 
 #include "geometry/local_surface.h"
@@ -12,12 +12,12 @@ struct Disk {
     double inner_radius = 0;
     double phi_max = 6.283185307179586;  // radians
 
-    /// There is one at most: the first.
+    /// Returns at most one crossing, the first of the two.
     Crossings crossings(const Vec3d& origin, const Vec3d& direction) const;
     LocalSurface at(const Vec3d& near, const Vec3d& direction) const;
-    /// Of the whole disk; tight.
+    /// Returns tight bounds of the full disk.
     Bounds bounds(const Affine& map) const;
-    /// A closed form under every map.
+    /// Returns the area, in closed form under every map.
     double area(const Affine& map) const;
 };
 

@@ -1,4 +1,4 @@
-// Opening of devices and checking of errors.
+// Opening of devices, and error checks.
 #include "geometry/embree.h"
 
 #include "core/processor.h"

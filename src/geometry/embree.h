@@ -1,4 +1,4 @@
-// Handles of the ray tracing library that release themselves, and its devices.
+// Owning handles and devices of Embree, the ray tracing library.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -9,7 +9,7 @@
 
 namespace sunfleck::engine::embree {
 
-/// Coordinates beyond this are too large for the library, which may stop the program at them.
+/// Larger coordinates may abort the program inside Embree.
 inline constexpr double kLargest = 1e18;
 
 struct Release {
@@ -23,19 +23,19 @@ using Device = Owner<RTCDevice>;
 using Scene = Owner<RTCScene>;
 using Geometry = Owner<RTCGeometry>;
 
-/// The device for "avx2" (if the processor has it) or "native"; opened once, then shared.
-/// @throws std::runtime_error for any other word, or when it cannot be opened.
+/// Opens the device for "avx2" (if the processor has it) or "native"; later calls share it.
+/// @throws std::runtime_error  for any other word, or if the device cannot be opened.
 Device open_device(const std::string& isa);
 
 Geometry new_geometry(RTCDevice device, RTCGeometryType type);
 
-/// An empty scene: robust, medium quality.
+/// Makes an empty scene of robust mode and medium quality.
 Scene new_scene(RTCDevice device);
 
-/// Builds the tree. @throws std::runtime_error with the library's words when that fails.
+/// Builds the BVH. @throws std::runtime_error  with Embree's message on failure.
 void commit(RTCScene scene);
 
-/// @throws std::runtime_error when an earlier call of this thread went wrong.
+/// @throws std::runtime_error  if an earlier call of this thread failed.
 void check(RTCDevice device);
 
 }  // namespace sunfleck::engine::embree

@@ -1,5 +1,5 @@
-// The callbacks use the world's line in double, not the float ray that Embree carries into an
-// instance: t is the same in all frames, and the place on the surface is exact everywhere.
+// Callbacks for exact shapes. They use the world line in double, not the float ray that Embree
+// transforms into an instance: t is the same in all frames, and positions are exact everywhere.
 #include "geometry/exact_shapes.h"
 
 #include "geometry/cover.h"
@@ -13,7 +13,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The float next to x, and a little more, in the direction of `sign`.
+/// Returns the next float after x in the direction of `sign`, with a small margin.
 float outwards(double x, double size, double sign) {
     return static_cast<float>(x + sign * (std::abs(x) + size) * 0x1p-20);
 }
@@ -31,7 +31,7 @@ void write_bounds(const RTCBoundsFunctionArguments* args) {
     args->bounds_o->upper_z = outwards(box.max.z, size, 1);
 }
 
-/// The least of the crossings strictly between the ends; kNone if there is none.
+/// Returns the smallest crossing strictly between the ends; kNone if there is none.
 template <class Crossings>
 std::uint32_t next_after(const Crossings& met, double after, double before) {
     std::uint32_t which = kNone;
@@ -43,8 +43,9 @@ std::uint32_t next_after(const Crossings& met, double after, double before) {
     return which;
 }
 
-/// The least t strictly between the ends at which the query's line meets the surface.
-/// @param number  of the surface in its group.
+/// Returns the smallest t strictly between the ends at which the query's line intersects the
+/// surface.
+/// @param number  index of the surface in its group.
 std::optional<double> nearest(const BuiltShape& shape, std::uint32_t element, const Query& query,
                               const RTCRay& ray, std::uint32_t number) {
     const BuiltInstance* instance = query.instance_of(query.instID[0]);
@@ -67,7 +68,7 @@ std::optional<double> nearest(const BuiltShape& shape, std::uint32_t element, co
                       shape.shape());
 }
 
-/// nearest() for the primitive of a group.
+/// Calls nearest() for a primitive of a group.
 std::optional<double> nearest_of(void* group_pointer, unsigned geometry, unsigned primitive,
                                  const Query& query, const RTCRay& ray) {
     const auto& group = *static_cast<const ShapeGroup*>(group_pointer);

@@ -1,4 +1,4 @@
-// Quadrics, bilinear patches and curves inside Embree: its boxes, our intersection in double.
+// Quadrics, bilinear patches and curves as Embree user geometry, intersected by our code in double.
 #pragma once
 
 #include "geometry/built.h"
@@ -7,8 +7,8 @@
 
 namespace sunfleck::engine {
 
-/// Lets Embree call the exact shapes of a group, which must stay where it is.
-/// @param number  Embree's, for all of them together.
+/// Registers the exact shapes of a group with Embree; the group's address must not change.
+/// @param number  Embree's geometry id, one for all of them.
 void attach_exact_shapes(ShapeGroup& group, RTCDevice device, std::uint32_t number);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Building a geometry, and tracing rays through it.
+// Construction of a geometry, and ray tracing.
 #include "geometry/geometry.h"
 
 #include "geometry/attach.h"
@@ -17,18 +17,17 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Hits at t = 0 are none: t must be at least this.
+/// The smallest t of a hit: hits at t = 0 do not count.
 constexpr float kNearest = std::numeric_limits<float>::min();
 
-/// The float before `length`: Embree takes hits at the very end, too.
+/// Returns the float before `length`, because Embree includes hits at the end.
 float last_before(float length) {
     return length * 0x1.fffffep-1F;
 }
 
 using FourFloats [[gnu::vector_size(16)]] = float;
 
-/// Written four floats at once, as Embree reads them: what is written one by one and read together
-/// must have left the processor before.
+/// Writes four floats at once, as Embree reads them; mixed store sizes would stall the processor.
 void set_ray(RTCRay& ray, const Line& line, float length) {
     const Vec3 origin(line.origin);
     const Vec3 direction(line.direction);
@@ -53,9 +52,9 @@ bool is_traceable(const Line& line, float length) {
 struct Geometry::Impl {
     GeometryInput input;
     embree::Device device;
-    std::vector<BuiltShape::Corners> counting;    // Embree's index buffer, of all meshes
+    std::vector<BuiltShape::Corners> counting;    // index buffer of Embree for all meshes
     std::vector<BuiltShape> shapes;               // as in the input; only those that are used
-    std::map<std::uint32_t, ShapeGroup> objects;  // by their number
+    std::map<std::uint32_t, ShapeGroup> objects;  // by object index
     std::vector<BuiltInstance> instances;
     ShapeGroup world;
     Bounds bounds;
@@ -138,7 +137,7 @@ std::size_t Geometry::Impl::triangles_of(const std::vector<std::uint32_t>& list)
     return sum;
 }
 
-/// @param walked  where the trace begins on the ray. @param length  from there.
+/// @param walked  ray parameter at which the trace begins. @param length  from there.
 Meeting Geometry::Impl::meet(const Line& ray, double walked, float length,
                              AlphaTest alpha_test) const {
     Meeting meeting;
@@ -181,9 +180,9 @@ void Geometry::Impl::complete(const Meeting& m, Hit& hit) const {
     hit.instance = m.instance;
 }
 
-/// How far a ray can walk before it may meet anything, if it starts so far from everything that
-/// floats along it are coarse: the boxes of what is there would look thicker than they are, and
-/// most of them would be opened. Zero for other rays, and never more than to the scene's sphere.
+/// Returns the distance that a ray can skip before it may hit anything, if it starts so far away
+/// that floats along it are coarse (boxes would look thicker, and most would be opened). Zero for
+/// other rays, and never beyond the scene's bounding sphere.
 double Geometry::Impl::empty_way(const Line& ray) const {
     constexpr double kOutside = 0x1p10;
     const double radius = bounds.radius();
@@ -191,8 +190,8 @@ double Geometry::Impl::empty_way(const Line& ray) const {
     return to_middle > kOutside * radius ? to_middle * (1 - 0x1p-40) - 1.01 * radius : 0;
 }
 
-/// Far: floats at the hit would resolve more than is left of them after the way to it; but ways
-/// that are short for the whole scene are not worth a second trace.
+/// Returns whether a hit is far: float precision at the hit is finer than what remains after that
+/// distance. Distances that are short for the scene are not worth a second trace.
 bool Geometry::Impl::is_far(double distance, const Vec3& p) const {
     const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     return distance > 64 * size && distance > 0x1p-9 * bounds.radius();
@@ -213,13 +212,13 @@ Meeting Geometry::meet_precise(const Vec3d& origin, const Vec3d& direction,
     return meeting;
 }
 
-/// A float ray from 10 km off misses its mark by half a millimetre: its origin is on a grid of
-/// 2^-11 m there, and its direction is good to 2^-24. So the first trace finds out how far the
-/// surface is, and the next starts a thousandth of that before it, from a point walked to in
-/// double: what is left of the way is short, and so are the errors. The place of the hit is
-/// computed from the line in double in any case; what the repetition mends is which primitive is
-/// met. If that is far again (the first one was brushed by mistake), once more, thrice in all.
-/// What a thin thing more than a thousandth of the way before the hit would have shown is lost.
+/// A float ray from 10 km away misses its target by half a millimetre: its origin lies on a grid of
+/// 2^-11 m, and its direction is exact to 2^-24. So the first trace finds the distance, and the
+/// next one starts a thousandth of that before the surface, from a point computed in double: the
+/// remaining distance is short, and so are the errors. The position of the hit is computed from the
+/// line in double anyway; the repetition corrects which primitive is hit. If that hit is far again
+/// (the first one was spurious), the trace is repeated, at most three times. A thin object more
+/// than a thousandth of the distance before the hit is lost.
 bool Geometry::hit_of(const Meeting& meeting, Hit& hit) const {
     constexpr int kMostRepetitions = 3;
     constexpr double kWalk = 1 - 0x1p-10;

@@ -1,4 +1,4 @@
-// The input of a geometry: shapes, where they stand, and objects that stand in many places.
+// Input of a geometry: shapes, their placement, and objects with instances.
 #pragma once
 
 #include "geometry/alpha_test.h"
@@ -13,12 +13,12 @@ namespace sunfleck::engine {
 /// One shape in the world or in an object.
 struct PlacedShape {
     Shape shape;
-    Matrix to_world;        // object frame to world (or to the frame of the object that holds it)
-    bool flip = false;      // the normal side is the other one of the object frame
-    Cover cover = nullptr;  // null: all of it is there
+    Matrix to_world;        // object to world (or to the frame of the containing object)
+    bool flip = false;      // true if the normal points to the other side of the object frame
+    Cover cover = nullptr;  // alpha; null for an opaque shape
 };
 
-/// Shapes, once, under many matrices.
+/// A set of shapes under one of possibly many matrices.
 struct PlacedInstance {
     std::vector<std::uint32_t> shapes;  // indices into GeometryInput::shapes
     Matrix to_world;
@@ -27,7 +27,7 @@ struct PlacedInstance {
 
 struct GeometryInput {
     std::vector<PlacedShape> shapes;
-    std::vector<std::uint32_t> in_world;  // indices of the shapes that stand in the world
+    std::vector<std::uint32_t> in_world;  // indices of the shapes in the world
     std::vector<PlacedInstance> instances;
 };
 

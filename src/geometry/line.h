@@ -11,7 +11,7 @@ struct Line {
     Vec3d direction;
 
     Line through(const Affine& map) const { return {map.point(origin), map.vector(direction)}; }
-    /// The same line, counted from a later point.
+    /// Returns the same line with its origin moved to parameter t.
     Line from(double t) const { return {origin + direction * t, direction}; }
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 using Triangles = HalfEdges::Triangles;
 
-/// The weight of each neighbour of an inner vertex.
+/// Returns the weight of each neighbour of an inner vertex.
 double weight_of_neighbour(std::size_t valence) {
     return valence == 3 ? 3.0 / 16 : 3.0 / (8 * double(valence));
 }
@@ -28,8 +28,8 @@ struct Mesh {
     Triangles triangles;
 };
 
-/// A vertex moved towards its neighbours: `border` is the weight of each of the two along the
-/// border, `inner` gives that of all around.
+/// Returns a vertex averaged with its neighbours: `border` is the weight of each of the two along
+/// the border, `inner` gives the weight of each neighbour of an inner vertex.
 template <class Inner>
 Vec3d smoothed(const Mesh& mesh, const HalfEdges& edges, std::uint32_t vertex, double border,
                const Inner& inner) {
@@ -81,7 +81,7 @@ Mesh subdivided(const Mesh& mesh) {
     return result;
 }
 
-/// Across the border, inwards. Source: Hoppe et al. 1994, appendix.
+/// Returns the tangent across the border, inwards. Source: Hoppe et al. 1994, appendix.
 Vec3d inwards(const Mesh& mesh, std::uint32_t vertex, const std::vector<std::uint32_t>& ring) {
     const auto at = [&](std::size_t i) { return mesh.points[ring[i]]; };
     const std::size_t last = ring.size() - 1;
@@ -95,7 +95,7 @@ Vec3d inwards(const Mesh& mesh, std::uint32_t vertex, const std::vector<std::uin
     return sum;
 }
 
-/// The normal of the limit surface on the side from which triangles run clockwise.
+/// Returns the normal of the limit surface on the side from which triangles are clockwise.
 Vec3d limit_normal(const Mesh& mesh, const HalfEdges& edges, std::uint32_t vertex) {
     std::vector<std::uint32_t> ring;
     edges.ring(vertex, ring);
@@ -113,7 +113,7 @@ Vec3d limit_normal(const Mesh& mesh, const HalfEdges& edges, std::uint32_t verte
     return second.cross(first);
 }
 
-/// Without the vertices that no triangle has; the others keep their order.
+/// Returns the mesh without unused vertices; the others keep their order.
 Mesh used_part(const TriangleMesh& control) {
     std::vector<std::uint32_t> place(control.positions.size(), HalfEdges::kNoEdge);
     for (const auto& triangle : control.triangles)
@@ -134,8 +134,7 @@ Mesh used_part(const TriangleMesh& control) {
 std::string fault_of_control_mesh(const TriangleMesh& mesh) {
     const HalfEdges edges(mesh.triangles, mesh.positions.size());
     if (!edges.is_regular())
-        return "an edge is not that of two triangles that run along it in opposite directions, or "
-               "of one";
+        return "an edge has more than two triangles, or two of opposite orientation";
     std::vector<std::size_t> fans(mesh.positions.size(), 0);
     for (const auto& triangle : mesh.triangles)
         for (const std::uint32_t v : triangle) ++fans[v];

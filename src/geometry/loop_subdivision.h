@@ -11,15 +11,16 @@
 
 namespace sunfleck::engine {
 
-/// What keeps a mesh from being subdivided: an edge with more than two triangles, or with two that
-/// run along it the same way; a triangle that names a vertex twice; a vertex where triangles meet
-/// in more than one fan. Empty when nothing does.
+/// Returns why a mesh cannot be subdivided: an edge with more than two triangles, or with two in
+/// the same direction; a triangle with a repeated vertex; a vertex with more than one fan of
+/// triangles. Empty if it can.
 std::string fault_of_control_mesh(const TriangleMesh& mesh);
 
-/// The mesh after `levels` subdivisions, its vertices moved to the limit surface, with the limit's
-/// normals. They point to the side from which triangles run clockwise, as pbrt-v4's do, and so
-/// decide the outside. Vertices of no triangle are dropped.
-/// @param control  without a fault; its normals, uvs and tangents are not used. @param levels >= 0.
+/// Returns the mesh after `levels` subdivisions, with vertices moved to the limit surface and its
+/// normals. As in pbrt-v4, the normals point to the side from which triangles are clockwise; they
+/// select the outside. Unused vertices are dropped.
+/// @param control  without a fault; its normals, uvs and tangents are ignored.
+/// @param levels  not negative.
 TriangleMesh loop_subdivided(const TriangleMesh& control, int levels);
 
 }  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The upper one of two. @param values  not empty; their order changes.
+/// Returns the upper median. @param values  not empty; their order changes.
 double median(std::vector<double>& values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());

@@ -11,7 +11,7 @@ struct Node {
     double weight;
 };
 
-// Four points, exact to degree 7. Source: Abramowitz and Stegun, table 25.4, moved to (0, 1).
+// Four points, exact to degree 7. Source: Abramowitz and Stegun, table 25.4, scaled to (0, 1).
 constexpr std::array<Node, 4> kNodes{{{0.06943184420297371, 0.17392742256872693},
                                       {0.33000947820757187, 0.32607257743127307},
                                       {0.66999052179242813, 0.32607257743127307},
@@ -46,7 +46,7 @@ double integrate_rectangle(const std::function<double(double, double)>& f, const
     }
 }
 
-/// Newton's method on the cosine, from the float function's value through half the angle.
+/// Newton's method on the cosine, started from the float function at half the angle.
 double arc_cosine(double x) {
     if (x >= 1) return 0;
     if (x <= -1) return kPiDouble;

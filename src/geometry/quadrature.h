@@ -1,4 +1,4 @@
-// Integrals of smooth functions over rectangles: Gauss-Legendre panels, doubled until they agree.
+// Integration of smooth functions over rectangles: Gauss-Legendre panels, doubled until converged.
 #pragma once
 
 #include "math/vector.h"
@@ -14,11 +14,12 @@ struct Interval {
     double to = 0;
 };
 
-/// Integral of f(x, y) over the rectangle. @param tolerance  relative change at which to stop.
+/// Returns the integral of f(x, y) over the rectangle. @param tolerance  relative change that ends
+/// it.
 double integrate_rectangle(const std::function<double(double, double)>& f, const Interval& x,
                            const Interval& y, double tolerance);
 
-/// Arc cosine in double from + - * / and square roots, in [0, pi]. @param x  in [-1, 1].
+/// Returns the arc cosine in double by + - * / and sqrt alone, in [0, pi]. @param x  in [-1, 1].
 double arc_cosine(double x);
 
 }  // namespace sunfleck::engine

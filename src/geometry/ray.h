@@ -1,4 +1,4 @@
-// Rays, and what they hit.
+// Rays and hits.
 #pragma once
 
 #include "math/vector.h"
@@ -11,31 +11,31 @@ namespace sunfleck::engine {
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-/// Points origin + t * direction, 0 < t < length. World frame, scene units.
+/// Points origin + t * direction with 0 < t < length; world frame, scene units.
 struct Ray {
     Vec3 origin;
-    Vec3 direction;  // unit
+    Vec3 direction;  // unit vector
     float length = kInfinity;
 };
 
-/// Where a ray met a surface.
+/// The intersection of a ray with a surface.
 struct Hit {
-    Vec3 position;        // on the surface, from barycentrics, not from t
-    Vec3 normal;          // geometric, unit; the side that pbrt calls outside, not the ray's side
+    Vec3 position;  // computed from barycentric coordinates, not from t
+    Vec3 normal;    // geometric, unit; points to the outside in pbrt's sense, not to the ray's side
     Vec3 shading_normal;  // unit, in the hemisphere of `normal`
     Vec3 tangent;         // dp/du, any length; for anisotropic roughness
     Vec2 uv;
-    float error = 0;          // position is within this distance of the true surface (each axis)
-    float distance = 0;       // along the ray
-    std::uint32_t shape = 0;  // index into the list that the geometry was built from
+    float error = 0;              // bound of the distance to the exact surface, along each axis
+    float distance = 0;           // along the ray
+    std::uint32_t shape = 0;      // index into the list that the geometry was built from
     std::uint32_t primitive = 0;  // triangle or patch of a mesh, piece of a curve; 0 for quadrics
-    std::uint32_t instance = kNone;  // index into Geometry's instances, or none
+    std::uint32_t instance = kNone;  // index into Geometry's instances, or kNone
 };
 
-/// Where a ray that leaves the surface into `direction` must start so as not to meet it again:
+/// Returns the origin for a ray that leaves the surface into `direction` and must not hit it again:
 /// the position moved along the geometric normal by the error bound, to the side of `direction`.
 /// Source: Waechter and Binder, A Fast and Robust Method for Avoiding Self-Intersection (Ray
-/// Tracing Gems, 2019), for the idea; our bound comes with the hit.
+/// Tracing Gems, 2019), for the idea; the bound comes with our hit.
 inline Vec3 offset_origin(const Vec3& position, const Vec3& normal, float error,
                           const Vec3& direction) {
     const float side = normal.dot(direction) >= 0 ? error : -error;

@@ -1,5 +1,5 @@
-// Every shape there is, as plain data in its own object frame. To add one: write its header, then
-// name it here and in tests/laws/shape_examples.h.
+// Shape: every alternative as plain data in its own object frame. To add one, write its header, add
+// it here, and give examples in tests/laws/shape_examples.h.
 #pragma once
 
 #include "geometry/bilinear_mesh.h"

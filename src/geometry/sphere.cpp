@@ -9,7 +9,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Heights of the part that is there, in units of the radius, in [-1, 1].
+/// Range of heights of a partial sphere in units of the radius, in [-1, 1].
 struct Heights {
     double low;
     double high;
@@ -18,14 +18,14 @@ struct Heights {
         : low(std::clamp(std::min(s.z_min, s.z_max) / std::abs(s.radius), -1.0, 1.0)),
           high(std::clamp(std::max(s.z_min, s.z_max) / std::abs(s.radius), -1.0, 1.0)) {}
 
-    /// The poles belong to a sphere that is not cut, whatever the rounding.
+    /// The poles belong to a full sphere, whatever the rounding.
     bool contains(double z) const { return (low <= -1 || z >= low) && (high >= 1 || z <= high); }
 };
 
 }  // namespace
 
-/// From the middle of the chord, half its length either way: the square root is that of the
-/// distance below the surface, not a difference of large squares.
+/// Computes from the midpoint of the chord, plus or minus half its length: the square root is of
+/// the depth below the surface, not of a difference of large squares.
 /// Source: Haines et al., Precision Improvements for Ray/Sphere Intersection (Ray Tracing Gems).
 Crossings Sphere::crossings(const Vec3d& origin, const Vec3d& direction) const {
     const double length2 = direction.dot(direction);
@@ -44,7 +44,7 @@ Crossings Sphere::crossings(const Vec3d& origin, const Vec3d& direction) const {
     return result;
 }
 
-/// The parametrisation of pbrt-v4: u the azimuth, v the angle from the pole, zero at z_min.
+/// Parametrisation of pbrt-v4: u is the azimuth, v the angle from the pole, zero at z_min.
 LocalSurface Sphere::at(const Vec3d& near, const Vec3d&) const {
     const double length = near.length();
     const Vec3d normal = length > 0 ? near / length : Vec3d(0, 0, 1);
@@ -60,7 +60,7 @@ LocalSurface Sphere::at(const Vec3d& near, const Vec3d&) const {
     const Vec3d position = normal * std::abs(radius);
     Vec3d tangent = Vec3d(-position.y, position.x, 0) * turn;
     if (tangent == Vec3d(0)) tangent = {0, std::abs(radius), 0};
-    // v falls towards the pole: dp/dv is along the meridian, by the sweep of angles.
+    // v decreases towards the pole: dp/dv is along the meridian, scaled by the range of angles.
     const double across = std::sqrt(position.x * position.x + position.y * position.y);
     const Vec3d outwards = across > 0 ? Vec3d(position.x, position.y, 0) / across : Vec3d(1, 0, 0);
     const double sweep = double{at_high} - double{at_low};
@@ -77,8 +77,8 @@ Bounds Sphere::bounds(const Affine& map) const {
     return {map.origin - half, map.origin + half};
 }
 
-/// Archimedes: dA = r^2 dphi dcos(theta) on the sphere; the map stretches an element with normal
-/// n by the length of its cofactor matrix times n.
+/// Archimedes: dA = r^2 dphi dcos(theta) on the sphere. The map scales an element with normal n by
+/// the length of its cofactor matrix times n.
 double Sphere::area(const Affine& map) const {
     const Heights heights(*this);
     const double turn = Sweep(phi_max).angle();

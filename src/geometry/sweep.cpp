@@ -1,4 +1,4 @@
-// Azimuths.
+// Sector tests and azimuths.
 #include "geometry/sweep.h"
 
 #include <cmath>

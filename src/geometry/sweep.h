@@ -1,4 +1,4 @@
-// A sector of azimuths around the z axis: which points are in it, without arc tangents.
+// Sweep: a sector of azimuths around the z axis, tested without arc tangents.
 #pragma once
 
 #include "math/trigonometry.h"
@@ -10,12 +10,12 @@ namespace sunfleck::engine {
 
 inline constexpr double kFullCircle = 2 * kPiDouble;
 
-/// Within 2^-50. @param angle  radians, at most a turn either way.
+/// Returns sine and cosine within 2^-50. @param angle  in radians, |angle| <= 2 pi.
 inline SinCos sin_cos(double angle) {
     return sin_cos_2pi(angle / kFullCircle);
 }
 
-/// Azimuths of [0, phi_max]; phi_max is brought into [0, 2 pi].
+/// Azimuths of [0, phi_max]; phi_max is clamped to [0, 2 pi].
 class Sweep {
 public:
     explicit Sweep(double phi_max)
@@ -26,7 +26,8 @@ public:
 
     double angle() const { return angle_; }
 
-    /// Is the azimuth of (x, y) inside, both ends included? By the side of the two end rays.
+    /// Returns whether the azimuth of (x, y) is inside, ends included, by its sides of the two end
+    /// rays.
     bool contains(double x, double y) const {
         if (is_full_) return true;
         const bool after_start = y >= 0;
@@ -41,7 +42,7 @@ private:
     SinCos end_;
 };
 
-/// Azimuth of (x, y) in [0, 2 pi), to float precision.
+/// Returns the azimuth of (x, y) in [0, 2 pi), to float precision.
 float azimuth(double x, double y);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// The border of a triangle, and the error bound that keeps rays from meeting their own triangle.
+// Border weights of triangles, and the error bound that prevents self-intersection.
 #include "geometry/triangle.h"
 
 #include <limits>

@@ -1,4 +1,4 @@
-// One triangle in double: where a line meets it, and how far Embree's arithmetic may miss it.
+// Triangle in double: intersection with a line, and bounds of the errors of Embree's arithmetic.
 #pragma once
 
 #include "math/vector.h"
@@ -12,10 +12,10 @@ namespace sunfleck::engine {
 struct Triangle {
     std::array<Vec3d, 3> corner;
 
-    /// Twice the area, along the side from which the corners run counter-clockwise.
+    /// Returns twice the area, along the side from which the corners are counter-clockwise.
     Vec3d area_vector() const { return (corner[1] - corner[0]).cross(corner[2] - corner[0]); }
     double area() const { return 0.5 * area_vector().length(); }
-    /// False when the area is no more than the rounding errors of these doubles.
+    /// Returns false if the area does not exceed the rounding errors of these doubles.
     bool has_area() const {
         const Vec3d a = corner[1] - corner[0];
         const Vec3d b = corner[2] - corner[0];
@@ -26,12 +26,12 @@ struct Triangle {
     }
 };
 
-/// The sum of |a_i| |b_i|.
+/// Returns the sum of |a_i| |b_i|.
 inline double absolute_dot(const Vec3d& a, const Vec3d& b) {
     return std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z);
 }
 
-/// The two edges from corner 0: all that is asked about a hit starts from them.
+/// The two edges from corner 0, from which hits are computed.
 struct TriangleEdges {
     Vec3d first;   // to corner 1
     Vec3d second;  // to corner 2
@@ -41,15 +41,15 @@ struct TriangleEdges {
     Vec3d area_vector() const { return first.cross(second); }
 };
 
-/// The weights of the point of the border that is nearest to the point with these weights.
+/// Returns the weights of the border point that is nearest to the point with these weights.
 Vec3d weights_on_border(const Triangle& triangle, const Vec3d& weights);
 
-/// Barycentric weights (of corners 0, 1, 2; their sum is one) of the point where a line meets the
-/// plane of a triangle that Embree says is hit. Embree takes a triangle 10 km wide for hit up to a
-/// millimetre outside; the point on the line is then nearer to the truth (which is the neighbour)
-/// than the nearest point of the triangle, so weights down to -2^-10 are left as they are. A line
-/// that is farther off (it grazes the plane) gives the nearest point of the border.
-/// @param fallback  the weights of corners 1 and 2, for a line within the plane.
+/// Returns barycentric weights (of corners 0, 1, 2; their sum is one) of the intersection of a line
+/// with the plane of a triangle that Embree reports as hit. Embree reports hits up to a millimetre
+/// outside a triangle 10 km wide. The point on the line is then closer to the truth (the neighbour)
+/// than the nearest point of the triangle, so weights down to -2^-10 are kept. A line that is
+/// farther off (it grazes the plane) gives the nearest point of the border.
+/// @param fallback  weights of corners 1 and 2, for a line within the plane.
 /// Source: Moeller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
 inline Vec3d barycentrics(const Triangle& triangle, const TriangleEdges& edges, const Vec3d& origin,
                           const Vec3d& direction, const Vec2d& fallback) {
@@ -94,7 +94,8 @@ inline double scaled_plane_uncertainty(const Triangle& triangle, const TriangleE
         return std::max(std::max(std::abs(a), std::abs(b)), std::abs(c));
     };
     const Vec3d w(reach(v0.x, v1.x, v2.x), reach(v0.y, v1.y, v2.y), reach(v0.z, v1.z, v2.z));
-    // e0 is the second edge, -e1 the first; of a x b the products a_j b_k that are rounded.
+    // e0 is the second edge, -e1 the first; these are the products a_j b_k of a x b that are
+    // rounded.
     const Vec3d& e0 = edges.second;
     const Vec3d& e1 = edges.first;
     const Vec3d e2 = edges.first - edges.second;
@@ -107,16 +108,17 @@ inline double scaled_plane_uncertainty(const Triangle& triangle, const TriangleE
 /// Half a unit in the last place of a float is at most this, relative to the float.
 inline constexpr double kFloatRounding = 0x1p-24;
 
-/// How far from the plane of the triangle a ray must start, at least, for Embree to know which
-/// side of the plane it starts on, when it starts near `position` on the triangle.
-/// @param area_vector  of the triangle; not zero. @param position  a point of the triangle.
+/// Returns the distance from the triangle's plane at which a ray near `position` must start, at
+/// least, so that Embree knows on which side of the plane it starts.
+/// @param area_vector  of the triangle; not zero.
+/// @param position  a point of the triangle.
 double plane_uncertainty(const Triangle& triangle, const Vec3d& area_vector, const Vec3d& position);
 
-/// rounding_uncertainty(), in roundings.
+/// rounding_uncertainty() in units of rounding errors.
 inline constexpr double kStoringRoundings = 2.1;
 
-/// The part along `normal` of the errors of rounding `position` to float twice: when it is stored,
-/// and when the offset is added to it. With a margin.
+/// Returns the error along `normal` of rounding `position` to float twice: when it is stored, and
+/// when the offset is added. It includes a margin.
 inline double rounding_uncertainty(const Vec3d& normal, const Vec3d& position) {
     return kStoringRoundings * kFloatRounding * absolute_dot(normal, position);
 }

@@ -1,4 +1,4 @@
-// Triangles that share vertices.
+// TriangleMesh: triangles that share vertices.
 #pragma once
 
 #include "math/vector.h"
@@ -9,14 +9,14 @@
 
 namespace sunfleck::engine {
 
-/// The geometric normal of a triangle is (p1 - p0) x (p2 - p0); with vertex normals it is turned
+/// The geometric normal of a triangle is (p1 - p0) x (p2 - p0); with vertex normals it is flipped
 /// to agree with the interpolated one (pbrt-v4).
 struct TriangleMesh {
     std::vector<Vec3> positions;
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<Vec3> normals;   // one a vertex, or empty
-    std::vector<Vec2> uvs;       // one a vertex, or empty
-    std::vector<Vec3> tangents;  // one a vertex, or empty
+    std::vector<Vec3> normals;   // one per vertex, or empty
+    std::vector<Vec2> uvs;       // one per vertex, or empty
+    std::vector<Vec3> tangents;  // one per vertex, or empty
 };
 
 }  // namespace sunfleck::engine

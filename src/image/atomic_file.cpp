@@ -1,4 +1,4 @@
-// Temporary file, fsync, rename: POSIX calls behind AtomicFile.
+// AtomicFile by POSIX calls: temporary file, fsync, rename.
 #include "image/atomic_file.h"
 
 #include "core/file_identity.h"
@@ -55,8 +55,8 @@ fs::path folder_of(const fs::path& target) {
     return folder.empty() ? "." : folder;
 }
 
-/// Where the bytes shall stand in the end.
-/// @throws Error if that cannot be a file: a folder, a device, a folder that is missing.
+/// Returns the final path of an output file.
+/// @throws Error  if it cannot be a file: a folder, a device, or in a folder that does not exist.
 std::string target_of(const std::string& path) {
     if (path.empty()) throw Error({"output"}, "the file has no name", "name one, as in out.exr");
     std::error_code code;
@@ -68,18 +68,18 @@ std::string target_of(const std::string& path) {
     const fs::path target = link_target(path);
     const fs::path folder = folder_of(target);
     if (!fs::is_directory(folder, code))
-        throw Error({path}, "there is no folder " + folder.string(),
+        throw Error({path}, "the folder does not exist: " + folder.string(),
                     "create it, or choose a folder that exists");
     return target.string();
 }
 
-/// A name that no other file under way has, neither in this process nor in another one.
+/// Returns a name that no other temporary file has, in this process or another one.
 std::string temporary_name(const std::string& target) {
     static std::atomic<unsigned> count{0};
     return target + "." + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".part";
 }
 
-/// The process whose temporary_name() this is; nothing for any other name.
+/// Returns the process that made this temporary_name(); nothing for any other name.
 std::optional<pid_t> writer_of(const std::string& name, const std::string& target) {
     if (!name.starts_with(target + ".")) return {};
     pid_t process = 0;
@@ -92,13 +92,13 @@ std::optional<pid_t> writer_of(const std::string& name, const std::string& targe
     return process;
 }
 
-/// Temporary files of this process, for remove_own_temporaries(). Whoever exchanges a name for null
-/// owns its memory.
+/// Temporary files of this process, for remove_own_temporaries(). A thread that exchanges a name
+/// for null owns its memory.
 constexpr std::size_t kMostAtOnce = 1000;
 std::array<std::atomic<char*>, kMostAtOnce> own_temporaries{};
-static_assert(std::atomic<char*>::is_always_lock_free);  // or a signal handler may not take it
+static_assert(std::atomic<char*>::is_always_lock_free);  // a signal handler may then use it
 
-/// @return its place in the list.
+/// Adds a name to the list. @return its index.
 std::size_t enlist(const std::string& temporary) {
     char* name = ::strdup(temporary.c_str());
     if (name == nullptr) throw std::bad_alloc();
@@ -107,27 +107,27 @@ std::size_t enlist(const std::string& temporary) {
         if (own_temporaries[i].compare_exchange_strong(none, name)) return i;
     }
     std::free(name);
-    throw Error({temporary}, "more than 1000 files are under way", "write fewer at once");
+    throw Error({temporary}, "more than 1000 files are being written", "write fewer at once");
 }
 
 void delist(std::size_t place) {
     std::free(own_temporaries[place].exchange(nullptr));
 }
 
-/// A new file, locked; -1, and errno, if there cannot be one.
+/// Creates a new file and locks it. @return -1, with errno, on failure.
 int open_locked(const std::string& name) {
     const int descriptor = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) return descriptor;
     ::flock(descriptor, LOCK_EX);
     struct stat status {};
     if (::fstat(descriptor, &status) == 0 && status.st_nlink > 0) return descriptor;
-    // Before it was locked, another program has taken it for a leftover and removed it.
+    // Another program took the file for a leftover and removed it before it was locked.
     ::close(descriptor);
     errno = EEXIST;
     return -1;
 }
 
-/// A folder that no other program claims files in while it lives, as far as it can be locked.
+/// Locks a folder against claims of other programs while it lives, where the system has locks.
 class FolderLock {
 public:
     explicit FolderLock(const std::string& target)
@@ -146,7 +146,7 @@ private:
     int descriptor_;
 };
 
-/// A file whose writer lives is locked. What a dead one has left is removed.
+/// Returns whether the writer of a temporary file lives (it holds a lock); else removes the file.
 bool is_alive_or_removed(const std::string& temporary) {
     const int descriptor = ::open(temporary.c_str(), O_RDWR | O_CLOEXEC);
     if (descriptor < 0) return false;
@@ -156,7 +156,7 @@ bool is_alive_or_removed(const std::string& temporary) {
     return alive;
 }
 
-/// The process that writes the target, but for this file of ours; leftovers of others are removed.
+/// Returns another process that writes the target; leftovers of dead ones are removed.
 std::optional<pid_t> other_writer(const AtomicFile& ours) {
     const std::string target = fs::path(ours.target()).filename();
     const std::string own = fs::path(ours.temporary()).filename();
@@ -173,7 +173,7 @@ std::optional<pid_t> other_writer(const AtomicFile& ours) {
     return living;
 }
 
-/// After a rename the folder's entry is brought to the disk, where the file system can do it.
+/// Flushes the folder's entry to the disk after a rename, where the file system can.
 void sync_folder(const std::string& target) {
     const int descriptor = ::open(folder_of(target).c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return;
@@ -191,7 +191,7 @@ AtomicFile::AtomicFile(const std::string& path) : target_(target_of(path)) {
         if (descriptor_ >= 0) continue;
         const int fault = errno;
         delist(place_);
-        // EEXIST: left over from a process that had our number and was killed.
+        // A killed process of the same number left the file.
         if (fault != EEXIST || attempt == 100) fail(target_, fault);
     }
 }
@@ -222,7 +222,7 @@ void AtomicFile::commit() {
     if (::fsync(descriptor_) != 0) fail(target_, errno);
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(target_, errno);
     delist(place_);
-    ::close(descriptor_);  // the bytes are on the disk: it has nothing to tell
+    ::close(descriptor_);  // a fault of close() has no effect: the bytes are on the disk
     descriptor_ = -1;
     sync_folder(target_);
 }

@@ -1,4 +1,4 @@
-// A file in memory, read from its front to its end and never beyond.
+// Sequential reader of a file in memory, which throws at the end of the data.
 #pragma once
 
 #include "image/image_memory.h"
@@ -12,11 +12,11 @@ namespace sunfleck::engine {
 
 class ByteSource {
 public:
-    /// @param name  of the file, and @param format  of it: for messages.
+    /// @param name  file name, and @param format  its name: for messages.
     ByteSource(std::string_view bytes, std::string name, std::string format)
         : rest_(bytes), name_(std::move(name)), format_(std::move(format)) {}
 
-    /// @throws Error, always.
+    /// @throws Error  always.
     [[noreturn]] void refuse(const std::string& what) const {
         throw Error({name_}, "cannot be read as " + format_ + ": " + what,
                     "write the picture again, as PNG or EXR");
@@ -24,36 +24,37 @@ public:
 
     std::size_t left() const { return rest_.size(); }
 
-    /// The next bytes. @throws Error if there are fewer.
+    /// Returns the next bytes. @throws Error  if fewer are left.
     std::string_view take(std::size_t count) {
-        if (count > rest_.size()) refuse("the file is cut");
+        if (count > rest_.size()) refuse("the file is truncated");
         const std::string_view taken = rest_.substr(0, count);
         rest_.remove_prefix(count);
         return taken;
     }
-    /// Accepts the next byte if it is that one.
+    /// Skips the next byte if it equals `byte`.
     void skip(char byte) {
         if (rest_.starts_with(byte)) rest_.remove_prefix(1);
     }
     std::uint8_t byte() { return static_cast<std::uint8_t>(take(1)[0]); }
-    /// Two bytes, the lesser one first.
+    /// Reads a 16-bit little-endian number.
     unsigned word() {
         const unsigned low = byte();
         return low | static_cast<unsigned>(byte()) << 8U;
     }
 
-    /// Text up to the end of the line, which is taken but not returned.
+    /// Reads a line and its end, and returns it without the end.
     std::string_view line() {
         const std::size_t end = rest_.find('\n');
-        if (end == std::string_view::npos) refuse("its head has no end");
+        if (end == std::string_view::npos) refuse("its header has no end");
         std::string_view text = take(end);
         take(1);
         if (text.ends_with('\r')) text.remove_suffix(1);
         return text;
     }
 
-    /// A size that a picture may have. @param most  texels that what is left can hold.
-    /// @param bytes  that a decoded texel takes.
+    /// Throws unless the size is one that the remaining data can hold.
+    /// @param most  the largest number of texels.
+    /// @param bytes  bytes of a decoded texel.
     void check_size(std::int64_t width, std::int64_t height, std::uint64_t most,
                     std::uint64_t bytes) const {
         constexpr std::int64_t kMostAcross = 1 << 17;

@@ -1,4 +1,4 @@
-// Writes OpenEXR files by way of the OpenEXR library, through an AtomicFile.
+// Writes OpenEXR files by the OpenEXR library through an AtomicFile.
 #include "image/exr.h"
 
 #include "core/machine_fault.h"
@@ -22,8 +22,8 @@ namespace {
 
 constexpr float kLargestHalf = 65504;
 
-/// The library's way to an AtomicFile. Its destructors swallow faults of the last writes, so the
-/// first fault is kept and thrown again by finish().
+/// Adapts AtomicFile to the library's stream. The library's destructors swallow faults of the last
+/// writes, so the first fault is kept and thrown again by finish().
 class FileStream : public Imf::OStream {
 public:
     explicit FileStream(AtomicFile& file, const std::string& path)
@@ -77,7 +77,7 @@ std::vector<half> to_half(const std::vector<float>& values) {
     return result;
 }
 
-/// A slice over values that stand row after row; the library wants a writable pointer, always.
+/// Returns a slice over row-major values; the library demands a writable pointer.
 template <class Value>
 Imf::Slice slice(Imf::PixelType type, const Value* values, int width) {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-*): the library's only interface
@@ -101,11 +101,10 @@ void write_channels(Imf::OStream& stream, const Picture& picture, const ExrOptio
     output.writePixels(picture.height);
 }
 
-/// The library passes over what fails while it packs rows, as for lack of memory: these are
-/// missing.
+/// Throws if rows are missing: the library ignores failures while it compresses rows.
 void check_complete(const std::string& path, const AtomicFile& file) {
     if (!Imf::InputFile(file.temporary().c_str()).isComplete())
-        throw MachineFault({path}, "cannot be packed", "free some memory");
+        throw MachineFault({path}, "cannot be compressed", "free some memory");
 }
 
 }  // namespace

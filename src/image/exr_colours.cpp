@@ -1,4 +1,4 @@
-// The choice of channels, by their names.
+// Selection of colour channels by their names.
 #include "image/exr_colours.h"
 
 #include "core/printable.h"
@@ -24,7 +24,7 @@ std::string joined(const Names& names) {
     return printable(text, 100);
 }
 
-/// 0 red, 1 green, 2 blue, 3 alpha, or 4: none of them. @param name  without its layer.
+/// Returns 0 for red, 1 green, 2 blue, 3 alpha, 4 for others. @param name  without its layer.
 std::size_t colour_by(const std::string& name) {
     static constexpr std::array<std::array<std::string_view, 2>, 4> kWords = {
         {{"r", "red"}, {"g", "green"}, {"b", "blue"}, {"a", "alpha"}}};
@@ -35,7 +35,7 @@ std::size_t colour_by(const std::string& name) {
     return static_cast<std::size_t>(found - kWords.begin());
 }
 
-/// Red, green, blue and perhaps alpha of each layer that has the first three.
+/// Returns red, green, blue and perhaps alpha of each layer that has the first three.
 std::vector<Names> coloured_layers(const Names& all) {
     std::map<std::string, std::array<std::string, 5>> layers;
     for (const std::string& name : all) {

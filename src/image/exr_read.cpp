@@ -28,15 +28,15 @@
 namespace sunfleck::engine {
 namespace {
 
-/// A claim beyond this many values for each byte of the file is refused before it is believed:
-/// deflate, the usual packing, gives at most 1032 bytes for one.
+/// Files that claim more values per byte are refused before allocation: deflate, the usual
+/// compression, expands a byte to at most 1032.
 constexpr std::uint64_t kValuesPerByte = 1024;
 constexpr std::uint64_t kFreeValues = std::uint64_t{1} << 20U;
 constexpr std::uint64_t kMostValues = std::uint64_t{1} << 31U;
 constexpr int kMostPixelsAcross = 1 << 17;
-constexpr int kLibraryMost = 1 << 23;  // beyond it the library's tables of rows are too large
+constexpr int kLibraryMost = 1 << 23;  // larger widths overflow the library's row tables
 
-/// The library's way to bytes in memory.
+/// Adapts bytes in memory to the library's stream.
 class MemoryStream : public Imf::IStream {
 public:
     MemoryStream(std::string_view bytes, const std::string& name)
@@ -45,7 +45,7 @@ public:
     bool read(char* to, int count) override {
         const auto size = static_cast<std::uint64_t>(count);
         if (position_ > bytes_.size() || size > bytes_.size() - position_)
-            throw std::runtime_error("the file is cut");
+            throw std::runtime_error("the file is truncated");
         std::memcpy(to, bytes_.data() + position_, size);
         position_ += size;
         return position_ < bytes_.size();
@@ -62,7 +62,7 @@ private:
     throw Error({name}, what, "convert the picture to a plain EXR, or write it again");
 }
 
-/// An open file whose first part has a size that can be believed.
+/// An open file whose first part has a plausible size.
 class OpenExr {
 public:
     OpenExr(std::string_view bytes, const std::string& name)
@@ -94,12 +94,13 @@ public:
     const Imf::ChannelList& channels() const { return input_.header().channels(); }
     const Vec2i& resolution() const { return resolution_; }
 
-    /// Values of a channel shall go to `first` and every `step`-th value after it.
+    /// Directs a channel to `first` and every `step`-th value after it.
     template <class Value>
     void place(const char* channel, Value* first, std::size_t step) {
         const std::size_t across = sizeof(Value) * step;
         const std::size_t down = across * static_cast<std::size_t>(resolution_.x);
-        // The library addresses pixels from the origin of its coordinates, not of the window.
+        // The library addresses pixels from the origin of its coordinates, not from the data
+        // window.
         const Imath::V2i corner = header().dataWindow().min;
         const std::ptrdiff_t before =
             static_cast<std::ptrdiff_t>(corner.x) * static_cast<std::ptrdiff_t>(across) +
@@ -146,7 +147,7 @@ Image read_colours(OpenExr& file, const std::vector<std::string>& names) {
     return {file.resolution(), static_cast<int>(count), std::move(texels)};
 }
 
-/// Linear sRGB of texels that are CIE's X, Y and Z.
+/// Converts texels of CIE XYZ to linear sRGB.
 Image rgb_of(const Image& xyz) {
     std::vector<float> texels = std::get<std::vector<float>>(xyz.texels());
     for (std::size_t i = 0; i < texels.size(); i += 3) {
@@ -157,7 +158,7 @@ Image rgb_of(const Image& xyz) {
     return {xyz.resolution(), 3, std::move(texels)};
 }
 
-/// Files that say nothing are taken to be of the primaries of sRGB, those of Rec. 709.
+/// Returns whether the file declares primaries other than Rec. 709; files without any have those.
 bool has_other_primaries(const Imf::Header& header) {
     if (!Imf::hasChromaticities(header)) return false;
     constexpr float kAlike = 0.003F;
@@ -188,7 +189,7 @@ Image read_image(std::string_view bytes, const std::string& name) {
     return image;
 }
 
-/// What the library throws becomes an Error.
+/// Runs a task and converts exceptions of the library to Error.
 template <class Task>
 auto guarded(const std::string& name, const Task& task) {
     static const bool limited = [] {

@@ -1,4 +1,4 @@
-// Radiance pictures: three mantissas that share an exponent, plain or packed in runs.
+// Radiance HDR images: three mantissas with a shared exponent, plain or run-length coded.
 //
 // Source: Ward, Real Pixels (Graphics Gems II, 1991); the Radiance file format.
 #include "image/byte_source.h"
@@ -13,7 +13,7 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// The size that the last line of the head gives.
+/// Reads the header and returns the resolution in its last line.
 Vec2i read_head(ByteSource& source) {
     bool has_format = false;
     for (std::string_view line = source.line(); !line.empty(); line = source.line())
@@ -22,32 +22,32 @@ Vec2i read_head(ByteSource& source) {
     const std::string size(source.line().substr(0, 40));
     Vec2i resolution;
     if (std::sscanf(size.c_str(), "-Y %7d +X %7d", &resolution.y, &resolution.x) != 2)
-        source.refuse("its rows do not go from the top left");
+        source.refuse("its rows do not start at the top left");
     return resolution;
 }
 
-/// A row whose four components stand one after the other, each in runs.
+/// Reads a row in new format: four components one after the other, each run-length coded.
 void read_new_runs(ByteSource& source, std::vector<Rgbe>& row) {
     for (std::size_t c = 0; c < 4; ++c)
         for (std::size_t x = 0; x < row.size();) {
             const unsigned packet = source.byte();
             const bool repeats = packet > 128;
             const unsigned count = repeats ? packet - 128 : packet;
-            if (count == 0 || count > row.size() - x) source.refuse("a run leaves its row");
+            if (count == 0 || count > row.size() - x) source.refuse("a run is longer than its row");
             const std::string_view values = source.take(repeats ? 1 : count);
             for (unsigned i = 0; i < count; ++i)
                 row[x++].at(c) = static_cast<std::uint8_t>(values[repeats ? 0 : i]);
         }
 }
 
-/// A row of whole texels; 1 1 1 n repeats the one before n times, 256 n where two follow.
+/// Reads a row in old format: pixels; 1 1 1 n repeats the last one n times, a second one 256 n.
 void read_old_row(ByteSource& source, const Rgbe& first, std::vector<Rgbe>& row) {
     Rgbe texel = first;
     unsigned shift = 0;
     for (std::size_t x = 0; x < row.size();) {
         const bool repeats = texel[0] == 1 && texel[1] == 1 && texel[2] == 1 && x > 0;
         const std::size_t count = repeats ? std::size_t{texel[3]} << shift : 1;
-        if (count > row.size() - x || shift > 16) source.refuse("a run leaves its row");
+        if (count > row.size() - x || shift > 16) source.refuse("a run is longer than its row");
         const Rgbe value = repeats ? row[x - 1] : texel;
         for (std::size_t i = 0; i < count; ++i) row[x++] = value;
         shift = repeats ? shift + 8 : 0;
@@ -72,10 +72,10 @@ void read_row(ByteSource& source, std::vector<Rgbe>& row) {
 Image parse_hdr(std::string_view bytes, const std::string& name) {
     ByteSource source(bytes, name, "HDR");
     const Vec2i resolution = read_head(source);
-    // Of old, two texels of four bytes may stand for 65535; no picture is as empty as that.
+    // In old format two pixels of four bytes may stand for 65535; real images never reach it.
     source.check_size(resolution.x, resolution.y, source.left() * 256, 12);
     std::vector<Rgbe> row(static_cast<std::size_t>(resolution.x));
-    std::vector<float> texels;  // grows with what is read: the claim may be false
+    std::vector<float> texels;  // grows with the data, since the claimed size may be false
     for (int y = 0; y < resolution.y; ++y) {
         read_row(source, row);
         for (const Rgbe& texel : row) {

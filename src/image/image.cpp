@@ -1,4 +1,4 @@
-// Texels of images.
+// Texel access and repair of images.
 #include "image/image.h"
 
 #include "image/srgb.h"
@@ -66,7 +66,7 @@ Image Image::with_channels(int count) const {
 
 void Image::mend_broken() {
     const auto count = static_cast<std::size_t>(channels_);
-    std::size_t last = 0;  // one behind the last broken texel
+    std::size_t last = 0;  // index after the last broken texel
     const auto note = [&](std::size_t texel) {
         if (texel + 1 == last) return;
         last = texel + 1;

@@ -1,6 +1,6 @@
-// JPEG files by way of libjpeg.
+// JPEG images by libjpeg.
 //
-// libjpeg leaves by longjmp: the function that calls it holds nothing with a destructor.
+// libjpeg reports errors by longjmp: a function that calls it holds no object with a destructor.
 #include "image/byte_source.h"
 #include "image/formats.h"
 
@@ -15,13 +15,13 @@
 namespace sunfleck::engine {
 namespace {
 
-/// A coefficient costs at least a bit, and stands for 64 pixels of one channel.
+/// A coefficient takes at least one bit and stands for 64 pixels of one channel.
 constexpr std::uint64_t kPixelsPerByte = 512;
 constexpr std::uint64_t kFreePixels = 1U << 12U;
-/// Each goes over the whole picture, and may be some bytes long. Usual are ten.
+/// Limit of scans: each covers the whole image in a few bytes of the file. Ten are usual.
 constexpr int kMostScans = 500;
 
-/// What one call of libjpeg works on. `manager` comes first: the library hands out its address.
+/// State of one decoding. `manager` comes first, because the library passes its address.
 struct JpegJob {
     jpeg_error_mgr manager;
     jpeg_progress_mgr progress;
@@ -30,8 +30,8 @@ struct JpegJob {
     const ByteSource* source;
     std::string_view bytes;
     Vec2i resolution;
-    std::size_t components;  // that the library gives: 1 grey, 3 RGB, 4 CMYK
-    bool inks_are_inverted;  // 255 is no ink, as Adobe's programs have it
+    std::size_t components;  // output channels of the library: 1 grey, 3 RGB, 4 CMYK
+    bool inks_are_inverted;  // 255 is no ink, as Adobe writes it
     std::vector<std::uint8_t> texels;
 };
 
@@ -42,12 +42,12 @@ struct JpegJob {
     std::longjmp(job.way_out, 1);
 }
 
-/// Warnings of a file that goes on are passed over, but for one that ended too early.
+/// Ignores the library's warnings, except for a file that ends too early.
 void on_warning(j_common_ptr info, int level) {
     if (level < 0 && info->err->msg_code == JWRN_JPEG_EOF) on_fault(info);
 }
 
-/// Called now and then while the library is at work.
+/// Called by the library during its work.
 void on_progress(j_common_ptr info) {
     // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast): the library's only interface
     const auto& decompress = *reinterpret_cast<j_decompress_ptr>(info);
@@ -58,15 +58,15 @@ void on_progress(j_common_ptr info) {
     std::longjmp(job.way_out, 1);
 }
 
-/// Is there memory for that many bytes? If not, the fault says so.
+/// Returns whether that many bytes are free; if not, sets the fault.
 bool fits(std::uint64_t bytes, JpegJob& job) {
     const std::string fault = fault_of_size(bytes);
     std::snprintf(job.fault.data(), job.fault.size(), "%s", fault.c_str());
     return fault.empty();
 }
 
-/// Each ink takes away its colour, black all three: what is left of R, G and B. (A colour profile
-/// is not applied.)
+/// Converts CMYK to RGB: each ink absorbs its complement, black absorbs all. Colour profiles are
+/// not applied.
 std::vector<std::uint8_t> rgb_of_inks(const std::vector<std::uint8_t>& inks, bool inverted) {
     std::vector<std::uint8_t> rgb(inks.size() / 4 * 3);
     const auto paper = [&](std::size_t i) { return inverted ? inks[i] : 255U - inks[i]; };
@@ -110,7 +110,7 @@ void decode(JpegJob& job) {
         const std::uint64_t pixels = std::uint64_t{info.image_width} * info.image_height;
         if (pixels > job.bytes.size() * kPixelsPerByte + kFreePixels) {
             std::snprintf(job.fault.data(), job.fault.size(), "%s",
-                          "it claims more pixels than its size can hold");
+                          "its header claims more pixels than the file can hold");
         } else if (fits(pixels * job.components, job)) {
             job.texels.resize(pixels * job.components);
             read_rows(info, job);

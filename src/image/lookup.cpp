@@ -1,4 +1,4 @@
-// Lookups in images.
+// Image lookup: texel indices, wrap modes, interpolation.
 #include "image/lookup.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ int modulo(int i, int n) {
     return rest < 0 ? rest + n : rest;
 }
 
-/// Texel numbers brought to the other side of the edge that they are beyond.
+/// Maps a texel index beyond an edge of an octahedral map to the adjacent edge.
 void fold(int& along, int& across, int n, int across_n) {
     if (along >= 0 && along < n) return;
     along = along < 0 ? -1 - along : 2 * n - 1 - along;
@@ -36,7 +36,7 @@ Values texel(const Image& image, int x, int y, Wrap wrap) {
     return image.at(x, y);
 }
 
-/// A place in texels, always one that an int can hold.
+/// Converts a coordinate to texels, limited to the range of int.
 float in_texels(float place, int n) {
     constexpr float kFar = 1e9F;
     const float x = place * static_cast<float>(n);

@@ -1,6 +1,6 @@
-// Values of an image between its texels, and beyond its edges.
+// Image lookup between texels and beyond edges.
 //
-// Place: s from the left, t from the top, [0,1] over the image; texel i has its centre at
+// Coordinates: s from the left, t from the top, [0,1] over the image; the centre of texel i is at
 // (i + 0.5) / n.
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace sunfleck::engine {
 
-/// What is beyond the edges (pbrt-v4). octahedral_sphere: the image is an octahedral map of the
-/// sphere, whose edges meet each other.
+/// Wrap mode beyond the edges (pbrt-v4). octahedral_sphere: the image is an octahedral map of the
+/// sphere, whose edges are glued to each other.
 enum class Wrap { repeat, black, clamp, octahedral_sphere };
 
-/// All channels at a place, linear light: between the four nearest texels, linear in s and in t.
+/// Returns all channels as linear light, bilinearly interpolated between the four nearest texels.
 std::array<float, 4> bilinear(const Image& image, const Vec2& place, Wrap wrap);
 
-/// The same of the nearest texel.
+/// Returns all channels of the nearest texel as linear light.
 std::array<float, 4> nearest(const Image& image, const Vec2& place, Wrap wrap);
 
 }  // namespace sunfleck::engine

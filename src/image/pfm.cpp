@@ -18,7 +18,7 @@ struct Head {
     float scale = 1;
 };
 
-/// The next word, which a single white space ends, or a line end of two bytes.
+/// Reads a word and the one white space (or two-byte line end) after it.
 std::string word_of(ByteSource& source) {
     std::string word;
     for (char c = source.take(1)[0];; c = source.take(1)[0]) {
@@ -28,7 +28,7 @@ std::string word_of(ByteSource& source) {
             return word;
         }
         if (!white) word += c;
-        if (word.size() > 40) source.refuse("its head is none");
+        if (word.size() > 40) source.refuse("its header has no size and scale");
     }
 }
 
@@ -44,7 +44,7 @@ Head read_head(ByteSource& source) {
     const int read = std::sscanf(all.c_str(), "%7d %7d %30f", &head.resolution.x,
                                  &head.resolution.y, &head.scale);
     if (read != 3 || !std::isfinite(head.scale) || head.scale == 0)
-        source.refuse("its head names no size and scale");
+        source.refuse("its header has no size and scale");
     return head;
 }
 

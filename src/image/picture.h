@@ -1,7 +1,7 @@
-// A picture as a plain value: named channels of floats, row after row from the top left.
+// Picture: named channels of floats, row by row from the top left.
 //
 // Channel names are those of OpenEXR: "R", "G", "B" for the picture itself, "direct.R" and so on
-// for layers, "error.Y" for a layer of one channel. Light is linear sRGB.
+// for AOVs, "error.Y" for an AOV of one channel. Light is linear sRGB.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace sunfleck::engine {
 
 struct Channel {
     std::string name;
-    std::vector<float> values;  // width * height, row after row from the top
+    std::vector<float> values;  // width * height values, row by row from the top
 
     friend bool operator==(const Channel&, const Channel&) = default;
 };
@@ -24,7 +24,7 @@ struct Picture {
     int width = 0;
     int height = 0;
     std::vector<Channel> channels;
-    std::map<std::string, std::string> metadata;  // name to text, for files that can hold it
+    std::map<std::string, std::string> metadata;  // key to text, for formats that can store it
 
     friend bool operator==(const Picture&, const Picture&) = default;
 
@@ -32,14 +32,14 @@ struct Picture {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     }
 
-    /// The channel of that name, or null.
+    /// Returns the channel of that name, or null.
     const Channel* find(std::string_view name) const {
         const auto found = std::find_if(channels.begin(), channels.end(),
                                         [&](const Channel& c) { return c.name == name; });
         return found == channels.end() ? nullptr : &*found;
     }
 
-    /// Adds a channel of zeros and returns it. The reference lasts until the next add().
+    /// Adds a channel of zeros. The reference is valid until the next add().
     Channel& add(std::string name) {
         channels.push_back({std::move(name), std::vector<float>(pixels())});
         return channels.back();

@@ -1,4 +1,4 @@
-// One row for each ending.
+// The table of picture formats, one row per ending.
 #include "image/picture_file.h"
 
 #include "core/small_letters.h"
@@ -32,7 +32,7 @@ constexpr std::array kFormats = {
            }},
 };
 
-/// By the ending of the name; null for another.
+/// Returns the format of a name's ending; null for an unknown one.
 const Format* find_format(const std::string& path) {
     const std::string ending = small_letters(std::filesystem::path(path).extension().string());
     for (const Format& format : kFormats)
@@ -45,7 +45,7 @@ const Format& format_of(const std::string& path) {
     std::string known;
     for (const Format& format : kFormats)
         known += (known.empty() ? "" : " or ") + std::string(format.ending);
-    throw Error({path}, "has no ending of a picture", "end the name in " + known);
+    throw Error({path}, "unknown picture format", "end the name in " + known);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The one place that knows which picture formats there are, by the ending of the file's name.
+// Writing of pictures in the format that the file name's ending selects.
 #pragma once
 
 #include "image/picture.h"
@@ -8,22 +8,22 @@
 namespace sunfleck::engine {
 
 struct PictureFileOptions {
-    float exposure = 0;  // stops; for formats of limited range (.png) alone
+    float exposure = 0;  // stops; used by formats of limited range (.png)
     bool half = false;   // 16-bit floats in .exr
 };
 
-/// Whether the name's ending is that of a picture.
+/// Returns whether the ending is that of a picture format.
 bool is_picture_path(const std::string& path);
 
-/// Whether a picture of the name's ending holds R, G, B alone.
+/// Returns whether the format of the ending stores R, G, B alone.
 bool loses_aovs(const std::string& path);
 
-/// Tried before long work: the ending is known and the file can be written.
-/// @throws Error, with the endings that there are.
+/// Checks, before long work, that the ending is known and that the file can be written.
+/// @throws Error  that lists the known endings.
 void check_picture_path(const std::string& path);
 
-/// Writes the picture in the format of the ending, atomically. A .png holds R, G, B alone.
-/// @throws Error if the ending is unknown or the file cannot be written.
+/// Writes the picture atomically in the format of the ending. A .png holds R, G, B alone.
+/// @throws Error  if the ending is unknown or the file cannot be written.
 void write_picture(const std::string& path, const Picture& picture,
                    const PictureFileOptions& options = {});
 

@@ -1,6 +1,7 @@
-// PNG files by way of libpng.
+// PNG images by libpng.
 //
-// libpng leaves by longjmp: the two functions that call it hold nothing with a destructor.
+// libpng reports errors by longjmp: the two functions that call it hold no object with a
+// destructor.
 #include "image/png.h"
 
 #include "image/atomic_file.h"
@@ -25,10 +26,10 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint32_t kMostPixelsAcross = 1U << 17U;
-constexpr std::uint64_t kBytesPerByte = 1100;  // deflate gives at most 1032 for one
+constexpr std::uint64_t kBytesPerByte = 1100;  // deflate expands a byte to at most 1032
 constexpr std::uint64_t kFreeBytes = 1U << 16U;
 
-/// What one call of libpng works on, and the fault that it left by.
+/// State of one decoding, and the fault that ended it.
 struct PngJob {
     std::string_view input;
     std::size_t used = 0;
@@ -47,7 +48,7 @@ void on_warning(png_structp, png_const_charp) {}
 
 void on_read(png_structp png, png_bytep bytes, std::size_t count) {
     auto& job = *static_cast<PngJob*>(png_get_io_ptr(png));
-    if (job.input.size() - job.used < count) png_error(png, "the file is cut");
+    if (job.input.size() - job.used < count) png_error(png, "the file is truncated");
     std::memcpy(bytes, job.input.data() + job.used, count);
     job.used += count;
 }
@@ -60,11 +61,11 @@ void on_write(png_structp png, png_bytep bytes, std::size_t count) {
 
 void on_flush(png_structp) {}
 
-/// Accepts the header; every transformation that makes 8 or 16 bits a channel is set.
+/// Checks the header and sets the transformations that give 8 or 16 bits per channel.
 void prepare(png_structp png, png_infop info, PngJob& job) {
     png_set_user_limits(png, kMostPixelsAcross, kMostPixelsAcross);
     png_read_info(png, info);
-    png_set_expand(png);  // palettes and few bits to 8 bits, transparency to alpha
+    png_set_expand(png);  // palettes and few bits become 8 bits, transparency becomes alpha
     const int passes = png_set_interlace_handling(png);
     png_read_update_info(png, info);
     job.image.width = static_cast<int>(png_get_image_width(png, info));
@@ -74,12 +75,12 @@ void prepare(png_structp png, png_infop info, PngJob& job) {
     const std::uint64_t bytes =
         std::uint64_t{png_get_rowbytes(png, info)} * static_cast<std::uint64_t>(job.image.height);
     if (bytes > job.input.size() * kBytesPerByte + kFreeBytes)
-        png_error(png, "it claims more pixels than its size can hold");
-    // The rows, their values in 16 bits, and the texels are in memory together.
+        png_error(png, "its header claims more pixels than the file can hold");
+    // The rows with values of 16 bits, and the texels, are in memory together.
     job.fault = fault_of_size(4 * bytes);
     if (!job.fault.empty()) png_longjmp(png, 1);
     if (passes != 1 && passes != 7) png_error(png, "unknown interlacing");
-    job.row.resize(bytes);  // the whole picture: interlaced rows come back several times
+    job.row.resize(bytes);  // the whole image: interlaced rows are written several times
 }
 
 void read_rows(png_structp png, png_infop info, PngJob& job) {
@@ -121,7 +122,7 @@ void encode(PngJob& job) {
     png_destroy_write_struct(&png, &info);
 }
 
-/// 8-bit values, pixel after pixel.
+/// Returns 8-bit sRGB values, pixel by pixel.
 std::vector<png_byte> encoded_rgb(const std::string& path, const Picture& picture, float scale) {
     std::vector<png_byte> bytes(picture.pixels() * 3);
     std::size_t first = 0;

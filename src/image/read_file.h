@@ -1,4 +1,4 @@
-// A whole file as bytes, for the readers that parse in memory.
+// Reads a complete file as bytes, for parsers that work in memory.
 #pragma once
 
 #include "core/input_file.h"
@@ -7,7 +7,7 @@
 
 namespace sunfleck::engine {
 
-/// @throws Error if there is no such file, or it cannot be read.
+/// @throws Error  if the file does not exist or cannot be read.
 inline std::string read_file(const std::string& path) {
     return read_input_file(path, {path});
 }

@@ -1,4 +1,4 @@
-// Which format it is, by the first bytes; a TGA has none of its own, and is known by its ending.
+// Selects the decoder by the first bytes; TGA has no signature and is recognised by its ending.
 #include "image/read_image.h"
 
 #include "core/file_content.h"
@@ -15,7 +15,7 @@ bool ends_in_tga(const std::string& name) {
     return name.size() >= 4 && small_letters(name.substr(name.size() - 4)) == ".tga";
 }
 
-/// Text that stands where a picture should: an answer of a server, for example.
+/// Returns the beginning of a text in place of an image, such as the answer of a server.
 std::string beginning_of(std::string_view bytes) {
     const std::string_view text = bytes.substr(0, 40);
     const bool is_text =
@@ -24,7 +24,7 @@ std::string beginning_of(std::string_view bytes) {
 }
 
 Image parse_any(std::string_view bytes, const std::string& name, const Encoding& encoding) {
-    const auto begins = [&](const auto& mark) {  // but for the zero that ends the literal
+    const auto begins = [&](const auto& mark) {  // the literal without its final zero
         return bytes.starts_with(std::string_view(mark, sizeof mark - 1));
     };
     if (begins("\x89PNG")) return parse_png_image(bytes, name, encoding);
@@ -34,7 +34,7 @@ Image parse_any(std::string_view bytes, const std::string& name, const Encoding&
     if (begins("PF") || begins("Pf")) return parse_pfm(bytes, name);
     refuse_other_content(bytes, name, "a picture in PNG, JPEG, TGA, EXR, HDR or PFM");
     if (ends_in_tga(name)) return parse_tga(bytes, name);
-    throw Error({name}, "is no image that is known" + beginning_of(bytes),
+    throw Error({name}, "unknown image format" + beginning_of(bytes),
                 "convert it to PNG, JPEG, TGA (with that ending), EXR, HDR or PFM");
 }
 

@@ -1,4 +1,4 @@
-// Images of any format that we read, by content: PNG, JPEG, TGA, OpenEXR, Radiance HDR, PFM.
+// Reads images of all supported formats, by content: PNG, JPEG, TGA, OpenEXR, Radiance HDR, PFM.
 #pragma once
 
 #include "image/image.h"
@@ -8,13 +8,13 @@
 
 namespace sunfleck::engine {
 
-/// Decodes a file that is in memory. As in pbrt-v4: 8 bits stay 8 bits, halves stay halves, 16 bits
-/// become floats; grey with alpha loses the alpha, and so does an image whose alpha is one
-/// everywhere, and any TGA. JPEG and TGA are sRGB whatever `encoding` says.
-/// @param name  of the file: for messages, and for the ending of a TGA.
+/// Decodes a file in memory. As in pbrt-v4, 8 bits and halves are kept and 16 bits become floats;
+/// grey with alpha loses the alpha, and so does an image whose alpha is one everywhere, and any
+/// TGA. JPEG and TGA are sRGB whatever `encoding` says.
+/// @param name  file name, for messages and for the ending of a TGA.
 /// @param encoding  of a PNG, alpha included.
-/// @throws Error of one line for what is none of these, is damaged, cut, or claims more than its
-/// size can hold; for an EXR without channels R, G, B or a single one.
+/// @throws Error  for an unknown, damaged or truncated format, for a file that claims more pixels
+/// than it can hold, and for an EXR without colour channels.
 Image parse_image(std::string_view bytes, const std::string& name, const Encoding& encoding = {});
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Truevision TGA: palettes, grey and colours, plain or packed in runs.
+// Truevision TGA: palettes, grey and colours, plain or run-length coded.
 //
 // Source: Truevision TGA File Format Specification 2.0 (1991).
 #include "image/byte_source.h"
@@ -10,14 +10,14 @@ namespace sunfleck::engine {
 namespace {
 
 struct Header {
-    unsigned type = 0;  // 1 palette, 2 colours, 3 grey; 8 more when packed
+    unsigned type = 0;  // 1 palette, 2 colours, 3 grey; plus 8 if run-length coded
     bool packed = false;
     unsigned palette_first = 0;
     unsigned palette_size = 0;
     unsigned palette_bits = 0;
     unsigned width = 0;
     unsigned height = 0;
-    unsigned bits = 0;  // of a texel in the file
+    unsigned bits = 0;  // per texel in the file
     bool from_top = false;
     bool from_right = false;
 };
@@ -32,7 +32,7 @@ std::size_t bytes_of(unsigned bits) {
     return (std::size_t{bits} + 7) / 8;
 }
 
-/// A colour as files have it: B G R, perhaps alpha; or 1 + 5 + 5 + 5 bits.
+/// Decodes a texel: B G R, perhaps alpha; or 1 + 5 + 5 + 5 bits.
 Colour colour_of(std::string_view texel) {
     const auto at = [&](std::size_t i) { return static_cast<std::uint8_t>(texel[i]); };
     if (texel.size() == 1) return {at(0), at(0), at(0)};
@@ -51,7 +51,7 @@ Header read_header(ByteSource& source) {
     h.palette_first = source.word();
     h.palette_size = source.word();
     h.palette_bits = source.byte();
-    source.take(4);  // where it stands on a screen
+    source.take(4);  // screen position
     h.width = source.word();
     h.height = source.word();
     h.bits = source.byte();
@@ -65,20 +65,21 @@ Header read_header(ByteSource& source) {
         source.refuse("type " + std::to_string(type) + " with " + std::to_string(h.bits) +
                       " bits is unknown");
     if ((h.type == 1) != (h.bits == 8 && h.type != 3) || (h.type == 1 && !has_palette))
-        source.refuse("its bits do not suit its type");
+        source.refuse("its bits per texel do not fit its type");
     if (!has_palette) h.palette_size = 0;
     return h;
 }
 
 std::vector<Colour> read_palette(ByteSource& source, const Header& h) {
     const std::size_t size = bytes_of(h.palette_bits);
-    if (h.palette_size > 0 && (size < 2 || size > 4)) source.refuse("a palette of odd colours");
+    if (h.palette_size > 0 && (size < 2 || size > 4))
+        source.refuse("palette entries of an unsupported size");
     std::vector<Colour> palette;
     for (unsigned i = 0; i < h.palette_size; ++i) palette.push_back(colour_of(source.take(size)));
     return palette;
 }
 
-/// Hands out texel after texel, runs unpacked.
+/// Returns texel after texel, with runs expanded.
 class TexelReader {
 public:
     TexelReader(ByteSource& source, const Header& header)
@@ -111,7 +112,7 @@ Colour texel_colour(const ByteSource& source, const Header& h, const std::vector
     const Colour colour = colour_of(h.type == 3 ? texel.substr(0, 1) : texel);
     if (h.type != 1) return colour;
     const std::size_t index = colour[0] - std::size_t{h.palette_first};
-    if (index >= palette.size()) source.refuse("a colour that its palette has not");
+    if (index >= palette.size()) source.refuse("a colour beyond its palette");
     return palette[index];
 }
 

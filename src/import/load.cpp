@@ -1,4 +1,4 @@
-// Chooses the importer for a scene file: one so far.
+// Selects the importer for a scene file; pbrt-v4 is the only format so far.
 #include "import/load.h"
 
 #include "core/small_letters.h"
@@ -13,7 +13,7 @@ SceneDescription load_scene(const std::string& path) {
     if (path == "-") return read_pbrt_input();
     const std::string ending = small_letters(std::filesystem::path(path).extension().string());
     if (ending == ".gltf" || ending == ".glb")
-        throw Error({path}, "is a glTF scene, and those of pbrt-v4 alone are read",
+        throw Error({path}, "is a glTF scene; only pbrt-v4 scenes can be read",
                     "convert it to pbrt-v4");
     return read_pbrt(path);
 }

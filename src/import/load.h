@@ -1,4 +1,4 @@
-// Chooses the importer for a scene file.
+// Selects the importer for a scene file.
 #pragma once
 
 #include "scene/description.h"
@@ -7,7 +7,9 @@
 
 namespace sunfleck::engine {
 
-/// @param path  of the scene, or "-" for standard input. @throws Error for what cannot be read.
+/// Reads a scene.
+/// @param path  of the scene, or "-" for standard input.
+/// @throws Error  for a scene that cannot be read.
 SceneDescription load_scene(const std::string& path);
 
 }  // namespace sunfleck::engine

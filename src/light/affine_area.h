@@ -1,4 +1,4 @@
-// What an affine map does to areas, and whether spheres stay spheres under it.
+// Scale of areas under affine maps, and the test for similarities.
 #pragma once
 
 #include "geometry/affine.h"
@@ -8,25 +8,25 @@
 
 namespace sunfleck::engine {
 
-/// The image of a patch of unit area: its length is the new area, its direction the new normal,
-/// on the same side of the surface (mirroring included). @param n  unit.
+/// Returns the area vector of the image of a patch of unit area: its length is the new area, its
+/// direction the new normal on the same side (also under reflections). @param n  unit normal.
 inline Vec3d area_vector(const Affine& map, const Vec3d& n) {
     const Vec3d v = map.y.cross(map.z) * n.x + map.z.cross(map.x) * n.y + map.x.cross(map.y) * n.z;
     return map.determinant() < 0 ? -v : v;
 }
 
-/// How many times larger the area becomes where the new normal is `n` (unit).
+/// Returns the factor of the area for a new unit normal `n`.
 inline double area_ratio_of_image(const Affine& map, const Vec3d& n) {
     const Vec3d back(map.x.dot(n), map.y.dot(n), map.z.dot(n));  // along the old normal
     return std::abs(map.determinant()) / back.length();
 }
 
-/// Square of the scale, were the map a similarity.
+/// Returns the squared scale of the map if it is a similarity.
 inline double mean_scale2(const Affine& map) {
     return (map.x.length2() + map.y.length2() + map.z.length2()) / 3;
 }
 
-/// Are spheres still spheres (within a relative 1e-6, what rounded rotations need)?
+/// Returns whether spheres stay spheres, within a relative 1e-6 (the error of rounded rotations).
 inline bool is_similarity(const Affine& map) {
     const double scale2 = mean_scale2(map);
     const double skew = std::max(

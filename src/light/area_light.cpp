@@ -1,4 +1,4 @@
-// Area light: uniform positions and cosine directions out; caps or areas seen from a point.
+// Area lights: emission by position and cosine; direct light by visible cap or by area.
 #include "light/area_light.h"
 
 #include "light/emitting_surface.h"
@@ -10,7 +10,7 @@ namespace sunfleck::engine {
 
 namespace {
 
-/// A direction to the part of a whole sphere that the point sees, and how far it is.
+/// Samples a direction to the visible cap of a full sphere, with the distance.
 DirectSample sample_cap(const VisibleCap& cap, const Vec2d& u) {
     const DiscPoint disc = concentric_disc_point(u);
     const double versine = disc.radius2 * cap.versine;
@@ -25,7 +25,7 @@ DirectSample sample_cap(const VisibleCap& cap, const Vec2d& u) {
     return drawn;
 }
 
-/// A direction to a point of the whole surface; nothing if that does not emit towards us.
+/// Samples a direction to a point of the whole surface; nothing if it emits to the other side.
 std::optional<DirectSample> sample_by_area(const SurfaceSample& on, const Vec3d& point,
                                            bool two_sided) {
     const Vec3d to_light = on.position - point;

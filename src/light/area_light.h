@@ -1,13 +1,14 @@
-// A light that emits from a surface (light/emitting_surface.h), the same radiance in all directions
-// of one side, or of both. A picture may vary it from place to place.
+// AreaLight: a surface (light/emitting_surface.h) with diffuse emission on one or both sides,
+// optionally textured by an image.
 //
-// Curve: radiance, W/(sr m^2); with a picture, where that is one.
-// Emission: with a picture, from where that is bright; else uniform by area (spheres and cylinders
-// under matrices that are no similarity: in their own frame; patches that are not flat: nearly),
-// cosine-weighted directions. Two-sided emitters choose the side by the halves of the first
+// Spectrum: radiance, W/(sr m^2); with an image, at texels of value one.
+// Emission: positions by the image's brightness, else uniform by area (for spheres and cylinders
+// under non-similarities: in their own frame; for patches that are not planar: approximately);
+// cosine-weighted directions. Two-sided emitters select the side by the halves of the first
 // direction dimension, folded so that they meet at the horizon; Emission::normal stays on the side
-// of Hit::normal. Direct light: whole spheres under similarities are sampled in the cone that the
-// point sees (by area from inside), all else by area.
+// of Hit::normal.
+// Direct light: full spheres under similarities are sampled in the cone that the point sees (by
+// area from inside), everything else by area.
 #pragma once
 
 #include "light/emitting_surface.h"
@@ -27,11 +28,12 @@ struct AreaLight {
     bool two_sided = false;
     std::uint32_t shape = kNone;      // Hit::shape of the surface
     std::uint32_t primitive = kNone;  // Hit::primitive
-    /// It shines, but nothing is there: rays do not meet it, so light samples must bring it all.
+    /// The light emits, but rays do not hit its surface (alpha zero): light samples bring all its
+    /// light.
     bool unseen = false;
-    /// What the radiance is multiplied by, over the surface; null: one.
+    /// Image that multiplies the radiance over the surface; null for none.
     std::shared_ptr<const LaidPicture> picture = nullptr;
-    /// How much of the surface is there; null: all of it.
+    /// Alpha of the surface; null if opaque.
     std::shared_ptr<const PartialEmitter> alpha = nullptr;
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
@@ -39,16 +41,17 @@ struct AreaLight {
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;
-    /// pi * area, twice if two-sided; times the means of picture and alpha over the surface.
+    /// Returns pi * area, twice if two-sided, times the means of image and alpha over the surface.
     double power(const SceneSphere&) const;
-    /// In m^2, in the world. By quadrature where there is no closed form.
+    /// Returns the area in m^2, in the world; by quadrature if there is no closed form.
     double area() const;
-    /// Does the surface emit into w (unit, world, away from it)? @param normal  of the hit.
+    /// Returns whether the surface emits into w (unit, world, pointing away). @param normal  of the
+    /// hit.
     bool emits(const Vec3& normal, const Vec3& w) const { return two_sided || normal.dot(w) > 0; }
-    /// Radiance over the curve where the surface is met. @param uv  of the hit.
+    /// Returns the radiance relative to the spectrum at a hit. @param uv  of the hit.
     TexelLight light_at(const Vec2& uv) const;
-    /// Density per steradian at `point` with which sample_direct() would choose the point `on`
-    /// of the surface (whose geometric normal is `normal`): the other half of MIS.
+    /// Returns the density per steradian at `point` with which sample_direct() chooses the surface
+    /// point `on` with geometric normal `normal`; for MIS weights.
     float direct_pdf(const Vec3& point, const Vec3& on, const Vec3& normal) const;
 };
 

@@ -1,4 +1,4 @@
-// Choice of a light: running sums and a binary search.
+// Selection of a light: cumulative sums and binary search.
 #include "light/choice.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ LightChoice::LightChoice(const std::vector<double>& powers) {
         cdf_.push_back(total_);
     }
     if (!(total_ > 0)) return;
-    // The last sum over itself is exactly one, so no u below one falls off the end.
+    // The last sum over itself is exactly one, so every u below one finds a light.
     for (double& sum : cdf_) sum /= total_;
 }
 
@@ -26,7 +26,7 @@ LightChoice LightChoice::among(const std::vector<std::uint32_t>& lights) const {
 
 LightChoice::Chosen LightChoice::choose(double u) const {
     assert(!empty());
-    // The first end beyond u: lights of no power end where they start and are passed over.
+    // The first end beyond u; lights without power have empty intervals and are skipped.
     const auto end = std::upper_bound(cdf_.begin() + 1, cdf_.end(), u);
     const auto index = static_cast<std::size_t>(end - cdf_.begin()) - 1;
     return {index, probability(index)};

@@ -1,4 +1,4 @@
-// Distant light: parallel rays from a disc as wide as the scene.
+// Distant light: parallel rays from the scene disc.
 #include "light/distant_light.h"
 
 #include "light/scene_disc.h"

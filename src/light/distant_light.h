@@ -1,7 +1,7 @@
-// Parallel light from infinitely far away.
+// DistantLight: parallel light from infinitely far away.
 //
-// Curve: irradiance on a plane perpendicular to the direction, W/m^2. Photons start on the disc of
-// the scene's sphere, perpendicular to the direction, one radius before its centre.
+// Spectrum: irradiance on a plane perpendicular to the direction, W/m^2. Photons start on a disc of
+// the scene sphere's radius, perpendicular to the direction, one radius before its centre.
 #pragma once
 
 #include "light/model.h"
@@ -10,7 +10,7 @@ namespace sunfleck::engine {
 
 struct DistantLight {
     Spectrum curve;
-    Vec3d direction;  // unit; the way that the light travels
+    Vec3d direction;  // unit; direction in which the light travels
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;

@@ -1,4 +1,4 @@
-// Points of emitting bilinear patches.
+// Sampling of emitting bilinear patches.
 #include "light/emitting_surface.h"
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Density in (u, v) up to a factor: the area at the corners, bilinear between them. Where the
-/// patch is flat this is the area everywhere.
+/// Density in (u, v) up to a factor: the areas at the corners, interpolated bilinearly; exact for
+/// planar patches.
 struct Density {
     std::array<double, 4> at_corner{};  // 00, 10, 01, 11
 
@@ -25,13 +25,13 @@ struct Density {
     double mean() const { return (*this)({0.5, 0.5}); }
 };
 
-/// x in (0, 1) with a density that is linear from a to b, by inversion.
+/// Samples x in (0, 1) with a linear density from a to b, by inversion.
 double sample_linear(double u, double a, double b) {
     const double sum = a + std::sqrt(a * a * (1 - u) + b * b * u);
     return sum > 0 ? std::min(u * (a + b) / sum, 1.0) : u;
 }
 
-/// The u that sample_linear() takes to x.
+/// Inverts sample_linear().
 double linear_number(double x, double a, double b) {
     return a + b > 0 ? x * (2 * a + (b - a) * x) / (a + b) : x;
 }

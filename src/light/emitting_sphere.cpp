@@ -1,4 +1,4 @@
-// Points of emitting spheres and cylinders, whole or in part, under any matrix; visible caps.
+// Sampling of emitting spheres and cylinders, full or partial, under any matrix; visible caps.
 #include "geometry/sweep.h"
 #include "light/affine_area.h"
 #include "light/emitting_surface.h"
@@ -10,11 +10,11 @@ namespace sunfleck::engine {
 
 namespace {
 
-/// The part of a sphere that is there: heights over the radius, and azimuths.
+/// The existing part of a sphere: heights over the radius, and azimuths.
 struct Zone {
     double low;
     double high;
-    double turns;  // phi_max over a full turn
+    double turns;  // phi_max / (2 pi)
 
     explicit Zone(const Sphere& s)
         : low(std::clamp(std::min(s.z_min, s.z_max) / std::abs(s.radius), -1.0, 1.0)),
@@ -34,7 +34,7 @@ double own_area(const Cylinder& cylinder) {
     return std::abs(cylinder.radius * (cylinder.z_max - cylinder.z_min)) * turns * 2 * kPiDouble;
 }
 
-/// A point of the surface, where the unit normal in the shape's frame is `own`.
+/// Returns the sample at a surface point with unit normal `own` in the shape's frame.
 template <class Quadric>
 SurfaceSample sample_at(const EmittingQuadric<Quadric>& quadric, const Vec3d& point,
                         const Vec3d& own) {
@@ -50,7 +50,7 @@ double spread_at(const EmittingQuadric<Quadric>& quadric, const Vec3d& normal) {
     return own_area(quadric.shape) * area_ratio_of_image(Affine(quadric.to_world), normal);
 }
 
-/// The unit normal, outwards, in the sphere's frame.
+/// Returns the outward unit normal in the sphere's frame.
 Vec3d own_normal(const Sphere& sphere, const Vec2d& u) {
     const Zone zone(sphere);
     if (zone.is_whole()) return uniform_sphere(u);
@@ -106,7 +106,7 @@ std::optional<VisibleCap> visible_cap(const EmittingQuadric<Sphere>& sphere, con
     const double radius2 = sphere.shape.radius * sphere.shape.radius * mean_scale2(map);
     const double distance2 = to_center.length2();
     const double distance = std::sqrt(distance2);
-    // A point of the sphere itself, rounded to floats, sees no cap of it.
+    // A point of the sphere itself, rounded to floats, sees no cap.
     const Vec3d& o = map.origin;
     const double rounding = 0x1p-21 * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z));
     if (!(distance > std::sqrt(radius2) * (1 + 1e-4) + rounding)) return {};

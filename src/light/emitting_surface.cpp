@@ -1,5 +1,5 @@
-// Points and areas of emitting triangles and disks, and error bounds of all; points of spheres and
-// cylinders in emitting_sphere.cpp, of patches in emitting_patch.cpp.
+// Sampling and areas of emitting triangles and disks, and error bounds of all surfaces. See
+// emitting_sphere.cpp for spheres and cylinders, emitting_patch.cpp for patches.
 #include "light/emitting_surface.h"
 
 #include "geometry/sweep.h"
@@ -13,7 +13,7 @@ namespace sunfleck::engine {
 
 namespace {
 
-/// Rounds up: a bound must not lose to the conversion.
+/// Rounds up, because a bound must not decrease in the conversion.
 float as_bound(double error) {
     return static_cast<float>(error * (1 + 0x1p-20));
 }
@@ -44,7 +44,7 @@ double reach(const Cylinder& cylinder) {
     return std::abs(cylinder.radius) + std::max(std::abs(cylinder.z_min), std::abs(cylinder.z_max));
 }
 
-/// Rounding to float twice, and the errors of double arithmetic on the shape's own numbers.
+/// Returns the errors of two roundings to float and of double arithmetic in the shape's frame.
 template <class Quadric>
 double quadric_error(const EmittingQuadric<Quadric>& surface, const SurfaceSample& on) {
     const Affine map(surface.to_world);

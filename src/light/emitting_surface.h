@@ -1,12 +1,13 @@
-// The surfaces of area lights, one emitting triangle, bilinear patch, sphere, cylinder or disk
-// each: points spread over them, and how densely.
+// EmittingSurface: the surface of an area light (triangle, bilinear patch, sphere, cylinder or
+// disk), with sampling of its points.
 //
-// In:  u in (0,1)^2, in double. Out: world positions, normals, areas. Triangles, disks, flat
-// patches, similar images of spheres and cylinders are covered uniformly by area. A sphere or
-// cylinder under any other matrix is covered uniformly in its own frame, a patch that is not flat
-// by the densities at its corners, bilinear between them: `spread` then varies over it.
+// In:  u in (0,1)^2, in double. Out: world positions, normals, areas.
+// Triangles, disks, planar patches, and similar images of spheres and cylinders are sampled
+// uniformly by area. A sphere or cylinder under another matrix is sampled uniformly in its own
+// frame; a patch that is not planar, by a bilinear interpolation of the densities at its corners.
+// `spread` then varies over the surface.
 // The maps are continuous; sectors and rings have one seam at azimuth 0, full spheres and disks
-// none.
+// have none.
 #pragma once
 
 #include "geometry/bilinear.h"
@@ -20,7 +21,7 @@
 
 namespace sunfleck::engine {
 
-/// A triangle in the world's frame. Emits on the side of `normal` (unit, geometric).
+/// A triangle in the world. It emits on the side of `normal` (unit, geometric).
 struct EmittingTriangle {
     Vec3d p0;
     Vec3d edge1;  // p1 - p0
@@ -28,15 +29,16 @@ struct EmittingTriangle {
     Vec3d normal;
 };
 
-/// A bilinear patch in the world's frame. Emits on the side of dP/du x dP/dv, or on the other.
+/// A bilinear patch in the world. It emits on the side of dP/du x dP/dv, or on the other.
 struct EmittingPatch {
     Bilinear surface;
     bool flip = false;
-    /// Of the corners, on the side that emits, any length: they decide the side of each point.
-    std::array<Vec3d, 4> normals{Vec3d(0), Vec3d(0), Vec3d(0), Vec3d(0)};  // zeros: none
+    /// Corner normals on the emitting side, any length; they decide the side of each point.
+    std::array<Vec3d, 4> normals{Vec3d(0), Vec3d(0), Vec3d(0),
+                                 Vec3d(0)};  // zeros if there are none
 };
 
-/// A sphere, cylinder or disk of its own frame, placed in the world by any affine matrix (area and
+/// A sphere, cylinder or disk of its own frame, placed in the world by an affine map (area and
 /// density are those of the world). `flip` emits on the other side.
 template <class Quadric>
 struct EmittingQuadric {
@@ -50,8 +52,8 @@ using EmittingSurface = std::variant<EmittingTriangle, EmittingPatch, EmittingQu
 
 struct SurfaceSample {
     Vec3d position;
-    Vec3d normal;       // unit; the side of Hit::normal, flip included
-    double spread = 0;  // 1 / density, m^2; uniform: the area
+    Vec3d normal;       // unit; on the side of Hit::normal, flip included
+    double spread = 0;  // 1 / density, m^2; the area if sampling is uniform
 };
 
 SurfaceSample sample_surface(const EmittingTriangle& triangle, const Vec2d& u);
@@ -63,8 +65,8 @@ inline SurfaceSample sample_surface(const EmittingSurface& surface, const Vec2d&
     return std::visit([&](const auto& s) { return sample_surface(s, u); }, surface);
 }
 
-/// The u that sample_surface() takes to the point `on` of the surface, where its unit world normal
-/// (either side) is `normal`: its inverse.
+/// Inverts sample_surface(): returns u for the surface point `on` with unit world normal `normal`
+/// (either side).
 Vec2d surface_square(const EmittingTriangle& triangle, const Vec3d& on, const Vec3d& normal);
 Vec2d surface_square(const EmittingPatch& patch, const Vec3d& on, const Vec3d& normal);
 Vec2d surface_square(const EmittingQuadric<Sphere>& sphere, const Vec3d& on, const Vec3d& normal);
@@ -75,8 +77,8 @@ inline Vec2d surface_square(const EmittingSurface& surface, const Vec3d& on, con
     return std::visit([&](const auto& s) { return surface_square(s, on, normal); }, surface);
 }
 
-/// SurfaceSample::spread at the point `on` of the surface, where its unit world normal (either
-/// side) is `normal`.
+/// Returns SurfaceSample::spread at the surface point `on` with unit world normal `normal` (either
+/// side).
 double surface_spread(const EmittingTriangle& triangle, const Vec3d& on, const Vec3d& normal);
 double surface_spread(const EmittingPatch& patch, const Vec3d& on, const Vec3d& normal);
 double surface_spread(const EmittingQuadric<Sphere>& sphere, const Vec3d& on, const Vec3d& normal);
@@ -84,7 +86,7 @@ double surface_spread(const EmittingQuadric<Cylinder>& cylinder, const Vec3d& on
                       const Vec3d& normal);
 double surface_spread(const EmittingQuadric<Disk>& disk, const Vec3d& on, const Vec3d& normal);
 
-/// World area, m^2.
+/// Returns the area in the world, m^2.
 double surface_area(const EmittingTriangle& triangle);
 double surface_area(const EmittingPatch& patch);
 template <class Quadric>
@@ -92,7 +94,7 @@ double surface_area(const EmittingQuadric<Quadric>& surface) {
     return surface.shape.area(Affine(surface.to_world));
 }
 
-/// Does the normal of a sphere point inwards? Asked of spheres alone: false for all others.
+/// Returns whether the normal of a sphere points inwards; false for all other surfaces.
 template <class Surface>
 bool is_flipped(const Surface&) {
     return false;
@@ -101,24 +103,24 @@ inline bool is_flipped(const EmittingQuadric<Sphere>& sphere) {
     return sphere.flip;
 }
 
-/// How far along its normal a ray that starts at the point must be moved, so that rounding to
-/// float leaves it on its side of the surface.
+/// Returns how far along its normal a ray must start, so that rounding to float leaves its origin
+/// on its side of the surface.
 float surface_error(const EmittingTriangle& triangle, const SurfaceSample& on);
 float surface_error(const EmittingPatch& patch, const SurfaceSample& on);
 float surface_error(const EmittingQuadric<Sphere>& sphere, const SurfaceSample& on);
 float surface_error(const EmittingQuadric<Cylinder>& cylinder, const SurfaceSample& on);
 float surface_error(const EmittingQuadric<Disk>& disk, const SurfaceSample& on);
 
-/// The part of a whole sphere that a point outside it sees, as a cone of directions.
+/// The cone of directions in which a point outside sees a full sphere.
 struct VisibleCap {
-    Vec3d axis;           // unit, to the centre
+    Vec3d axis;           // unit, towards the centre
     double distance = 0;  // to the centre
     double radius = 0;
     double versine = 0;  // 1 - cos of the cone's half angle
 };
 
-/// Nothing for parts of spheres, for matrices that are no similarity, from inside, and at a point
-/// of the sphere itself.
+/// Returns nothing for partial spheres, for non-similarities, and for points inside or on the
+/// sphere.
 std::optional<VisibleCap> visible_cap(const EmittingQuadric<Sphere>& sphere, const Vec3d& point);
 template <class Surface>
 std::optional<VisibleCap> visible_cap(const Surface&, const Vec3d&) {

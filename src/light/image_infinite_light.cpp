@@ -1,4 +1,4 @@
-// Image infinite light: directions by the luminance of texels, which are of one solid angle.
+// Environment map: directions by the luminance of texels, which have equal solid angles.
 #include "light/image_infinite_light.h"
 
 #include "light/scene_disc.h"
@@ -6,7 +6,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Where on the picture light from a direction of the world is. @param to_world  a rotation.
+/// Returns the image point for light from a world direction. @param to_world  a rotation.
 Vec2d place_of(const Affine& to_world, const Vec3d& w) {
     return sphere_to_square({to_world.x.dot(w), to_world.y.dot(w), to_world.z.dot(w)});
 }

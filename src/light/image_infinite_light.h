@@ -1,9 +1,9 @@
-// Radiance from all directions as a picture has it, from infinitely far away.
+// ImageInfiniteLight: an environment map, radiance from all directions given by an image.
 //
-// Curve: radiance of a texel of value one, W/(sr m^2). The picture is a square, an equal-area
-// octahedral map of directions (uniform_sphere() in math/warp.h), z up. Directions are drawn by
-// luminance, for photons (which start on the disc of the scene's sphere that is perpendicular to
-// them) and for direct light.
+// Spectrum: radiance of a texel of value one, W/(sr m^2). The image is a square, an octahedral
+// equal-area map of directions (uniform_sphere() in math/warp.h), z up. Directions are sampled by
+// luminance, for photons (which start on the disc of the scene sphere perpendicular to the
+// direction) and for direct light.
 // Source: Clarberg, Fast Equal-Area Mapping of the (Hemi)Sphere (2008); pbrt-v4's lights.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace sunfleck::engine {
 struct ImageInfiniteLight {
     Spectrum curve;
     std::shared_ptr<const LightPicture> picture;
-    Affine to_world;  // a rotation, or one with a reflection
+    Affine to_world;  // a rotation, perhaps with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
@@ -29,8 +29,7 @@ struct ImageInfiniteLight {
     Beyond beyond(const Vec3& from, const Vec3& direction) const;
 };
 
-/// Illuminance on the plane z = 0 from above, for a picture of all directions: lumens per m^2 if
-/// its texels are nits.
+/// Returns the illuminance on the plane z = 0 from above: in lumens per m^2 if texels are in nits.
 double illuminance_from_above(const LightPicture& picture);
 
 }  // namespace sunfleck::engine

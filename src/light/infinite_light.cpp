@@ -1,4 +1,4 @@
-// Infinite light: every direction equally, each from a disc as wide as the scene.
+// Constant environment: uniform directions, each from the scene disc.
 #include "light/infinite_light.h"
 
 #include "light/scene_disc.h"

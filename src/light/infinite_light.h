@@ -1,7 +1,7 @@
-// The same radiance from all directions, from infinitely far away.
+// InfiniteLight: constant radiance from all directions, infinitely far away.
 //
-// Curve: radiance, W/(sr m^2). Directions are uniform on the sphere, for photons (which start on
-// the disc of the scene's sphere that is perpendicular to them) and for direct light.
+// Spectrum: radiance, W/(sr m^2). Directions are uniform on the sphere, for photons (which start on
+// the disc of the scene sphere perpendicular to the direction) and for direct light.
 #pragma once
 
 #include "light/model.h"

@@ -1,4 +1,4 @@
-// Bounds of each kind of light, and of many; the importance of a cluster.
+// Bounds of each kind of light, and of several; the importance of a cluster.
 #include "light/light_bounds.h"
 
 #include "light/affine_area.h"
@@ -9,14 +9,14 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr double kAllWays = -1;
-/// Beside the cone that a light fills there is none of it; a little for rounding.
+/// Outside the cone of a light there is no light; a margin covers rounding.
 constexpr double kNoReach = 1 - 1e-6;
 
 double sine(double cosine) {
     return std::sqrt(std::max(0.0, 1 - cosine * cosine));
 }
 
-/// Cosine of the angle a less the angle b, or one if b is greater; both in [0, pi].
+/// Returns the cosine of angle a minus angle b, or one if b is greater; both in [0, pi].
 double cos_less(double cos_a, double cos_b, double sin_b) {
     if (cos_a >= cos_b) return 1;
     if (sin_b == 0) return cos_a * cos_b;
@@ -32,14 +32,14 @@ LightBounds around(const Vec3d& position, double cos_spread, double intensity) {
     return bounds;
 }
 
-/// Box and cone of emitting surfaces.
+/// Sets box and cone of emitting surfaces.
 void bound_surface(const EmittingTriangle& t, LightBounds& bounds) {
     for (const Vec3d& p : {t.p0, t.p0 + t.edge1, t.p0 + t.edge2}) bounds.box.extend(p);
     bounds.axis = t.normal;
 }
 
-/// The area vector is bilinear, so that it lies between those of the corners. (Given normals may
-/// turn it from place to place.)
+/// The area vector is bilinear and hence between those of the corners. (Given normals may flip it
+/// from point to point.)
 void bound_surface(const EmittingPatch& patch, LightBounds& bounds) {
     bounds.box = patch.surface.bounds();
     Vec3d sum(0);
@@ -72,7 +72,7 @@ LightBounds bounds_of_light(const AreaLight& light, double weight) {
     LightBounds bounds;
     bounds.two_sided = light.two_sided;
     std::visit([&](const auto& s) { bound_surface(s, bounds); }, light.surface);
-    // Flat ones send their flux over pi along the normal, round ones a quarter of that.
+    // Flat surfaces emit their flux over pi along the normal, round ones a quarter of that.
     const bool round = bounds.cos_spread == kAllWays;
     bounds.intensity = weight / (kPiDouble * (round ? 4 : 1) * (light.two_sided ? 2 : 1));
     return bounds;
@@ -112,7 +112,7 @@ std::optional<LightBounds> bounds_of_light(const PortalLight&, double) {
     return {};
 }
 
-/// The cosine of the greatest angle between `axis` and the normals of the bounds.
+/// Returns the cosine of the largest angle between `axis` and the normals of the bounds.
 double cos_beside(const LightBounds& bounds, const Vec3d& axis) {
     const double cosine = axis.dot(bounds.axis);
     if (cosine + bounds.cos_spread <= 0) return kAllWays;
@@ -149,7 +149,7 @@ LightBounds merged(std::span<const LightBounds> parts) {
     return all;
 }
 
-/// Conty Estevez and Kulla, section 4.3. In float, for its arc cosines.
+/// Conty Estevez and Kulla, section 4.3, in float because of its arc cosines.
 double measure_of(const LightBounds& bounds) {
     const Vec3d size = bounds.box.max - bounds.box.min;
     const double area = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
@@ -176,7 +176,7 @@ LightCluster::LightCluster(const LightBounds& bounds)
 double LightCluster::importance(const Receiver& at) const {
     const Vec3d way = center_ - Vec3d(at.position);
     const double distance2 = way.length2();
-    // Within the sphere all directions may lead to light.
+    // Within the sphere, light may come from all directions.
     if (!(distance2 > radius2_ * (1 + 1e-9)))
         return radius2_ > 0 ? intensity_ / radius2_ : intensity_ * 1e30;
     const Vec3d towards = way / std::sqrt(distance2);

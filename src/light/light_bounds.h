@@ -1,7 +1,7 @@
-// Where lights are, where to they shine and how brightly: bounds for choosing between them.
+// LightBounds: bounds of lights in position, direction and intensity, for many-light sampling.
 //
 // Source: Conty Estevez and Kulla, Importance Sampling of Many Lights with Adaptive Tree Splitting
-// (2018): boxes and cones, and the measure by which sets of them are split.
+// (2018): boxes and cones, and the cost by which sets are split.
 #pragma once
 
 #include "geometry/bounds.h"
@@ -12,18 +12,18 @@
 
 namespace sunfleck::engine {
 
-/// A point that light is wanted at.
+/// A point to be lit.
 struct Receiver {
     Vec3 position{0};
-    /// Unit, towards the half space that light can come from; zero: from everywhere.
+    /// Unit normal of the half space that light can come from; zero for all directions.
     Vec3 normal{0};
 };
 
-/// Of one light or of many.
+/// Bounds of one light or of several.
 struct LightBounds {
     Bounds box;
-    /// Normals (of points: directions) lie in the cone around the axis with this cosine; from each,
-    /// light goes out within a further angle.
+    /// The normals (of points: directions) lie in a cone around the axis with this cosine; from
+    /// each, light is emitted within a further angle.
     Vec3d axis{0, 0, 1};
     double cos_spread = 1;
     double cos_reach = 0;
@@ -31,29 +31,28 @@ struct LightBounds {
     bool two_sided = false;
 };
 
-/// @param weight  Light::power() times the luminance of its curve; positive.
+/// @param weight  Light::power() times the luminance of its spectrum; positive.
 /// @return nothing for lights that are infinitely far away.
 std::optional<LightBounds> bounds_of(const Light& light, double weight);
 
-/// The bounds of all. @param parts  at least one.
+/// Returns the bounds of all. @param parts  at least one.
 LightBounds merged(std::span<const LightBounds> parts);
 
-/// How much light of such bounds a random ray may meet: surface area times solid angle times
-/// intensity.
+/// Returns the cost of such bounds for splitting: surface area times solid angle times intensity.
 double measure_of(const LightBounds& bounds);
 
-/// Bounds in the form in which they are asked.
+/// Bounds prepared for evaluation of their importance.
 class LightCluster {
 public:
     LightCluster() = default;
     explicit LightCluster(const LightBounds& bounds);
 
-    /// About the light that arrives, unhindered; zero only if none can arrive.
+    /// Returns an estimate of the unoccluded light at a point; zero only if none can arrive.
     double importance(const Receiver& at) const;
 
 private:
     Vec3d center_{0};
-    double radius2_ = 0;  // of the sphere around the box
+    double radius2_ = 0;  // of the bounding sphere of the box
     Vec3d axis_{0};
     double cos_spread_ = 1;
     double sin_spread_ = 0;

@@ -1,4 +1,4 @@
-// Clusters: the strong ones alone, the weak ones in runs.
+// Clusters: strong sources alone, weak ones in runs.
 #include "light/light_clusters.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<std::vector<std::uint32_t>> light_clusters(const std::vector<LightRa
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return powers[a] > powers[b]; });
-    // Within either half the list's order, which keeps neighbours together.
+    // Each half is in list order, which keeps neighbours together.
     const auto weak = order.begin() + static_cast<std::ptrdiff_t>(alone);
     std::sort(order.begin(), weak);
     std::sort(weak, order.end());

@@ -1,6 +1,6 @@
-// Lights that are looked at together where one by one would be too many.
+// Clusters of lights, which adaptive strategies treat as one where single lights would be too many.
 //
-// In:  the scene's sources of light and the weights of its lights. Out: lists of lights.
+// In:  the sources of the scene and the weights of its lights. Out: lists of lights.
 #pragma once
 
 #include "light/choice.h"
@@ -13,9 +13,9 @@ struct LightRange {
     std::uint32_t count = 0;
 };
 
-/// Sources without power are in none. Where the others are at most `most`, each is a cluster. Else
-/// the strongest half of `most` are each by themselves, so that none of them hides a weak one, and
-/// the rest are runs of neighbours in the list, as many again.
+/// Makes clusters of sources; those without power are left out. Up to `most` sources each form a
+/// cluster. Otherwise the strongest most / 2 sources each form one, so that none of them hides a
+/// weak one, and the others form as many runs of neighbours in the list.
 /// @param most  even, at least 2.
 std::vector<std::vector<std::uint32_t>> light_clusters(const std::vector<LightRange>& sources,
                                                        const LightChoice& weights,

@@ -10,14 +10,14 @@
 namespace sunfleck::engine {
 namespace {
 
-/// A place on [0,1]: the cell, and how far it is from the left; its density.
+/// A position on [0,1]: the cell, the offset from its left end, and the density.
 struct Place {
     std::size_t cell;
     double along;
     double density;
 };
 
-/// @param ends  sums up to each of the cells; the last one is one.
+/// @param ends  cumulative sums of the cells; the last one is one.
 Place invert(const double* ends, std::size_t count, double u) {
     const double* end = std::upper_bound(ends, ends + count, std::min(u, 1 - 0x1p-53));
     const auto cell = static_cast<std::size_t>(end - ends);
@@ -27,7 +27,7 @@ Place invert(const double* ends, std::size_t count, double u) {
     return {cell, (static_cast<double>(cell) + (u - begin) / share) / cells, share * cells};
 }
 
-/// Sums become shares of the last one.
+/// Divides sums by the last one.
 void normalise(double* sums, std::size_t count) {
     const double total = sums[count - 1];
     if (!(total > 0)) return;

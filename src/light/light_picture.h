@@ -1,10 +1,10 @@
-// A picture as a distribution of light over the unit square: bright texels are drawn often.
+// LightPicture: an image as a distribution of light over the unit square, sampled by luminance.
 //
 // In:  texels in linear sRGB, constant over their squares, x to the right and y down; negative
-// components count as none. Out: places with the density luminance / mean luminance, exactly, each
-// weighed by its texel's share where these differ; a texel of any light is drawn. By inverting the
-// sums of rows, then of a row's texels: continuous in the numbers within a row, and between rows
-// that are alike.
+// components count as zero.
+// Out: points with the density luminance / mean luminance, exactly, where each texel may have a
+// weight; every texel that is not black can be sampled. Sampling inverts the sums of rows, then of
+// a row's texels. It is continuous in u within a row, and between rows that are alike.
 #pragma once
 
 #include "image/image.h"
@@ -14,17 +14,17 @@
 
 namespace sunfleck::engine {
 
-/// What a texel shines: luminance times tint.
+/// Light of a texel: luminance times an RGB factor.
 struct TexelLight {
     double luminance = 0;
-    Vec3 tint{1};  // of luminance one
+    Vec3 tint{1};  // RGB of luminance one
 };
 
-/// Of a colour in linear sRGB; negative components count as none.
+/// Splits a colour in linear sRGB; negative components count as zero.
 TexelLight texel_light(const Vec3& given);
 
-/// Builds the table of colours if the texels are no greys: now, for it may not be within parallel
-/// work.
+/// Builds the table of colours unless all texels are grey. It is called before parallel work, where
+/// the table may not be built.
 void prepare_colours(const Image& image);
 
 class LightPicture {
@@ -32,26 +32,27 @@ public:
     struct Drawn {
         Vec2d place;  // in the unit square
         TexelLight light;
-        double density = 0;  // over the unit square
+        double density = 0;  // per unit of the unit square
     };
-    /// What a texel weighs, beside its luminance; positive.
+    /// Weight of a texel besides its luminance; positive.
     using Share = std::function<double(int x, int y)>;
 
-    /// @param image  its texels finite. Builds the table of colours, if they are no greys.
-    /// @param share  all one, if empty.
+    /// @param image  with finite texels. The constructor calls prepare_colours().
+    /// @param share  weights; all one if empty.
     explicit LightPicture(Image image, const Share& share = {});
 
     const Vec2i& resolution() const { return image_.resolution(); }
-    /// Mean of luminance times share.
+    /// Returns the mean of luminance times weight.
     double mean() const { return mean_; }
     TexelLight texel(int x, int y) const { return texel_light(image_.rgb(x, y)); }
-    /// The texel at a place of the closed unit square.
+    /// Returns the texel at a point of the closed unit square.
     TexelLight at(const Vec2d& place) const;
-    /// Not to be asked of a black picture. @param u  in (0,1)^2.
+    /// Samples a point; the image must not be black. @param u  in (0,1)^2.
     Drawn draw(const Vec2d& u) const;
-    /// The u that draw() takes to a place of the closed unit square: its inverse.
+    /// Inverts draw(): returns the u that leads to a point of the closed unit square.
     Vec2d numbers(const Vec2d& place) const;
-    /// Of draw(), at a place of the closed unit square; not to be asked of a black picture.
+    /// Returns the density of draw() at a point of the closed unit square; the image must not be
+    /// black.
     double density(const Vec2d& place) const;
 
 private:
@@ -59,8 +60,8 @@ private:
     void sum_row(int y, const Share& share);
 
     Image image_;
-    std::vector<double> rows_;     // sums of rows up to each, over that of all
-    std::vector<double> columns_;  // row by row: sums of texels up to each, over that of the row
+    std::vector<double> rows_;     // cumulative sums of rows, over the total
+    std::vector<double> columns_;  // row by row: cumulative sums of texels, over that of the row
     double mean_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Building the tree top down, and walking down it.
+// Construction of the tree from the root, and its descent.
 #include "light/light_tree.h"
 
 #include <algorithm>
@@ -7,20 +7,20 @@
 namespace sunfleck::engine {
 namespace {
 
-/// So many lights that are somewhere (two square lamps) are chosen by weight, where far lights do
-/// not leave them too little.
+/// Up to this many lights at finite distance (two square lamps) are selected by weight, if distant
+/// lights leave them enough.
 constexpr std::size_t kFew = 4;
 constexpr int kBuckets = 12;
-/// Larger sets are halved along their longest side: there the measure tells little.
+/// Larger sets are halved along their longest side, because the cost varies little there.
 constexpr std::size_t kMostMeasured = 1 << 16;
-/// Deeper down sets are halved, so that the turns to any light fit into 64 bits.
+/// Deeper nodes are halved, so that the branches to a light fit into 64 bits.
 constexpr std::uint32_t kDeepestMeasured = 32;
-/// The share of far lights, beside near ones, stays in between, whatever their power.
+/// Lower bound of the probability of distant lights, and of the others, whatever their power.
 constexpr double kLeastShare = 0.25;
 
 struct Split {
     int axis = 0;
-    double at = 0;  // centres below go left
+    double at = 0;  // centres below it go left
     double cost = std::numeric_limits<double>::infinity();
 };
 
@@ -34,7 +34,7 @@ void add(std::optional<LightBounds>& sum, const LightBounds& more) {
     sum = sum ? merged(std::array{*sum, more}) : more;
 }
 
-/// The best of the planes between buckets along one axis.
+/// Returns the best of the planes between buckets along one axis.
 Split best_plane(const auto& items, const Bounds& centers, int axis) {
     const double low = centers.min[axis];
     const double width = (centers.max[axis] - low) / kBuckets;
@@ -61,7 +61,7 @@ Split best_plane(const auto& items, const Bounds& centers, int axis) {
     return best;
 }
 
-/// How many items go left after reordering: at least one, and not all.
+/// Reorders items. @return how many go left: at least one, and not all.
 template <class Items>
 std::size_t split(Items items, std::uint32_t depth) {
     const Bounds centers = centers_of(items);
@@ -74,7 +74,7 @@ std::size_t split(Items items, std::uint32_t depth) {
         for (int axis = 0; axis < 3; ++axis) {
             if (!(size[axis] > 0)) continue;
             Split plane = best_plane(items, centers, axis);
-            plane.cost *= size[longest] / size[axis];  // thin slices are no clusters
+            plane.cost *= size[longest] / size[axis];  // thin slices are poor clusters
             if (plane.cost < best.cost) best = plane;
         }
         const auto middle = std::stable_partition(items.begin(), items.end(), [&](const auto& i) {
@@ -89,7 +89,7 @@ std::size_t split(Items items, std::uint32_t depth) {
     return half;
 }
 
-/// How many of ascending numbers are below a share.
+/// Returns how many of ascending numbers are below a probability.
 std::size_t below(std::span<const double> u, double share) {
     std::size_t count = 0;
     while (count < u.size() && u[count] < share) ++count;

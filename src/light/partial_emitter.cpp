@@ -1,4 +1,4 @@
-// Asks the cover as rays do that meet the surface.
+// Evaluates alpha as rays do that hit the surface.
 #include "light/partial_emitter.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ PartialEmitter::PartialEmitter(Cover cover, const CornerUvs& uvs, const Emitting
         there += on.spread * at(surface, on.position, on.normal);
         area += on.spread;
     }
-    // Never zero: what midpoints miss may shine all the same.
+    // Never zero, because parts between the midpoints may emit.
     if (area > 0) mean_ = std::max(there / area, 1.0 / (kAcross * kAcross));
 }
 

@@ -1,5 +1,5 @@
-// The share of an emitting surface that is there: its alpha, as a factor of what light samples and
-// photons bring from it. Rays meet it by chance (geometry/cover.h), with the same mean.
+// PartialEmitter: alpha of an emitting surface, as a factor of its light samples and photons. Rays
+// apply it as an alpha test (geometry/cover.h), with the same mean.
 #pragma once
 
 #include "geometry/geometry.h"
@@ -9,13 +9,13 @@ namespace sunfleck::engine {
 
 class PartialEmitter {
 public:
-    /// @param cover  as the shape has it; not null.
+    /// @param cover  alpha of the shape; not null.
     PartialEmitter(Cover cover, const CornerUvs& uvs, const EmittingSurface& surface);
 
-    /// At a point of the surface, in [0,1].
+    /// Returns alpha at a point of the surface, in [0,1].
     /// @param normal  of the surface there, unit, either side.
     float at(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal) const;
-    /// Over the surface, by midpoints, above zero: what the power is multiplied by.
+    /// Returns the mean of alpha over the surface by midpoints, above zero; a factor of the power.
     double mean() const { return mean_; }
 
 private:

@@ -1,4 +1,5 @@
-// Goniometric light: texels of one solid angle. Projection light: texels of one area on a plane.
+// Goniometric light: texels of equal solid angle. Projection light: texels of equal area on a
+// plane.
 #include "light/picture_point_lights.h"
 
 #include "light/towards_point.h"
@@ -7,13 +8,13 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The direction in the light's frame, of its rotation.
+/// Returns the direction in the light's frame. @param to_world  a rotation.
 Vec3d to_local(const Affine& to_world, const Vec3d& w) {
     return {to_world.x.dot(w), to_world.y.dot(w), to_world.z.dot(w)};
 }
 
-/// Third power of the cosine between the axis and a point of the plane z = 1: solid angle over
-/// area there.
+/// Returns the third power of the cosine between the axis and a point of the plane z = 1: solid
+/// angle per area there.
 double cosine3(double x, double y) {
     const double distance2 = 1 + x * x + y * y;
     return 1 / (distance2 * std::sqrt(distance2));
@@ -72,7 +73,7 @@ Emission ProjectionLight::sample_emission(const std::array<double, 4>& u,
             drawn.light.tint};
 }
 
-/// Where on the picture, in the unit square; nothing beside it.
+/// Returns the image point in the unit square; nothing outside the image.
 std::optional<Vec2d> ProjectionLight::place_of(const Vec3d& direction) const {
     const Vec3d w = to_local(to_world, direction);
     if (!(std::abs(w.x) <= half.x * w.z && std::abs(w.y) <= half.y * w.z)) return {};
@@ -107,7 +108,7 @@ double ProjectionLight::power(const SceneSphere&) const {
 
 std::shared_ptr<const LightPicture> projected_picture(Image image, const Vec2d& half) {
     const Vec2i size = image.resolution();
-    // Gauss's rule of three points, in each of both directions.
+    // Gauss's rule of three points per axis.
     const double off = std::sqrt(0.15);
     const std::array<Vec2d, 3> rule = {
         {{0.5 - off, 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + off, 5.0 / 18}}};

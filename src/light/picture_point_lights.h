@@ -1,6 +1,7 @@
-// Points that emit as a picture says: over all directions, or as a projector.
+// Goniometric and projection lights: points whose intensity an image gives.
 //
-// Curve: radiant intensity where a texel is one, W/sr. Photons go where the picture is bright.
+// Spectrum: radiant intensity for a texel of one, W/sr. Photon directions are sampled by
+// brightness.
 // Source: pbrt-v4's goniometric and projection lights.
 #pragma once
 
@@ -12,12 +13,12 @@
 
 namespace sunfleck::engine {
 
-/// The picture is an equal-area octahedral map of directions (uniform_sphere() in math/warp.h).
+/// The image is an octahedral equal-area map of directions (uniform_sphere() in math/warp.h).
 struct GoniometricLight {
     Spectrum curve;
     Vec3d position;
     std::shared_ptr<const LightPicture> picture;
-    Affine to_world;  // a rotation, or one with a reflection
+    Affine to_world;  // a rotation, perhaps with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
@@ -27,14 +28,14 @@ struct GoniometricLight {
     double power(const SceneSphere&) const;
 };
 
-/// The picture lies on the plane z = 1 of the light's frame, x to the right and y down. Within a
-/// texel the factor of emission follows the third power of the cosine.
+/// The image lies on the plane z = 1 of the light's frame, x to the right and y down. Within a
+/// texel the factor of the emission is proportional to the third power of the cosine.
 struct ProjectionLight {
     Spectrum curve;
     Vec3d position;
-    Vec2d half;                                   // of the picture's width and height
-    std::shared_ptr<const LightPicture> picture;  // of projected_picture()
-    Affine to_world;                              // as above
+    Vec2d half;                                   // half of the image's width and height
+    std::shared_ptr<const LightPicture> picture;  // from projected_picture()
+    Affine to_world;                              // a rotation, perhaps with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
@@ -47,7 +48,7 @@ private:
     std::optional<Vec2d> place_of(const Vec3d& direction) const;
 };
 
-/// A picture for a projector, texels weighed by their solid angles.
+/// Returns an image for a projector, with texels weighted by their solid angles.
 std::shared_ptr<const LightPicture> projected_picture(Image image, const Vec2d& half);
 
 }  // namespace sunfleck::engine

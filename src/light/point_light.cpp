@@ -1,4 +1,4 @@
-// Point light: even emission, inverse square.
+// Point light: uniform emission, inverse square law.
 #include "light/point_light.h"
 
 #include "light/towards_point.h"

@@ -1,6 +1,6 @@
-// A point that emits evenly in all directions.
+// PointLight: a point with uniform emission in all directions.
 //
-// Curve: radiant intensity, W/sr. Dimensions: direction, equal-area on the sphere.
+// Spectrum: radiant intensity, W/sr. Dimensions: direction, equal-area on the sphere.
 #pragma once
 
 #include "light/model.h"

@@ -7,7 +7,7 @@ Vec3d PortalLight::to_local(const Vec3d& v) const {
     return {frame.x.dot(v), frame.y.dot(v), frame.z.dot(v)};
 }
 
-/// The portal as the point sees it; nothing from beside it or from outside.
+/// Returns the portal as the point sees it; nothing from its plane or from outside.
 std::optional<PortalWindow> PortalLight::window(const Vec3& from) const {
     const Vec3d corner = to_local(frame.origin - Vec3d(from));
     if (!(corner.z > 0)) return {};
@@ -20,7 +20,7 @@ Emission PortalLight::sample_emission(const std::array<double, 4>& u,
     const PortalDirection out = portal_direction(drawn.place);
     const Vec3d direction = -frame.vector(out.w);
     const Vec3d through = frame.point({u[0] * extent.x, u[1] * extent.y, 0});
-    // Back to where the line has not met the scene yet.
+    // Moves the origin back to before the line enters the scene.
     const double ahead = std::max(0.0, (through - sphere.center).dot(direction) + sphere.radius);
     Emission emission{
         through - direction * ahead,

@@ -1,10 +1,10 @@
-// Light from infinitely far away that comes through a rectangular portal alone.
+// PortalLight: an environment map that is visible through a rectangular portal alone.
 //
-// Curve: radiance where the picture is one, W/(sr m^2). A point sees the sky in the directions in
-// which it looks through the portal from inside, and nothing in others. Photons start outside the
-// scene, on lines through points spread evenly over the portal, in directions by radiance times
-// cosine; what they meet before the portal stops them, as it stops the look from within.
-// Source: pbrt-v4's light of that kind, for what it shines.
+// Spectrum: radiance for a texel of one, W/(sr m^2). A point sees the environment in the directions
+// in which it looks through the portal from inside, and nothing in others. Photons start outside
+// the scene, on lines through points uniform on the portal, with directions by radiance times
+// cosine. What a photon hits before the portal stops it, as it stops a ray from inside.
+// Source: pbrt-v4's portal light, for its emission.
 #pragma once
 
 #include "geometry/affine.h"
@@ -18,8 +18,9 @@ namespace sunfleck::engine {
 struct PortalLight {
     Spectrum curve;
     std::shared_ptr<const PortalPicture> picture;
-    Affine frame;  // orthonormal; its origin a corner of the portal, z out to the sky
-    Vec2d extent;  // of the portal, from the corner along x and along y; positive
+    Affine frame;  // orthonormal; the origin is a corner of the portal, z points out to the
+                   // environment
+    Vec2d extent;  // of the portal from the corner along x and y; positive
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;

@@ -1,4 +1,4 @@
-// Rectified skies, and inverting sums of their cells within a window.
+// Rectified environment maps, and inversion of sums over cells in a window.
 #include "light/portal_picture.h"
 
 #include "core/parallel.h"
@@ -8,13 +8,13 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr int kLooks = 4;  // each way, in a cell
+constexpr int kLooks = 4;  // samples per axis in a cell
 
 double half_of(double t) {
     return (1 + t / (1 + std::abs(t))) / 2;
 }
 
-/// Calls use(uv) at the midpoints of the parts of a cell.
+/// Calls use(uv) at the midpoints of the subcells of a cell.
 template <class Use>
 void looks(int x, int y, int side, const Use& use) {
     for (int j = 0; j < kLooks; ++j)
@@ -22,7 +22,7 @@ void looks(int x, int y, int side, const Use& use) {
             use(Vec2d((x + (i + 0.5) / kLooks) / side, (y + (j + 0.5) / kLooks) / side));
 }
 
-/// The mean over a cell.
+/// Returns the mean over a cell.
 template <class Value>
 double cell_mean(int x, int y, int side, const Value& value) {
     double sum = 0;
@@ -30,7 +30,7 @@ double cell_mean(int x, int y, int side, const Value& value) {
     return sum / (kLooks * kLooks);
 }
 
-/// The sky's mean over the directions of a cell.
+/// Returns the mean of the environment over the directions of a cell.
 Vec3 mean_of_sky(int x, int y, int side, const PortalPicture::Sky& sky) {
     double solid_angle = 0;
     Vec3d sum(0);
@@ -63,7 +63,7 @@ double projected_share(int x, int y, int side) {
     });
 }
 
-/// The cell of a number within [0, side], the greatest `i` with i <= x, and below side.
+/// Returns the cell of a number in [0, side]: the largest i with i <= x and i < side.
 int cell_of(double x, int side) {
     return std::clamp(static_cast<int>(x), 0, side - 1);
 }
@@ -103,7 +103,7 @@ double PortalPicture::weight(int column, int row) const {
     return through_.texel(column, row).luminance * cell_mean(column, row, side_, solid_angle);
 }
 
-/// Of all left of and above a place, in cells: bilinear within one.
+/// Returns the sum of the cells left of and above a point, in cells; bilinear within one.
 double PortalPicture::mass(double x, double y) const {
     const int column = cell_of(x, side_);
     const int row = cell_of(y, side_);
@@ -124,10 +124,10 @@ double PortalPicture::mass(const PortalWindow& window) const {
 
 namespace {
 
-/// Where a function that rises, linear between whole numbers, reaches `wanted`, in [low, high].
+/// Returns where an increasing function, linear between integers, reaches `wanted`, in [low, high].
 template <class Rising>
 double reached(const Rising& rising, double low, double high, double wanted) {
-    // Whole numbers strictly between the ends: the first at which it is reached.
+    // Integers strictly between the ends: the first one at which it is reached.
     int from = static_cast<int>(std::floor(low)) + 1;
     int to = static_cast<int>(std::ceil(high));
     while (from < to) {

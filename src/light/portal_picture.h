@@ -1,12 +1,12 @@
-// The sky behind a rectangular portal, as a picture in which the portal is a rectangle with upright
-// sides wherever it is seen from.
+// PortalPicture: a rectified environment map, in which a portal is an axis-aligned rectangle from
+// every point.
 //
-// In:  radiance by direction. Out: the same, constant in cells; cells drawn within such a
-// rectangle by what they send. A direction w of the portal's frame (z out to the sky) is at
-// u = half(w.x / w.z), v = half(w.y / w.z) with half(t) = (1 + t / (1 + |t|)) / 2: within a factor
-// of two even in angles, and all sums and quotients.
-// Source: Bitterli, Novak and Jarosz, Portal-Masked Environment Map Sampling (EGSR 2015), whose
-// map is by angles.
+// In:  radiance by direction. Out: radiance that is constant in cells, with sampling of cells in
+// such a rectangle by their light. A direction w of the portal's frame (z out to the environment)
+// is at u = half(w.x / w.z), v = half(w.y / w.z) with half(t) = (1 + t / (1 + |t|)) / 2: even in
+// angles within a factor of two, and free of transcendental functions.
+// Source: Bitterli, Novak and Jarosz, Portal-Masked Environment Map Sampling (EGSR 2015), whose map
+// is by angles.
 #pragma once
 
 #include "light/light_picture.h"
@@ -17,14 +17,14 @@
 
 namespace sunfleck::engine {
 
-/// A direction, and what the map does to areas there.
+/// A direction, and the scale of areas of the map there.
 struct PortalDirection {
     Vec3d w;                 // unit, in the portal's frame, w.z > 0
     double solid_angle = 0;  // per unit of u times v
 };
 
 PortalDirection portal_direction(const Vec2d& uv);
-/// Where a direction lies, of any length. @param w  with w.z > 0.
+/// Maps a direction of any length to the unit square. @param w  with w.z > 0.
 Vec2d portal_place(const Vec3d& w);
 
 /// A rectangle of the unit square.
@@ -38,13 +38,15 @@ struct PortalWindow {
 
 class PortalPicture {
 public:
-    /// Linear sRGB from a direction of the portal's frame.
+    /// Returns linear sRGB for a direction of the portal's frame.
     using Sky = std::function<Vec3(const Vec3d& w)>;
 
-    /// @param side  cells across: 4 x 4 looks at the sky in each, weighed by their solid angles.
+    /// @param side  cells per axis: each takes 4 x 4 samples of the environment, weighted by solid
+    /// angle.
     PortalPicture(int side, const Sky& sky);
 
-    /// What passes a unit of the portal's area: radiance times cosine over the hemisphere.
+    /// Returns the light through a unit of the portal's area: radiance times cosine over the
+    /// hemisphere.
     const LightPicture& through() const { return through_; }
 
     struct Drawn {
@@ -52,10 +54,10 @@ public:
         TexelLight light;
         double density = 0;  // over the unit square
     };
-    /// By luminance times solid angle, within the window; nothing if all there is black.
+    /// Samples by luminance times solid angle within the window; nothing if the window is black.
     /// @param u  in (0,1)^2.
     std::optional<Drawn> draw(const PortalWindow& window, const Vec2d& u) const;
-    /// Density of draw() at a place of the window.
+    /// Returns the density of draw() at a point of the window.
     double density(const PortalWindow& window, const Vec2d& uv) const;
 
 private:
@@ -65,7 +67,8 @@ private:
 
     LightPicture through_;
     int side_;
-    /// Sums of weights of all cells left of and above each corner of a cell: side_ + 1 squared.
+    /// Summed-area table: the weights of all cells left of and above each cell corner, side_ + 1
+    /// squared.
     std::vector<double> sums_;
 };
 

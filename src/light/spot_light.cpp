@@ -1,8 +1,8 @@
-// Spot light: directions drawn exactly as the intensity says, smooth edge and all.
+// Spot light: directions sampled exactly by intensity, smooth edge included.
 //
 // With s = 1 - cos, the intensity is 1 up to s = 1 - cos_start and t^2 (3 - 2 t) beyond, where t
-// falls from 1 to 0 over the edge. Its integral from the outside is t^3 - t^4 / 2 per unit of the
-// edge's width: the quantile is a root of a quartic.
+// decreases from 1 to 0 over the edge. Its integral from the outside is t^3 - t^4 / 2 per unit of
+// the edge's width: the quantile is a root of a quartic.
 #include "light/spot_light.h"
 
 #include "light/towards_point.h"
@@ -14,8 +14,8 @@ namespace sunfleck::engine {
 
 namespace {
 
-/// The root t in [0,1] of 2 t^3 - t^4 = g. @param g  in [0,1].
-/// Newton's method from above, where the function is convex: it falls to the root and stays.
+/// Returns the root t in [0,1] of 2 t^3 - t^4 = g. @param g  in [0,1].
+/// Newton's method starts above the root, where the function is convex, and decreases to it.
 double edge_quantile(double g) {
     if (!(g > 0)) return 0;
     const double root4 = std::sqrt(std::sqrt(g));
@@ -28,10 +28,10 @@ double edge_quantile(double g) {
     return std::clamp(t, 0.0, 1.0);
 }
 
-/// The parts of the emitted flux, in units of 2 pi times the intensity on the axis.
+/// The two parts of the emitted flux, in units of 2 pi times the intensity on the axis.
 struct SpotFlux {
     double core;  // 1 - cos_start
-    double edge;  // half the width of the edge in cosines
+    double edge;  // half of the edge width, in cosines
 
     explicit SpotFlux(const SpotLight& light)
         : core(1 - light.cos_start), edge((light.cos_start - light.cos_total) / 2) {}

@@ -1,7 +1,8 @@
-// A point that emits into a cone with a smooth edge (pbrt-v4's falloff).
+// SpotLight: a point that emits into a cone with a smooth edge (pbrt-v4's falloff).
 //
-// Curve: radiant intensity on the axis, W/sr. Photon directions follow the intensity exactly, so
-// Emission::factor is the power; they are steep in the dimensions at the cone's rim alone.
+// Spectrum: radiant intensity on the axis, W/sr. Photon directions are sampled exactly by
+// intensity, so that Emission::factor is the power. They change fast with the dimensions at the
+// cone's edge alone.
 #pragma once
 
 #include "light/model.h"
@@ -13,16 +14,17 @@ struct SpotLight {
     Vec3d position;
     Vec3d axis;            // unit
     double cos_total = 0;  // no light outside
-    double cos_start = 1;  // full intensity inside; smoothstep of the cosine between
+    double cos_start = 1;  // full intensity inside; smoothstep of the cosine in between
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;
-    /// 2 pi ((1 - cos_start) + (cos_start - cos_total) / 2), which is exact for the smoothstep.
+    /// Returns 2 pi ((1 - cos_start) + (cos_start - cos_total) / 2), exact for the smoothstep.
     double power(const SceneSphere&) const;
-    /// Intensity over that on the axis, in [0,1]. @param cos_angle  of direction and axis.
+    /// Returns the intensity over that on the axis, in [0,1]. @param cos_angle  of direction and
+    /// axis.
     double falloff(double cos_angle) const;
 };
 

@@ -1,4 +1,4 @@
-// Lookups, and tables of what an area light with a picture emits.
+// Image lookups, and tables of the emission of textured area lights.
 #include "light/surface_picture.h"
 
 #include "image/lookup.h"
@@ -8,7 +8,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Share of the mean that each cell of the slots has at least.
+/// Lower bound of a cell's density, relative to the mean.
 constexpr double kEverywhere = 0.02;
 
 }  // namespace
@@ -45,7 +45,7 @@ LaidPicture::LaidPicture(std::shared_ptr<const SurfacePicture> picture, const Co
     slots_ = std::make_unique<const LightPicture>(Image({side, side}, 1, std::move(cells)));
 }
 
-/// Of a cell of so many a side: luminance by area, from four samples.
+/// Returns luminance by area of one of side x side cells, from four samples.
 double LaidPicture::mean_over(const EmittingSurface& surface, const Vec2i& cell, int side) const {
     double sum = 0;
     for (const double right : {0.25, 0.75})
@@ -57,7 +57,7 @@ double LaidPicture::mean_over(const EmittingSurface& surface, const Vec2i& cell,
     return sum;
 }
 
-/// Eight cells a texel, as far as there is room.
+/// Returns eight cells per texel, limited by `most_cells`.
 int LaidPicture::cells_across(int most_cells) const {
     Vec2 low = uvs_[0];
     Vec2 high = uvs_[0];

@@ -1,8 +1,8 @@
-// The picture of an area light: radiance that varies over an emitting surface by its (u, v).
+// Textured area lights: an image by the surface's (u, v), with sampling by emitted light.
 //
-// In:  texels in linear sRGB, between which it is bilinear, row 0 at v = 1; edges go on beyond the
-// unit square (pbrt-v4). Out: radiance at a (u, v), and places of the slots of emission with the
-// density of what is emitted there.
+// In:  texels in linear sRGB, bilinearly interpolated, row 0 at v = 1, clamped beyond the unit
+// square (pbrt-v4).
+// Out: radiance at (u, v), and surface points whose density approximates the emission there.
 #pragma once
 
 #include "light/light_picture.h"
@@ -14,11 +14,11 @@ namespace sunfleck::engine {
 
 class SurfacePicture {
 public:
-    /// @param image  its texels finite. Builds the table of colours, if they are no greys.
+    /// @param image  with finite texels. The constructor calls prepare_colours().
     explicit SurfacePicture(Image image);
 
     TexelLight at(const Vec2& uv) const;
-    /// Of the luminance of texels.
+    /// Returns the mean luminance of the texels.
     double mean() const { return mean_; }
     const Vec2i& resolution() const { return image_.resolution(); }
 
@@ -27,35 +27,36 @@ private:
     double mean_ = 0;
 };
 
-/// A picture as it lies on the surface of one light.
+/// An image placed on the surface of one light.
 class LaidPicture {
 public:
-    /// @param most_cells  of the table of what is emitted where; at least 1.
+    /// @param most_cells  of the table for sampling; at least 1.
     LaidPicture(std::shared_ptr<const SurfacePicture> picture, const CornerUvs& uvs,
                 const EmittingSurface& surface, int most_cells);
 
-    /// A point of the surface, and its light; `density` is that of the slots that led there.
+    /// A surface point and its light; `density` is that in the unit square.
     struct Drawn {
         SurfaceSample on;
         TexelLight light;
         double density = 0;
     };
-    /// About as often where more is emitted. Not to be asked where flux() is zero.
+    /// Samples points approximately by emission; flux() must not be zero.
     /// @param u  in (0,1)^2.
     Drawn draw(const EmittingSurface& surface, const Vec2d& u) const;
 
-    /// About the density of draw(), per m^2, at a point of the surface: as at() takes it.
-    /// @param spread  of surface_spread() there.
+    /// Returns the approximate density of draw() per m^2 at a point of the surface; parameters as
+    /// for at().
+    /// @param spread  result of surface_spread() there.
     double density(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal,
                    double spread) const;
 
-    /// The u that draw() takes to a point of the surface: its inverse.
+    /// Inverts draw(): returns the u that leads to a point of the surface.
     Vec2d numbers(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal) const;
 
     TexelLight at(const Vec2& uv) const { return picture_->at(uv); }
-    /// At a point of the surface, whose unit normal (either side) is `normal`.
+    /// Returns the light at a surface point with unit normal `normal` (either side).
     TexelLight at(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal) const;
-    /// Luminance integrated over the surface, m^2: by midpoints, two each way in each cell.
+    /// Returns the luminance integrated over the surface, m^2: by 2 x 2 midpoints in each cell.
     double flux() const { return flux_; }
 
 private:
@@ -65,8 +66,8 @@ private:
     std::shared_ptr<const SurfacePicture> picture_;
     CornerUvs uvs_;
     double flux_ = 0;
-    /// The unit square of the slots that sample_surface() takes: spread times luminance of each
-    /// cell, and everywhere a little more, for no place may be forgotten.
+    /// Distribution over the unit square that sample_surface() takes: spread times luminance of
+    /// each cell, plus a little everywhere, so that every point can be sampled.
     std::unique_ptr<const LightPicture> slots_;
 };
 

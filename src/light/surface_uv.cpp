@@ -1,4 +1,4 @@
-// Barycentrics, bilinear coordinates, and those of quadrics.
+// Barycentric and bilinear coordinates, and those of quadrics.
 #include "light/surface_uv.h"
 
 namespace sunfleck::engine {

@@ -1,4 +1,4 @@
-// The way from a lit point to a light that is a point.
+// Direction and distance from a lit point to a point light.
 #pragma once
 
 #include "math/vector.h"
@@ -13,7 +13,7 @@ struct TowardsPoint {
     double distance = 0;
 };
 
-/// Nothing where the two are one.
+/// Returns nothing if the two points coincide.
 inline std::optional<TowardsPoint> towards_point(const Vec3d& light, const Vec3& point) {
     const Vec3d way = light - Vec3d(point);
     const double distance2 = way.length2();

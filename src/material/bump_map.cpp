@@ -1,4 +1,4 @@
-// Bumps by differences, normal maps by lookups.
+// Bump maps by finite differences, normal maps by lookup.
 #include "material/bump_map.h"
 
 #include "image/lookup.h"
@@ -21,7 +21,7 @@ struct BentBy {
     Tangents operator()(const std::monostate&) const { return {surface.dp_du, surface.dp_dv}; }
 
     Tangents operator()(const Bumps& bumps) const {
-        constexpr float kStep = 0.0005F;  // of u and of v; pbrt-v4's where it knows no footprint
+        constexpr float kStep = 0.0005F;  // in u and v; pbrt-v4's value without a known footprint
         const TexturePoint here(hit, origin);
         const float height = bumps.displacement.at(here);
         const auto slope = [&](const Vec3& along, const Vec2& uv) {

@@ -1,4 +1,4 @@
-// Fine relief that shading sees and rays do not: bumps and normal maps bend the shading normal.
+// Bump maps and normal maps: they perturb the shading normal and leave the surface as it is.
 //
 // Source: Blinn, Simulation of Wrinkled Surfaces (SIGGRAPH 1978); differences and frames as in
 // pbrt-v4 (Physically Based Rendering, 4th edition, section 10.5).
@@ -13,12 +13,13 @@
 
 namespace sunfleck::engine {
 
-/// The surface is moved by so much along its normal, in the world's units.
+/// Displacement along the normal, in world units.
 struct Bumps {
     FloatTexture displacement;
 };
 
-/// R G B in [0,1] are the normal in [-1,1], along dp/du, across it, and outwards.
+/// A normal map: RGB in [0,1] encodes the normal in [-1,1], along dp/du, the bitangent and the
+/// outside.
 struct NormalMap {
     std::shared_ptr<const Image> image;
 };
@@ -29,8 +30,8 @@ inline bool is_flat(const Relief& relief) {
     return std::holds_alternative<std::monostate>(relief);
 }
 
-/// Bends the shading normal and the tangent of a hit. The shading normal stays on the side of the
-/// geometric one; where the relief gives none, all stays as it was.
+/// Perturbs the shading normal and the tangent of a hit. The shading normal stays on the side of
+/// the geometric one; if the map gives no valid normal, the hit is unchanged.
 /// @param origin  of rendering space, in the world.
 void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit,
           const Vec3d& origin = Vec3d(0));

@@ -1,4 +1,4 @@
-// Materials at a pass's wavelengths and at a point.
+// Evaluation of materials at the wavelengths of a pass and at a point.
 #include "material/material.h"
 
 #include "core/hash.h"
@@ -25,7 +25,7 @@ Ggx facets_of(const Vec2& alphas) {
     return {std::max(alphas.x, 1e-4F), std::max(alphas.y, 1e-4F)};
 }
 
-/// Indices of refraction: 1 where there is none.
+/// Returns indices of refraction, 1 where an index is not positive.
 SampledSpectrum index_of(SampledSpectrum eta) {
     for (float& v : eta.values)
         if (!(v > 0)) v = 1;
@@ -43,16 +43,16 @@ struct MetalIndex {
     SampledSpectrum k;
 };
 
-/// The albedo below a coat with which the share `whole` of the light that has entered leaves again:
-/// whole = albedo leaving / (1 - albedo returning). Above one where it makes up for what a rough
-/// coat loses; all that is scattered is still no more than what enters.
+/// Returns the albedo below a coat with which a fraction `whole` of the entering light leaves:
+/// whole = albedo leaving / (1 - albedo returning). It exceeds one where it compensates the losses
+/// of a rough coat; still no more light is scattered than enters.
 SampledSpectrum base_below(const Coat& coat, const SampledSpectrum& whole) {
     const float leaving = coat.mean_entering() / (coat.eta() * coat.eta());
     const SampledSpectrum needed = whole / leaving;
     return needed / (SampledSpectrum(1) + needed * coat.returning());
 }
 
-/// One overload a material.
+/// One overload per material.
 struct BsdfOf {
     const Wavelengths& wavelengths;
     const TexturePoint& point;
@@ -133,7 +133,7 @@ struct IsTextured {
     bool operator()(const InterfaceMaterial&) const { return false; }
 };
 
-/// One overload a material.
+/// One overload per material.
 struct MayGather {
     bool operator()(const DiffuseMaterial&) const { return true; }
     bool operator()(const DielectricMaterial& m) const { return is_rough_somewhere(m.roughness); }

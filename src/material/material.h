@@ -1,5 +1,5 @@
-// What a surface is made of, as a scene says it; bsdf_of() makes the Bsdf of one pass, and of one
-// point where textures vary, from it.
+// Material: the parameters of a surface as a scene gives them; bsdf_of() evaluates them at a point
+// for one pass.
 //
 // To add one: its header in bsdf/, its alternative here, a row in import/pbrt/materials.cpp.
 #pragma once
@@ -15,10 +15,10 @@
 
 namespace sunfleck::engine {
 
-/// Below this in both alphas facets are not seen: the surface is perfectly smooth (pbrt-v4).
+/// If both alphas are smaller, the surface is treated as perfectly smooth (pbrt-v4).
 inline constexpr float kSmoothAlpha = 1e-3F;
 
-/// The GGX alpha of a scene's "roughness" where it asks for remapping (pbrt-v4's remaproughness).
+/// Returns the GGX alpha of a "roughness" with remapping (pbrt-v4's remaproughness).
 /// @param roughness  not negative.
 inline float alpha_from_roughness(float roughness) {
     return std::sqrt(roughness);
@@ -28,22 +28,22 @@ struct DiffuseMaterial {
     SpectrumTexture reflectance = Spectrum::constant(0.5F);
 };
 
-/// Along the tangent and across: GGX alphas, or what alpha_from_roughness() makes them from.
+/// GGX alphas along and across the tangent, or the input of alpha_from_roughness().
 struct Roughness {
     FloatTexture u;
     FloatTexture v;
     bool remap = false;
-    bool gives_back = false;  // what facets lose (bsdf/facet_losses.h); not beside a coat
+    bool gives_back = false;  // energy compensation (bsdf/facet_losses.h); not under a coat
 
-    /// The alphas; below kSmoothAlpha in both the surface is perfectly smooth.
+    /// Returns the alphas; below kSmoothAlpha in both, the surface is perfectly smooth.
     Vec2 alphas(const TexturePoint& point) const;
     bool is_constant() const { return u.is_constant() && v.is_constant(); }
-    /// Null where losses stay lost.
+    /// Returns the table for energy compensation, or null without it.
     const FacetLosses* losses() const { return gives_back ? &FacetLosses::table() : nullptr; }
 };
 
 struct DielectricMaterial {
-    Spectrum eta = Spectrum::constant(1.5F);  // inside over outside
+    Spectrum eta = Spectrum::constant(1.5F);  // index inside over outside
     Roughness roughness;
 };
 
@@ -54,15 +54,16 @@ struct ThinDielectricMaterial {
 struct ConductorMaterial {
     SpectrumTexture eta;
     SpectrumTexture k;
-    std::optional<SpectrumTexture> reflectance;  // instead: eta 1, k = 2 sqrt(r) / sqrt(1 - r)
+    std::optional<SpectrumTexture>
+        reflectance;  // in place of eta and k: eta 1, k = 2 sqrt(r) / sqrt(1 - r)
     Roughness roughness;
 };
 
-/// Diffuse under a clear coat.
+/// A diffuse base under a clear coat.
 struct CoatedDiffuseMaterial {
     SpectrumTexture reflectance = Spectrum::constant(0.5F);  // of the base, without the coat
     std::shared_ptr<const Coat> coat;                        // not null
-    bool whole = false;  // the reflectance is that of the light which enters the coat, as it leaves
+    bool whole = false;  // the reflectance is that seen from below the coat's surface
 };
 
 /// Metal under a clear coat.
@@ -71,42 +72,42 @@ struct CoatedConductorMaterial {
     std::shared_ptr<const Coat> coat;  // not null
 };
 
-/// Scattered evenly, back and through. Together at most one: a larger sum is scaled down.
+/// Diffuse reflection and transmission. A sum above one is scaled down.
 struct DiffuseTransmissionMaterial {
     SpectrumTexture reflectance = Spectrum::constant(0.25F);
     SpectrumTexture transmittance = Spectrum::constant(0.25F);
 };
 
-/// Two materials, one of which a ray meets.
+/// A mix of two materials, one of which is selected at each point.
 struct MixMaterial {
-    std::array<std::uint32_t, 2> parts{};  // numbers of materials; never interfaces
-    FloatTexture amount = 0.5F;            // the chance of the second
+    std::array<std::uint32_t, 2> parts{};  // indices of materials; never interfaces
+    FloatTexture amount = 0.5F;            // probability of the second
 
-    /// Which part is met, by a hash of the place: the same for all that meet it there.
+    /// Selects a material by a hash of the position: the same for all paths that hit that point.
     std::uint32_t chosen(const TexturePoint& point) const;
 };
 
-/// A surface that is not there: light passes straight, and it is no bounce.
+/// A null interface: paths pass it without a scattering event.
 struct InterfaceMaterial {};
 
 using Material = std::variant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
                               ConductorMaterial, CoatedDiffuseMaterial, CoatedConductorMaterial,
                               DiffuseTransmissionMaterial, MixMaterial, InterfaceMaterial>;
 
-/// Does the Bsdf depend on the point?
+/// Returns whether the Bsdf depends on the point.
 bool is_textured(const Material& material);
 
-/// Can the Bsdf gather light (other than Scattering::specular) at some point? Of a mix its parts
-/// know.
+/// Returns whether the Bsdf can gather light (is not Scattering::specular) at some point. A mix
+/// returns false; ask its components.
 bool may_gather(const Material& material);
 
-/// The material at one pass's wavelengths and at a point, which counts where it is textured;
-/// nothing for an interface, and for a mix, whose parts have their own.
+/// Returns the Bsdf at the wavelengths of a pass and at a point; nothing for an interface, and for
+/// a mix, whose components have Bsdfs of their own.
 ///
-/// Limits, as in pbrt-v4: reflectances are held in [0,1] (of a conductor in [0, 0.9999], where k is
-/// finite); an alpha below 1e-4 beside a larger one counts as 1e-4; a curve that gives no index
-/// (eta <= 0) at a wavelength gives 1 there. A rough dielectric with an index within
-/// RoughDielectric::kLeastContrast of 1 is smooth.
+/// Limits are those of pbrt-v4. Reflectances are clamped to [0,1] (of a conductor to [0, 0.9999],
+/// where k is finite). An alpha below 1e-4 beside a larger one becomes 1e-4. An index that is not
+/// positive at a wavelength becomes 1 there. A rough dielectric with an index within
+/// RoughDielectric::kLeastContrast of 1 becomes smooth.
 std::optional<Bsdf> bsdf_of(const Material& material, const Wavelengths& wavelengths,
                             const TexturePoint& point = {});
 

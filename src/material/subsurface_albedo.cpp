@@ -1,4 +1,4 @@
-// Integrals over the places where light leaves, and over the depth of what it is scattered by.
+// Integration over the exit positions, and over the depth of scattering.
 #include "material/subsurface_albedo.h"
 
 #include "bsdf/fresnel.h"
@@ -13,10 +13,10 @@ namespace {
 constexpr int kDepths = 48;
 constexpr int kRings = 96;
 
-/// Lengths are in units of one over the extinction.
+/// Boundary condition; lengths are in mean free paths.
 struct Boundary {
     float eta = 1;
-    float moment1 = 0;  // integrals of the reflectance from within times mu, and mu squared
+    float moment1 = 0;  // integrals of the internal reflectance times mu and mu squared
     float moment2 = 0;
 };
 
@@ -32,7 +32,7 @@ Boundary boundary_of(float eta) {
     return result;
 }
 
-/// What leaves by many scatterings through a unit of area, of light in depth order `depths`.
+/// Multiple scattering: flux leaving per unit of area, for light scattered at `depths`.
 class Diffusion {
 public:
     Diffusion(const Boundary& boundary, float scattering, float absorption)
@@ -44,7 +44,7 @@ public:
         by_flow_ = 0.5F * (1 - 3 * boundary.moment2);
     }
 
-    /// @param path  optical depth of the source, by extinction one.
+    /// @param path  optical depth of the source times one.
     float leaving(float ring, float path) const {
         const float depth = path / extinction_;
         const float mirrored = depth + beyond_;
@@ -69,7 +69,7 @@ private:
     float by_flow_;
 };
 
-/// What leaves after one scattering.
+/// Returns the flux that leaves after a single scattering.
 float leaving_at_once(const Boundary& boundary, float single, float g, const Vec2& ring_path) {
     const float ring = ring_path.x;
     const float least = ring * std::sqrt(std::max(0.0F, boundary.eta * boundary.eta - 1));

@@ -1,9 +1,11 @@
-// How much light comes out again of a cloudy half-space under a smooth surface.
+// SubsurfaceAlbedo: albedo of a scattering half-space under a smooth surface, by photon beam
+// diffusion.
 //
-// In:  scattering over extinction. Out: of the light that enters at a right angle, the share that
-// leaves, wherever it does; all reflections at the surface from within are in it.
+// In:  single-scattering albedo.
+// Out: fraction of the light entering at a right angle that leaves at any point, with all internal
+// reflections at the surface.
 // Source: Habel, Christensen and Jarosz, Photon Beam Diffusion (2013), with single scattering, as
-// pbrt-v4's BSSRDF has it; boundary of d'Eon and Irving, A Quantized-Diffusion Model (2011).
+// in pbrt-v4's BSSRDF; boundary condition of d'Eon and Irving, A Quantized-Diffusion Model (2011).
 #pragma once
 
 #include <array>
@@ -12,15 +14,15 @@ namespace sunfleck::engine {
 
 class SubsurfaceAlbedo {
 public:
-    /// @param eta  of the inside, above 0. @param g  mean cosine of scattering, in (-1,1).
+    /// @param eta  index of the inside, positive. @param g  mean cosine of scattering, in (-1,1).
     SubsurfaceAlbedo(float eta, float g);
 
-    /// @param single  scattering over extinction, in [0,1]. @return in [0,1].
+    /// @param single  single-scattering albedo in [0,1]. @return the albedo in [0,1].
     float operator()(float single) const;
 
 private:
     static constexpr int kCells = 48;
-    /// By depth = -log(1 - single) in equal steps: albedos near one matter most.
+    /// The table has equal steps in depth = -log(1 - single), which is finest near one.
     static constexpr float kDeepest = 14;
     std::array<float, kCells + 1> table_{};
 };

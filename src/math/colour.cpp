@@ -1,4 +1,4 @@
-// The tables behind math/colour.h, built once from the committed numbers.
+// Tables of math/colour.h, computed once from the published numbers.
 #include "math/colour.h"
 
 #include "math/colour_matrix.h"
@@ -11,7 +11,7 @@ namespace sunfleck::engine {
 
 namespace {
 
-/// D65 between its points, 5 nm apart from 300 nm on; at whole nm.
+/// Interpolates D65, given every 5 nm from 300 nm, at whole nm.
 double d65_at(std::size_t nm) {
     const std::size_t cell = std::min((nm - 300) / 5, spectra_data::kIlluminantD65.size() - 2);
     const double part = static_cast<double>(nm - 300 - 5 * cell) / 5;

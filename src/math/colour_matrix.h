@@ -1,4 +1,4 @@
-// 3 x 3 matrices of colour, in double: products, inverses, and those of primaries.
+// 3 x 3 colour matrices in double: products, inverses, matrices of primaries, white adaptation.
 #pragma once
 
 #include "math/triple.h"
@@ -32,8 +32,9 @@ inline Rows inverse(const Rows& m) {
     return cofactor;
 }
 
-/// The look of a colour in another white: cones (Bradford) scaled one by one. All in XYZ.
-/// Source: Lam, Metamerism and Colour Constancy (1985); what pbrt-v4 uses.
+/// Adapts a colour to another white by the Bradford method: cone responses are scaled one by one.
+/// All arguments are XYZ.
+/// Source: Lam, Metamerism and Colour Constancy (1985), as in pbrt-v4.
 inline Triple adapted(const Triple& xyz, const Triple& from_white, const Triple& to_white) {
     constexpr Rows kBradford = {Triple{0.8951, 0.2664, -0.1614}, Triple{-0.7502, 1.7135, 0.0367},
                                 Triple{0.0389, -0.0685, 1.0296}};
@@ -44,7 +45,9 @@ inline Triple adapted(const Triple& xyz, const Triple& from_white, const Triple&
     return inverse(kBradford) * cones;
 }
 
-/// XYZ of rgb. @param primaries  x, y, 1 - x - y in columns. @param white  XYZ of (1, 1, 1).
+/// Returns the matrix from RGB to XYZ.
+/// @param primaries  x, y, 1 - x - y in columns.
+/// @param white  XYZ of (1, 1, 1).
 inline Rows xyz_of_primaries(const Rows& primaries, const Triple& white) {
     const Triple amount = inverse(primaries) * white;
     Rows result{};

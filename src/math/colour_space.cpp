@@ -1,4 +1,4 @@
-// Matrices of colour spaces.
+// Conversion matrices of the colour spaces.
 #include "math/colour_space.h"
 
 #include "core/small_letters.h"
@@ -12,7 +12,7 @@ namespace {
 struct Space {
     std::string_view name;
     std::array<double, 6> primaries;  // x and y of red, green, blue
-    bool has_d65 = true;              // else the white of ACES
+    bool has_d65 = true;              // else the white of ACES (D60)
 };
 
 constexpr std::array<Space, 4> kSpaces = {

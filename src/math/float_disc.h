@@ -1,7 +1,8 @@
-// The concentric map from the square to the disc, in float: for directions that are floats anyway.
+// The concentric map from the square to the disc in float, for directions that are floats anyway.
 //
-// In:  u in [0,1]^2, best multiples of 2^-24 (then 2 u - 1 is exact). Out: points within 2e-7 of
-// those of concentric_disc_point(). Only + - * /: the same bits everywhere.
+// In:  u in [0,1]^2, preferably multiples of 2^-24 (then 2 u - 1 is exact).
+// Out: points within 2e-7 of those of concentric_disc_point(). Only + - * / are used, so that bits
+// are the same on every machine.
 // Source: Shirley and Chiu, A Low Distortion Map Between Disk and Square (JGT 1997).
 #pragma once
 
@@ -11,14 +12,15 @@
 
 namespace sunfleck::engine {
 
-/// A point of the unit disc, and how high above it the unit sphere is, squared, with all digits.
+/// A point of the unit disc, and the squared height of the unit sphere above it, without
+/// cancellation.
 struct FloatDiscPoint {
     Vec2 position{0};
     float height2 = 1;
 };
 
-/// Taylor's series of sine and cosine for angles up to pi / 4, cut below 2e-9 and 3e-8; without a
-/// branch on u, which no processor could foresee.
+/// Maps the square to the disc. Sine and cosine are Taylor series for angles up to pi / 4, with
+/// errors of 2e-9 and 3e-8. The code has no branch on u, which would be mispredicted half the time.
 inline FloatDiscPoint float_disc_point(const Vec2& u) {
     const float a = 2 * u.x - 1;
     const float b = 2 * u.y - 1;

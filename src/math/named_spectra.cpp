@@ -1,4 +1,4 @@
-// The spectra that pbrt-v4 knows by name: illuminants, glasses, metals.
+// Spectra with names in pbrt-v4: illuminants, glasses, metals.
 #include "math/colour.h"
 #include "math/data_glass.h"
 #include "math/data_illuminants.h"
@@ -17,7 +17,7 @@ namespace data = spectra_data;
 using Points = std::vector<TabulatedSpectrum::Point>;
 using Spectra = std::map<std::string, Spectrum>;
 
-/// As pbrt-v4 has it: the first and last value hold to the ends of the visible range.
+/// Makes a table whose first and last values extend over the visible range, as in pbrt-v4.
 Spectrum extended_table(Points points) {
     if (points.front().nm > kFirstNm)
         points.insert(points.begin(), {kFirstNm - 1, points[0].value});
@@ -32,7 +32,7 @@ Spectrum tabulated(std::span<const double> nm, std::span<const double> values) {
     return extended_table(std::move(points));
 }
 
-/// An illuminant given every 5 nm from `first` on, scaled to luminance one.
+/// Makes an illuminant given every 5 nm from `first`, scaled to luminance one.
 Spectrum illuminant(float first, std::span<const double> values) {
     Points points;
     for (const double value : values)
@@ -62,7 +62,7 @@ void add_illuminants(Spectra& all) {
     all.emplace("stdillum-F12", illuminant(380, data::kIlluminantF12));
 }
 
-/// pbrt-v4's glass-F5, -F10 and -F11 are Schott's SF5, SF10 and SF11.
+/// Adds the glasses. pbrt-v4's glass-F5, -F10 and -F11 are Schott's SF5, SF10 and SF11.
 void add_glasses(Spectra& all) {
     all.emplace("glass-BK7", tabulated(data::kBK7Nm, data::kBK7Eta));
     all.emplace("glass-BAF10", tabulated(data::kBAF10Nm, data::kBAF10Eta));

@@ -1,4 +1,4 @@
-// Eight wavelengths of a pass, side by side: a plain array that compilers turn into vectors.
+// SampledSpectrum: values at the eight wavelengths of a pass, in a plain array for vectorisation.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace sunfleck::engine {
 
 inline constexpr std::size_t kWavelengths = 8;
 
-/// One value per wavelength of the pass.
+/// One value per wavelength of the pass (pbrt-v4).
 struct alignas(16) SampledSpectrum {
     std::array<float, kWavelengths> values{};
 
@@ -53,7 +53,7 @@ struct alignas(16) SampledSpectrum {
 
     float max() const { return *std::max_element(values.begin(), values.end()); }
     float min() const { return *std::min_element(values.begin(), values.end()); }
-    /// Wavelengths far apart first: four sums side by side.
+    /// Adds distant wavelengths first, as four independent sums.
     float sum() const {
         constexpr std::size_t kHalf = kWavelengths / 2;
         std::array<float, kHalf> pairs;
@@ -65,7 +65,7 @@ struct alignas(16) SampledSpectrum {
     bool is_finite() const {
         return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
     }
-    /// All wavelengths zero but `i`.
+    /// Returns a spectrum that is zero except at wavelength `i`.
     static SampledSpectrum only(std::size_t i, float value) {
         SampledSpectrum s;
         s.values[i] = value;
@@ -79,21 +79,22 @@ inline SampledSpectrum sqrt(const SampledSpectrum& a) {
     return r;
 }
 
-/// The dispersion state of one path: which wavelength a dispersive refraction would keep (chosen by
-/// the path's own slot, uniform over wavelengths), and whether one has.
+/// Hero wavelength of a path (Wilkie et al. 2014): the wavelength that a dispersive refraction
+/// keeps, chosen uniformly by the path's own random number, and whether one has been kept.
 struct HeroWavelength {
     std::size_t chosen = 0;  // below kWavelengths
-    bool single = false;     // the other wavelengths of the throughput are zero already
+    bool single = false;     // true if the secondary wavelengths are terminated: the throughput has
+                             // one wavelength
 };
 
-/// The wavelength that a number of (0,1) stands for, all alike.
+/// Maps a number of (0,1) to a wavelength index, all with equal probability.
 inline std::size_t hero_of(double u) {
     return std::min(kWavelengths - 1,
                     static_cast<std::size_t>(u * static_cast<double>(kWavelengths)));
 }
 
-/// Keeps the chosen wavelength of a throughput, times their number; does nothing if that was done
-/// before.
+/// Terminates the secondary wavelengths of a throughput and multiplies the hero wavelength by their
+/// number. It has no effect the second time.
 inline void terminate_secondary(SampledSpectrum& throughput, HeroWavelength& hero) {
     if (hero.single) return;
     throughput = SampledSpectrum::only(hero.chosen,

@@ -1,4 +1,4 @@
-// Levenberg-Marquardt on three coefficients, led from grey to the colour in steps of saturation.
+// Levenberg-Marquardt fit of three coefficients, continued from grey to the colour by saturation.
 #include "math/sigmoid_fit.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 using Rows = std::array<Triple, 3>;
 
-/// What a reflectance of one at t adds to X, Y, Z under D65, as a share of the white.
+/// Contribution of a reflectance of one at t to X, Y, Z under D65, relative to the white.
 struct Node {
     double t = 0;
     Triple share{};
@@ -32,7 +32,7 @@ double t_of(double nm) {
     return (nm - kMiddleNm) / kHalfRangeNm;
 }
 
-/// At every nanometre.
+/// Returns quadrature nodes at every nanometre.
 const Nodes& fine_nodes() {
     static const Nodes built = [] {
         Nodes nodes(kVisibleCount);
@@ -61,20 +61,20 @@ Nodes every_fifth(const Nodes& fine) {
     return nodes;
 }
 
-/// Every 5 nm: the shares of a reflectance that is linear in between, to be fitted faster.
+/// Returns quadrature nodes every 5 nm for reflectances that are linear in between: a faster fit.
 const Nodes& coarse_nodes() {
     static const Nodes built = every_fifth(fine_nodes());
     return built;
 }
 
-/// Cube root by Newton's method; for value in about [0.008, 2].
+/// Returns the cube root by Newton's method, for values in about [0.008, 2].
 double cube_root(double value) {
     double root = 0.3 + 0.7 * value;
     for (int step = 0; step < 8; ++step) root -= (root - value / (root * root)) / 3;
     return root;
 }
 
-/// The compressed scale of CIELab, and its slope.
+/// The nonlinear function of CIELab, and its derivative.
 struct Lightness {
     double value = 0;
     double slope = 0;
@@ -90,7 +90,7 @@ Lightness lightness(double share) {
     return {root, 1 / (3 * root * root)};
 }
 
-/// CIELab of shares of the white (X/Xn, Y/Yn, Z/Zn), and its derivative by each share.
+/// CIELab of (X/Xn, Y/Yn, Z/Zn), and its derivative by each of them.
 struct Lab {
     Triple value{};
     Rows slope{};
@@ -112,7 +112,7 @@ Triple target_lab(const Triple& rgb) {
     return lab(share).value;
 }
 
-/// What a step needs to know of one set of coefficients (of 1, t, t^2).
+/// Residual and Jacobian at one set of coefficients (of 1, t, t^2).
 struct Trial {
     Triple coefficients{};
     Triple residual{};
@@ -149,7 +149,7 @@ Trial evaluate(const Nodes& nodes, const Triple& c, const Triple& target) {
     return trial;
 }
 
-/// Solves m x = v for a positive definite m, by elimination without pivots.
+/// Solves m x = v for a positive definite m by elimination without pivoting.
 Triple solve(Rows m, Triple v) {
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t i = k + 1; i < 3; ++i) {
@@ -165,7 +165,7 @@ Triple solve(Rows m, Triple v) {
     return v;
 }
 
-/// The damped Gauss-Newton step.
+/// Returns the damped Gauss-Newton step.
 Triple step_from(const Trial& at, double damping) {
     Rows normal{};
     Triple downhill{};
@@ -180,7 +180,7 @@ Triple step_from(const Trial& at, double damping) {
     return solve(normal, downhill);
 }
 
-/// Descends from `start` until the colour is `enough` (a squared CIELab distance) near.
+/// Iterates from `start` until the squared CIELab distance to the colour is below `enough`.
 Triple descend(const Nodes& nodes, const Triple& start, const Triple& target, double enough,
                int max_steps) {
     Trial best = evaluate(nodes, start, target);
@@ -200,7 +200,7 @@ Triple descend(const Nodes& nodes, const Triple& start, const Triple& target, do
     return best.coefficients;
 }
 
-/// From grey to the colour. @return coefficients of 1, t, t^2.
+/// Fits by continuation from grey to the colour. @return coefficients of 1, t, t^2.
 Triple fit_from_grey(const Nodes& nodes, const Triple& rgb) {
     constexpr std::array kSaturations{0.25, 0.5, 0.75, 0.9};
     const double grey = xyz_of_rgb(rgb)[1];

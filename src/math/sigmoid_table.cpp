@@ -1,4 +1,4 @@
-// Building the grid in parallel, a column of one hue after the other; looking colours up in it.
+// Construction of the grid in parallel, one hue per column, and its lookup.
 #include "math/sigmoid_table.h"
 
 #include "core/parallel.h"
@@ -9,15 +9,15 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Slow at both ends, where coefficients grow without bound.
+/// Spaces nodes densely at both ends, where coefficients grow without bound.
 double smooth_step(double x) {
     return x * x * (3 - 2 * x);
 }
 
-/// Darker than this counts as this dark: black has no coefficients.
+/// Smaller components are raised to this value, because black has no coefficients.
 constexpr double kDarkest = 1e-6;
 
-/// A place on a grid's axis: the node below, and the part of the way to the next one.
+/// A position on a grid axis: the node below, and the fraction of the way to the next one.
 struct Cell {
     std::size_t node;
     float part;
@@ -49,7 +49,7 @@ SigmoidTable::SigmoidTable(std::size_t resolution)
     parallel_for(3 * resolution * resolution, [this](std::size_t column) { fit_column(column); });
 }
 
-/// Begins at a middling level, and goes up and down from there.
+/// Fits a column from a middle level upwards and downwards, each from its neighbour.
 void SigmoidTable::fit_column(std::size_t column) {
     const std::size_t x = column % resolution_;
     const std::size_t y = column / resolution_ % resolution_;

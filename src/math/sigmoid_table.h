@@ -1,9 +1,8 @@
-// Smooth reflectances of many colours, fast: fitted coefficients on a grid of colours, linear
-// between.
+// Table of smooth reflectances: fitted coefficients on a grid of colours, interpolated linearly.
 //
-// In:  linear sRGB in [0,1]. Out: the reflectance at a pass's wavelengths.
+// In:  linear sRGB in [0,1]. Out: the reflectance at the wavelengths of a pass.
 // Source: Jakob and Hanika, A Low-Dimensional Function Space for Efficient Spectral Upsampling
-// (Eurographics 2019), section 4: grids over the largest component and the two others' shares of
+// (Eurographics 2019), section 4: grids over the largest component and the ratios of the others to
 // it.
 #pragma once
 
@@ -18,19 +17,22 @@ namespace sunfleck::engine {
 
 class SigmoidTable {
 public:
-    /// The table of sRGB, built when first asked for: ask before, not within, parallel work.
+    /// Returns the table of sRGB, which the first call builds; that call must not be within
+    /// parallel work.
     static const SigmoidTable& srgb();
 
-    /// @param resolution  nodes along each of the three axes, at least 2.
+    /// @param resolution  nodes per axis, at least 2.
     explicit SigmoidTable(std::size_t resolution);
 
-    /// The reflectance that looks like rgb under D65; a grey exactly, other colours within the
-    /// table's error (docs/develop/decisions.md). @param rgb  brought into [0,1].
+    /// Returns the reflectance that has the colour rgb under D65: exact for grey, within the
+    /// table's error (docs/develop/decisions.md) for other colours. @param rgb  clamped to [0,1].
     SampledSpectrum albedo(const Vec3& rgb, const Wavelengths& wavelengths) const;
-    /// Any non-negative colour: twice its largest component times the albedo of the rest.
+    /// Returns the spectrum of any non-negative colour: twice its largest component times an
+    /// albedo.
     SampledSpectrum unbounded(const Vec3& rgb, const Wavelengths& wavelengths) const;
 
-    /// Coefficients of 1, t and t^2 (math/sigmoid_fit.h) of a colour in [0,1] that is no grey.
+    /// Returns the coefficients of 1, t and t^2 (math/sigmoid_fit.h) of a colour in [0,1], not
+    /// grey.
     std::array<float, 3> coefficients(const Vec3& rgb) const;
 
 private:
@@ -40,8 +42,8 @@ private:
     void fit_column(std::size_t column);
 
     std::size_t resolution_;
-    std::vector<float> levels_;  // of the largest component
-    std::vector<float> shares_;  // that the others have of it
+    std::vector<float> levels_;  // nodes of the largest component
+    std::vector<float> shares_;  // nodes of the other components' ratios to it
     std::vector<std::array<float, 3>> nodes_;
 };
 

@@ -1,4 +1,4 @@
-// Evaluation of the kinds of spectra, the colours that they look like, and spectra from colours.
+// Evaluation of spectra, their colours, and spectra of given colours.
 #include "math/spectrum.h"
 
 #include "math/colour.h"
@@ -28,7 +28,7 @@ float value_at(const TabulatedSpectrum& curve, float nm) {
     return low.value * (1 - part) + above->value * part;
 }
 
-/// Planck's law divided by its maximum, both written in x = h c / (nm k T).
+/// Returns Planck's law divided by its maximum, both in terms of x = h c / (nm k T).
 float value_at(const BlackbodySpectrum& curve, float nm) {
     constexpr float kSecondRadiation = 1.43877733e7F;  // h c / k in nm K, with pbrt-v4's constants
     constexpr float kPeak = 4.96511423F;               // x at the maximum (Wien)
@@ -55,7 +55,7 @@ float value_at(const SigmoidSpectrum& curve, float nm) {
     return curve.times_d65 ? reflectance * white_at(nm) : reflectance;
 }
 
-/// No negative numbers, no NaN, and nothing above `most`.
+/// Clamps to [0, most]; NaN becomes zero.
 Triple usable(const Vec3& rgb, double most) {
     Triple clamped{};
     for (int i = 0; i < 3; ++i)
@@ -72,8 +72,8 @@ SigmoidSpectrum smooth(const Triple& rgb) {
     return {{static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])}};
 }
 
-/// Any non-negative colour that is not grey, as pbrt-v4 has it: the smooth reflectance of half
-/// its brightest component, times the rest.
+/// Returns the spectrum of a non-negative colour that is not grey, as in pbrt-v4: a reflectance
+/// whose brightest component is 1/2, times a scale.
 SigmoidSpectrum scaled_smooth(Triple rgb) {
     const double scale = 2 * *std::max_element(rgb.begin(), rgb.end());
     for (double& value : rgb) value /= scale;
@@ -93,8 +93,8 @@ Spectrum Spectrum::table(std::vector<TabulatedSpectrum::Point> points) {
     const bool sorted = std::adjacent_find(points.begin(), points.end(), bad) == points.end();
     if (points.empty() || !sorted)
         throw Error({"spectrum", 0, 0},
-                    "a table without points, or with wavelengths that do not rise",
-                    "give pairs of wavelength (nm) and value, wavelengths rising");
+                    "a table without points, or with wavelengths that do not increase",
+                    "give pairs of wavelength (nm) and value, wavelengths increasing");
     return Spectrum(TabulatedSpectrum{
         std::make_shared<const std::vector<TabulatedSpectrum::Point>>(std::move(points))});
 }

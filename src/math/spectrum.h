@@ -1,6 +1,6 @@
-// A spectrum as a scene gives it: a function of the wavelength, evaluated once a pass.
+// Spectrum: a function of the wavelength as a scene gives it, evaluated once per pass.
 //
-// A closed set of kinds, each a small value; tables are shared, not copied.
+// The alternatives are a closed set of small values; tables are shared, not copied.
 #pragma once
 
 #include "math/sampled_spectrum.h"
@@ -19,7 +19,7 @@ struct ConstantSpectrum {
     float value = 0;
 };
 
-/// Linear between the points, zero outside (pbrt-v4). Points sorted by wavelength.
+/// Piecewise linear between the points, zero outside (pbrt-v4). Points are sorted by wavelength.
 struct TabulatedSpectrum {
     struct Point {
         float nm = 0;
@@ -33,8 +33,8 @@ struct BlackbodySpectrum {
     float kelvin = 6500;
 };
 
-/// scale * sigmoid(c0 x^2 + c1 x + c2), x in nm: the smooth spectra of Jakob and Hanika (2019);
-/// with `times_d65` multiplied by the D65 illuminant scaled to luminance one.
+/// scale * sigmoid(c0 x^2 + c1 x + c2), x in nm (Jakob and Hanika 2019). With `times_d65` it is
+/// multiplied by the illuminant D65 of luminance one.
 struct SigmoidSpectrum {
     std::array<float, 3> coefficients{};
     float scale = 1;
@@ -49,32 +49,34 @@ public:
     Spectrum() = default;
     explicit Spectrum(Kind kind, float factor = 1) : kind_(std::move(kind)), factor_(factor) {}
     static Spectrum constant(float value) { return Spectrum(ConstantSpectrum{value}); }
-    /// @throws Error  when there is no point, or wavelengths do not rise (whoever knows the place
-    /// in a file checks first).
+    /// Makes a piecewise linear spectrum.
+    /// @throws Error  if there is no point, or wavelengths do not increase. A caller that knows the
+    /// location in a file checks first.
     static Spectrum table(std::vector<TabulatedSpectrum::Point> points);
-    /// Reflectance: the smooth spectrum in [0,1] that looks like rgb under D65.
-    /// A grey is a ConstantSpectrum, exactly; another colour takes a fit of about 0.1 ms, and then
-    /// looks as asked to 2e-5.
-    /// @param rgb  linear sRGB; brought into [0,1], as are negative numbers below.
+    /// Makes a reflectance: the smooth spectrum in [0,1] that has the colour rgb under D65. A grey
+    /// is a ConstantSpectrum, exactly. Another colour takes a fit of about 0.1 ms and is exact to
+    /// 2e-5.
+    /// @param rgb  linear sRGB, clamped to [0,1].
     static Spectrum rgb_albedo(const Vec3& rgb);
-    /// Any non-negative quantity without an illuminant (eta, k): scale * smooth spectrum.
+    /// Makes a non-negative quantity without illuminant (eta, k): scale * smooth spectrum.
     static Spectrum rgb_unbounded(const Vec3& rgb);
-    /// Emission: rgb_unbounded times D65 of luminance one, so that a pixel that sees it shows rgb.
+    /// Makes an emission: rgb_unbounded() times D65 of luminance one, so that a pixel that sees it
+    /// shows rgb.
     static Spectrum rgb_illuminant(const Vec3& rgb);
-    /// The colour space's white, D65 of luminance one.
+    /// Returns D65 of luminance one, the white of sRGB.
     static Spectrum d65();
 
     float operator()(float nm) const;
     SampledSpectrum at(const Wavelengths& wavelengths) const;
-    /// The same curve times a number.
+    /// Returns the spectrum times a number.
     Spectrum scaled(float by) const { return Spectrum(kind_, factor_ * by); }
     bool is_constant() const { return std::holds_alternative<ConstantSpectrum>(kind_); }
     const Kind& kind() const { return kind_; }
 
-    /// Integral of the curve against CIE Y over 360..830 nm, divided by that of Y (106.857 nm):
-    /// the luminance of a radiance, one for Spectrum::constant(1) and d65().
+    /// Returns the integral against CIE Y over 360..830 nm, divided by that of Y (106.857 nm): the
+    /// luminance of a radiance. It is one for Spectrum::constant(1) and d65().
     float luminance() const;
-    /// Linear sRGB in the same scale.
+    /// Returns linear sRGB in the scale of luminance().
     Vec3 to_rgb() const;
 
 private:
@@ -82,10 +84,10 @@ private:
     float factor_ = 1;
 };
 
-/// Spectra by pbrt-v4's names: "metal-Au-eta", "glass-BK7", "stdillum-D65", ...
-/// @return nothing when there is none of that name.
+/// Returns the spectrum of pbrt-v4's name, such as "metal-Au-eta", "glass-BK7", "stdillum-D65";
+/// nothing for an unknown name.
 std::optional<Spectrum> named_spectrum(const std::string& name);
-/// All the names, sorted: for messages.
+/// Returns all names, sorted, for messages.
 std::vector<std::string> named_spectra();
 
 }  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
-// Running mean and variance of a series, one number at a time, without cancellation.
+// Running mean and variance of a series, updated number by number without cancellation.
 //
 // Source: Welford, Note on a method for calculating corrected sums of squares and products (1962);
-// joining of two series: Chan, Golub, LeVeque (1983).
+// union of two series: Chan, Golub, LeVeque (1983).
 #pragma once
 
 #include <cmath>
@@ -18,8 +18,8 @@ public:
         squares_ += step * (value - mean_);
     }
 
-    /// Joins another series, as if its numbers had come after these. The order is part of the
-    /// last bits: join in a fixed order.
+    /// Appends another series. The last bits depend on the order, so series are joined in a fixed
+    /// order.
     void add(const RunningMean& other) {
         if (other.count_ == 0) return;
         const auto here = static_cast<double>(count_);
@@ -31,11 +31,11 @@ public:
     }
 
     std::uint64_t count() const { return count_; }
-    /// Zero when empty.
+    /// Returns the mean; zero for an empty series.
     double mean() const { return mean_; }
-    /// Unbiased, of one number; zero with fewer than two numbers.
+    /// Returns the unbiased variance of one number; zero with fewer than two numbers.
     double variance() const { return count_ < 2 ? 0 : squares_ / static_cast<double>(count_ - 1); }
-    /// Standard deviation of the mean; zero with fewer than two numbers.
+    /// Returns the standard error of the mean; zero with fewer than two numbers.
     double standard_error() const {
         return count_ < 2 ? 0 : std::sqrt(variance() / static_cast<double>(count_));
     }

@@ -1,5 +1,6 @@
-// With t = sqrt(n) tan(x) the density of n degrees is proportional to cos(x)^(n - 1): a bounded
-// function on a bounded interval, integrated by trapezoids.
+// Quantiles by numerical integration: with t = sqrt(n) tan(x) the density of n degrees is
+// proportional to cos(x)^(n - 1), a bounded function on a bounded interval, integrated by
+// trapezoids.
 #include "math/student.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Three numbers in double that stand for a colour.
+// Three numbers in double that represent a colour.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace sunfleck::engine {
 
-/// XYZ or linear sRGB, as said where it is used.
+/// XYZ or linear sRGB, as stated where it is used.
 using Triple = std::array<double, 3>;
 
 }  // namespace sunfleck::engine

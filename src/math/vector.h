@@ -1,4 +1,4 @@
-// Short names for the linear algebra that we use, and the few helpers that it lacks.
+// Vectors and matrices: short names for Imath's types, and orthonormal frames.
 #pragma once
 
 #include <ImathMatrix.h>
@@ -8,13 +8,13 @@
 
 namespace sunfleck::engine {
 
-// Like numbers that are not initialised, Vec2{} and Vec3{} have no value: zero is Vec3(0).
+// As with built-in numbers, Vec2{} and Vec3{} are uninitialised; zero is Vec3(0).
 using Vec2 = Imath::V2f;
 using Vec2d = Imath::V2d;
 using Vec2i = Imath::V2i;
 using Vec3 = Imath::V3f;
 using Vec3d = Imath::V3d;
-/// Row vectors: point * matrix, as Imath has it; the translation is the last row.
+/// Row-vector convention of Imath: point * matrix; the translation is the last row.
 using Matrix = Imath::M44d;
 
 inline constexpr float kPi = 3.14159265358979F;
@@ -35,8 +35,8 @@ struct Frame {
         y = Vec3(b, sign + normal.y * normal.y * a, -normal.y);
     }
 
-    /// Local +z is the normal; local +x is the part of `tangent` that is perpendicular to it.
-    /// A tangent that is zero or along the normal gives Frame(normal).
+    /// Makes a frame with local +z along the normal and local +x along the projection of `tangent`.
+    /// A tangent that is zero or parallel to the normal gives Frame(normal).
     Frame(const Vec3& normal, const Vec3& tangent) : z(normal) {
         const Vec3 flat = tangent - normal * normal.dot(tangent);
         const float length2 = flat.length2();

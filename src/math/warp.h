@@ -1,12 +1,13 @@
 // Maps from the unit square to discs, spheres, cones and triangles, in double.
 //
-// In:  u in (0,1)^2 (the closed square is allowed). Out: points whose density is uniform in area
-// (or proportional to the cosine), by a map that is continuous and gentle, for Markov chains move
-// in u: no map but those marked moves a point by more than 6.2 times its move in u, in
-// units of the target's radius. Only + - * / sqrt: the same bits everywhere.
-// Source: Shirley and Chiu, A Low Distortion Map Between Disk and Square (JGT 1997); Clarberg,
-// Fast Equal-Area Mapping of the (Hemi)Sphere (2008); Heitz, A Low-Distortion Map Between
-// Triangle and Square (2019); Duff et al., Building an Orthonormal Basis, Revisited (JCGT 2017).
+// In:  u in (0,1)^2 (the closed square is allowed).
+// Out: points with uniform density in area (or proportional to the cosine). The maps are continuous
+// with bounded stretch, because Markov chains move in u: except where noted, a point moves at most
+// 6.2 times as far as u, in units of the target's radius. Only + - * / and sqrt are used, so that
+// bits are the same on every machine.
+// Source: Shirley and Chiu, A Low Distortion Map Between Disk and Square (JGT 1997); Clarberg, Fast
+// Equal-Area Mapping of the (Hemi)Sphere (2008); Heitz, A Low-Distortion Map Between Triangle and
+// Square (2019); Duff et al., Building an Orthonormal Basis, Revisited (JCGT 2017).
 #pragma once
 
 #include "math/trigonometry.h"
@@ -17,14 +18,14 @@
 
 namespace sunfleck::engine {
 
-/// A point of the unit disc in polar form, for maps that stretch the radius.
+/// A point of the unit disc with its squared radius, for maps that rescale the radius.
 struct DiscPoint {
     Vec2d position;
-    double radius2 = 0;  // in [0,1], uniform
+    double radius2 = 0;  // in [0,1], uniformly distributed
 };
 
-/// Uniform in the unit disc: concentric squares become concentric circles. Both ways are taken
-/// by choosing numbers, for no processor could foresee which.
+/// Maps to the unit disc uniformly: concentric squares become concentric circles. Both cases are
+/// computed and one is selected, since a branch would be mispredicted.
 inline DiscPoint concentric_disc_point(const Vec2d& u) {
     const double a = 2 * u.x - 1;
     const double b = 2 * u.y - 1;
@@ -37,12 +38,12 @@ inline DiscPoint concentric_disc_point(const Vec2d& u) {
     return {unit * radius, radius * radius};
 }
 
-/// Uniform in the unit disc. @return  x, y.
+/// Maps to the unit disc uniformly. @return  x, y.
 inline Vec2d concentric_disc(const Vec2d& u) {
     return concentric_disc_point(u).position;
 }
 
-/// Where concentric_disc() takes to a point of the disc: its inverse, within 1e-7.
+/// Inverts concentric_disc(), within 1e-7.
 inline Vec2d disc_to_square(const Vec2d& p) {
     const double radius = std::sqrt(p.x * p.x + p.y * p.y);
     if (!(radius > 0)) return Vec2d(0.5);
@@ -53,22 +54,22 @@ inline Vec2d disc_to_square(const Vec2d& p) {
     return (Vec2d(wide ? along : across, wide ? across : along) + Vec2d(1)) / 2;
 }
 
-/// Uniform on the unit sphere, by equal-area octahedra: the square's inscribed diamond is the
-/// upper hemisphere, its corners fold together at the lower pole.
+/// Maps to the unit sphere uniformly by an equal-area octahedral map: the square's inscribed
+/// diamond is the upper hemisphere, and its corners meet at the lower pole.
 inline Vec3d uniform_sphere(const Vec2d& u) {
     const double a = 2 * u.x - 1;
     const double b = 2 * u.y - 1;
     const double inside = 1 - (std::abs(a) + std::abs(b));  // sign of z
     const double radius = 1 - std::abs(inside);
     const double ratio = radius > 0 ? (std::abs(b) - std::abs(a)) / radius : 0;
-    // Half the quadrant's diagonal lies at an eighth of a turn.
+    // The middle of the quadrant's diagonal is at an angle of pi / 4.
     const SinCos off = sin_cos_small(std::clamp(ratio, -1.0, 1.0) * (kPiDouble / 4));
     const double s = radius * std::sqrt(2 - radius * radius) * std::sqrt(0.5);
     return {std::copysign(s * (off.cos - off.sin), a), std::copysign(s * (off.cos + off.sin), b),
             std::copysign(1 - radius * radius, inside)};
 }
 
-/// Where uniform_sphere() takes to `w`: its inverse, within 1e-7. @param w  unit.
+/// Inverts uniform_sphere(), within 1e-7. @param w  unit vector.
 inline Vec2d sphere_to_square(const Vec3d& w) {
     const double flat2 = w.x * w.x + w.y * w.y;
     const double radius = std::sqrt(flat2 / (1 + std::abs(w.z)));
@@ -82,45 +83,47 @@ inline Vec2d sphere_to_square(const Vec3d& w) {
             (1 + std::copysign((sum + difference) / 2, w.y)) / 2};
 }
 
-/// A direction around +z whose 1 - cos is `versine` and whose azimuth is that of a disc point.
-/// The disc's radius2 must be monotone in `versine` for the map to be continuous.
+/// Returns the direction around +z with 1 - cos = `versine` and the azimuth of a disc point. The
+/// map is continuous if `versine` is a monotone function of radius2.
 inline Vec3d around_pole(const DiscPoint& disc, double versine) {
     if (!(disc.radius2 > 0)) return {0, 0, 1};
     const double stretch = std::sqrt(versine * (2 - versine) / disc.radius2);
     return {disc.position.x * stretch, disc.position.y * stretch, 1 - versine};
 }
 
-/// Around +z with density cos / pi. Steep at the horizon: height^2 is gentle there, not height.
+/// Maps to the hemisphere around +z with density cos / pi. The stretch is unbounded at the horizon,
+/// where height^2, not height, changes slowly.
 inline Vec3d cosine_hemisphere(const Vec2d& u) {
     const DiscPoint disc = concentric_disc_point(u);
     return {disc.position.x, disc.position.y, std::sqrt(std::max(0.0, 1 - disc.radius2))};
 }
 
-/// Uniform in the triangle (0,0), (1,0), (0,1): the weights of its second and third corner.
+/// Maps to the triangle (0,0), (1,0), (0,1) uniformly: barycentric weights of corners two and
+/// three.
 inline Vec2d uniform_triangle(const Vec2d& u) {
     if (u.y > u.x) return {u.x * 0.5, u.y - u.x * 0.5};
     return {u.x - u.y * 0.5, u.y * 0.5};
 }
 
-/// Where uniform_triangle() takes to the weights of the second and third corner: its inverse.
+/// Inverts uniform_triangle().
 inline Vec2d triangle_to_square(const Vec2d& weight) {
     const double sum = weight.x + weight.y;
     return weight.y > weight.x ? Vec2d(2 * weight.x, sum) : Vec2d(sum, 2 * weight.y);
 }
 
-/// The rotation that takes +z to `axis` on the shortest way, applied to `local`: continuous in
-/// both but at axis = -z, around which the frame turns twice.
-/// @param axis  unit.
+/// Applies to `local` the shortest rotation that takes +z to `axis`. It is continuous in both,
+/// except at axis = -z, around which the frame rotates twice.
+/// @param axis  unit vector.
 inline Vec3d rotate_z_to(const Vec3d& axis, const Vec3d& local) {
     const double flat2 = axis.x * axis.x + axis.y * axis.y;
-    const double above = axis.z > 0 ? 1 + axis.z : flat2 / (1 - axis.z);  // 1 + z, all digits
+    const double above = axis.z > 0 ? 1 + axis.z : flat2 / (1 - axis.z);  // 1 + z, accurate
     if (!(above > 0)) return {local.x, -local.y, -local.z};
     const double flat = axis.x * local.x + axis.y * local.y;
     const double along = local.z - flat / above;
     return {local.x + axis.x * along, local.y + axis.y * along, axis.z * local.z - flat};
 }
 
-/// The inverse of rotate_z_to(): takes `axis` to +z.
+/// Inverts rotate_z_to(): takes `axis` to +z.
 inline Vec3d rotate_to_z(const Vec3d& axis, const Vec3d& world) {
     return rotate_z_to({-axis.x, -axis.y, axis.z}, world);
 }

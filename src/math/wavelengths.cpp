@@ -1,4 +1,4 @@
-// Wavelengths drawn by inverting the distribution of a smooth density near the eye's response.
+// Wavelength sampling by inversion of a smooth density near the eye's response.
 #include "math/wavelengths.h"
 
 #include "math/colour.h"
@@ -11,11 +11,11 @@ namespace sunfleck::engine {
 
 namespace {
 
-/// The density's shape: two bells 1 / (1 + x^2)^2, one over the responses of green and red, one
-/// over that of blue. Centres, widths and heights were fitted (docs/method/method.md): the colour
-/// of D65, of smooth reflectances under it and of lamps, seen in one pass, two, four and a batch,
-/// was to have the least standard deviation over the lattice's shift. The tails are so heavy that
-/// no visible wavelength is left out, and only + - * / are needed.
+/// Shape of the density: two bells 1 / (1 + x^2)^2, one over the responses of green and red, one
+/// over that of blue. Centres, widths and heights were fitted (docs/method/method.md) to minimise
+/// the standard deviation, over shifts of the lattice, of the colours of D65, of smooth
+/// reflectances under it and of lamps, after one pass, two, four and a batch. The heavy tails cover
+/// all visible wavelengths, and only + - * / are needed.
 double shape(double nm) {
     const auto bell = [nm](double centre, double width) {
         const double x = (nm - centre) / width;
@@ -24,7 +24,7 @@ double shape(double nm) {
     return bell(591, 130) + 1.45 * bell(456, 88);
 }
 
-/// A density that is linear between whole nm, and its integral from kFirstNm on.
+/// A density that is linear between whole nm, and its cumulative distribution from kFirstNm.
 struct Distribution {
     std::array<double, kVisibleCount> density{};
     std::array<double, kVisibleCount> below{};
@@ -46,21 +46,21 @@ struct Distribution {
         double density;
     };
 
-    /// The wavelength below which `fraction` in [0,1) of the density lies.
+    /// Inverts the cumulative distribution. @param fraction  in [0,1).
     Drawn at(double fraction) const {
         const auto cell = static_cast<std::size_t>(std::distance(
             below.begin() + 1, std::upper_bound(below.begin() + 1, below.end() - 1, fraction)));
         const double start = density[cell];
         const double slope = density[cell + 1] - start;
         const double rest = std::max(fraction - below[cell], 0.0);
-        // start x + slope x^2 / 2 = rest, in the form that does not divide by the slope.
+        // Solves start x + slope x^2 / 2 = rest in the form that does not divide by the slope.
         const double end = std::sqrt(std::max(start * start + 2 * slope * rest, 0.0));
         const double x = std::min(2 * rest / (start + end), 1.0);
         return {kFirstNm + static_cast<double>(cell) + x, start + slope * x};
     }
 };
 
-/// The four bits of a pass's place in its batch, reversed: 2, 4, 8 passes are lattices too.
+/// Returns the bit-reversed index of a pass in its batch, so that 2, 4, 8 passes form lattices too.
 std::uint32_t place_in_batch(std::uint32_t pass) {
     static_assert(kBatchPasses == 16);
     const std::uint32_t n = pass % kBatchPasses;
@@ -72,7 +72,7 @@ std::uint32_t place_in_batch(std::uint32_t pass) {
 Wavelengths Wavelengths::of_pass(PassId pass) {
     static const Distribution distribution;
     RandomStream stream(pass.seed, Purpose::wavelengths, pass.number / kBatchPasses, 0);
-    // The shift is of a whole pass, not of a lattice cell: then each pass is unbiased by itself,
+    // The shift covers the interval of a pass, not a lattice cell: so each pass alone is unbiased,
     // and a render that ends within a batch is too.
     const double shift = stream.next() + place_in_batch(pass.number) * (1.0 / kBatchPasses);
     const double place = shift < 1 ? shift : shift - 1;

@@ -1,8 +1,7 @@
-// The wavelengths of a pass, shared by camera and photon paths, and what a wavelength is worth in
-// RGB.
+// Wavelengths of a pass, shared by its camera and photon paths, and their weights in RGB.
 //
-// Source: design note "Spectra, batches, pixel values" (docs/method/method.md); density near the
-// eye's response as in pbrt-v4 (Radziszewski et al. 2009, "An improved technique for full spectral
+// Source: docs/method/method.md, "Spectra, batches, pixel values"; a density near the eye's
+// response as in pbrt-v4 (Radziszewski et al. 2009, "An improved technique for full spectral
 // rendering").
 #pragma once
 
@@ -13,30 +12,31 @@
 
 namespace sunfleck::engine {
 
-/// Consecutive passes whose wavelengths tile one lattice: the unit of error bars.
+/// Passes of a batch: their wavelengths form one lattice. A batch is the independent unit of error
+/// bars (batch means).
 inline constexpr std::uint32_t kBatchPasses = 16;
 
 struct Wavelengths {
     std::array<float, kWavelengths> nm{};       // in [360, 830]
-    std::array<float, kWavelengths> density{};  // per nm, with which each wavelength was drawn
+    std::array<float, kWavelengths> density{};  // sampling density of each wavelength, per nm
 
-    /// The wavelengths of one pass. Over the kBatchPasses passes of a batch the kWavelengths x
-    /// kBatchPasses fractions are one lattice, shifted at random (one shift a batch). So are those
-    /// of its first 2, 4, 8 passes, coarser; and every pass is unbiased by itself.
+    /// Returns the wavelengths of one pass. The kWavelengths x kBatchPasses fractions of a batch
+    /// form one lattice with one random shift; those of its first 2, 4, 8 passes form coarser
+    /// lattices. Each pass by itself is unbiased.
     static Wavelengths of_pass(PassId pass);
 
-    /// Turns what to_rgb() gives by a matrix on linear sRGB, given by its rows.
+    /// Applies a matrix on linear sRGB, given by its rows, to the results of to_rgb().
     void transform_rgb(const Rows& rows);
 
-    /// Linear sRGB of a radiance spectrum, in pbrt-v4's scale: the D65 illuminant scaled to
-    /// luminance one gives (1,1,1) in expectation.
+    /// Returns linear sRGB of a radiance spectrum in pbrt-v4's scale: D65 of luminance one has the
+    /// expected value (1,1,1).
     Vec3 to_rgb(const SampledSpectrum& radiance) const {
         return {(rgb_weight[0] * radiance).sum(), (rgb_weight[1] * radiance).sum(),
                 (rgb_weight[2] * radiance).sum()};
     }
 
-    /// For r, g, b: the sum over wavelengths of weight[wavelength] * radiance[wavelength]; what
-    /// to_rgb() uses.
+    /// Weights of to_rgb(): r, g, b are sums over wavelengths of weight[wavelength] *
+    /// radiance[wavelength].
     std::array<SampledSpectrum, 3> rgb_weight{};
 };
 

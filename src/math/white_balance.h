@@ -1,22 +1,23 @@
-// White balance: what makes an illuminant of a given temperature white.
+// White balance: the matrix that makes an illuminant of a given temperature white.
 #pragma once
 
 #include "math/colour_matrix.h"
 
 namespace sunfleck::engine {
 
-/// CIE chromaticities.
+/// CIE chromaticity coordinates.
 struct Chromaticity {
     double x = 0;
     double y = 0;
 };
 
-/// Of the CIE daylight of a temperature; below 4000 K, where there is none, of the blackbody (as
-/// pbrt-v4). Source: CIE 15:2004, 3.1; the temperature is scaled by 1.4388 / 1.4380 (c2 of today
-/// over that of the definition). @param kelvin  positive; above 25,000 as 25,000.
+/// Returns the chromaticity of CIE daylight; below 4000 K, where it is undefined, of the blackbody,
+/// as in pbrt-v4. The temperature is scaled by 1.4388 / 1.4380, today's c2 over that of the
+/// definition. Source: CIE 15:2004, 3.1.
+/// @param kelvin  positive; values above 25,000 count as 25,000.
 Chromaticity daylight(double kelvin);
 
-/// A matrix on linear sRGB, by rows, that takes the colour of daylight(kelvin) to white (D65), by
+/// Returns a matrix on linear sRGB, by rows, that takes the colour of daylight(kelvin) to D65 by
 /// adapted(), as pbrt-v4 does for "whitebalance".
 Rows white_balance(double kelvin);
 

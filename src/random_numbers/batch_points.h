@@ -1,8 +1,9 @@
-// Numbers for camera paths and direct light: over the 16 passes of a batch, each pair of
-// dimensions of a pixel runs through as many Owen-scrambled Sobol' points as the pixel has camera
-// paths in the batch, scrambled anew each batch.
+// BatchPoints: random numbers of camera paths and direct light, stratified over a batch.
 //
-// In:  a pass, a pixel; then dimensions in the order of asking. Out: numbers in (0,1).
+// Each pair of dimensions of a pixel takes Owen-scrambled Sobol' points, as many as the pixel has
+// camera paths in the 16 passes of a batch; each batch is scrambled anew.
+//
+// In:  a pass and a pixel, then dimensions in the order of requests. Out: numbers in (0,1).
 // Source: Owen 1995; hashed nested scrambling: Laine and Karras 2011, Burley 2020 (JCGT 9(4));
 // constants of the hash from Vegdahl 2021.
 #pragma once
@@ -25,7 +26,7 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
     return (x >> 16U) | (x << 16U);
 }
 
-/// A random permutation of the 32-bit fractions that keeps every elementary interval whole.
+/// A random permutation of 32-bit fractions that maps elementary intervals to elementary intervals.
 constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
     x = reverse_bits(x);
     x ^= x * 0x3D20ADEAU;
@@ -38,17 +39,16 @@ constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
 
 }  // namespace batch_detail
 
-/// Which of its subpasses, and how many a pass has; the same number in all passes of a batch.
+/// The index of a subpass, and the count per pass, which is the same in all passes of a batch.
 struct Subpass {
     std::uint32_t number = 0;
     std::uint32_t count = 1;
 };
 
-/// One of the camera paths that a pixel has in a subpass of a pass.
+/// One of the camera paths of a pixel in a subpass.
 struct PathOfPixel {
     std::uint32_t number = 0;
-    std::uint32_t log2_samples =
-        0;  // 2^log2_samples there are, the same in all subpasses of a batch
+    std::uint32_t log2_samples = 0;  // paths of the pixel, the same in all subpasses of a batch
     Subpass subpass = {};
 
     std::uint32_t count() const { return 1U << log2_samples; }
@@ -56,7 +56,7 @@ struct PathOfPixel {
 
 class BatchPoints {
 public:
-    /// @param pixel  any index that no other pixel of the pass has.
+    /// @param pixel  index that is unique in the pass.
     BatchPoints(PassId pass, std::uint32_t pixel, const PathOfPixel& path = {})
         : seed_(pass.seed),
           index_((pass.number % kBatchPasses * path.subpass.count + path.subpass.number) *
@@ -67,25 +67,25 @@ public:
           name_{0, pixel, pass.number / kBatchPasses,
                 static_cast<std::uint32_t>(Purpose::camera) | pass.part << 16U} {}
 
-    /// The next pair of dimensions.
+    /// Returns the next pair of dimensions.
     Vec2d next_2d() {
         const RandomBlock random = philox(name_, seed_);
         ++name_[0];
-        // Owen's scrambling of the index permutes the points within each power of two.
+        // Owen scrambling of the index permutes the points within each power of two.
         const std::uint32_t shuffled =
             batch_detail::owen_scramble(index_ << unused_, random[2]) >> unused_;
         return {unit(batch_detail::owen_scramble(sobol(shuffled, 0), random[0])),
                 unit(batch_detail::owen_scramble(sobol(shuffled, 1), random[1]))};
     }
 
-    /// Other dimensions, for a branch of the path: as far from these as chance has it.
+    /// Returns independent dimensions for a branch of the path.
     BatchPoints branch() const {
         BatchPoints other = *this;
         other.name_[0] = name_[0] * 0x9E3779B9U + 0x7F4A7C15U;
         return other;
     }
 
-    /// One number; takes a pair of dimensions.
+    /// Returns one number; it uses up a pair of dimensions.
     double next() { return next_2d().x; }
 
 private:
@@ -94,8 +94,8 @@ private:
     }
 
     std::uint64_t seed_;
-    std::uint32_t index_;   // of the point in its batch
-    std::uint32_t unused_;  // bits of a word beyond those of an index
+    std::uint32_t index_;   // index of the point in its batch
+    std::uint32_t unused_;  // bits of a word that the index does not use
     RandomBlock name_;
 };
 

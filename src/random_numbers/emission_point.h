@@ -1,4 +1,4 @@
-// The dimensions that a path's emission reads, as one point of the unit cube.
+// EmissionPoint: the emission dimensions of a primary sample, as a point of the unit cube.
 #pragma once
 
 #include "random_numbers/primary_sample.h"
@@ -13,7 +13,7 @@ inline constexpr std::size_t kGuidedDimensions = 5;  // EmissionDimension::posit
 static_assert(kGuidedDimensions == kSobolDimensions &&
               dimension(EmissionDimension::light) + 1 == kGuidedDimensions);
 
-/// Dimensions in (0,1).
+/// Each coordinate is in (0,1).
 using EmissionPoint = std::array<double, kGuidedDimensions>;
 
 struct WeightedEmission {

@@ -1,8 +1,10 @@
-// Uniform primary samples whose emission dimensions come from Sobol' points with a fresh digital
-// shift each pass: every path is uniform by itself, and the paths of a pass are spread evenly.
+// EmissionPoints: uniform primary samples with stratified emission dimensions.
 //
-// In:  a pass and the number of a path in it. Out: a dimension reader for that path.
-// Why it is exact: only each path's own distribution matters for unbiasedness
+// The emission dimensions are Sobol' points with a new digital shift per pass: each path is uniform
+// by itself, and the paths of a pass are evenly distributed. Other dimensions are independent.
+//
+// In:  a pass and the index of a path. Out: a primary-sample reader for that path.
+// Estimators stay unbiased, because they depend on the distribution of each path alone
 // (docs/method/method.md).
 #pragma once
 
@@ -30,9 +32,9 @@ public:
 
     private:
         friend class EmissionPoints;
-        /// Jitter below 2^-32: the four words of two hashes, and the first once more with its
-        /// halves swapped. The shift alone makes all dimensions of a path uniform and independent;
-        /// the jitter keeps different paths from having the same lower bits.
+        /// Adds jitter below 2^-32: the four words of two hashes, and the first one again with its
+        /// halves exchanged. The shift makes the dimensions of a path uniform and independent; the
+        /// jitter gives different paths different lower bits.
         Reader(const std::array<std::uint64_t, kSobolDimensions>& shift, std::uint64_t jitter,
                std::uint32_t path, RandomStream stream)
             : stream_(stream) {

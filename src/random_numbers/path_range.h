@@ -1,4 +1,4 @@
-// Consecutive numbers of paths.
+// Ranges of photon paths.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@ struct PathRange {
     std::size_t size() const { return end - begin; }
 };
 
-/// How many paths of a pass are traced before what they bring is deposited: as many as keep some
-/// threads busy and fit in memory. Each deposit walks over all that is seen, and larger pictures
-/// have more paths: so not more often than some times a pass.
-/// @param count  of the pass, or of its part.
+/// Returns how many paths of a pass are traced before their photons are deposited: enough to keep
+/// threads busy, and few enough for memory. A deposit visits all visible points, and larger
+/// pictures have more paths, so a pass has a limited number of deposits.
+/// @param count  paths of the pass, or of its stratum.
 constexpr std::uint64_t paths_at_once(std::uint64_t count) {
     constexpr std::uint64_t kLeast = std::uint64_t{1} << 19U;
     constexpr std::uint64_t kMostDeposits = 8;

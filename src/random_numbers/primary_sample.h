@@ -1,9 +1,9 @@
-// The dimensions of a photon path: which coordinate of u in [0,1)^D means what.
+// Primary sample of a photon path: the meaning of each dimension of u in [0,1)^D.
 //
-// Fixed layout: the emission's dimensions, then the same four for every scattering event, so that a
-// small change of u is a small change of the path. A dimension is a 64-bit fraction of one turn,
-// whose wrap-around is exact; it is read once or not at all, and an unread dimension is never
-// drawn.
+// The layout is fixed: emission dimensions first, then four dimensions per scattering event, so
+// that a small change of u is a small change of the path. A dimension is a 64-bit fraction of the
+// unit interval with exact wrap-around. It is read once or never; dimensions that are never read
+// are never drawn.
 #pragma once
 
 #include "core/random.h"
@@ -18,7 +18,7 @@ enum class EmissionDimension : std::uint32_t {
     direction_u,
     direction_v,
     light,
-    hero,  // which wavelength a dispersive refraction keeps
+    hero,  // the wavelength that a dispersive refraction keeps
     count
 };
 enum class BounceDimension : std::uint32_t { lobe, direction_u, direction_v, roulette, count };
@@ -34,14 +34,14 @@ constexpr std::uint32_t dimension(std::uint32_t bounce, BounceDimension which) {
            static_cast<std::uint32_t>(which);
 }
 
-/// Does the dimension belong to how the photon leaves its light?
+/// Returns whether the dimension belongs to the emission.
 constexpr bool is_emission(std::uint32_t index) {
     return index < dimension(EmissionDimension::count);
 }
 
-/// Dimension i of a path's own stream. Of bounce dimensions no more than the highest 23 bits are
-/// read, so each has one word, and all of a bounce share one random block; emission dimensions have
-/// 64 bits.
+/// Returns dimension i of a path's own stream. Bounce dimensions use at most 23 bits, so each takes
+/// one word, and all dimensions of a bounce share one random block. Emission dimensions have 64
+/// bits.
 constexpr std::uint64_t dimension_of(RandomStream& stream, std::uint32_t index) {
     if (is_emission(index)) return stream.at(index);
     constexpr std::uint32_t kEmissionDimensions = dimension(EmissionDimension::count);
@@ -49,14 +49,14 @@ constexpr std::uint64_t dimension_of(RandomStream& stream, std::uint32_t index) 
     return std::uint64_t{stream.word(index + kEmissionDimensions)} << 32U;
 }
 
-/// What a tracer sees of a primary sample: it names a dimension and gets its fraction, the same
-/// each time. The samplers differ in nothing but their readers.
+/// Access of a path tracer to its primary sample: by dimension index, with the same value each
+/// time. Photon samplers differ in their readers alone.
 template <class R>
 concept PrimarySampleReader = requires(R& read, std::uint32_t index) {
     { read(index) } -> std::same_as<std::uint64_t>;
 };
 
-/// Independent uniform dimensions, of the path's own stream.
+/// Reader of independent uniform dimensions from the path's own stream.
 class IndependentReader {
 public:
     explicit IndependentReader(RandomStream stream) : stream_(stream) {}
@@ -68,7 +68,7 @@ private:
 
 static_assert(PrimarySampleReader<IndependentReader>);
 
-/// The primary samples of a pass's paths, all independent: the paper's uniform sampling.
+/// Independent primary samples for the paths of a pass: the uniform sampling of the paper.
 class IndependentPoints {
 public:
     explicit IndependentPoints(PassId pass) : pass_(pass) {}

@@ -1,4 +1,4 @@
-// The first five dimensions of Sobol's sequence, by byte tables: four look-ups a number.
+// The first five dimensions of Sobol's sequence by byte tables: four look-ups per number.
 //
 // Source: direction numbers of Joe and Kuo, Constructing Sobol sequences with better
 // two-dimensional projections (SIAM J. Sci. Comput. 2008), file new-joe-kuo-6.21201.
@@ -16,7 +16,8 @@ namespace sobol_detail {
 
 using Directions = std::array<std::uint32_t, 32>;
 
-/// @param degree, coefficients  of the primitive polynomial; @param first  its m_1 .. m_degree.
+/// @param degree, coefficients  of the primitive polynomial.
+/// @param first  its m_1 .. m_degree.
 constexpr Directions directions(std::size_t degree, std::uint32_t coefficients,
                                 std::array<std::uint32_t, 3> first) {
     Directions v{};
@@ -52,7 +53,7 @@ inline constexpr std::array<ByteTables, kSobolDimensions> kTables = {
 
 }  // namespace sobol_detail
 
-/// Coordinate `dimension` of point `index` as a fraction of 2^32; not scrambled.
+/// Returns coordinate `dimension` of point `index` as a fraction of 2^32, not scrambled.
 constexpr std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
     const auto& table = sobol_detail::kTables[dimension];
     return table[0][index & 255U] ^ table[1][(index >> 8U) & 255U] ^

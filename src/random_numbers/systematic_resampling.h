@@ -1,23 +1,26 @@
-// Sharing N things evenly among M by one random offset: each share has the same distribution, and
-// the shares sum to N exactly.
+// Systematic resampling: divides N things among M shares with one random offset.
 //
-// In:  whole numbers and one uniform random number. Out: whole numbers; exact integer arithmetic.
-// Why one offset: no share then depends on what it is a share for (docs/method/method.md).
+// All shares have the same distribution, and they sum to N exactly. A single offset makes no share
+// depend on what it is used for (docs/method/method.md).
+//
+// In:  integers and one uniform random number. Out: integers, by exact arithmetic.
+// Source: Carpenter, Clifford, Fearnhead, Improved particle filter for nonlinear problems (1999).
 #pragma once
 
 #include <cstdint>
 
 namespace sunfleck::engine {
 
-/// Uniform in [0, n), up to a part in 2^32. @param n  1 to 2^32 - 1.
+/// Returns a uniform integer in [0, n), up to a bias of 2^-32. @param n  1 to 2^32 - 1.
 constexpr std::uint64_t below(std::uint64_t fraction, std::uint64_t n) {
     return ((fraction >> 32U) * n) >> 32U;
 }
 
-/// Cuts `things` into `shares` lengths, each either floor or ceiling of the quotient.
+/// Divides `things` into `shares`, each the floor or the ceiling of the quotient.
 class SystematicResampling {
 public:
-    /// @param things, shares  below 2^31; shares at least 1. @param fraction  uniform.
+    /// @param things, shares  below 2^31; shares at least 1.
+    /// @param fraction  uniform random number.
     constexpr SystematicResampling(std::uint64_t things, std::uint64_t shares,
                                    std::uint64_t fraction)
         : things_(things), shares_(shares), offset_(below(fraction, shares)) {}

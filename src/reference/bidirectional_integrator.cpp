@@ -1,4 +1,4 @@
-// One pair of paths a pixel.
+// One pair of subpaths per pixel.
 #include "reference/bidirectional_integrator.h"
 
 #include "core/parallel.h"

@@ -1,5 +1,5 @@
-// One path from a light: at every vertex a look from the camera, added to all pixels whose filter
-// reaches there.
+// One path from a light, with a connection of every vertex to the camera, added to all pixels whose
+// filter covers the point.
 #include "reference/light_integrator.h"
 
 #include "camera/projection.h"
@@ -23,8 +23,8 @@ public:
           numbers_(numbers),
           rays_(rays) {}
 
-    /// @param share  of the light that this path stands for: one over their number.
-    /// @return whether it brought light to a pixel.
+    /// @param share  weight of this path: one over their number.
+    /// @return whether it contributed to a pixel.
     bool trace(float share) {
         follow(share);
         return seen_;
@@ -76,12 +76,12 @@ private:
         return start;
     }
 
-    /// The look from the camera, then a direction to go on in. @return whether the path goes on.
+    /// Connects to the camera, then samples a direction. @return whether the path continues.
     bool scatter(Hit& hit, int depth) {
         const Bsdf bsdf = met_bsdf(pass_.scene, hit, flux_, hero_);
         const Frame frame(hit.shading_normal, hit.tangent);
         const Vec3 wo = frame.to_local(-direction_);
-        // Flux by unit of area is that on the geometric surface; bsdfs count by the shading one.
+        // Flux per area refers to the geometric surface, bsdfs to the shading normal.
         const float arrived = std::abs(wo.z / direction_.dot(hit.normal));
         if (scattering(bsdf) != Scattering::specular) look(hit, frame, bsdf, wo, arrived);
         const BsdfDraw draw{{static_cast<float>(number()), static_cast<float>(number()),

@@ -1,4 +1,4 @@
-// Bootstrap, chains, and what their states bring.
+// Bootstrap, chains, and the contributions of their states.
 #include "reference/metropolis_integrator.h"
 
 #include "core/parallel.h"
@@ -11,16 +11,16 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Of steps that start afresh (pbrt-v4's "largestepprobability").
+/// Probability of large steps (pbrt-v4's "largestepprobability").
 constexpr double kLargeSteps = 0.3;
 constexpr std::size_t kChainSteps = 256;
-constexpr std::size_t kLeastSteps = 4096;  // of a pass
+constexpr std::size_t kLeastSteps = 4096;  // per pass
 
-/// A pair of subpaths by its numbers, and what it brings.
+/// A pair of subpaths by its primary sample, with its contributions.
 struct State {
     std::array<std::vector<double>, 3> numbers;
     std::vector<FilmLight> lights;
-    double target = 0;  // sum of `lights`, over wavelengths
+    double target = 0;  // sum of `lights` over wavelengths
 
     void clear() {
         for (std::vector<double>& stream : numbers) stream.clear();
@@ -29,10 +29,10 @@ struct State {
     }
 };
 
-/// Makes states; one for each thread.
+/// Evaluates states; one per thread.
 class StateMaker {
 public:
-    /// @param shift  of the bootstrap's points of the film.
+    /// @param shift  of the bootstrap's film points.
     StateMaker(const ReferencePass& pass, const Projection& camera, const Splatter& splatter,
                const Vec2d& shift)
         : id_(pass.id),
@@ -41,12 +41,12 @@ public:
           area_((reach_[1] - reach_[0]) * (reach_[3] - reach_[2])),
           pair_(pass, camera, splatter, area_) {}
 
-    /// Pair `index` of the bootstrap: independent, but for the spread of their points of the film.
+    /// Makes pair `index` of the bootstrap: independent, except for the stratified film points.
     void make(std::size_t index, State& state) {
         make(Purpose::metropolis_bootstrap, index, nullptr, state);
     }
-    /// A step. @param index  of the step, in the pass. @param near  null for one that starts
-    /// afresh.
+    /// Makes a proposal. @param index  of the step, in the pass. @param near  current state; null
+    /// for a large step.
     void make(std::size_t index, const State* near, State& state) {
         make(Purpose::metropolis_step, index, near, state);
     }
@@ -83,7 +83,7 @@ private:
         state.target = 0;
     }
 
-    /// Sobol' points, shifted anew in each pass.
+    /// Returns a Sobol' point, with a new shift in each pass.
     Vec2d spread(std::size_t index) const {
         const auto along = [&](std::size_t dimension, double shift) {
             const std::uint32_t point = sobol(static_cast<std::uint32_t>(index), dimension);
@@ -96,19 +96,19 @@ private:
     PassId id_;
     Vec2d shift_;
     std::array<double, 4> reach_;
-    double area_;  // of the film that pixels see
+    double area_;  // of the film that pixels cover
     PathPair pair_;
     std::uint64_t not_finite_ = 0;
 };
 
-/// Which pairs of the bootstrap chains start from, and what a state is worth.
+/// Starting pairs of the chains, and the normalisation.
 struct Start {
     std::vector<std::size_t> seeds;  // by chain
     double mean = 0;                 // of the target
     std::size_t visible = 0;
 };
 
-/// By one random offset: a pair starts floor or ceiling of its share of the chains.
+/// Systematic resampling: a pair starts the floor or the ceiling of its fraction of the chains.
 Start resample(const std::vector<double>& targets, std::size_t chains, double u) {
     Start start;
     double sum = 0;
@@ -134,8 +134,8 @@ public:
     Chain(StateMaker& maker, const Splatter& splatter, double worth)
         : maker_(maker), splatter_(splatter), worth_(worth) {}
 
-    /// Expected values: the state and the proposal both bring their share of each step.
-    /// @param numbers  of the choices alone. @return the proposals accepted.
+    /// Uses expected values: both the current state and the proposal contribute in each step.
+    /// @param numbers  for acceptance. @return the number of accepted proposals.
     std::uint64_t walk(std::size_t seed, std::size_t chain, std::size_t steps,
                        RandomStream numbers) {
         maker_.make(seed, state_);

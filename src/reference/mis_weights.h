@@ -1,11 +1,11 @@
-// Weights of the strategies that make one path from the eye and from a light: balance heuristic.
+// MIS weights of bidirectional path tracing by the balance heuristic.
 //
-// A path of n + 1 vertices is made by tracing t of them from the eye and s from the light. With
-// P(s) the density of strategy s, its weight is P(s) / (sum of all P that can make the path). Each
-// vertex keeps one sum over the strategies that would have met its own subpath sooner, so that no
-// connection walks along the path.
+// A path of n + 1 vertices is sampled by t of them from the camera and s from the light. With P(s)
+// the density of strategy s, its weight is P(s) / (sum of P of all strategies that can sample the
+// path). Each vertex stores one sum over the strategies that would have connected earlier on its
+// own subpath, so that no connection needs to visit all vertices.
 // Source: Veach 1997, ch. 10.2; van Antwerpen, Recursive MIS Computation for Streaming BDPT on the
-// GPU (2011). Sampling of lights as a strategy with a density of its own: Georgiev et al., Light
+// GPU (2011). Light sampling as a strategy with a density of its own: Georgiev et al., Light
 // Transport Simulation with Vertex Connection and Merging (2012).
 #pragma once
 
@@ -13,21 +13,21 @@
 
 namespace sunfleck::engine {
 
-/// A vertex as its own subpath made it.
+/// The densities at a vertex, as its own subpath sampled it.
 struct PathWeights {
-    /// With which the subpath made it, per m^2. At a light subpath's first vertex: times the
-    /// density of its start, as EndDensities count it.
+    /// Density per m^2 with which the subpath sampled the vertex. For the first vertex of a light
+    /// subpath: times the density of its start, as in EndDensities.
     double density = 1;
-    /// Density, over that of its own subpath up to the vertex before, of the strategy that connects
-    /// across the edge before the vertex; none where the vertex before scatters as a mirror does.
+    /// Density of the strategy that connects across the edge before the vertex, over that of its
+    /// own subpath up to the previous vertex; zero if the previous vertex is specular.
     double edge = 0;
-    /// The same for all strategies that connect at edges further back, but for the density of
+    /// Sum of these ratios for all strategies that connect at earlier edges, without the density of
     /// leaving this vertex backwards.
     double earlier = 0;
 };
 
-/// Directions that leave a vertex, per sr: the one the subpath goes on in, and, were the path
-/// traced from the other end, the one it came from. Of mirrors: the cosine, for a density that is
+/// Densities of directions at a vertex, per sr: of the subpath's next direction, and of the reverse
+/// one for a path from the other end. For specular vertices: the cosine, for a density that is
 /// infinite both ways.
 struct Departure {
     double forward = 0;
@@ -35,14 +35,16 @@ struct Departure {
     bool is_delta = false;
 };
 
-/// Sum over all strategies that make this vertex from the other end, over the density of its own
-/// subpath: still to be multiplied by the density (per m^2) with which that end would make it.
+/// Returns the sum over all strategies that sample this vertex from the other end, over the density
+/// of its own subpath. The caller multiplies it by the density (per m^2) with which the other end
+/// samples it.
 inline double from_other_end(const PathWeights& at, const Departure& leaving) {
     return ((leaving.is_delta ? 0 : at.edge) + leaving.back * at.earlier) / at.density;
 }
 
-/// The next vertex of a subpath. @param cosine_here, cosine_there  of the way between them with
-/// the geometric normals. @param distance2  between them.
+/// Returns the densities at the next vertex of a subpath.
+/// @param cosine_here, cosine_there  of the segment with the geometric normals.
+/// @param distance2  squared length of the segment.
 inline PathWeights next_weights(const PathWeights& here, const Departure& leaving,
                                 double cosine_here, double cosine_there, double distance2) {
     constexpr double kLeast = 1e-200;  // keeps quotients finite
@@ -50,17 +52,17 @@ inline PathWeights next_weights(const PathWeights& here, const Departure& leavin
             leaving.is_delta ? 0.0 : 1.0, cosine_here / distance2 * from_other_end(here, leaving)};
 }
 
-/// Densities of a light's end of a path, all per sr as the vertex next to it sees the end (of
-/// points and of parallel light: without a unit).
+/// Densities of a path's end at a light, all per sr seen from the next vertex (for points and
+/// parallel light: dimensionless).
 struct EndDensities {
-    double hit = 0;      // one where a ray from the vertex can meet the light, else zero
-    double direct = 0;   // of choosing and sampling it for direct light from there
-    double emitted = 0;  // of choosing it and emitting that way, times that of the vertex, per m^2
+    double hit = 0;      // one if a ray from the vertex can hit the light, else zero
+    double direct = 0;   // of next event estimation from there, choice of the light included
+    double emitted = 0;  // of emission, choice included, times that of the vertex, per m^2
 };
 
-/// Weights of the two strategies whose last step is at a light, at a vertex of the eye's subpath.
+/// Weights of both strategies whose last step ends at a light, at a vertex of a camera subpath.
 struct EndWeights {
-    double met = 0;      // the ray met the light
+    double met = 0;      // the ray hit the light
     double sampled = 0;  // the light was sampled
 };
 
@@ -74,32 +76,33 @@ inline EndWeights end_weights(const EndDensities& end, const PathWeights& vertex
     return {met / total, sampled / total};
 }
 
-/// The start of a light's subpath at its first vertex.
+/// Returns the start of a light subpath at its first vertex.
 inline PathWeights first_of_light(const EndDensities& end) {
     return {std::max(end.emitted, 1e-200), end.direct, end.hit};
 }
 
-/// The start of the eye's subpath. @param density  of camera paths there, per m^2, if each pixel's
-/// area has one. @param light_paths  for each of these.
+/// Returns the start of a camera subpath.
+/// @param density  of camera paths at the vertex, per m^2, if each pixel's area has one.
+/// @param light_paths  per camera path.
 inline PathWeights first_of_eye(double density, double light_paths) {
     return {std::max(density, 1e-200), light_paths, 0};
 }
 
-/// One of two vertices that are joined.
+/// One of two connected vertices.
 struct Joined {
     const PathWeights& weighing;
     const Departure& leaving;
-    double from_other;  // the density with which the other end would make it, per m^2
+    double from_other;  // density per m^2 with which the other end samples it
 };
 
-/// Two wide vertices joined.
+/// Returns the weight of a connection of two vertices.
 inline double connection_weight(const Joined& eye, const Joined& light) {
     return 1 / (1 + eye.from_other * from_other_end(eye.weighing, eye.leaving) +
                 light.from_other * from_other_end(light.weighing, light.leaving));
 }
 
-/// A vertex of a light's subpath seen by the camera. @param at_light, light_paths  the two
-/// arguments of first_of_eye(), there.
+/// Returns the weight of a light vertex connected to the camera.
+/// @param at_light, light_paths  arguments of first_of_eye() at the vertex.
 inline double light_image_weight(const PathWeights& light, const Departure& from_light,
                                  double at_light, double light_paths) {
     return 1 / (1 + at_light * from_other_end(light, from_light) / light_paths);

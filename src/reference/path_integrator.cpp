@@ -1,4 +1,4 @@
-// One path a pixel: emission, next-event estimation and bsdf sampling at every vertex.
+// One path per pixel: emission, next event estimation and bsdf sampling at every vertex.
 #include "reference/path_integrator.h"
 
 #include "camera/filter.h"
@@ -20,7 +20,7 @@ public:
           rays_(rays),
           medium_(scene_.media().at_camera) {}
 
-    /// Radiance along the ray. @return one sample of it.
+    /// Returns an estimate of the radiance along the ray.
     SampledSpectrum radiance(const CameraRay& view) {
         Ray ray{Vec3(view.origin), Vec3(view.direction)};
         last_ = ray.origin;
@@ -44,8 +44,8 @@ public:
 private:
     double number() { return numbers_.next(); }
 
-    /// Follows the ray past surfaces that are no obstacle, adding the emitters on the way.
-    /// @param hit  what the ray meets, if anything.
+    /// Follows the ray through null interfaces, and adds the emitters on the way.
+    /// @param hit  first hit of the ray, if any.
     std::optional<Hit> next_surface(Ray& ray, std::optional<Hit> hit) {
         while (true) {
             ++rays_;
@@ -80,7 +80,7 @@ private:
         add_emitter(i, pdf, pass_.scene.emitted(i, light, hit));
     }
 
-    /// An emitter that the last bsdf sample found. @param light_pdf  of direct samples of it.
+    /// Adds an emitter hit by the last bsdf sample. @param light_pdf  of light samples.
     void add_emitter(std::uint32_t light, float light_pdf, const SampledSpectrum& radiance) {
         const auto other =
             static_cast<float>(scene_.light_tree().probability({last_, Vec3(0)}, light)) *
@@ -89,7 +89,7 @@ private:
         sum_ += throughput_ * radiance * weight;
     }
 
-    /// Direct light, then a direction to go on in: `ray` becomes the next one.
+    /// Adds direct light, then samples a direction: `ray` becomes the next one.
     std::optional<BsdfSample> scatter(Hit& hit, Ray& ray) {
         const Bsdf bsdf = met_bsdf(pass_.scene, hit, throughput_, hero_);
         const Frame frame(hit.shading_normal, hit.tangent);
@@ -151,7 +151,7 @@ private:
     bool specular_ = true;
     float pdf_ = 0;
     float scale_ = 1;
-    Vec3 last_{0};  // vertex
+    Vec3 last_{0};  // previous vertex
 };
 
 }  // namespace

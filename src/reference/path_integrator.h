@@ -1,9 +1,9 @@
-// Path tracing: the reference that photon mapping is tested against where both converge.
+// Path tracing, the reference for photon mapping where both converge.
 //
-// Written apart from the camera pass, on purpose: it shares scene, bsdfs and lights, but neither
-// its direct light, nor its numbers, nor its idea of who brings what. It brings no caustics of
-// point, spot and distant lights: no path from the eye can find them. Source: Kajiya 1986; multiple
-// importance sampling by the balance heuristic, Veach 1997, ch. 9.
+// It is independent of the camera pass on purpose: it shares scene, bsdfs and lights, but not next
+// event estimation, random numbers, or the path-space partition. It has no caustics of point, spot
+// and distant lights, which no path from the camera can find.
+// Source: Kajiya 1986; multiple importance sampling by the balance heuristic, Veach 1997, ch. 9.
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -16,14 +16,14 @@ namespace sunfleck::engine {
 
 struct ReferencePass {
     const PassScene& scene;
-    const TransportSettings& transport;  // max_depth; `direct` does not matter here
+    const TransportSettings& transport;  // max_depth is used, `direct` is not
     PixelWindow window;
     PassId id;
 };
 
-/// Adds one path a pixel to the total of the image, pixels row by row.
+/// Adds one path per pixel to the total of the image, in row-major order.
 void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statistics& statistics);
-/// The same, of light that nothing scatters: emitters as the camera sees them.
+/// Adds light without scattering events: emitters seen by the camera.
 void trace_emitters(const ReferencePass& pass, PassImage& image, Statistics& statistics);
 
 }  // namespace sunfleck::engine

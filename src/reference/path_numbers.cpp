@@ -1,4 +1,4 @@
-// Small moves of a path's numbers.
+// Small perturbations of a path's numbers.
 #include "reference/path_numbers.h"
 
 #include <algorithm>
@@ -7,13 +7,13 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Kelemen et al. 2002, section 3.1: moves between these, their logarithms uniform.
+/// Kelemen et al. 2002, section 3.1: sizes between these bounds, log-uniform.
 constexpr double kLeastMove = 1.0 / 1024;
 constexpr double kMostMove = 1.0 / 64;
 
 }  // namespace
 
-/// To either side, around the ends of (0,1). @param u  in (0,1): side and size.
+/// Perturbs to either side with wrap-around in (0,1). @param u  in (0,1): selects side and size.
 double PathNumbers::moved(double value, double u) {
     const double side = u < 0.5 ? 1 : -1;
     const auto along = static_cast<float>(u < 0.5 ? 2 * u : 2 * u - 1);

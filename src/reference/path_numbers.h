@@ -1,8 +1,8 @@
-// The numbers of a path, in the order in which it asks: drawn afresh, or near those of another
+// PathNumbers: the random numbers of a path in the order of their use, new or mutated from another
 // path.
 //
-// A path reads a prefix of its numbers. One near it moves those, and draws afresh what it reads
-// beyond them: what was not read has no part in any target, so nothing needs to be kept of it.
+// A path reads a prefix of its numbers. A mutated path perturbs those, and draws new ones beyond:
+// unread numbers have no effect on the target, so they need not be stored.
 #pragma once
 
 #include "core/random.h"
@@ -15,12 +15,12 @@ namespace sunfleck::engine {
 class PathNumbers {
 public:
     explicit PathNumbers(RandomStream stream) : stream_(stream) {}
-    /// @param near  null: all are drawn afresh. @param read  gets them, after what it holds; must
-    /// be empty. Both outlive this.
+    /// @param near  numbers of the other path; null draws all anew.
+    /// @param read  must be empty; receives the numbers in use. Both outlive this.
     PathNumbers(RandomStream stream, const std::vector<double>* near, std::vector<double>* read)
         : stream_(stream), near_(near), read_(read) {}
 
-    /// In (0,1).
+    /// Returns the next number in (0,1).
     double next() {
         if (read_ == nullptr) return stream_.next();
         const std::size_t i = read_->size();

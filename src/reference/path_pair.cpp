@@ -1,5 +1,5 @@
-// Four kinds of strategies: a ray meets a light, a light is sampled, vertices are joined, the
-// camera looks at the light's subpath.
+// Four kinds of strategies: a ray hits a light, a light is sampled, two vertices are connected, a
+// light vertex is connected to the camera.
 #include "reference/path_pair.h"
 
 namespace sunfleck::engine {
@@ -47,7 +47,7 @@ SampledSpectrum PathPair::unscattered() const {
     return sum;
 }
 
-/// What media leave of light that goes straight; nothing if it cannot.
+/// Returns the transmittance of a segment; nothing if it is blocked.
 SampledSpectrum PathPair::seen(const SubpathVertex& from, const Vec3& way, float distance) {
     ++camera_rays_;
     const MediumNumber medium = pass_.scene.scene.medium_beyond(from.hit, way, from.medium);
@@ -95,7 +95,7 @@ SampledSpectrum PathPair::joined(const SubpathVertex& eye, const SubpathVertex& 
          at_light.leaving.forward * static_cast<double>(at_eye.cosine) / distance2},
         {light.weighing, at_light.leaving,
          at_eye.leaving.forward * static_cast<double>(at_light.cosine) / distance2});
-    // Both subpaths' shares of one chosen wavelength count all wavelengths for it.
+    // If both subpaths keep the same single wavelength, the factor kWavelengths applies once.
     const double count = eye.hero.single && light.hero.single ? kWavelengths : 1;
     return eye.arriving * at_eye.weight * left * at_light.weight * light.arriving *
            static_cast<float>(weight / (distance2 * count));

@@ -1,8 +1,8 @@
-// A subpath from the eye and one from a light, joined in every way.
+// PathPair: a camera subpath and a light subpath with all their connections.
 //
-// In:  a point of the film, streams of numbers. Out: light for that point, and light for other
-// points of the film, which the camera sees of the light's subpath. All strategies are weighted
-// (reference/mis_weights.h), so their sums are without bias.
+// In:  a film point, random numbers. Out: light at that point, and light at other film points by
+// connections of the light subpath to the camera. All strategies have MIS weights
+// (reference/mis_weights.h), so the sums are unbiased.
 #pragma once
 
 #include "reference/splatter.h"
@@ -10,7 +10,7 @@
 
 namespace sunfleck::engine {
 
-/// What a path pair brings to a point of the film.
+/// Light at a film point.
 struct FilmLight {
     Vec2d film;
     SampledSpectrum light;
@@ -18,7 +18,7 @@ struct FilmLight {
 
 class PathPair {
 public:
-    /// @param light_paths  for each camera path through a unit of the film's area, in pixels.
+    /// @param light_paths  per camera path through a unit of film area, in pixels.
     PathPair(const ReferencePass& pass, const Projection& camera, const Splatter& splatter,
              double light_paths)
         : pass_(pass),
@@ -27,20 +27,20 @@ public:
           light_paths_(light_paths),
           tracer_(pass, camera, light_paths) {}
 
-    /// Numbers of both subpaths, and of what joins them: apart, so that a change of one leaves the
-    /// others where they are.
+    /// Numbers of both subpaths and of their connections; they are separate, so that a change of
+    /// one leaves the others unchanged.
     struct Numbers {
         PathNumbers eye;
         PathNumbers light;
         PathNumbers joints;
     };
 
-    /// @return radiance along a camera ray through the point, but for what splats() brings and
-    /// what lights send straight to the camera.
+    /// @return radiance along a camera ray through the point, without splats() and directly seen
+    /// lights.
     SampledSpectrum trace(const Vec2d& film, Numbers& numbers);
-    /// Of the last pair: radiance of lights that nothing scatters, along the camera ray.
+    /// Returns the radiance of lights seen directly along the camera ray of the last pair.
     SampledSpectrum unscattered() const;
-    /// Of the last pair: light times film area, as if the light's subpath were all there is.
+    /// Returns light times film area of the last pair, as if there were no other light subpaths.
     const std::vector<FilmLight>& splats() const { return splats_; }
 
     std::uint64_t camera_rays() const { return camera_rays_; }

@@ -1,4 +1,4 @@
-// Filters around points of the film.
+// Filters around film points.
 #include "reference/splatter.h"
 
 #include "camera/film_images.h"
@@ -8,7 +8,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// A spherical film goes on beyond its edges: a point of it may reach any pixel.
+/// A spherical film continues beyond its edges, so that a point may reach any pixel.
 std::array<double, 4> reach_of(const ReferencePass& pass) {
     if (const auto* sphere = std::get_if<SphericalCamera>(&pass.scene.scene.camera()))
         return {0, double(sphere->resolution.x), 0, double(sphere->resolution.y)};

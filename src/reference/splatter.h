@@ -1,4 +1,4 @@
-// Adds light that arrives at points of the film to all pixels whose filter reaches there.
+// Splatter: adds light at film points to all pixels whose filter covers them.
 #pragma once
 
 #include "camera/filter.h"
@@ -8,17 +8,18 @@ namespace sunfleck::engine {
 
 class Splatter {
 public:
-    /// Both outlive this.
+    /// Both arguments outlive this.
     Splatter(const ReferencePass& pass, PassImage& image);
 
-    /// Does any pixel's filter reach there? @param film  in pixels, as camera_ray() takes it.
+    /// Returns whether any pixel's filter covers a point. @param film  in pixels, as for
+    /// camera_ray().
     bool reaches(const Vec2d& film) const {
         return film.x > reach_[0] && film.x < reach_[1] && film.y > reach_[2] && film.y < reach_[3];
     }
-    /// Any number of threads. @param light  radiance times film area, in pixels.
+    /// Thread-safe. @param light  radiance times film area, in pixels.
     void add(const Vec2d& film, const SampledSpectrum& light) const;
 
-    /// Where points of the film that filters reach are: x0 x1 y0 y1, in pixels.
+    /// Returns the film area that filters cover: x0 x1 y0 y1, in pixels.
     const std::array<double, 4>& reach() const { return reach_; }
 
 private:

@@ -1,4 +1,4 @@
-// Walks from the eye and from lights, and densities on the way.
+// Random walks from the camera and from lights, with their densities.
 #include "reference/subpath.h"
 
 #include "reference/surface.h"
@@ -8,7 +8,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// As floats: what is larger than one stays below it.
+/// Converts to float and keeps the result below one.
 float below_one(double u) {
     return std::min(static_cast<float>(u), 1 - 0x1p-24F);
 }
@@ -21,7 +21,7 @@ double cosine_at(const Hit& hit, const Vec3& way) {
     return std::abs(static_cast<double>(hit.normal.dot(way)));
 }
 
-/// Flux by unit of area is that on the geometric surface; bsdfs count by the shading one.
+/// Returns the shading-normal correction (Veach 1997, section 5.3).
 float adjoint_at(const SubpathVertex& vertex, const Vec3& came) {
     return std::abs(vertex.wo.z / came.dot(vertex.hit.normal));
 }
@@ -61,7 +61,7 @@ EndDensities end_densities(const Scene& scene, std::uint32_t number, const Light
     } else if (!comes_from_afar(light)) {
         end.emitted /= (Vec3d(at.position) - ray.origin).length2();
     }
-    // Beyond floats: what samples of such a light refuse, too.
+    // Too large for floats; samples of such a light are refused, too.
     if (!std::isfinite(end.direct)) end.direct = 0;
     if (!std::isfinite(end.emitted)) end.emitted = 0;
     return end;
@@ -120,7 +120,7 @@ void SubpathTracer::follow(PathNumbers& numbers, Subpath& path) {
     }
 }
 
-/// Past surfaces that are no obstacle. @return whether there is one that is, and is lit.
+/// Follows the ray through null interfaces. @return whether it hits another, lit surface.
 bool SubpathTracer::next_surface(Subpath& path) {
     const Scene& scene = pass_.scene.scene;
     while (true) {
@@ -163,7 +163,7 @@ void SubpathTracer::note_lights(bool met, Subpath& path) {
     }
 }
 
-/// The vertex at the surface that was met.
+/// Returns the vertex at the hit surface.
 SubpathVertex SubpathTracer::arrive(const Subpath& path) {
     const Vec3 came = direction_;
     Bsdf bsdf = met_bsdf(pass_.scene, hit_, throughput_, hero_);
@@ -184,7 +184,7 @@ SubpathVertex SubpathTracer::arrive(const Subpath& path) {
     return vertex;
 }
 
-/// A direction to go on in. @return whether there is one.
+/// Samples a direction. @return whether there is one.
 bool SubpathTracer::scatter(PathNumbers& numbers, SubpathVertex& vertex, std::size_t depth) {
     const BsdfDraw draw{
         {below_one(numbers.next()), below_one(numbers.next()), below_one(numbers.next())},
@@ -216,7 +216,7 @@ bool SubpathTracer::scatter(PathNumbers& numbers, SubpathVertex& vertex, std::si
     return true;
 }
 
-/// Importance falls as radiance does; flux stays about constant.
+/// Importance decreases like radiance; flux stays about constant.
 float SubpathTracer::survival(const SampledSpectrum& before) const {
     return std::min(1.0F, transport_ == Transport::radiance ? throughput_.mean() * scale_
                                                             : throughput_.sum() / before.sum());

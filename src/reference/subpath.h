@@ -1,5 +1,5 @@
-// Subpaths of bidirectional path tracing: surfaces met one after the other, from the eye or from a
-// light, with all that is needed to join them.
+// Subpaths of bidirectional path tracing: the vertices from the camera or from a light, with the
+// data for connections.
 #pragma once
 
 #include "camera/projection.h"
@@ -11,28 +11,28 @@
 
 namespace sunfleck::engine {
 
-/// A surface that scatters. Local: the frame of its shading normal.
+/// A scattering vertex. "Local" means the frame of its shading normal.
 struct SubpathVertex {
     Hit hit;
     Frame frame;
     Bsdf bsdf;
-    Vec3 wo;                   // local, unit, to the vertex before
-    float adjoint = 1;         // from a light: cosines of shading over geometric normal, arriving
-    SampledSpectrum arriving;  // importance, or flux
+    Vec3 wo;                   // local, unit, to the previous vertex
+    float adjoint = 1;         // on a light subpath: shading-normal correction, arriving
+    SampledSpectrum arriving;  // importance or flux
     HeroWavelength hero;       // of `arriving`
-    MediumNumber medium = 0;   // in which the path came
+    MediumNumber medium = 0;   // of the incoming segment
     PathWeights weighing;
-    Departure leaving;  // the way the subpath went on, where it did
+    Departure leaving;  // of the next direction, if the subpath continued
 
     bool is_wide() const { return scattering(bsdf) != Scattering::specular; }
 };
 
-/// A light that the eye's subpath met.
+/// A light hit by the camera subpath.
 struct MetLight {
-    std::size_t vertices = 0;  // of the subpath before it
+    std::size_t vertices = 0;  // of the subpath before the light
     std::uint32_t light = 0;
-    LightRay ray;          // to the last of these
-    SampledSpectrum seen;  // radiance as it arrives, times importance
+    LightRay ray;          // to the last of them
+    SampledSpectrum seen;  // incident radiance times importance
 };
 
 struct Subpath {
@@ -45,31 +45,32 @@ struct Subpath {
     }
 };
 
-/// What a vertex does with light between its subpath and a direction.
+/// The scattering of a vertex from its subpath into a direction.
 struct Scattered {
-    SampledSpectrum
-        weight;  // bsdf times the cosine at the end where flux arrives, adjoint cosines included
+    SampledSpectrum weight;  // bsdf times cosine of the flux, shading-normal correction included
     Departure leaving;
     float cosine = 0;  // with the geometric normal
 };
 
-/// Of a vertex that is wide. @param way  unit, world. @param transport  of its own subpath.
+/// Evaluates a vertex that is not specular. @param way  unit, world. @param transport  of its own
+/// subpath.
 Scattered scattered(const SubpathVertex& vertex, const Vec3& way, Transport transport);
 
-/// What the light of that number is to a surface at its ray's other end.
+/// Returns the densities of light `number` for a surface at the other end of the ray.
 EndDensities end_densities(const Scene& scene, std::uint32_t number, const LightRay& ray,
                            const Hit& at);
 
-/// Traces subpaths; one for each thread, used again and again.
+/// Traces subpaths; each thread has one and reuses it.
 class SubpathTracer {
 public:
-    /// @param light_paths  as first_of_eye() takes them. All are referred to.
+    /// @param light_paths  see first_of_eye(). References are kept.
     SubpathTracer(const ReferencePass& pass, const Projection& camera, double light_paths)
         : pass_(pass), camera_(camera), light_paths_(light_paths) {}
 
-    /// From the camera. @param film  in pixels. @param wavelength  of dispersion.
+    /// Traces from the camera. @param film  in pixels. @param wavelength  hero wavelength for
+    /// dispersion.
     void trace_eye(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers, Subpath& path);
-    /// From a light; empty where none shines. Lights are chosen by power.
+    /// Traces from a light selected by power; the path is empty if no light has power.
     void trace_light(std::size_t wavelength, PathNumbers& numbers, Subpath& path);
 
     std::uint64_t rays() const { return rays_; }
@@ -87,7 +88,7 @@ private:
     double light_paths_;
     std::uint64_t rays_ = 0;
 
-    // The path at hand.
+    // The current path.
     Transport transport_ = Transport::radiance;
     SampledSpectrum throughput_;
     HeroWavelength hero_;
@@ -99,7 +100,7 @@ private:
     float scale_ = 1;  // squared ratio of indices, for Russian roulette
     Vec2d lens_{0};
     std::uint32_t light_ = 0;
-    LightRay start_;  // or the camera's ray
+    LightRay start_;  // or the camera ray
 };
 
 }  // namespace sunfleck::engine

@@ -1,14 +1,13 @@
-// What scatters at a vertex of a reference path, and what that does to the path's wavelengths.
+// The Bsdf at a vertex of a reference path, with its effect on the path's wavelengths.
 #pragma once
 
 #include "scene/pass_scene.h"
 
 namespace sunfleck::engine {
 
-/// The Bsdf at a hit, as the path sees it: where wavelengths part and the surface is not smooth,
-/// the path keeps its chosen wavelength from here on; a path of one wavelength sees that
-/// wavelength's Bsdf.
-/// @param hit  its shading normal and tangent are bent where the material has a relief.
+/// Returns the Bsdf at a hit for the path: at a dispersive surface that is not specular, the path
+/// terminates its secondary wavelengths; a path of one wavelength gets the Bsdf of that wavelength.
+/// @param hit  a bump or normal map changes its shading normal and tangent.
 inline Bsdf met_bsdf(const PassScene& scene, Hit& hit, SampledSpectrum& throughput,
                      HeroWavelength& hero) {
     std::optional<Bsdf> room;

@@ -1,4 +1,4 @@
-// Crops that keep their share, and checks of what is asked for.
+// Film sizes and crops, and energy compensation.
 #include "scene/adjust.h"
 
 #include <algorithm>
@@ -7,7 +7,8 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The same share of another extent, of one pixel at least. @param low, high  of `before` pixels.
+/// Scales an interval to another extent, at least one pixel long. @param low, high  of `before`
+/// pixels.
 void keep_share(int& low, int& high, int before, int now) {
     const auto moved = [&](int pixel) {
         return static_cast<int>(std::int64_t{pixel} * now / before);
@@ -46,7 +47,7 @@ void set_crop(FilmDescription& film, const std::array<int, 4>& crop, const std::
         return 0 <= begin && begin < end && end <= most;
     };
     if (!is_run(crop[0], crop[1], size.x) || !is_run(crop[2], crop[3], size.y))
-        throw Error({flag}, "is no part of the picture",
+        throw Error({flag}, "is not within the picture",
                     "give x0,x1,y0,y1 in pixels, with 0 <= x0 < x1 <= " + std::to_string(size.x) +
                         " and 0 <= y0 < y1 <= " + std::to_string(size.y));
     film.crop = crop;

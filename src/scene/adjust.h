@@ -1,5 +1,4 @@
-// What a user changes in a scene: the size of its picture, the part that is rendered, its
-// materials.
+// Changes to a scene that a user asks for: film size, crop, energy compensation.
 #pragma once
 
 #include "scene/description.h"
@@ -9,23 +8,25 @@
 
 namespace sunfleck::engine {
 
-/// Another film size. The view keeps the extent of its shorter axis; a crop keeps its share, of a
-/// pixel at least each way.
-/// @param resolution  positive, at most 65536 a side.
+/// Sets another film size. The camera keeps the extent of its shorter axis; a crop keeps its
+/// fraction of the film, at least one pixel per axis.
+/// @param resolution  positive, at most 65536 per side.
 void set_resolution(Camera& camera, FilmDescription& film, const Vec2i& resolution);
 inline void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
     set_resolution(scene.camera, scene.film, resolution);
 }
 
-/// The pixels of a crop window, rounded as in pbrt-v4.
+/// Returns the pixels of a crop window, rounded as in pbrt-v4.
 /// @param window  x0 x1 y0 y1 as fractions of the picture. @return x0 x1 y0 y1 in pixels.
 std::array<int, 4> pixels_of_window(const std::array<double, 4>& window, const Vec2i& size);
 
-/// @param crop  x0 x1 y0 y1 in pixels. @param flag  that asked for it.
-/// @throws Error where that is not a part of the picture.
+/// Sets the crop.
+/// @param crop  x0 x1 y0 y1 in pixels.
+/// @param flag  the flag, for the error.
+/// @throws Error  if the crop is not within the picture.
 void set_crop(FilmDescription& film, const std::array<int, 4>& crop, const std::string& flag);
 
-/// Rough metals and glass give back what their facets lose (bsdf/facet_losses.h); coats do not.
+/// Enables energy compensation of rough metals and glass (bsdf/facet_losses.h), except under coats.
 void compensate_energy(std::vector<Material>& materials);
 
 }  // namespace sunfleck::engine

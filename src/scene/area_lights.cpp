@@ -1,4 +1,4 @@
-// An emitting shape becomes area lights: one a triangle, one a patch, one a quadric.
+// Conversion of an emitting shape to area lights: one per triangle, patch or quadric.
 #include "scene/area_lights.h"
 
 #include "geometry/measure.h"
@@ -9,9 +9,9 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The side of the triangle that rays will call outside: by its winding in the object's frame,
-/// turned to agree with vertex normals, turned again by ReverseOrientation (pbrt-v4).
-/// @param cross  of the edges in the world.
+/// Returns the normal of the side that rays call outside: by the winding in the object's frame,
+/// flipped to agree with vertex normals, flipped again by ReverseOrientation (pbrt-v4).
+/// @param cross  cross product of the edges in the world.
 Vec3d outside(const TriangleMesh& mesh, std::size_t triangle, const PlacedShape& placed,
               const Vec3d& cross) {
     double side = placed.flip ? -1 : 1;
@@ -36,7 +36,7 @@ EmittingTriangle emitting_triangle(const TriangleMesh& mesh, std::size_t triangl
     return result;
 }
 
-/// As hits have them: pbrt-v4's where the mesh gives none.
+/// Returns the coordinates that hits have: pbrt-v4's if the mesh gives none.
 CornerUvs corner_uvs(const TriangleMesh& mesh, std::size_t triangle) {
     CornerUvs uvs{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)};
     if (mesh.uvs.empty()) return uvs;
@@ -56,7 +56,7 @@ EmittingPatch emitting_patch(const BilinearMesh& mesh, std::uint32_t index,
     return result;
 }
 
-/// pbrt-v4's "power" is that of each light, and each triangle of a mesh is one.
+/// pbrt-v4's "power" applies to each light, and each triangle of a mesh is a light.
 Spectrum radiance_of(const AreaEmission& emission, double area) {
     if (!(emission.power > 0) || !(area > 0)) return emission.radiance;
     const double sides = emission.two_sided ? 2 : 1;
@@ -66,7 +66,8 @@ Spectrum radiance_of(const AreaEmission& emission, double area) {
         static_cast<float>(emission.power / (kPiDouble * area * sides * mean)));
 }
 
-/// All tables of pictures on one shape together have so many cells (12 bytes each), or one a light.
+/// Limit of cells for the image tables of one shape together (12 bytes per cell), at least one cell
+/// per light.
 constexpr int kMostCells = 1 << 22;
 
 }  // namespace

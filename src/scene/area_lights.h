@@ -1,4 +1,4 @@
-// An emitting shape becomes area lights: one a triangle, one a quadric.
+// Conversion of an emitting shape to area lights: one per triangle, one per quadric.
 #pragma once
 
 #include "scene/description.h"
@@ -7,7 +7,8 @@
 
 namespace sunfleck::engine {
 
-/// @param shape  with an emission. @param index  its Hit::shape.
+/// @param shape  with an emission.
+/// @param index  its Hit::shape.
 /// @return light i is that of primitive i; triangles without area get lights without power.
 std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32_t index);
 

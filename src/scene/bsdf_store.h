@@ -1,4 +1,5 @@
-// Bsdfs that were made for single points of a pass and are needed later in it.
+// BsdfStore: Bsdfs that were evaluated at points of textured surfaces and are needed later in the
+// pass.
 #pragma once
 
 #include "bsdf/bsdf.h"
@@ -9,10 +10,10 @@
 
 namespace sunfleck::engine {
 
-/// Grows by any number of threads; is read when all growing has ended.
+/// Any number of threads may add; reading starts when all have finished.
 class BsdfStore {
 public:
-    /// @return where it is found.
+    /// @return the index of the copy.
     std::uint32_t add(const Bsdf& bsdf) {
         const std::lock_guard lock(guard_);
         bsdfs_.push_back(bsdf);

@@ -1,4 +1,4 @@
-// The camera of a scene with the extent of its picture.
+// CameraView: the camera of a scene with its resolution and crop.
 #pragma once
 
 #include "camera/camera.h"
@@ -9,7 +9,8 @@ struct CameraView {
     const Camera& camera;
     Vec2i resolution;  // of the whole film
 
-    /// A ray through the middle of the lens. @param share  of the film's width and height.
+    /// Returns a ray through the centre of the lens. @param share  position as fractions of the
+    /// film.
     CameraRay ray_at(const Vec2d& share) const {
         return camera_ray(camera, Vec2d(resolution) * share, {0.5, 0.5});
     }

@@ -1,4 +1,4 @@
-// A scene as importers hand it over: plain data, every default already filled in.
+// SceneDescription: a scene as importers deliver it, plain data with all defaults filled in.
 #pragma once
 
 #include "camera/camera.h"
@@ -18,9 +18,9 @@
 
 namespace sunfleck::engine {
 
-/// Light as the scene's file states it: one statement may make many lights.
+/// A statement of the scene file that makes one light or many.
 struct LightStatement {
-    std::string what;  // as the file has it: LightSource "point"
+    std::string what;  // as in the file: LightSource "point"
     SourceLocation where;
 };
 
@@ -28,16 +28,16 @@ struct LightStatement {
 struct AreaEmission {
     Spectrum radiance;
     bool two_sided = false;
-    /// When positive: each light of the shape (a quadric, each triangle or patch) emits radiance *
-    /// power / (pi * area * (2 if two-sided)), the curve itself not normalised (pbrt-v4); a picture
-    /// is divided by its mean.
+    /// If positive, each light of the shape (a quadric, each triangle or patch) emits radiance *
+    /// power / (pi * area * (2 if two-sided)), where the spectrum itself is not normalised
+    /// (pbrt-v4); an image is divided by its mean.
     double power = 0;
-    /// What the radiance is multiplied by, by the (u, v) of the surface; null: one.
+    /// Image that multiplies the radiance, by the surface's (u, v); null for none.
     std::shared_ptr<const SurfacePicture> picture = nullptr;
     std::uint32_t statement = kNone;  // index into SceneDescription::light_statements
 };
 
-/// The part of a surface that is there, as a texture says.
+/// Returns alpha by a texture.
 /// @param origin  of rendering space, in the world (scene/rendering_space.h).
 inline Cover cover_by(FloatTexture alpha, const Vec3d& origin = Vec3d(0)) {
     return [alpha = std::move(alpha), origin](const Hit& hit) {
@@ -50,9 +50,9 @@ struct ShapeDescription {
     std::uint32_t material = 0;  // index into SceneDescription::materials
     std::optional<AreaEmission> emission;
     SourceLocation where;
-    /// "alpha", where it is neither 0 nor 1: that of placed.cover.
+    /// The alpha texture of placed.cover, if alpha is neither 0 nor 1.
     std::optional<FloatTexture> alpha = std::nullopt;
-    bool unseen = false;  // it emits, and else it is not there (pbrt-v4's lights of alpha 0)
+    bool unseen = false;  // it emits, but rays do not hit it (pbrt-v4's area lights of alpha 0)
     MediumSides media{};
 };
 
@@ -63,24 +63,24 @@ struct InstanceDescription {
 
 struct FilmDescription {
     Vec2i resolution{1280, 720};
-    /// Pixels [x0, x1) x [y0, y1) of the resolution that are rendered; all when absent.
+    /// Rendered pixels [x0, x1) x [y0, y1) of the resolution; absent for all.
     std::optional<std::array<int, 4>> crop;
     float imaging_ratio = 1;  // pixel = radiance * exposure time * iso / 100
-    /// White balance: the temperature of daylight (kelvin) that is to be white; absent: D65 is.
+    /// White balance: temperature (kelvin) of the daylight that becomes white; absent for D65.
     std::optional<double> white;
-    std::string filename;  // as the scene names it; empty when it does not
+    std::string filename;  // as in the scene; may be empty
 };
 
-/// The pixels that the film renders.
+/// Returns the rendered pixels of the film.
 inline PixelWindow window_of(const FilmDescription& film) {
     if (!film.crop) return {0, 0, film.resolution.x, film.resolution.y};
     const auto& c = *film.crop;
     return {c[0], c[2], c[1], c[3]};
 }
 
-/// What the scene asks of the renderer; the command line wins.
+/// What the scene asks of the renderer; flags of the command line take precedence.
 struct RenderHints {
-    std::string integrator;  // the scene's word
+    std::string integrator;  // as in the scene
     std::optional<int> max_depth;
 };
 
@@ -97,21 +97,20 @@ struct SceneDescription {
     FilmDescription film;
     RenderHints hints;
     std::vector<Material> materials;
-    std::vector<Relief> reliefs;                         // by material; flat where there are fewer
-    std::vector<ShapeDescription> shapes;                // in the world
+    std::vector<Relief> reliefs;           // per material; those beyond the end are empty
+    std::vector<ShapeDescription> shapes;  // in the world
     std::vector<std::vector<ShapeDescription>> objects;  // each list once, placed by instances
     std::vector<InstanceDescription> instances;
-    std::vector<LightStatement> light_statements;  // in the order of the file
-    std::vector<Light> lights;                     // all but area lights
-    std::vector<std::uint32_t> stated_in;  // of `lights`: light_statements; by none where there
-                                           // are fewer
-    Media media;                           // at_lights: of `lights`
-    /// Illuminance lights (pbrt "illuminance" on infinite lights) and spot/point "power" are
-    /// already in the curves.
+    std::vector<LightStatement> light_statements;  // in file order
+    std::vector<Light> lights;                     // all lights except area lights
+    std::vector<std::uint32_t> stated_in;          // light_statements by `lights`; may be shorter
+    Media media;                                   // at_lights: of `lights`
+    /// Illuminance lights (pbrt's "illuminance" of infinite lights) and "power" of spots and points
+    /// are already in the spectra.
     Warnings warnings;
     std::string path;                 // of the main file
     std::vector<std::string> files;   // all that were read, each once
-    std::optional<std::string> text;  // of the main file, if it is no file but standard input
+    std::optional<std::string> text;  // of the main file, if it came from standard input
     std::vector<UsedWord> words;      // sorted
 };
 

@@ -1,4 +1,4 @@
-// Which media there are to think of.
+// Lookup of the media that matter.
 #include "scene/media.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Media between surfaces: they absorb by Beer's law, and scatter nothing.
+// Media between surfaces: they absorb by Beer's law and do not scatter.
 //
-// A path keeps its medium until it leaves a surface with different media on its sides (pbrt-v4).
+// A path stays in its medium until it leaves a surface with different media on its sides (pbrt-v4).
 #pragma once
 
 #include "math/spectrum.h"
@@ -12,35 +12,38 @@
 
 namespace sunfleck::engine {
 
-/// Place in Media::absorption; 0 is empty space.
+/// Index into Media::absorption; 0 is empty space.
 using MediumNumber = std::uint32_t;
 
-/// What is on the two sides of a surface.
+/// The media on the two sides of a surface.
 struct MediumSides {
-    MediumNumber inside = 0;  // the side that the normal points away from
+    MediumNumber inside = 0;  // the side opposite to the normal
     MediumNumber outside = 0;
 
-    /// If it does not part two media, a surface says nothing of what is around it.
+    /// Returns whether the media differ; if not, the surface does not define what is around it.
     bool parts() const { return inside != outside; }
-    /// @param normal  geometric. @param direction  away from the surface.
+    /// Returns the medium of a side.
+    /// @param normal  geometric.
+    /// @param direction  pointing away from the surface.
     MediumNumber towards(const Vec3& normal, const Vec3& direction) const {
         return normal.dot(direction) > 0 ? outside : inside;
     }
     friend bool operator==(const MediumSides&, const MediumSides&) = default;
 };
 
-/// All media of a scene, and who starts where.
+/// All media of a scene, and those in which paths start.
 struct Media {
-    std::vector<Spectrum> absorption{Spectrum()};  // per unit of the world's length
+    std::vector<Spectrum> absorption{Spectrum()};  // per unit of length in the world
     MediumNumber at_camera = 0;
-    std::vector<MediumSides> at_lights;  // by light; empty space where there are fewer
+    std::vector<MediumSides> at_lights;  // per light; those beyond the end are in empty space
 
-    /// Does any of them absorb?
+    /// Returns whether any medium absorbs.
     bool absorb() const;
 };
 
-/// Share of the light that is left after a way through a medium. @param absorption  per unit of
-/// length, not negative. @param distance  may be infinite: then all is absorbed that can be.
+/// Returns the transmittance of a distance in a medium.
+/// @param absorption  per unit of length, not negative.
+/// @param distance  may be infinite: then every absorbed wavelength becomes zero.
 inline SampledSpectrum transmittance(const SampledSpectrum& absorption, float distance) {
     SampledSpectrum left;
     for (std::size_t i = 0; i < kWavelengths; ++i)

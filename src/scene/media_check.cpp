@@ -1,4 +1,4 @@
-// What is exchanged, what is warned of, and where a start that names no medium stands.
+// Exchange of media, warnings, and media of starts without a named one.
 #include "scene/media_check.h"
 
 #include <algorithm>
@@ -7,11 +7,11 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Shapes stand in each other: those within are looked at when those around them are right.
+/// Limit of nesting: inner shapes are checked when those around them are consistent.
 constexpr int kMostNested = 16;
 
-/// A walk may slip through where two surfaces touch. More than so many, and such a share of all,
-/// are a fault of the scene.
+/// A walk may slip between two touching surfaces. A larger count, and such a fraction of all walks,
+/// is a fault of the scene.
 constexpr int kMostSlips = 2;
 constexpr double kShareOfSlips = 0.01;
 
@@ -19,7 +19,7 @@ bool is_fault(int wrong, int all) {
     return wrong > kMostSlips && wrong > kShareOfSlips * all;
 }
 
-/// Votes that decide: of walks from starts that name a medium, if there are more than slips.
+/// Returns the votes that decide: of walks from named starts, if they are more than slips.
 const MediaVotes& decisive(const ShapeVotes& votes) {
     return votes.named.all() > kMostSlips ? votes.named : votes.assumed;
 }
@@ -29,7 +29,7 @@ int wrong_votes(const ShapeVotes& votes) {
     return is_fault(wrong, votes.named.all() + votes.assumed.all()) ? wrong : 0;
 }
 
-/// Shapes of which most walks say that they are inside out.
+/// Returns the shapes of which most walks say that they are inside out.
 std::vector<std::uint32_t> shapes_inside_out(const MediaWalks& walks) {
     std::vector<std::uint32_t> found;
     for (const auto& [shape, votes] : walks.votes())
@@ -37,8 +37,8 @@ std::vector<std::uint32_t> shapes_inside_out(const MediaWalks& walks) {
     return found;
 }
 
-/// Shapes at odds with what is around them: the worst. Walks beyond one find faults in others, too,
-/// which may have none.
+/// Returns the shapes that are most inconsistent. Walks beyond such a shape find faults in others
+/// as well, which may have none.
 std::vector<std::uint32_t> worst_at_odds(const MediaWalks& walks) {
     int most = 0;
     for (const auto& [shape, votes] : walks.votes()) most = std::max(most, wrong_votes(votes));
@@ -56,7 +56,7 @@ bool is_fault(const MediaStart& start) {
     return is_fault(start.is_named ? start.wrong : all - taken, all);
 }
 
-/// Where the scene's file speaks of a start.
+/// Returns the location of a start in the scene file.
 SourceLocation location_of(const MediaStart& start, const SceneLights& lights,
                            const std::string& path) {
     if (start.lights.count == 0) return {path};
@@ -64,7 +64,7 @@ SourceLocation location_of(const MediaStart& start, const SceneLights& lights,
     return statement == kNone ? SourceLocation{path} : lights.statements()[statement].where;
 }
 
-/// @param where  the scene's file speaks of the start.
+/// @param where  location of the start in the scene file.
 void tell(const MediaStart& start, const SourceLocation& where, Warnings& warnings) {
     const std::string what = start.lights.count == 0 ? "the camera" : "this light";
     if (is_fault(start))
@@ -78,7 +78,7 @@ void tell(const MediaStart& start, const SourceLocation& where, Warnings& warnin
                                 "second, in a MediumInterface before it");
 }
 
-/// Media of the camera and of lights, as the walks have left them.
+/// Sets the media of the camera and the lights to those that the walks recorded.
 void take_starts(const MediaWalks& walks, Media& media) {
     media.at_camera = walks.starts().front().sides.outside;
     for (const MediaStart& start : walks.starts())

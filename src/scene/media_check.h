@@ -1,10 +1,9 @@
-// Do the shapes of a scene agree about the media around them?
+// Consistency of media: whether the shapes of a scene agree on the media between them.
 //
-// A path keeps its medium until a surface names another one. Where the surfaces at the two ends of
-// a way name different media, a path from the camera and one from a light go the same way through
-// different media, and no estimator is right. Mostly that is a closed shape whose normals point
-// into it, by ReverseOrientation or by how its triangles are wound, and whose media are named as if
-// they pointed out of it.
+// A path stays in its medium until a surface names another one. If the surfaces at both ends of a
+// segment name different media, a camera path and a photon path cross the same segment in different
+// media, and no estimator is right. The usual cause is a closed shape whose normals point inwards,
+// by ReverseOrientation or by its winding, while its media are named as if they pointed outwards.
 #pragma once
 
 #include "core/warnings.h"
@@ -17,18 +16,18 @@
 
 namespace sunfleck::engine {
 
-/// Where the scene's file speaks of its shapes.
+/// Locations of the shapes in the scene file.
 struct ScenePlaces {
     std::string path;                    // of the file
-    std::vector<SourceLocation> shapes;  // by shape of the surfaces
+    std::vector<SourceLocation> shapes;  // per shape
 };
 
-/// Exchanges the media of closed shapes whose normals point inwards, where that makes them agree
-/// with what is around them. Puts the camera and lights for which the scene names no medium into
-/// the one through which they are seen. Warns of these, and of all that do not agree. A camera or
-/// light for which the scene names a medium decides what is right; where there is none, the camera
-/// stands in empty space. Found by walks (scene/media_walks.h); depends on the scene alone.
-/// @return  the shapes whose media are exchanged.
+/// Exchanges the media of closed shapes whose normals point inwards, if that makes them consistent
+/// with their surroundings. Assigns the camera, and lights without a named medium, to the medium
+/// through which they are seen. Warns of these changes, and of shapes that remain inconsistent. A
+/// camera or light with a named medium is taken as right; without any, the camera is in empty
+/// space. Decisions are made by random walks (scene/media_walks.h) that depend on the scene alone.
+/// @return  the shapes whose media were exchanged.
 std::vector<std::uint32_t> mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
                                       const ScenePlaces& places, Warnings& warnings);
 

@@ -1,4 +1,4 @@
-// Steps of the walks, and what is heard and voted on their way.
+// Steps of the walks, and their records and votes.
 #include "scene/media_walks.h"
 
 #include "core/random.h"
@@ -11,12 +11,12 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::size_t kWalks = 2048;  // from the camera, and from all lights of a kind together
+constexpr std::size_t kWalks = 2048;  // from the camera, and from all lights of a group together
 constexpr int kMostSteps = 24;
 constexpr int kMostCrossings = 64;
 constexpr std::uint64_t kRandomKey = 0x6D656469615F6973;  // unlike a seed
 
-/// A direction on that side of a surface, any as likely as any other.
+/// Samples a uniform direction on a side of a surface.
 Vec3 direction_above(const Vec3& normal, const Vec2d& numbers) {
     const double z = 1 - 2 * numbers.x;
     const double size = std::sqrt(std::max(0.0, 1 - z * z));
@@ -25,8 +25,8 @@ Vec3 direction_above(const Vec3& normal, const Vec2d& numbers) {
     return any.dot(normal) < 0 ? -any : any;
 }
 
-/// Does the normal of a closed shape point into what it encloses? A ray that starts there leaves
-/// the shape one time more than it enters it.
+/// Returns whether the normal of a closed shape points into it: a ray along it leaves the shape one
+/// time more than it enters.
 bool normal_points_in(const Geometry& geometry, const Hit& start) {
     int crossings = 0;
     Ray ray = ray_from(start, start.normal);
@@ -39,7 +39,7 @@ bool normal_points_in(const Geometry& geometry, const Hit& start) {
     return crossings % 2 == 1;
 }
 
-/// The medium of a walk where it arrives at the end of a ray; nothing where it does not.
+/// Returns the medium of a walk at the end of a ray; nothing if the ray is blocked.
 std::optional<MediumNumber> medium_at_end(const Surfaces& surfaces,
                                           const std::set<std::uint32_t>& ends, Ray ray,
                                           MediumNumber medium) {
@@ -57,7 +57,7 @@ std::optional<MediumNumber> medium_at_end(const Surfaces& surfaces,
     return {};
 }
 
-/// The direction to a position, and the distance.
+/// Returns direction and distance to a position.
 std::optional<DirectSample> sample_towards(const Vec3& position, const Vec3& from) {
     const Vec3 offset = position - from;
     const float distance = offset.length();
@@ -68,7 +68,7 @@ std::optional<DirectSample> sample_towards(const Vec3& position, const Vec3& fro
     return sample;
 }
 
-/// @param first  the light of the source that comes first.
+/// @param first  the first light of the source.
 MediaStart start_at(const LightRange& source, const Light& first, const Surfaces& surfaces,
                     const Media& stated) {
     MediaStart start{source, stated.at_lights[source.first]};
@@ -173,7 +173,7 @@ void MediaWalks::walk(Walk at, bool is_named) {
     }
 }
 
-/// Does the surface name the medium from which the walk comes, or none at all?
+/// Returns whether the surface names the medium of the walk, or none at all.
 bool MediaWalks::agrees(const Hit& hit, const Walk& at, bool is_named) {
     if (!surfaces_.parts_media(hit)) return true;
     ShapeVotes& of_shape = votes_[hit.shape];
@@ -189,8 +189,9 @@ bool MediaWalks::agrees(const Hit& hit, const Walk& at, bool is_named) {
     return right;
 }
 
-/// Looks at one start, each in turn.
-/// @param hit  where the walk is, or null at its start. @param ray  on which it goes on.
+/// Tests the visibility of one start, each in turn.
+/// @param hit  position of the walk, or null at its start.
+/// @param ray  its next ray.
 void MediaWalks::look_around(const Hit* hit, const Ray& ray, MediumNumber medium) {
     MediaStart& start = starts_[next_looked_at_++ % starts_.size()];
     const auto& [first, count] = start.lights;

@@ -1,9 +1,9 @@
-// Walks that ask the shapes, the lights and the camera of a scene which media they name.
+// Random walks that collect which media the shapes, the lights and the camera of a scene name.
 //
-// A walk starts at the camera or at a light in the medium there. It goes straight on through what
-// lets light through, leaves other surfaces in any direction, and ends at the first shape that does
-// not name the medium through which it came. On its way it looks at the camera and at lights, which
-// hear its medium.
+// A walk starts at the camera or at a light, in the medium there. It goes straight through
+// transmitting surfaces, leaves other surfaces in a random direction, and ends at the first shape
+// that does not name the medium of the walk. At each step it tests the visibility of the camera and
+// of lights, which record its medium.
 #pragma once
 
 #include "scene/camera_view.h"
@@ -18,10 +18,10 @@
 
 namespace sunfleck::engine {
 
-/// How often walks found the media of a shape to be so.
+/// Counts of walks by what they found about the media of a shape.
 struct MediaVotes {
     int right = 0;
-    int inside_out = 0;  // right if exchanged, and the normals point into the shape
+    int inside_out = 0;  // consistent if exchanged, and the normals point into the shape
     int other = 0;
 
     int all() const { return right + inside_out + other; }
@@ -29,17 +29,17 @@ struct MediaVotes {
 };
 
 struct ShapeVotes {
-    MediaVotes named;    // of walks from starts for which the scene names a medium
-    MediaVotes assumed;  // of the others
+    MediaVotes named;    // walks from starts with a named medium
+    MediaVotes assumed;  // walks from other starts
 };
 
-/// Where walks start: the camera, or the lights of one source.
+/// A start of walks: the camera, or the lights of one source.
 struct MediaStart {
-    LightRange lights{};  // none: the camera
+    LightRange lights{};  // empty for the camera
     MediumSides sides{};
     bool is_named = false;                // the scene names a medium there
-    std::map<MediumNumber, int> heard{};  // media of the walks that looked at it
-    int wrong = 0;                        // of these, those that did not find the named medium
+    std::map<MediumNumber, int> heard{};  // media of the walks that saw it
+    int wrong = 0;                        // of these, walks in another medium than the named one
 };
 
 /// Where paths start: at the camera and at the lights.
@@ -50,18 +50,19 @@ struct PathOrigins {
 
 class MediaWalks {
 public:
-    /// @param stated  the scene's media as the file has them.
-    /// @param ends  shapes that are known to be at odds: walks end there.
+    /// @param stated  the media as in the scene file.
+    /// @param ends  shapes known to be inconsistent, at which walks end.
     MediaWalks(const Surfaces& surfaces, const PathOrigins& origins, const Media& stated,
                const std::set<std::uint32_t>& ends);
 
-    /// Walks from all starts: first from those that name a medium, then from the camera, then from
-    /// the other lights. Before its walks, a start that names none takes the medium it heard most.
+    /// Walks from all starts: first from those with a named medium, then from the camera, then from
+    /// the other lights. A start without a named medium first takes the one that most walks
+    /// recorded there.
     void walk_all();
 
-    /// By shape of the scene.
+    /// Returns the votes per shape of the scene.
     const std::map<std::uint32_t, ShapeVotes>& votes() const { return votes_; }
-    /// The camera first, then the sources of lights that are not far away.
+    /// Returns the starts: the camera, then the sources at finite distance.
     const std::vector<MediaStart>& starts() const { return starts_; }
 
 private:
@@ -70,7 +71,7 @@ private:
         MediumNumber medium = 0;
     };
 
-    /// Two random numbers of (0,1).
+    /// Returns two random numbers of (0,1).
     Vec2d next_two();
     void walk_from(const std::vector<std::size_t>& starts);
     Walk camera_walk();
@@ -84,7 +85,7 @@ private:
     const std::set<std::uint32_t>& ends_;
     std::vector<MediaStart> starts_;
     std::size_t next_looked_at_ = 0;
-    std::uint32_t drawn_ = 0;  // random numbers, by two
+    std::uint32_t drawn_ = 0;  // count of pairs of random numbers
     std::map<std::uint32_t, ShapeVotes> votes_;
 };
 

@@ -1,4 +1,4 @@
-// Looks for the way out.
+// Rays that leave the scene.
 #include "scene/outer_medium.h"
 
 #include <array>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMostSurfaces = 1000;
 
-/// @param medium  in which the ray starts.
+/// @param medium  at the origin of the ray.
 std::optional<MediumNumber> far_along(const Surfaces& surfaces, Ray ray, MediumNumber medium) {
     for (int i = 0; i < kMostSurfaces; ++i) {
         const auto hit = surfaces.geometry().intersect(ray);

@@ -1,4 +1,4 @@
-// The medium around everything: where distant and infinite light comes from.
+// The outer medium: the one around the scene, from which distant and infinite light comes.
 #pragma once
 
 #include "scene/camera_view.h"
@@ -7,10 +7,10 @@
 
 namespace sunfleck::engine {
 
-/// Found by rays that leave the scene from the camera's position, through nothing that stops light;
-/// empty space when there is none (then no light of far away comes to the camera).
-/// (In pbrt-v4 such light starts in empty space, and shadow rays towards it do not.)
-/// @param at_camera  the medium in which the camera stands.
+/// Finds the outer medium by rays that leave the scene from the camera through transmitting
+/// surfaces; empty space if there is none (then no distant light reaches the camera). In pbrt-v4
+/// such light starts in empty space, while shadow rays towards it do not.
+/// @param at_camera  the medium of the camera.
 MediumNumber outer_medium_of(const Surfaces& surfaces, const CameraView& view,
                              MediumNumber at_camera);
 

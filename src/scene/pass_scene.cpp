@@ -1,4 +1,4 @@
-// Evaluates the scene for a pass, and materials that vary for a point.
+// Evaluation of the scene for a pass, and of textured materials at points.
 #include "scene/pass_scene.h"
 
 #include "core/parallel.h"
@@ -81,7 +81,7 @@ SampledSpectrum PassScene::seen_from(const Hit& hit, const Vec3& direction, floa
     return left * transmittance(medium, distance == kInfinity ? kInfinity : ray.length + past_end);
 }
 
-/// Greys exactly, and without asking for the table.
+/// Greys are exact, and do not need the table.
 SampledSpectrum PassScene::colour(const Vec3& rgb) const {
     if (rgb.x == rgb.y && rgb.y == rgb.z) return SampledSpectrum(rgb.x);
     return SigmoidTable::srgb().unbounded(rgb, wavelengths);

@@ -1,5 +1,5 @@
-// The scene at the wavelengths of one pass: every curve evaluated once, textures where they are
-// met.
+// PassScene: the scene at the wavelengths of one pass, with each spectrum evaluated once and
+// textures evaluated at hits.
 #pragma once
 
 #include "scene/bsdf_store.h"
@@ -13,63 +13,63 @@ namespace sunfleck::engine {
 struct PassScene {
     const Scene& scene;
     Wavelengths wavelengths;
-    /// By material; nothing for an interface or a mix, and for one that varies over its surfaces or
-    /// bends their shading.
+    /// By material; nothing for an interface or a mix, and for a material that is textured or
+    /// perturbs the shading normal.
     std::vector<std::optional<Bsdf>> bsdfs;
-    std::vector<SampledSpectrum> emission;    // by light: its curve
+    std::vector<SampledSpectrum> emission;    // by light: its spectrum
     std::vector<SampledSpectrum> absorption;  // by medium, per unit of length
     SampledSpectrum white;                    // D65 of luminance one
 
     PassScene(const Scene& of, PassId pass);
 
-    /// What scatters at a hit on what is no interface. Where the material varies, it is made in
-    /// `room`, which must last as long as it is used; where it has a relief, the hit's shading
-    /// normal and tangent are bent.
+    /// Returns the Bsdf at a hit on a material that is not an interface. A textured one is
+    /// evaluated into `room`, which must live as long as the result. A bump or normal map changes
+    /// the hit's shading normal and tangent.
     const Bsdf& bsdf_at(Hit& hit, std::optional<Bsdf>& room) const {
         const auto& constant = bsdfs[scene.material_of(hit)];
         return constant ? *constant : make_bsdf(hit, room);
     }
 
-    /// Can what scatters at some hit on the material gather? A photon is stored at all of its
-    /// surfaces then, whatever scatters where it arrives (docs/method/method.md, surfaces that are
-    /// there in part).
+    /// Returns whether some Bsdf of the material can gather. If so, photons are stored at all of
+    /// its surfaces, whatever the Bsdf at their hits (docs/method/method.md, partial surfaces).
     bool may_gather(std::uint32_t material) const { return may_gather_[material]; }
 
-    /// What a light emits, in the colour that it has there.
+    /// Returns a light's emission times its colour at a point.
     SampledSpectrum tinted(const SampledSpectrum& emitted, const std::optional<Vec3>& tint) const {
         return tint ? emitted * colour(*tint) : emitted;
     }
 
-    /// What an area light emits where it is met.
+    /// Returns the emission of an area light at a hit.
     SampledSpectrum emitted(std::uint32_t index, const AreaLight& light, const Hit& hit) const {
         if (!light.picture) return emission[index];
         const TexelLight here = light.light_at(hit.uv);
         return tinted(emission[index] * static_cast<float>(here.luminance), here.tint);
     }
 
-    /// Share of the light that is left after a way through a medium; of an endless way, too.
+    /// Returns the transmittance of a distance in a medium; the distance may be infinite.
     SampledSpectrum transmittance(MediumNumber medium, float distance) const {
         return sunfleck::engine::transmittance(absorption[medium], distance);
     }
-    /// The medium in which light leaves a light, and what is left of its flux: that from afar has
-    /// come an endless way already.
+    /// Returns the medium in which light leaves a light, and attenuates its flux: distant light has
+    /// come an infinite way already.
     MediumNumber start_medium(std::size_t light, const Emission& start,
                               SampledSpectrum& flux) const;
-    /// Share of the light of a point that arrives at a hit from there: nothing where something is
-    /// in the way but surfaces passed straight; less where media are.
-    /// @param direction  to the point, unit. @param medium  in which the way there starts.
+    /// Returns the transmittance from a point to a hit: zero if something other than null
+    /// interfaces is between them; media attenuate it.
+    /// @param direction  to the point, unit.
+    /// @param medium  at the hit, in the direction of the point.
     SampledSpectrum seen_from(const Hit& hit, const Vec3& direction, float distance,
                               MediumNumber medium) const;
 
-    /// A number by which kept() finds the Bsdf of a hit, or one of its layers, for as long as the
-    /// pass lasts: that of the material, or, where this varies, of a copy. Any number of threads.
+    /// Returns a number with which kept() finds the Bsdf of a hit, or one of its layers, until the
+    /// pass ends: that of the material or, if textured, of a copy. Thread-safe.
     std::uint32_t keep(const Hit& hit, const Bsdf& bsdf) const {
         const std::uint32_t material = scene.material_of(hit);
         if (!bsdfs[material]) return static_cast<std::uint32_t>(bsdfs.size()) + kept_.add(bsdf);
         if (scattering(*bsdfs[material]) != Scattering::coated) return material;
         return layers_[material] + (std::holds_alternative<CoatedBase>(bsdf) ? 0 : 1);
     }
-    /// The Bsdf of a number that keep() gave.
+    /// Returns the Bsdf of a number from keep().
     const Bsdf& kept(std::uint32_t number) const {
         return number < bsdfs.size() ? *bsdfs[number] : kept_[number - bsdfs.size()];
     }
@@ -80,10 +80,10 @@ private:
 
     bool find_whether_gathers(std::uint32_t material) const;
 
-    std::vector<char> may_gather_;           // by material
-    std::vector<std::optional<Bsdf>> bent_;  // by material: constant, but with a relief
-    std::vector<std::uint32_t> layers_;      // by material: number of a coated one's base; the top
-    mutable BsdfStore kept_;  // which number a Bsdf has depends on the threads, no picture does
+    std::vector<char> may_gather_;           // per material
+    std::vector<std::optional<Bsdf>> bent_;  // per material: constant, with a bump or normal map
+    std::vector<std::uint32_t> layers_;      // per material: number of the base under a coat
+    mutable BsdfStore kept_;                 // numbers depend on the threads, pictures do not
 };
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Boxes of what stands in the world, and the move of everything.
+// Bounds of the objects in the world, and translation of the scene.
 #include "scene/rendering_space.h"
 
 #include "geometry/measure.h"
@@ -18,8 +18,8 @@ std::vector<Bounds> boxes_of(const Shapes& shapes) {
     return boxes;
 }
 
-/// Boxes in the world of all instances and of the shapes that do not emit (a sun or a dome says
-/// little about where things are); of the shapes that do, if there is nothing else.
+/// Returns the world bounds of all instances and of shapes that do not emit, since a sun or a dome
+/// says little about where the scene is; of emitting shapes if there are no others.
 std::vector<Bounds> boxes_of_world(const SceneDescription& scene) {
     const std::vector<Bounds> of_shapes = boxes_of(scene.shapes);
     std::vector<Bounds> boxes;
@@ -46,7 +46,7 @@ void move(L& light, const Vec3d& by) {
     } else if constexpr (std::is_same_v<L, PortalLight>) {
         light.frame.origin += by;
     } else {
-        // Directions alone; area lights are made from shapes, after the move.
+        // These have directions alone; area lights are made from shapes after the translation.
         static_assert(std::is_same_v<L, DistantLight> || std::is_same_v<L, InfiniteLight> ||
                       std::is_same_v<L, ImageInfiniteLight> || std::is_same_v<L, AreaLight>);
     }
@@ -56,7 +56,7 @@ void move(Shapes& shapes, const Vec3d& by) {
     for (ShapeDescription& shape : shapes) move(shape.placed.to_world, by);
 }
 
-/// Moves the shapes of each object near the origin of its frame, and its instances back by as much.
+/// Translates the shapes of each object towards the origin of its frame, and its instances back.
 void move_objects(SceneDescription& scene) {
     std::vector<Vec3d> origins;
     for (Shapes& object : scene.objects) {
@@ -69,7 +69,7 @@ void move_objects(SceneDescription& scene) {
     }
 }
 
-/// What is there in part asks textures, which see the world.
+/// Alpha textures use world coordinates.
 void move_covers(Shapes& shapes, const Vec3d& origin) {
     for (ShapeDescription& shape : shapes)
         if (shape.alpha) shape.placed.cover = cover_by(*shape.alpha, origin);

@@ -1,4 +1,4 @@
-// Builds the scene: shapes to surfaces, emitting shapes to lights.
+// Construction of the scene: shapes become surfaces, emitting shapes become lights.
 #include "scene/scene.h"
 
 #include "scene/area_lights.h"
@@ -12,8 +12,8 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Can no path tell that a shape is there? Interfaces that neither emit nor part media are left
-/// out, as are shapes that only emit.
+/// Returns whether a shape has no effect on paths: interfaces that neither emit nor separate media,
+/// and shapes that only emit.
 bool is_left_out(const ShapeDescription& shape, const std::vector<Material>& materials) {
     const bool straight = std::holds_alternative<InterfaceMaterial>(materials[shape.material]);
     return shape.unseen || (straight && !shape.emission && !shape.media.parts());
@@ -112,13 +112,13 @@ Surfaces Scene::take_shapes(SceneDescription& description, const std::string& is
 void Scene::add_area_lights(const ShapeDescription& shape, std::uint32_t index) {
     const std::vector<AreaLight> made = area_lights_of(shape, index);
     lights_->add(made, shape.emission->statement);
-    // Nothing parts the media where there is no surface: what is around the light is within, too.
+    // Without a surface the medium around the light is the one within, too.
     const MediumSides around{shape.media.outside, shape.media.outside};
     media_.at_lights.insert(media_.at_lights.end(), made.size(),
                             index == kNone ? around : shape.media);
 }
 
-/// Adds the lights that are no area lights: these are there already.
+/// Adds the lights that are not area lights, which have been added before.
 void Scene::finish_lights(const SceneDescription& description) {
     for (std::size_t i = 0; i < description.lights.size(); ++i)
         lights_->add(description.lights[i],
@@ -142,7 +142,7 @@ void Scene::find_darkness() {
         darken("the scene has no shape and no infinite light: nothing can be seen");
 }
 
-/// @param media  as described; those at area lights are known already.
+/// @param media  as described; those at area lights are set already.
 void Scene::join_media(Media media) {
     media.at_lights.resize(lights().size() - media_.at_lights.size());
     media_.at_lights.insert(media_.at_lights.end(), media.at_lights.begin(), media.at_lights.end());

@@ -1,7 +1,7 @@
-// The immutable whole: surfaces, materials, lights and camera, ready to be traced.
+// Scene: the immutable whole of surfaces, materials, lights and camera, ready for rendering.
 //
-// In:  a SceneDescription. Out: hits with their material and emission. Any number of threads.
-// A copy shares geometry and lights with the original, and may have a view of its own.
+// In:  a SceneDescription. Out: hits with their material and emission. Thread-safe.
+// Copies share geometry and lights, and may have a camera and a film of their own.
 #pragma once
 
 #include "scene/description.h"
@@ -17,17 +17,17 @@ namespace sunfleck::engine {
 
 class Scene {
 public:
-    /// @param isa  see Geometry. @throws Error for a scene that cannot be built.
+    /// @param isa  see Geometry. @throws Error  for a scene that cannot be built.
     explicit Scene(SceneDescription description, const std::string& isa = "avx2");
 
-    /// Another camera, another film: the scene is then as if it had been made with them.
-    /// @param camera  in the world.
+    /// Sets another camera and film; the scene is then as if it had been built with them.
+    /// @param camera  in world space.
     void set_view(Camera camera, FilmDescription film);
-    /// Rough metals and glass give back what their facets lose (bsdf/facet_losses.h); coats do not.
+    /// Enables energy compensation, as compensate_energy() of scene/adjust.h.
     void compensate_energy() { surfaces_.compensate_energy(); }
 
-    /// Where the origin of rendering space is in the world (scene/rendering_space.h). All places
-    /// that the scene gives or takes (of surfaces, lights, the camera) are relative to it.
+    /// Returns the origin of rendering space in the world (scene/rendering_space.h). All positions
+    /// of the scene (surfaces, lights, camera) are relative to it.
     const Vec3d& origin() const { return origin_; }
     const Geometry& geometry() const { return surfaces_.geometry(); }
     const Camera& camera() const { return camera_; }
@@ -35,7 +35,7 @@ public:
     const FilmDescription& film() const { return film_; }
     const RenderHints& hints() const { return hints_; }
 
-    // As SceneLights says.
+    // See SceneLights.
     const std::vector<Light>& lights() const { return lights_->all(); }
     const std::vector<std::uint32_t>& infinite_lights() const { return lights_->infinite(); }
     const LightChoice& light_choice() const { return lights_->choice(); }
@@ -48,10 +48,10 @@ public:
 
     const Warnings& warnings() const { return warnings_; }
     const std::string& path() const { return path_; }
-    /// Is every picture of it black? No light has any power, or there is nothing to see.
+    /// Returns whether every picture is black: no light has power, or nothing can be seen.
     bool is_dark() const { return is_dark_; }
 
-    // As Surfaces says.
+    // See Surfaces.
     const std::vector<Material>& materials() const { return surfaces_.materials(); }
     std::uint32_t material_of(const Hit& hit) const { return surfaces_.material_of(hit); }
     std::uint32_t light_of(const Hit& hit) const { return surfaces_.light_of(hit); }
@@ -59,22 +59,24 @@ public:
     bool has_cover(const Hit& hit) const { return surfaces_.has_cover(hit); }
     bool is_free(const Ray& ray) const { return surfaces_.is_free(ray); }
 
-    /// Of the material's surfaces.
+    /// Returns the bump or normal map of a material.
     const Relief& relief_of(std::uint32_t material) const { return reliefs_[material]; }
-    /// What a camera ray meets first; looked for in double where floats are too coarse for it.
+    /// Returns the first hit of a camera ray, traced in double where floats are too coarse.
     std::optional<Hit> first_hit(const CameraRay& ray) const {
         if (ray.needs_double()) return geometry().intersect_precise(ray.origin, ray.direction);
         return geometry().intersect({Vec3(ray.origin), Vec3(ray.direction)});
     }
 
-    /// Is there a medium that absorbs? If not, there are none.
+    /// Returns whether any medium absorbs; if none does, media are ignored.
     bool has_media() const { return has_media_; }
-    /// at_lights: of lights(), each has its own; distant and infinite ones stand in outer_medium().
+    /// Returns the media; at_lights has one entry per light. Distant and infinite lights are in
+    /// outer_medium().
     const Media& media() const { return media_; }
-    /// What surrounds everything.
+    /// Returns the medium around the scene.
     MediumNumber outer_medium() const { return outer_medium_; }
     bool parts_media(const Hit& hit) const { return surfaces_.parts_media(hit); }
-    /// Where a path is that leaves a hit into `direction`. @param before  where it came from.
+    /// Returns the medium of a path that leaves a hit into `direction`. @param before  medium of
+    /// the path before.
     MediumNumber medium_beyond(const Hit& hit, const Vec3& direction, MediumNumber before) const {
         return has_media_ ? surfaces_.medium_beyond(hit, direction, before) : before;
     }

@@ -6,7 +6,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Lights are weighed by what they emit in the visible range: power times luminance.
+/// Returns the weight of a light, its emission in the visible range: power times luminance.
 double weight_of(const Light& light, const SceneSphere& sphere) {
     return power(light, sphere) * std::max(0.0F, curve(light).luminance());
 }

@@ -1,7 +1,6 @@
-// The lights of a scene: the sources and the statements that they come from, and how they are
-// chosen.
+// SceneLights: the lights of a scene, their sources and statements, and their selection.
 //
-// Filled light by light, then finished; after that any number of threads may ask.
+// Lights are added one by one, then finish() is called; after that all methods are thread-safe.
 #pragma once
 
 #include "light/light_clusters.h"
@@ -20,28 +19,28 @@ public:
 
     /// Adds the area lights of one shape. @param stated_in  their statement, or kNone.
     void add(const std::vector<AreaLight>& of_shape, std::uint32_t stated_in);
-    /// Adds a light by itself. @param stated_in  its statement, or kNone.
+    /// Adds a single light. @param stated_in  its statement, or kNone.
     void add(const Light& light, std::uint32_t stated_in);
-    /// Makes the choices by power. @param sphere  around the surfaces of the scene.
+    /// Builds the distributions by power. @param sphere  bounding sphere of the scene.
     void finish(const SceneSphere& sphere);
 
     const std::vector<Light>& all() const { return all_; }
-    /// Indices of those that are infinite.
+    /// Returns the indices of infinite lights.
     const std::vector<std::uint32_t>& infinite() const { return infinite_; }
-    /// Lights that belong together: those of one shape, or one by itself; in the order of all().
+    /// Returns the sources: the lights of one shape, or a single light; in the order of all().
     const std::vector<LightRange>& sources() const { return sources_; }
-    /// What the file says of lights, in its order.
+    /// Returns the light statements of the file, in its order.
     const std::vector<LightStatement>& statements() const { return statements_; }
-    /// By light, the one of these that it comes from, or kNone.
+    /// Returns the statement of each light, or kNone.
     const std::vector<std::uint32_t>& stated_in() const { return stated_in_; }
-    /// By power: photons start at lights chosen by it.
+    /// Returns the selection by power, used for photon paths.
     const LightChoice& choice() const { return choice_; }
-    /// By what arrives at a point: direct light is sampled at lights chosen by it.
+    /// Returns the selection by estimated contribution, used for direct light.
     const LightTree& tree() const { return tree_; }
     const SceneSphere& sphere() const { return sphere_; }
-    /// Are there lights that a ray can meet (area, infinite)?
+    /// Returns whether there are lights that a ray can hit (area, infinite).
     bool has_lights_to_meet() const { return has_lights_to_meet_; }
-    /// Does any light emit in the visible range?
+    /// Returns whether any light emits in the visible range.
     bool has_power() const { return has_power_; }
 
 private:

@@ -1,4 +1,4 @@
-// Rays that pass interfaces, and records by shape.
+// Visibility through null interfaces, and records per shape.
 #include "scene/surfaces.h"
 
 #include "scene/adjust.h"

@@ -1,4 +1,4 @@
-// By the kind of material; of a mix, by its parts.
+// Transmission by the type of material; of a mix, by its components.
 #include "scene/transmission.h"
 
 namespace sunfleck::engine {

@@ -1,4 +1,4 @@
-// Which surfaces let light through.
+// Whether surfaces of a material transmit light.
 #pragma once
 
 #include "material/material.h"
@@ -8,8 +8,8 @@
 
 namespace sunfleck::engine {
 
-/// Does any light go on beyond surfaces of that material? Behind others there is no path, so that
-/// they part no media.
+/// Returns whether light can continue behind surfaces of that material. If not, there are no paths
+/// behind it, and it separates no media.
 bool lets_light_through(const std::vector<Material>& materials, std::uint32_t material);
 
 }  // namespace sunfleck::engine

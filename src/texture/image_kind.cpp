@@ -1,4 +1,4 @@
-// Texels at a place, scaled and inverted.
+// Image lookup with scale and inversion.
 #include "texture/image_kind.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Vec3 image_rgb(const ImageKind& m, const TexturePoint& point) {
     const bool grey = m.image->channels() == 1;
     const auto channel = [&](std::size_t c) {
         const float value = scaled(m, v.at(grey ? 0 : c));
-        return value > 0 ? value : 0;  // NaN, too
+        return value > 0 ? value : 0;  // also for NaN
     };
     return {channel(0), channel(1), channel(2)};
 }

@@ -1,4 +1,4 @@
-// An image as a texture: where it lies on a surface, and what its texels mean.
+// Image textures: lookup of an image on a surface, and the meaning of its texels.
 #pragma once
 
 #include "image/lookup.h"
@@ -9,34 +9,34 @@
 
 namespace sunfleck::engine {
 
-/// What a spectrum stands for: it says what the colour of a texel means.
+/// Use of a spectrum, which decides how a texel's RGB becomes a spectrum.
 enum class ColourUse {
-    albedo,     // brought into [0,1]
+    albedo,     // clamped to [0,1]
     unbounded,  // any non-negative quantity
-    illuminant  // likewise, under D65
+    illuminant  // a non-negative quantity under D65
 };
 
-/// An image, its first row at the top (v = 1).
+/// An image whose first row is at the top (v = 1).
 struct ImageKind {
     Mapping mapping;
     std::shared_ptr<const Image> image;
     Wrap wrap = Wrap::repeat;
     bool nearest = false;
     float scale = 1;
-    bool invert = false;  // one minus the scaled value, not below zero
+    bool invert = false;  // use one minus the scaled value, at least zero
 };
 
-/// As a number: a grey itself, alpha where the image has one, else the mean of R, G, B.
+/// An image as numbers: grey itself, alpha if the image has it, else the mean of R, G, B.
 struct FloatImageKind : ImageKind {};
 
 struct SpectrumImageKind : ImageKind {
     ColourUse use = ColourUse::albedo;
 };
 
-/// The number of an image at a place, scaled and inverted.
+/// Returns the number of an image at a point, scaled and inverted.
 float image_number(const FloatImageKind& image, const TexturePoint& point);
 
-/// Linear RGB of an image at a place, scaled and inverted, not below zero.
+/// Returns linear RGB of an image at a point, scaled and inverted, at least zero.
 Vec3 image_rgb(const ImageKind& image, const TexturePoint& point);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Every kind of texture there is but images, with the meaning that pbrt-v4 gives it.
+// All kinds of textures except images, with the meaning of pbrt-v4.
 #pragma once
 
 #include "math/vector.h"
@@ -10,8 +10,7 @@
 namespace sunfleck::engine {
 
 /// texture * factor.
-/// @tparam T  the texture: FloatTexture or SpectrumTexture, here and below. T::Number is the
-///            texture of numbers.
+/// @tparam T  FloatTexture or SpectrumTexture, here and below; T::Number is the texture of numbers.
 template <class T>
 struct ScaledKind {
     T texture;
@@ -26,7 +25,7 @@ struct MixKind {
     typename T::Number amount;
 };
 
-/// `first` where the surface faces along `direction` (unit, world), `second` across.
+/// `first` where the normal is along `direction` (unit, world), `second` where it is perpendicular.
 template <class T>
 struct DirectionMixKind {
     T first;
@@ -34,7 +33,7 @@ struct DirectionMixKind {
     Vec3 direction{0, 1, 0};
 };
 
-/// Unit squares or cubes in turn; that of the origin is `first`.
+/// Alternating unit squares or cubes; the one at the origin is `first`.
 template <class T>
 struct CheckerboardKind {
     std::variant<Mapping, PointMapping> mapping;
@@ -50,7 +49,7 @@ struct DotsKind {
     T outside;
 };
 
-/// Linear in both coordinates; v01 is at (0, 1).
+/// Bilinear between the corners; v01 is at (0, 1).
 template <class T>
 struct BilerpKind {
     Mapping mapping;
@@ -71,7 +70,7 @@ struct WrinkledKind {
     Octaves octaves;
 };
 
-/// Waves of a height that changes slowly.
+/// Waves whose height changes slowly.
 struct WindyKind {
     PointMapping mapping;
 };

@@ -1,4 +1,4 @@
-// Mappings by the point's place in the texture's frame.
+// Mappings of the point in the texture's frame.
 #include "texture/mapping.h"
 
 #include <algorithm>

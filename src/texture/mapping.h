@@ -1,7 +1,7 @@
-// From a point of a surface to the place in a texture.
+// Texture mappings: from a surface point to texture coordinates.
 //
-// Frames: the texture's own frame is that of the matrix that stood at its statement; `to_texture`
-// leads there from the world.
+// Frames: the texture's frame is that of the current matrix at its statement; `to_texture` maps
+// world coordinates to it.
 #pragma once
 
 #include "geometry/affine.h"
@@ -11,9 +11,9 @@
 
 namespace sunfleck::engine {
 
-/// What a texture may know of the point where it is asked.
+/// The surface point at which a texture is evaluated.
 struct TexturePoint {
-    Vec3 position{0};  // as rays have it: in rendering space
+    Vec3 position{0};  // in rendering space, as for rays
     Vec3 normal{0};    // geometric, unit, either side
     Vec2 uv{0};
     Vec3d origin{0};  // of rendering space, in the world
@@ -23,7 +23,7 @@ struct TexturePoint {
     explicit TexturePoint(const Hit& hit, const Vec3d& origin_of_space = Vec3d(0))
         : position(hit.position), normal(hit.normal), uv(hit.uv), origin(origin_of_space) {}
 
-    /// In the world's coordinates, as the scene's file has them.
+    /// Returns the position in world coordinates, as in the scene file.
     Vec3d in_world() const { return Vec3d(position) + origin; }
 };
 
@@ -34,19 +34,19 @@ struct UvMapping {
     Vec2 at(const TexturePoint& point) const { return point.uv * scale + shift; }
 };
 
-/// Angle from the z axis over pi; azimuth over a turn.
+/// The angle from the z axis over pi; azimuth over 2 pi.
 struct SphericalMapping {
     Affine to_texture;
     Vec2 at(const TexturePoint& point) const;
 };
 
-/// Azimuth, from -x, over a turn; z.
+/// The azimuth from -x over 2 pi; z.
 struct CylindricalMapping {
     Affine to_texture;
     Vec2 at(const TexturePoint& point) const;
 };
 
-/// Products with two vectors, and a shift.
+/// Dot products with two vectors, plus a shift.
 struct PlanarMapping {
     Affine to_texture;
     Vec3 v1{1, 0, 0};

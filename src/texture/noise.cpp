@@ -24,8 +24,8 @@ constexpr std::array<std::uint8_t, 256> kShuffled = {
     115, 121, 50,  45,  127, 4,   150, 254, 138, 236, 205, 93,  222, 114, 67,  29,  24,  72,  243,
     141, 128, 195, 78,  66,  215, 61,  156, 180};
 
-/// The sixteen slopes that a corner may have: towards the edges of a cube, four of them twice.
-/// (Which four differs between pbrt-v4, followed here, and Perlin's own program.)
+/// The sixteen gradients of a lattice point: towards the edges of a cube, four of them twice.
+/// (pbrt-v4, followed here, and Perlin's program repeat different ones.)
 constexpr std::array<std::array<float, 3>, 16> kSlopes = {{{1, 1, 0},
                                                            {-1, 1, 0},
                                                            {1, -1, 0},
@@ -47,7 +47,7 @@ unsigned shuffled(unsigned i) {
     return kShuffled[i & 255U];
 }
 
-/// Where along one axis: the cell, the part of it that is behind, and its smooth weight.
+/// Position along one axis: the cell, the fraction within it, and its smooth weight.
 struct Axis {
     unsigned cell;
     float part;
@@ -69,10 +69,10 @@ float mixed(float a, float b, float part) {
 
 struct OctaveSum {
     float sum = 0;
-    float next_strength = 1;  // of the octave that would follow
+    float next_strength = 1;  // amplitude of the octave that would follow
 };
 
-/// Of part(noise) at each octave.
+/// Returns the sum of part(noise) over the octaves.
 template <class Part>
 OctaveSum sum_of_octaves(const Vec3& p, const Octaves& octaves, const Part& part) {
     OctaveSum total;

@@ -1,4 +1,4 @@
-// The value of each kind of texture at a point.
+// Evaluation of each kind of texture at a point.
 #include "texture/texture.h"
 
 #include "math/sigmoid_table.h"
@@ -8,7 +8,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Whether a whole number is odd; of any size.
+/// Returns whether an integer-valued float of any size is odd.
 bool is_odd(float whole) {
     return whole - 2 * std::floor(whole * 0.5F) != 0;
 }
@@ -27,7 +27,7 @@ struct ParityOfCell {
     }
 };
 
-/// The dot of a cell is moved by noise at fixed places of it (pbrt-v4).
+/// Noise at fixed points of a cell moves its dot (pbrt-v4).
 bool is_in_dot(const Vec2& st) {
     constexpr float kRadius = 0.35F;
     constexpr float kMostShift = 0.5F - kRadius;
@@ -38,7 +38,8 @@ bool is_in_dot(const Vec2& st) {
     return (st - center).length2() < kRadius * kRadius;
 }
 
-/// What all kinds of both sorts have in common. @tparam At  gives a texture's value at the point.
+/// Evaluation that both sorts of textures share. @tparam At  returns a texture's value at the
+/// point.
 template <class At>
 class ValueOf {
 public:
@@ -73,7 +74,7 @@ public:
     }
 
 protected:
-    /// Asks only the textures that count.
+    /// Evaluates only the textures with non-zero weight.
     template <class T>
     auto mixed(const T& first, const T& second, float amount) const {
         if (amount == 0) return at_(first);
@@ -101,7 +102,7 @@ struct FloatValue : ValueOf<At> {
     }
 };
 
-/// A point of the Bezier curves that pbrt-v4 strings into its marble.
+/// Returns a point of the Bezier curves through the colours of pbrt-v4's marble.
 Vec3 marble_colour(float t) {
     static const std::array<Vec3, 9> kColours = {
         Vec3(0.58F, 0.58F, 0.6F), Vec3(0.58F, 0.58F, 0.6F), Vec3(0.58F, 0.58F, 0.6F),
@@ -155,7 +156,8 @@ SpectrumTexture::SpectrumTexture(SpectrumKind kind)
     : kind_(std::make_shared<const SpectrumKind>(std::move(kind))) {
     const bool has_colours = std::holds_alternative<SpectrumImageKind>(kind_->kind) ||
                              std::holds_alternative<MarbleKind>(kind_->kind);
-    if (has_colours) SigmoidTable::srgb();  // built now: it may not be within parallel work
+    if (has_colours)
+        SigmoidTable::srgb();  // built now, because it may not be built within parallel work
 }
 
 SampledSpectrum SpectrumTexture::varied(const TexturePoint& point,

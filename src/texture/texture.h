@@ -1,8 +1,7 @@
-// Quantities that vary over surfaces: numbers and spectra, as trees of the kinds of texture there
-// are.
+// FloatTexture and SpectrumTexture: quantities that vary over surfaces, as trees of texture kinds.
 //
-// Values: cheap to copy, immutable once made, usable by any number of threads. No filtering: a
-// texture is asked at a point (docs/reference/scenes.md).
+// Textures are values: cheap to copy, immutable, thread-safe. They are not filtered, but evaluated
+// at a point (docs/reference/scenes.md).
 // To add a kind: its struct in kinds.h, its name in a variant below, its value in texture.cpp, a
 // row in import/pbrt/textures.cpp.
 #pragma once
@@ -28,7 +27,7 @@ public:
     explicit FloatTexture(FloatKind kind);
 
     bool is_constant() const { return kind_ == nullptr; }
-    /// Of a constant one.
+    /// Returns the value of a constant texture.
     float constant() const { return constant_; }
     float at(const TexturePoint& point) const { return kind_ ? varied(point) : constant_; }
 
@@ -44,11 +43,12 @@ public:
     using Number = FloatTexture;
 
     SpectrumTexture() = default;
-    SpectrumTexture(Spectrum curve) : curve_(std::move(curve)) {}  // NOLINT: likewise
+    SpectrumTexture(Spectrum curve)
+        : curve_(std::move(curve)) {}  // NOLINT: a spectrum is a texture
     explicit SpectrumTexture(SpectrumKind kind);
 
     bool is_constant() const { return kind_ == nullptr; }
-    /// Of a constant one.
+    /// Returns the spectrum of a constant texture.
     const Spectrum& curve() const { return curve_; }
     SampledSpectrum at(const TexturePoint& point, const Wavelengths& wavelengths) const {
         return kind_ ? varied(point, wavelengths) : curve_.at(wavelengths);

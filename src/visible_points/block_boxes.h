@@ -1,4 +1,5 @@
-// Boxes around blocks of discs, and what answers "which blocks?" fast.
+// BlockBoxes: bounding boxes of blocks of gather discs, with a tree and an occupancy grid over
+// them.
 #pragma once
 
 #include "visible_points/box_tree.h"

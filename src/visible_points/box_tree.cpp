@@ -1,4 +1,4 @@
-// Builds the tree, level by level.
+// Construction of the tree, level by level.
 #include "visible_points/box_tree.h"
 
 #include "core/parallel.h"
@@ -6,7 +6,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The node over boxes first .. first + 7 (those that exist); an empty box is touched by nothing.
+/// Returns the node over boxes first .. first + 7 (those that exist); nothing touches an empty box.
 BoxNode node_over(const std::vector<Box>& boxes, std::size_t first, Box& all) {
     BoxNode node;
     for (std::size_t i = 0; i < BoxNode::kWidth; ++i) {

@@ -1,7 +1,8 @@
-// An implicit tree of bounding boxes over anything that stands in Morton order.
+// BoxTree: an implicit tree of bounding boxes over items in Morton order.
 //
-// Node j of a level holds the boxes of nodes 8j .. 8j + 7 of the level below, the lowest level the
-// boxes of eight leaves. No pointers, built in one sweep a level, whatever the spread of the sizes.
+// Node j of a level holds the boxes of nodes 8j .. 8j + 7 of the level below; the lowest level
+// holds the boxes of eight leaves each. There are no pointers, and each level is built in one
+// sweep, whatever the distribution of sizes.
 #pragma once
 
 #include "math/vector.h"
@@ -14,7 +15,7 @@
 
 namespace sunfleck::engine {
 
-/// Closed; empty until extended.
+/// A closed box; empty until extended.
 struct Box {
     Vec3 low{std::numeric_limits<float>::infinity()};
     Vec3 high{-std::numeric_limits<float>::infinity()};
@@ -27,7 +28,7 @@ struct Box {
     }
 };
 
-/// Boxes of eight children, one array a coordinate.
+/// Boxes of eight children, one array per coordinate.
 struct alignas(64) BoxNode {
     static constexpr std::size_t kWidth = 8;
     std::array<std::array<float, kWidth>, 3> low;
@@ -37,19 +38,19 @@ struct alignas(64) BoxNode {
 class BoxTree {
 public:
     BoxTree() = default;
-    /// @param leaves  their boxes, neighbours in space near each other in the list.
+    /// @param leaves  their boxes; neighbours in space are close in the list.
     explicit BoxTree(std::vector<Box> leaves);
 
-    /// Calls go_on(leaf) for leaves that are touched, always in the same order, until it says
-    /// false.
-    /// @param touched  of a BoxNode: bit i is set if child i is. @return whether go_on() did.
+    /// Calls go_on(leaf) for the touched leaves, always in the same order, until it returns false.
+    /// @param touched  function of a BoxNode: bit i is set if child i is touched.
+    /// @return true if every call returned true.
     template <class Touched, class GoOn>
     [[gnu::always_inline]] inline bool visit(const Touched& touched, const GoOn& go_on) const {
         return !levels_.empty() && descend(touched, 0, go_on);
     }
 
-    /// Appends the lowest nodes that are touched, always in the same order: node(j) is over leaves
-    /// 8 j .. 8 j + 7.
+    /// Appends the touched nodes of the lowest level, always in the same order: node(j) covers
+    /// leaves 8 j .. 8 j + 7.
     template <class Touched>
     [[gnu::always_inline]] inline void append_nodes(const Touched& touched,
                                                     std::vector<std::uint32_t>& nodes) const {
@@ -75,12 +76,12 @@ private:
         std::uint32_t node;
     };
 
-    /// visit(), for what the nodes of level `last` stand over. Inlined as its callers are, so that
-    /// what they ask for is compiled for the same processor.
+    /// visit() for the children of level `last`. It is inlined like its callers, so that `touched`
+    /// is compiled for the same processor.
     template <class Touched, class GoOn>
     [[gnu::always_inline]] inline bool descend(const Touched& touched, std::uint32_t last,
                                                const GoOn& go_on) const {
-        std::array<Entry, 96> stack;  // 7 a level and 8: enough for 2^32 leaves
+        std::array<Entry, 96> stack;  // 7 per level plus 8: enough for 2^32 leaves
         std::size_t top = 0;
         stack[top++] = {static_cast<std::uint32_t>(levels_.size() - 1), 0};
         while (top > 0) {

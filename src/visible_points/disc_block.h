@@ -1,4 +1,4 @@
-// Eight discs side by side, one array a number: what asks which of them take a photon.
+// DiscBlock: eight gather discs in structure-of-arrays layout, for SIMD gather tests.
 #pragma once
 
 #include "visible_points/visible_point.h"
@@ -17,8 +17,8 @@ struct alignas(32) DiscBlock {
     Floats radius{};
     Floats indirect_radius{};
     std::array<Floats, 3> normal{};
-    /// Bounces in the lower half, above them the kinds (none: places that are not set take
-    /// nothing) and whether the disc has both sides.
+    /// Bounces in the lower half; above them the kinds (none: unset places accept nothing), and
+    /// whether the disc gathers on both sides.
     Integers rules{};
 
     static constexpr std::int32_t kBounces = 0xFFFF;

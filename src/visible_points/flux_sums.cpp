@@ -1,13 +1,12 @@
-// Compiled once for each kind of processor; the first call picks one.
+// Flux sums, compiled once per instruction set; the first call selects one.
 //
-// All eight sums stay in registers while the list goes by. Each photon is added to all of them,
-// with zeros in place of its flux where it is not taken: no branch, of which none could be
-// foreseen.
+// All eight sums stay in registers while the list is read. Each photon is added to all of them,
+// with zero flux where it is not accepted, because a branch would be unpredictable.
 #include "visible_points/flux_sums.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "visible_points/flux_sums.cpp"
-// No wider than the eight lanes of a spectrum.
+// At most the eight wavelengths of a spectrum.
 #define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL | HWY_SSE4)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -22,13 +21,13 @@ using Integers = hn::RebindToSigned<Floats>;
 using Vector = hn::Vec<Floats>;
 constexpr std::size_t kAtOnce = hn::MaxLanes(Floats());
 
-/// Of which photons, and for whom.
+/// The selected kind of photons and points.
 struct Wanted {
     PhotonKind kind;
-    unsigned points;  // bits
+    unsigned points;  // bit mask
 };
 
-/// Of the lanes from `first` on, kAtOnce of them.
+/// Sums kAtOnce wavelengths from `first` on.
 HWY_INLINE void add_lanes(const SortedPhotons& photons, std::span<const TakenPhoton> taken,
                           const Wanted& wanted, std::size_t first, BlockLight& light) {
     const Floats tag;

@@ -1,4 +1,4 @@
-// The flux that the points of a block take, summed for eight points side by side.
+// Sums of photon flux per visible point, for the eight points of a block at once.
 #pragma once
 
 #include "visible_points/lookup.h"
@@ -7,11 +7,11 @@
 
 namespace sunfleck::engine {
 
-/// Light that arrives at the eight points of a block.
+/// Flux at the eight points of a block.
 using BlockLight = std::array<SampledSpectrum, DiscBlock::kWidth>;
 
-/// Adds to light[i], in the order of the list, the flux of every photon of that kind that point i
-/// accepts, for the points whose bit is set in `points`.
+/// Adds the flux of every photon of a kind that point i accepts to light[i], in list order, for the
+/// points whose bit is set in `points`.
 void add_flux(const SortedPhotons& photons, std::span<const TakenPhoton> taken, PhotonKind kind,
               unsigned points, BlockLight& light);
 

@@ -1,11 +1,13 @@
-// Compiled once for each kind of processor; the first call picks one.
+// Gather tests of eight discs at once, compiled once per instruction set; the first call selects
+// one.
 //
-// The same operations in the same order as accepts(), without fused ones: the same answers.
+// The operations and their order are those of accepts(), without fused ones, so results are the
+// same.
 #include "visible_points/lookup.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "visible_points/lookup.cpp"
-// No wider than eight floats: boxes and discs come by eight.
+// At most eight floats: boxes and discs come in eights.
 #define HWY_DISABLED_TARGETS (HWY_AVX3 | HWY_AVX3_DL | HWY_SSE4)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -21,7 +23,7 @@ using Vector = hn::Vec<Floats>;
 using Mask = hn::Mask<Floats>;
 using Eight = std::array<float, 8>;
 constexpr std::size_t kAtOnce = hn::MaxLanes(Floats());
-/// Eight leaves of eight, and one that is written beyond the end.
+/// Eight leaves of eight photons, and one that is written beyond the end.
 constexpr std::size_t kPhotonsOfNode = 65;
 
 struct Vectors {
@@ -51,7 +53,7 @@ HWY_INLINE unsigned bits_of(const Mask& mask, std::size_t first) {
     return static_cast<unsigned>(bits) << first;
 }
 
-/// Bit i is set if the box has a point in common with that of child i.
+/// Returns a mask: bit i is set if the box intersects that of child i.
 HWY_INLINE unsigned touched(const BoxNode& node, const Box& box) {
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
@@ -67,7 +69,7 @@ HWY_INLINE unsigned touched(const BoxNode& node, const Box& box) {
     return bits;
 }
 
-/// Bit i is set if photon i is in the (closed) box.
+/// Returns a mask: bit i is set if photon i is in the (closed) box.
 HWY_INLINE unsigned inside(const PhotonLeaf& leaf, const Box& box) {
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
@@ -80,7 +82,7 @@ HWY_INLINE unsigned inside(const PhotonLeaf& leaf, const Box& box) {
     return bits;
 }
 
-/// Side, kind and depth.
+/// Tests side, kind and depth.
 HWY_INLINE Mask accept(const DiscBlock& discs, const Photon& photon, int max_depth, Mask behind,
                        std::size_t i) {
     constexpr Integers kTag;
@@ -96,7 +98,7 @@ HWY_INLINE Mask accept(const DiscBlock& discs, const Photon& photon, int max_dep
                       hn::RebindMask(Floats(), wanted));
 }
 
-/// radius_of_kind(), of discs i and on.
+/// radius_of_kind() of discs from i on.
 HWY_INLINE Vector radii_for(const DiscBlock& discs, PhotonKind kind, std::size_t i) {
     if (kind == PhotonKind::indirect) return load(discs.indirect_radius, i);
     const Vector radius = load(discs.radius, i);
@@ -105,7 +107,7 @@ HWY_INLINE Vector radii_for(const DiscBlock& discs, PhotonKind kind, std::size_t
     return hn::Sub(hn::Add(indirect, indirect), radius);
 }
 
-/// Bit i is set if disc i accepts the photon. The names are those of accepts().
+/// Returns a mask: bit i is set if disc i accepts the photon. Names are those of accepts().
 HWY_INLINE unsigned accepting(const DiscBlock& discs, const Photon& photon, int max_depth) {
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
@@ -136,8 +138,8 @@ HWY_INLINE unsigned accepting(const DiscBlock& discs, const Photon& photon, int 
     return bits;
 }
 
-/// Bits of `met` to numbers from `first` on. Writes eight, of which the first ones count: no
-/// branch, for none could be foreseen. @return the end of those that count.
+/// Writes the indices of the bits of `met`, counted from `first`. It writes eight, of which the
+/// first ones count, because a branch would be unpredictable. @return the end of those that count.
 HWY_INLINE std::uint32_t* write_numbers(unsigned met, std::uint32_t first, std::uint32_t* out) {
     for (std::uint32_t i = 0; i < 8; ++i) {
         *out = first + i;
@@ -146,7 +148,7 @@ HWY_INLINE std::uint32_t* write_numbers(unsigned met, std::uint32_t first, std::
     return out;
 }
 
-/// Lists the photons in the block's boxes, of the nodes that are near. @return how many.
+/// Lists the photons in the block's boxes, from the nearby nodes. @return their count.
 HWY_INLINE std::size_t list_near(const VisiblePointIndex& index, const SortedPhotons& photons,
                                  std::size_t block, TakenPhotons& taken) {
     std::size_t count = 0;
@@ -167,8 +169,8 @@ HWY_INLINE std::size_t list_near(const VisiblePointIndex& index, const SortedPho
     return count;
 }
 
-/// Lists what the block accepts from `first` on. All that is near is listed before any of it is
-/// asked for: loops whose ends can be foreseen.
+/// Lists what the block accepts, starting at `first` of the list. All nearby photons are listed
+/// before any is tested, so that loop ends are predictable.
 HWY_INLINE TakenPhotons::Block list_taken(const VisiblePointIndex& index,
                                           const SortedPhotons& photons, std::size_t block,
                                           std::size_t first, TakenPhotons& taken) {

@@ -1,7 +1,7 @@
-// Which photons do visible points take? Asked for many at once, with the widest instructions that
-// the processor has: the same answers everywhere.
+// Photon lookup: which photons each visible point accepts, for blocks of points by SIMD.
 //
-// In:  an index of visible points, sorted photons. Out: who accepts which.
+// In:  an index of visible points, sorted photons. Out: the accepted photons per point. Results are
+// the same for every instruction set.
 #pragma once
 
 #include "visible_points/sorted_photons.h"
@@ -13,31 +13,31 @@
 
 namespace sunfleck::engine {
 
-/// A photon, and which points of a block take it.
+/// A photon, and the points of a block that accept it.
 struct TakenPhoton {
-    std::uint32_t photon = 0;     // of the sorted ones
+    std::uint32_t photon = 0;     // index among the sorted photons
     std::uint32_t accepting = 0;  // bit i: point i of the block
 };
 
-/// The photons that some blocks take: those of one block after those of the one before.
+/// The photons that some blocks accept, block by block.
 struct TakenPhotons {
     static constexpr std::size_t kBlocks = 8;
 
-    /// What one block accepts: some of `list`.
+    /// The range of one block in `list`.
     struct Block {
         std::size_t first = 0;
         std::size_t count = 0;
-        std::uint32_t accepting = 0;  // points that take any
+        std::uint32_t accepting = 0;  // bit i: point i accepts any photon
     };
 
     std::array<Block, kBlocks> blocks;
-    std::vector<TakenPhoton> list;     // may be longer than what is taken
-    std::vector<std::uint32_t> nodes;  // of the photons' tree that are near
-    std::vector<std::uint32_t> near;   // photons in the box of the block at hand
+    std::vector<TakenPhoton> list;     // may be longer than the used part
+    std::vector<std::uint32_t> nodes;  // nearby nodes of the photon tree
+    std::vector<std::uint32_t> near;   // photons in the box of the current block
 };
 
-/// Lists what blocks begin .. end - 1 take, always in the same order: kBlocks at most, neighbours
-/// in space. @return whether they take anything.
+/// Lists the photons that blocks begin .. end - 1 accept, always in the same order; at most kBlocks
+/// blocks that are close in space. @return whether there are any.
 bool find_taken(const VisiblePointIndex& index, const SortedPhotons& photons, std::size_t begin,
                 std::size_t end, TakenPhotons& taken);
 

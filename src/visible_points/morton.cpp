@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kCells = 0x1FFFFF;
 
-/// Spreads the low 21 bits of x so that two zeros stand between neighbours.
+/// Inserts two zeros between the low 21 bits of x.
 std::uint64_t spread_bits(std::uint64_t x) {
     x &= 0x1FFFFFU;
     x = (x | (x << 32U)) & 0x1F00000000FFFFU;
@@ -41,15 +41,15 @@ namespace {
 
 constexpr unsigned kDigit = 11;
 constexpr unsigned kCodeBits = 63;
-/// By digit: how many keys of a block have it, then where the first of these goes.
+/// By digit: the count of a block's keys, then the target position of the first of them.
 using Places = std::array<std::size_t, std::size_t{1} << kDigit>;
 
 std::size_t digit(const MortonKey& key, unsigned shift) {
     return (key.code >> shift) & ((std::size_t{1} << kDigit) - 1);
 }
 
-/// Turns the counts of all blocks into places: digit by digit, within one block by block.
-/// @return false when all keys have the same digit.
+/// Converts the counts of all blocks to positions: by digit, within a digit by block.
+/// @return false if all keys have the same digit.
 bool make_places(std::vector<Places>& blocks, std::size_t keys) {
     std::size_t next = 0;
     for (std::size_t d = 0; d < Places().size(); ++d) {
@@ -62,8 +62,9 @@ bool make_places(std::vector<Places>& blocks, std::size_t keys) {
 
 }  // namespace
 
-/// Least significant digit first; digits that are the same everywhere are skipped. Each block moves
-/// its keys to where they belong: after those of the blocks before, whatever the blocks are.
+/// Sorts from the least significant digit; digits that all keys share are skipped. Each block moves
+/// its keys behind those of earlier blocks, so the result does not depend on the division into
+/// blocks.
 void sort_by_code(MortonKeys& keys, unsigned bits) {
     constexpr std::size_t kLeastBlock = std::size_t{1} << 14U;
     const std::size_t block = block_of_a_thread(keys.size(), kLeastBlock);

@@ -1,6 +1,6 @@
-// Morton order: points near each other in space stand near each other in the list.
+// Morton order: items that are close in space are close in the list.
 //
-// Source: Morton 1966; bits are spread by the usual shifts and masks.
+// Source: Morton 1966; bits are interleaved by shifts and masks.
 #pragma once
 
 #include "core/unfilled.h"
@@ -13,19 +13,19 @@ namespace sunfleck::engine {
 struct MortonKey {
     std::uint64_t code = 0;
     std::uint32_t item = 0;
-    std::uint32_t list = 0;  // where items stand in several lists
+    std::uint32_t list = 0;  // index of the list, if items are in several lists
 };
 
 using MortonKeys = UnfilledVector<MortonKey>;
 
-/// A cube of space cut into 2^21 cells an axis.
+/// A cube of space divided into 2^21 cells per axis.
 class MortonGrid {
 public:
     MortonGrid() = default;
-    /// The smallest grid of cubic cells that holds the box.
+    /// Makes the smallest grid of cubic cells that contains the box.
     MortonGrid(const Vec3& low, const Vec3& high);
 
-    /// Interleaved cell numbers; points outside count as in the cell nearest to them.
+    /// Returns interleaved cell indices; points outside count as in the nearest cell.
     std::uint64_t code(const Vec3& p) const;
 
 private:
@@ -33,8 +33,7 @@ private:
     float cells_per_unit_ = 0;
 };
 
-/// Sorts by the upper `bits` of the 63 of a code; equal ones keep their order. @param bits  1
-/// to 63.
+/// Sorts stably by the upper `bits` of the 63 bits of a code. @param bits  1 to 63.
 void sort_by_code(MortonKeys& keys, unsigned bits);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// The items of several lists, all in one Morton order.
+// Morton order of the items of several lists together.
 #pragma once
 
 #include "core/parallel.h"
@@ -8,9 +8,10 @@
 
 namespace sunfleck::engine {
 
-/// Equal codes are in the order of the lists.
-/// @param size_of  size_of(list). @param code_of  code_of(list, item), of 63 bits. @param bits  as
-/// sort_by_code().
+/// Sorts items by code; equal codes are in the order of the lists.
+/// @param size_of  size_of(list).
+/// @param code_of  code_of(list, item), of 63 bits.
+/// @param bits  see sort_by_code().
 template <class SizeOf, class CodeOf>
 MortonKeys in_morton_order(std::size_t lists, const SizeOf& size_of, const CodeOf& code_of,
                            unsigned bits) {

@@ -1,4 +1,4 @@
-// Fills the cells.
+// Marks the cells.
 #include "visible_points/occupancy.h"
 
 #include "core/parallel.h"

@@ -1,4 +1,4 @@
-// The photons of some paths, kept together so that they can be looked up in a good order.
+// PhotonChunk: the photons of a range of paths, which are looked up together in Morton order.
 #pragma once
 
 #include "aovs/statistics.h"
@@ -8,15 +8,15 @@
 
 namespace sunfleck::engine {
 
-/// Photon i belongs to path paths[i], a number within the pass or the chunk, and is marked in
-/// taken[i] when deposited.
+/// Photon i belongs to path paths[i], an index within the pass or the chunk. taken[i] is set when
+/// the photon is deposited.
 struct PhotonChunk {
     std::vector<Photon> photons;
     std::vector<std::uint32_t> paths;
     std::vector<std::uint8_t> taken;
-    Statistics statistics;  // of tracing these paths
+    Statistics statistics;  // of these paths
 
-    /// No photons; the memory is kept.
+    /// Removes all photons and keeps the memory.
     void clear() {
         photons.clear();
         paths.clear();
@@ -35,7 +35,7 @@ struct PhotonChunk {
         taken.push_back(0);
     }
 
-    /// Adds so many alike as one.
+    /// Adds several identical photons as one.
     void add_copies(const Photon& photon, std::uint32_t path, std::uint32_t copies) {
         add(photon, path);
         photons.back().copies = copies;

@@ -1,4 +1,4 @@
-// The radius of pass p over that of pass 0: a function of the pass number alone.
+// Gather radius of a pass relative to pass 0, a function of the pass index alone.
 //
 // Source: Knaus and Zwicker 2011, "Progressive Photon Mapping: A Probabilistic Approach", eq. 20:
 // r^2_{p+1} = r^2_p (p + alpha) / (p + 1), p from 1.
@@ -11,13 +11,13 @@
 
 namespace sunfleck::engine {
 
-/// The areas of a disc in passes 0, 1, 2 ... over that in pass 0, one after the other.
+/// Sequence of disc areas in passes 0, 1, 2 ..., relative to pass 0.
 class DiscAreaSequence {
 public:
     /// @param alpha  in (0,1): 2/3 balances bias and variance.
     explicit DiscAreaSequence(double alpha) : alpha_(alpha) {}
 
-    /// That of the next pass. The same bits on every machine.
+    /// Returns the area in the next pass, with the same bits on every machine.
     double next() {
         const auto p = static_cast<double>(pass_++);
         if (p > 0) area_ *= (p + alpha_) / (p + 1);
@@ -30,14 +30,14 @@ private:
     std::uint64_t pass_ = 0;
 };
 
-/// @param pass  from 0. @param alpha  in (0,1).
+/// Returns the radius of a pass relative to pass 0. @param pass  from 0. @param alpha  in (0,1).
 inline double radius_factor(std::uint32_t pass, double alpha) {
     DiscAreaSequence areas(alpha);
     for (std::uint32_t p = 0; p < pass; ++p) areas.next();
     return std::sqrt(areas.next());
 }
 
-/// Mean of the disc's area over the passes of a batch, over that in pass 0.
+/// Returns the mean disc area over the passes of a batch, relative to pass 0.
 inline double batch_area(std::uint64_t batch, double alpha) {
     DiscAreaSequence areas(alpha);
     for (std::uint64_t p = 0; p < batch * kBatchPasses; ++p) areas.next();

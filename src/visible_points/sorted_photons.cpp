@@ -1,4 +1,4 @@
-// Sorts, copies, and builds the tree.
+// Sorting, copying, and construction of the tree.
 #include "visible_points/sorted_photons.h"
 
 #include "core/parallel.h"
@@ -15,7 +15,7 @@ bool is_long_chain(const Photon& photon) {
     return photon.kind == PhotonKind::long_specular_chain;
 }
 
-/// All photons of the chunks, long specular chains last.
+/// Returns all photons of the chunks in order, long specular chains last.
 MortonKeys in_order(const std::vector<PhotonChunk>& chunks, const MortonGrid& grid) {
     constexpr unsigned kSortedBits = 33;
     return in_morton_order(

@@ -1,5 +1,5 @@
-// The photons of many chunks in Morton order, long specular chains last, to be asked which of them
-// are in a box.
+// SortedPhotons: the photons of several chunks in Morton order with a tree, long specular chains
+// last, for box queries.
 #pragma once
 
 #include "visible_points/box_tree.h"
@@ -11,30 +11,31 @@
 
 namespace sunfleck::engine {
 
-/// Positions of eight photons. Places that are not set are in no box.
+/// Positions of eight photons. Unset places are in no box.
 struct alignas(32) PhotonLeaf {
     std::array<std::array<float, BoxNode::kWidth>, 3> position;
 };
 
 class SortedPhotons {
 public:
-    /// The order depends on the photons and on the order of the chunks alone.
+    /// The order depends on the photons and the order of the chunks alone.
     SortedPhotons(const std::vector<PhotonChunk>& chunks, const MortonGrid& grid);
 
     std::size_t size() const { return photons_.size(); }
     const Photon& operator[](std::size_t i) const { return photons_[i]; }
-    /// A kind whose boxes hold photons 0 .. end - 1. @param end  may be beyond the last.
+    /// Returns a kind whose boxes contain photons 0 .. end - 1. @param end  may be beyond the last
+    /// photon.
     PhotonKind widest_before(std::size_t end) const {
         return first_deep_ < std::min(end, size()) ? PhotonKind::long_specular_chain
                                                    : PhotonKind::direct;
     }
 
-    /// Photons 8 l .. 8 l + 7.
+    /// Returns photons 8 l .. 8 l + 7.
     const PhotonLeaf& leaf(std::size_t l) const { return leaves_[l]; }
-    /// Over leaves.
+    /// Returns the tree over leaves.
     const BoxTree& tree() const { return tree_; }
 
-    /// Writes taken[i] to where photon i came from.
+    /// Copies taken[i] back to the chunk that photon i came from.
     void hand_back(const std::vector<std::uint8_t>& taken, std::vector<PhotonChunk>& chunks) const;
 
 private:
@@ -46,8 +47,7 @@ private:
     UnfilledVector<Photon> photons_;
     UnfilledVector<PhotonLeaf> leaves_;
     BoxTree tree_;
-    std::size_t first_deep_ =
-        0;  // photons from this one on are long specular chains, and no others
+    std::size_t first_deep_ = 0;  // index of the first long specular chain
 };
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Builds the index: sort by Morton code, then blocks, then boxes.
+// Construction of the index: Morton sort, blocks, boxes.
 #include "visible_points/visible_point_index.h"
 
 #include "core/parallel.h"
@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;
 
-/// Around the disc of that radius: every photon that accepts() holds for is in.
+/// Returns a box around the disc of that radius, which contains every photon that accepts() allows.
 Box box_of(const Disc& disc, float radius) {
     Vec3 half;
     for (int c = 0; c < 3; ++c) {
         const float n = disc.normal[c];
         const float across = std::sqrt(std::max(0.0F, 1 - n * n));
-        // Along the disc's own normal a photon may be at most kDiscFlatness / cos^2(30) + tan(30)
-        // radii away: the mean of two normals that differ by 60 degrees leans by 30.
+        // Along the disc's own normal a photon is at most kDiscFlatness / cos^2(30) + tan(30) radii
+        // away, because the mean of two normals that differ by 60 degrees is tilted by 30.
         const float along = 0.92F * std::abs(n);
         half[c] = radius * std::min(1.23F, across + along) + std::abs(disc.position[c]) * 1e-6F;
     }
@@ -31,9 +31,9 @@ bool is_plain(const VisiblePoint& p) {
     return p.is_flat() && p.bsdf == kLambertian;
 }
 
-/// What is known of all points together.
+/// Data of all points together.
 struct Whole {
-    Box box;  // of the discs' centres
+    Box box;  // of the disc centres
     std::uint8_t kinds = 0;
     std::uint32_t last_pixel = 0;
     std::size_t points = 0;
@@ -62,7 +62,7 @@ Whole whole_of(const VisiblePointLists& lists) {
 constexpr std::uint8_t kTaken = 1;
 constexpr std::uint8_t kShared = 3;
 
-/// By pixel: kShared if it has more than one point.
+/// Returns kShared for each pixel with more than one point.
 std::vector<std::uint8_t> shared_pixels(const VisiblePointLists& lists, std::uint32_t last_pixel) {
     std::vector<std::uint8_t> pixels(std::size_t{last_pixel} + 1, 0);
     parallel_for(lists.size(), [&](std::size_t l) {

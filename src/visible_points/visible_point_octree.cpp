@@ -1,4 +1,4 @@
-// Filling the octree, disc by disc: parts of the discs at once, then all in one.
+// Construction of the octree: disc by disc in parallel subsets, then their union.
 #include "visible_points/visible_point_octree.h"
 
 #include "core/parallel.h"
@@ -8,7 +8,7 @@
 
 namespace sunfleck::engine {
 
-/// The root is larger than the scene and off its axes, so that walls do not lie on cell faces.
+/// The root is larger than the scene and shifted, so that walls are not on cell faces.
 VisiblePointOctree::VisiblePointOctree(std::span<const VisiblePoint> points, const Vec3d& centre,
                                        double radius) {
     constexpr std::size_t kLeastPart = 4096;
@@ -35,14 +35,14 @@ VisiblePointOctree::Nodes VisiblePointOctree::nodes_over(
     return nodes;
 }
 
-/// At the depth where cells are at least as wide as the box, so that it touches two an axis or
-/// fewer; never the root, which has no parent to say that it is full.
+/// Returns the cells at the depth where they are at least as wide as the box, which then touches at
+/// most two per axis; never the root, which has no parent to mark it as full.
 VisiblePointOctree::Cells VisiblePointOctree::cells_of(const Disc& disc) const {
     constexpr double kLast = double{1U << kDeepest} - 1;
     Cells cells{};
     double widest = 0;
     for (int c = 0; c < 3; ++c) {
-        // accepts() holds for nothing beyond sqrt(1.5) radii.
+        // accepts() allows nothing beyond sqrt(1.5) radii.
         const double half =
             1.23 * double{disc.widest_radius()} + std::abs(double{disc.position[c]}) * 1e-6;
         const double middle = (double{disc.position[c]} - low_[c]);

@@ -1,9 +1,11 @@
-// How near a place is to what the camera sees, on a scale that all passes share: the finest cell of
-// a fixed octree over the scene in which both a visible point's disc and the place lie.
+// VisiblePointOctree: the importance function of multilevel splitting, the proximity of a position
+// to the visible points.
 //
-// In:  visible points. Out: heights of places. Places that a disc may reach are full: higher than
-// all others. Each cell of the octree that a disc's box touches counts as seen, so the sets
-// { height >= h } are nested and hold all that is visible.
+// In:  visible points. Out: heights of positions. The height is the depth of the finest cell of a
+// fixed octree over the scene that contains both the position and part of a gather disc; all passes
+// share that scale. Positions that a disc may reach are in full cells, which are higher than all
+// others. Every cell that a disc's box touches is marked, so that the sets { height >= h } are
+// nested and contain everything visible.
 #pragma once
 
 #include "visible_points/visible_point.h"
@@ -16,16 +18,16 @@ namespace sunfleck::engine {
 
 class VisiblePointOctree {
 public:
-    /// Cells are halved at most so often.
+    /// Maximum depth of cells.
     static constexpr int kDeepest = 24;
-    /// Height of places in a full cell: no disc can reach any other place.
+    /// Height of positions in full cells; no disc can reach any other position.
     static constexpr int kFull = kDeepest + 1;
 
+    /// @param points  neighbours in the list should be neighbours in space.
     /// @param centre, radius  of a sphere around the scene, the same for every pass.
-    /// Neighbours in the list should be neighbours in space.
     VisiblePointOctree(std::span<const VisiblePoint> points, const Vec3d& centre, double radius);
 
-    /// 0 to kDeepest, or kFull.
+    /// Returns the height: 0 to kDeepest, or kFull.
     int height(const Vec3& place) const {
         const Vec3d scaled = (Vec3d(place) - low_) * cells_per_unit_;
         const auto inside = [](double x) { return x >= 0 && x < double{1U << kDeepest}; };
@@ -44,9 +46,9 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kEmptyCell = 0;  // the root is nobody's child
+    static constexpr std::uint32_t kEmptyCell = 0;  // the root is no node's child
     static constexpr std::uint32_t kFullCell = 0xFFFFFFFF;
-    using Node = std::array<std::uint32_t, 8>;  // by cell: a node, empty or full
+    using Node = std::array<std::uint32_t, 8>;  // by octant: a node, kEmptyCell or full
 
     struct Cells {
         std::array<std::uint32_t, 3> low;
@@ -61,12 +63,12 @@ private:
     Nodes nodes_over(std::span<const VisiblePoint> points) const;
     static void fill(Nodes& nodes, const Cells& cells);
     static void fill(Nodes& nodes, const std::array<std::uint32_t, 3>& cell, int depth);
-    /// Puts the octrees into one: a node that some share is the union, the others stay as they are.
+    /// Returns the union of octrees. A node that only one of them has is copied.
     static Nodes united(const std::vector<Nodes>& parts);
     static void unite(Nodes& nodes, std::uint32_t into, std::uint32_t other);
 
     Vec3d low_;
-    double cells_per_unit_;  // finest ones
+    double cells_per_unit_;  // cells of the deepest level
     Nodes nodes_;
 };
 

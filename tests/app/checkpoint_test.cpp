@@ -115,11 +115,11 @@ TEST_F(Resume, files_that_cannot_be_used) {
     expect_refused({"--resume", "page.ckpt"}, "page.ckpt", {"a web page"});
     const std::string bytes = read_text(path("x.ckpt"));
     write_text(path("x.ckpt"), bytes.substr(0, bytes.size() - 8));
-    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"cut or damaged"});
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"truncated or damaged"});
     std::string broken = bytes;
     broken[bytes.size() / 2] = static_cast<char>(broken[bytes.size() / 2] ^ 1);
     write_text(path("x.ckpt"), broken);
-    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"cut or damaged"});
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"truncated or damaged"});
     broken = bytes;
     broken[8] = 9;
     write_text(path("x.ckpt"), broken);

@@ -58,7 +58,7 @@ TEST_F(MachineLimits, of_address_space_end_no_program_by_a_signal) {
 TEST_F(MachineLimits, of_threads_are_told_with_how_many_there_are) {
     expect_told(after("export LD_PRELOAD=" SUNFLECK_FAULTS " SUNFLECK_FAULT=thread:2",
                       kRender + Words{"--nthreads", "4"}),
-                1, {"4 threads are asked for, and the machine gives 2", "ulimit -u"});
+                1, {"4 threads were asked for, but the machine gives 2", "ulimit -u"});
     EXPECT_EQ(names(), "");
 }
 

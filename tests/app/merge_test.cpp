@@ -110,10 +110,10 @@ TEST_F(Merge, damaged_parts) {
     part("a.film", "0:2");
     std::string bytes = read_text(path("a.film"));
     write_text(path("b.film"), bytes.substr(0, bytes.size() - 8));
-    expect_refused({"cut or damaged"});
+    expect_refused({"truncated or damaged"});
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     write_text(path("b.film"), bytes);
-    expect_refused({"cut or damaged"});
+    expect_refused({"truncated or damaged"});
 }
 
 TEST_F(Merge, files_that_are_no_films_are_named) {
@@ -125,7 +125,7 @@ TEST_F(Merge, files_that_are_no_films_are_named) {
     std::filesystem::remove(path("b.film"));
     expect_refused({"there is no file"});
     write_text(path("B.film"), "");
-    expect_refused({"B.film", "capital letters"});
+    expect_refused({"B.film", "upper and lower case"});
     std::filesystem::create_directory(path("b.film"));
     expect_refused({"is a folder"});
 }

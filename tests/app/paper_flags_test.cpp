@@ -123,7 +123,7 @@ TEST_F(PaperFlags, films_are_not_merged) {
                   0);
     const Ran ran = run({"merge", "1.film", "1.film", "-o", "x.exr"});
     EXPECT_EQ(ran.code, 2);
-    EXPECT_NE(ran.err.find("1.film: its passes build on one another"), std::string::npos)
+    EXPECT_NE(ran.err.find("1.film: its passes depend on each other"), std::string::npos)
         << ran.err;
     EXPECT_FALSE(exists("x.exr"));
     EXPECT_EQ(run({"merge", "1.film", "-o", "x.exr"}).code, 0) << "one alone is copied";

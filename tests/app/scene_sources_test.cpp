@@ -53,7 +53,7 @@ TEST_F(SceneSources, pipes_and_folders_are_told_from_missing_files) {
     EXPECT_NE(pipe.err.find("standard input, as -"), std::string::npos) << pipe.err;
     EXPECT_NE(run({"info", "/dev/null"}).err.find("is a device"), std::string::npos);
     EXPECT_NE(run({"info", "."}).err.find("is a folder"), std::string::npos);
-    EXPECT_NE(run({"info", "ROOM.pbrt"}).err.find("\"room.pbrt\": mind capital letters"),
+    EXPECT_NE(run({"info", "ROOM.pbrt"}).err.find("\"room.pbrt\": check upper and lower case"),
               std::string::npos);
 }
 

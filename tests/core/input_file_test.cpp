@@ -57,7 +57,7 @@ TEST_F(InputFile, that_is_missing_is_told_from_what_is_none) {
     expect_fault("pipe", "is a pipe");
     expect_fault("../../../../../../../../../../dev/null", "is a device");
     fs::create_symlink("gone.ply", path("link.ply"));
-    expect_fault("link.ply", "is a link to \"gone.ply\", which is not there");
+    expect_fault("link.ply", "is a link to \"gone.ply\", which does not exist");
     EXPECT_THROW(read_input_file(path("none.ply"), {}), MissingFile);
 }
 
@@ -65,7 +65,7 @@ TEST_F(InputFile, of_another_case_is_named) {
     std::ofstream(path("tex/Wall.PNG")) << "x";
     expect_fault("tex/wall.png", "tex/Wall.PNG");
     expect_fault("Tex/wall.png", "tex/Wall.PNG");
-    expect_fault("TEX/WALL.PNG", "mind capital letters");
+    expect_fault("TEX/WALL.PNG", "check upper and lower case");
     EXPECT_EQ(fault("tex/walls.jpg").find("Wall"), std::string::npos);
 }
 

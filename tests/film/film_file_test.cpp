@@ -186,7 +186,7 @@ TEST_F(FilmFile, errors_are_one_clear_line) {
     std::string bytes = bytes_of(film_of(small_key(3, 2), numbers(0, 18)));
     EXPECT_EQ(fault_of("anything"),
               std::string("fault.film") +
-                  ": is no film file, or is cut or damaged; use another copy, "
+                  ": is not a film file, or is truncated or damaged; use another copy, "
                   "or render its passes again");
     bytes[8] = 9;
     EXPECT_EQ(fault_of(bytes), std::string("fault.film") +

@@ -235,8 +235,8 @@ TEST(Film, passes_of_a_round_count_alike) {
             ADD_FAILURE() << here << " " << there;
         } catch (const Error& error) {
             EXPECT_EQ(std::string(error.what()),
-                      "b.film: passes of 16:32 count more often in one part than in another; "
-                      "render all parts with one version of the program");
+                      "b.film: passes of 16:32 have different weights in the two films; "
+                      "render all films with one version of the program");
         }
         EXPECT_THROW(film.add_pass(31, noise_pass(small_key(3, 2), 31), there), Error);
         EXPECT_EQ(film.sums(), before.sums());

@@ -93,7 +93,7 @@ TEST(Relight, refuses_what_is_not_there) {
     Picture cut = two_lights();
     cut.channels.erase(cut.channels.begin() + 4);  // sun.G
     EXPECT_EQ(fault(cut, {{"sun", Vec3(1)}}),
-              "x.exr: has no channel \"sun.G\"; use a picture that sunfleck has rendered");
+              "x.exr: has no channel \"sun.G\"; use a picture rendered by sunfleck");
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ TEST_F(AtomicFiles, a_full_disk_leaves_nothing_behind) {
 TEST_F(AtomicFiles, check_writable_says_what_is_wrong_and_leaves_nothing) {
     EXPECT_EQ(fault_of(path("a")), "");
     EXPECT_EQ(files(), 0);
-    EXPECT_EQ(fault_of(path("no/a")), path("no/a") + ": there is no folder " + path("no") +
+    EXPECT_EQ(fault_of(path("no/a")), path("no/a") + ": the folder does not exist: " + path("no") +
                                           "; create it, or choose a folder that exists");
     EXPECT_EQ(fault_of(path("")), path("") + ": is a folder; name a file in it");
     EXPECT_EQ(fault_of("/dev/null"),

@@ -39,7 +39,7 @@ TEST_F(PictureFile, others_are_refused_before_work_begins) {
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(std::string(error.what()), path("a.jpg") +
-                                                 ": has no ending of a picture; end the name "
+                                                 ": unknown picture format; end the name "
                                                  "in .exr or .png");
     }
     EXPECT_THROW(check_picture_path(path("exr")), Error);

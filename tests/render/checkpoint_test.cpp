@@ -183,7 +183,7 @@ TEST_F(Checkpoints, numbers_that_cannot_be_are_refused) {
         return fault_of(bytes_of(state));
     };
     const std::string damaged =
-        "x.ckpt: is no checkpoint, or is cut or damaged; use another copy, "
+        "x.ckpt: is not a checkpoint, or is truncated or damaged; use another copy, "
         "or render anew without --resume";
     EXPECT_EQ(fault_with([](RenderState&) {}), "");
     EXPECT_EQ(fault_with([](RenderState& s) { s.total_seconds = -1; }), damaged);

@@ -158,7 +158,7 @@ TEST(Adjust, a_crop_that_is_no_part_of_the_picture_is_an_error) {
             ADD_FAILURE() << crop[0] << ' ' << crop[1] << ' ' << crop[2] << ' ' << crop[3];
         } catch (const Error& error) {
             EXPECT_EQ(std::string(error.what()),
-                      "--crop: is no part of the picture; give x0,x1,y0,y1 in pixels, with 0 <= "
+                      "--crop: is not within the picture; give x0,x1,y0,y1 in pixels, with 0 <= "
                       "x0 < x1 <= 200 and 0 <= y0 < y1 <= 100");
         }
         EXPECT_EQ(scene.film.crop, (Crop{1, 2, 3, 4}));

@@ -1,4 +1,4 @@
-// Polygons, vertices without a face, and remarks.
+// Polygons, unused vertices, and remarks.
 #include "import/ply/body.h"
 
 #include "import/ply/polygons.h"
@@ -41,7 +41,7 @@ void check_broken(const PlyBody& body, const std::string& name) {
                 "export the mesh again without it");
 }
 
-/// Of vertices that no triangle has: those that are broken.
+/// Removes broken vertices, which no triangle uses.
 void remove_broken(PlyBody& body) {
     PlyMesh& mesh = body.mesh;
     std::vector<std::uint32_t> moved(mesh.positions.size());
@@ -71,13 +71,13 @@ PlyMesh finished_ply(PlyBody body, const std::string& name) {
     const auto remark = [&](std::size_t count, const std::string& what) {
         if (count > 0) body.mesh.remarks.push_back(what + " (" + std::to_string(count) + ")");
     };
-    remark(body.fans.size(), "faces of more than four corners are cut into triangles");
-    remark(body.faces_left_out, "faces of fewer than three corners are left out");
-    remark(body.broken_uvs, "texture coordinates that are not finite are taken for (0, 0)");
+    remark(body.fans.size(), "faces of more than four corners were triangulated");
+    remark(body.faces_left_out, "faces of fewer than three corners were left out");
+    remark(body.broken_uvs, "texture coordinates that are not finite became (0, 0)");
     if (body.has_face_uvs)
         body.mesh.remarks.emplace_back(
             "texture coordinates of faces (texcoord) are not read: give each vertex its own");
-    remark(body.broken.size(), "vertices of no face whose numbers are not finite are left out");
+    remark(body.broken.size(), "unused vertices that are not finite were left out");
     if (!body.broken.empty()) remove_broken(body);
     return std::move(body.mesh);
 }

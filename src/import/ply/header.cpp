@@ -1,4 +1,4 @@
-// Header of a PLY file, line by line, each fault with its line and column.
+// Parser of PLY headers, with line and column of each fault.
 #include "import/ply/header.h"
 
 #include "sunfleck/error.h"
@@ -49,13 +49,13 @@ public:
 
     PlyHeader parse() {
         if (!next_line() || words_.size() != 1 || words_[0].text != "ply")
-            fail(0, "this is no PLY file", "begin it with a line \"ply\"");
+            fail(0, "this is not a PLY file", "begin it with a line \"ply\"");
         for (bool in_header = true; in_header;) {
             if (!next_line())
-                fail(0, "the file ends inside its header", "write the file again, it is cut");
+                fail(0, "the file ends inside its header", "write the file again; it is truncated");
             if (!words_.empty()) in_header = read_statement();
         }
-        if (!has_format_) fail(0, "the header names no format", "add \"format ascii 1.0\"");
+        if (!has_format_) fail(0, "the header has no format", "add \"format ascii 1.0\"");
         check_vertex();
         check_face();
         header_.size = at_;
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    /// @return whether more of the header follows.
+    /// Reads a statement. @return whether more of the header follows.
     bool read_statement() {
         const std::string_view keyword = words_[0].text;
         if (keyword == "end_header") return false;
@@ -101,7 +101,7 @@ private:
         const auto result =
             std::from_chars(count.data(), count.data() + count.size(), element.count);
         if (result.ec != std::errc() || result.ptr != count.data() + count.size())
-            fail(2, quoted(2) + " is no count", "write a whole number, zero or more");
+            fail(2, quoted(2) + " is not a count", "write a whole number, zero or more");
         if (header_.find(element.name) != nullptr)
             fail(1, "element " + quoted(1) + " is declared twice", "delete one");
         header_.elements.push_back(std::move(element));
@@ -129,7 +129,7 @@ private:
             fail(last, "property " + quoted(last) + " is declared twice", "delete one");
         if (header_.elements.back().name == "face" && is_vertex_list(property) &&
             (!list || !is_integer(property.type)))
-            fail(last, quoted(last) + " is no list of integers",
+            fail(last, quoted(last) + " is not a list of integers",
                  "use \"property list uchar int vertex_indices\"");
         if (list && header_.elements.back().name == "vertex" && property.name.size() == 1 &&
             property.name[0] >= 'x' && property.name[0] <= 'z')
@@ -170,7 +170,7 @@ private:
     const PlyElement& needed_element(const std::string& name) {
         const PlyElement* element = header_.find(name);
         if (const PlyElement* strips = header_.find("tristrips"); strips && name == "face")
-            fail_at_element(*strips, "its faces are strips of triangles, which are not read",
+            fail_at_element(*strips, "its faces are triangle strips, which cannot be read",
                             "export single triangles");
         if (element == nullptr)
             fail(0, "the file has no element \"" + name + "\"", "export a triangle mesh");
@@ -179,7 +179,7 @@ private:
         return *element;
     }
 
-    /// Accepts the next line apart. @return false at the end of the bytes.
+    /// Splits the next line into words. @return false at the end of the bytes.
     bool next_line() {
         words_.clear();
         ++line_;
@@ -202,7 +202,7 @@ private:
         fail(0, quoted(0) + " " + what, "write it as in \"" + example + "\"");
     }
 
-    /// A word as it stands in the file; long ones are cut, bytes that do not print become '?'.
+    /// Returns a word of the file in quotes, shortened, with '?' for control characters.
     std::string quoted(std::size_t word) const {
         std::string text(words_[word].text.substr(0, 40));
         for (char& c : text)
@@ -222,7 +222,7 @@ private:
 
     std::string_view bytes_;
     const std::string& name_;
-    char line_end_ = '\n';  // of all lines, as of the first: LF, or CR alone
+    char line_end_ = '\n';  // of all lines, taken from the first: LF, or CR alone
     std::size_t at_ = 0;
     int line_ = 0;
     std::vector<Word> words_;

@@ -1,4 +1,4 @@
-// The header of a PLY file: which elements follow, and how each of their numbers is stored.
+// PLY headers: the elements of the file, and the storage of their numbers.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ enum class PlyFormat { ascii, little_endian, big_endian };
 
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// Bytes of one number in a binary file.
+/// Returns the bytes of one number in a binary file.
 constexpr std::size_t ply_size(PlyType type) {
     switch (type) {
         case PlyType::int8:
@@ -49,18 +49,19 @@ struct PlyElement {
 
 struct PlyHeader {
     PlyFormat format = PlyFormat::ascii;
-    std::vector<PlyElement> elements;  // as they follow in the body; names distinct
-    std::size_t size = 0;              // bytes: the body begins there
+    std::vector<PlyElement> elements;  // in body order; names are distinct
+    std::size_t size = 0;              // in bytes: offset of the body
 
-    /// The element of that name, or null.
+    /// Returns the element of that name, or null.
     const PlyElement* find(std::string_view name) const;
 };
 
-/// @throws Error with line and column: what is no PLY header, or lacks a vertex with x, y, z or a
-///         face with a list of vertex indices.
+/// Parses a header.
+/// @throws Error  with line and column, for what is not a PLY header, or has no vertex with x, y, z
+/// or no face with a list of vertex indices.
 PlyHeader parse_ply_header(std::string_view bytes, const std::string& name);
 
-/// Is this the list of a face's vertices?
+/// Returns whether this is the list of a face's vertices.
 inline bool is_vertex_list(const PlyProperty& property) {
     return property.name == "vertex_indices" || property.name == "vertex_index";
 }

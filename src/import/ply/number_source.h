@@ -1,7 +1,7 @@
-// Numbers of a PLY body one after the other: from text, or from bytes of either order.
+// Sequential sources of the numbers of a PLY body: text, or bytes of either order.
 //
-// Both kinds offer number(type), which throws PlyFault at the end of the bytes, and skip(count,
-// type). room_for() says whether that many rows can be there at all, before anything is allocated.
+// Both provide number(type), which throws PlyFault at the end of the bytes, and skip(count, type).
+// room_for() tells whether that many rows are possible at all, before memory is allocated.
 #pragma once
 
 #include "import/ply/header.h"
@@ -16,7 +16,7 @@
 
 namespace sunfleck::engine {
 
-/// The bytes end, or hold what is no number; the reader adds where.
+/// The data end too early or contain something else than a number; the reader adds the location.
 struct PlyFault : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -105,7 +105,7 @@ public:
         for (std::uint64_t i = 0; i < count; ++i) number(type);
     }
 
-    /// A number takes two bytes with the blank behind it, which the last may lack.
+    /// A number takes at least two bytes with its separator, which the last one may lack.
     bool room_for(const PlyElement& element) const {
         const std::uint64_t row = 2 * element.properties.size();
         return row == 0 || element.count <= static_cast<std::uint64_t>(end_ - at_ + 1) / row;
@@ -114,7 +114,8 @@ public:
 private:
     static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-    /// What Microsoft's library writes for numbers that are not finite: 1.#INF, -1.#IND, 1.#QNAN.
+    /// Parses what Microsoft's library writes for numbers that are not finite: 1.#INF, -1.#IND,
+    /// 1.#QNAN.
     double not_finite(const char* mark) {
         for (const std::string_view kind : {"#INF", "#IND", "#QNAN", "#SNAN"}) {
             if (!std::string_view(mark, static_cast<std::size_t>(end_ - mark)).starts_with(kind))
@@ -126,7 +127,8 @@ private:
         throw PlyFault("\"" + word() + "\" is no number");
     }
 
-    /// Tiny numbers are zero; huge ones are infinite, and refused where a float is needed.
+    /// Small numbers become zero; large ones become infinite, and are refused where a float is
+    /// needed.
     double out_of_range(const char* behind) {
         const std::string_view text(at_, static_cast<std::size_t>(behind - at_));
         const std::size_t exponent = text.find_first_of("eE");
@@ -137,7 +139,7 @@ private:
         return tiny ? 0.0 : HUGE_VAL;
     }
 
-    /// The word that stands here, short and printable.
+    /// Returns the current word, shortened and printable.
     std::string word() const {
         std::string text;
         for (const char* c = at_; c != end_ && !is_blank(*c) && text.size() < 40; ++c)

@@ -1,4 +1,4 @@
-// Planarity by the distance from the mean plane, convexity by the turn at each corner.
+// Planarity by the distance from the mean plane, convexity by the orientation at each corner.
 #include "import/ply/polygons.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ constexpr double kOfSize = 1e-4;
 constexpr double kOfCoordinates = 1e-6;
 constexpr double kOneAndAHalfTurns = 3 * kPiDouble;
 
-/// Twice the area, along the mean normal (Newell).
+/// Returns twice the area, along the mean normal (Newell).
 Vec3d area_of(std::span<const Vec3d> corners) {
     Vec3d sum(0);
     for (std::size_t i = 2; i < corners.size(); ++i)
@@ -20,7 +20,7 @@ Vec3d area_of(std::span<const Vec3d> corners) {
     return sum;
 }
 
-/// The corners without those that stand where the one before stands.
+/// Returns the corners without consecutive repeats.
 std::vector<Vec3d> without_repeats(std::span<const Vec3d> corners) {
     std::vector<Vec3d> result(corners.begin(), corners.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());

@@ -1,4 +1,4 @@
-// Faces of more than four corners: which of them a fan of triangles covers.
+// Polygons of more than four corners: whether a fan of triangles covers them.
 #pragma once
 
 #include "math/vector.h"
@@ -7,8 +7,8 @@
 
 namespace sunfleck::engine {
 
-/// True if a fan from the first corner covers the polygon once: it is planar and convex within
-/// 10^-4 of its size, and within what six digits of its coordinates tell.
+/// Returns whether a fan from the first corner covers the polygon once: it is planar and convex
+/// within 10^-4 of its size, and within the precision of six decimal digits.
 bool is_planar_and_convex(std::span<const Vec3d> corners);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// PLY files from their first byte to the mesh.
+// PLY files from the first byte to the mesh.
 #include "import/ply/reader.h"
 
 #include "core/file_content.h"

@@ -1,4 +1,4 @@
-// The rows of a PLY body, number by number.
+// Reads the rows of a PLY body, number by number.
 #include "import/ply/rows.h"
 
 #include "core/printable.h"
@@ -13,7 +13,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Where a vertex's number goes; one past the last is where the others go.
+/// Target of a vertex's number; the last value is for unused numbers.
 enum Slot : std::size_t { slot_x, slot_nx = 3, slot_u = 6, slot_v, slot_none };
 using VertexRow = std::array<double, slot_none + 1>;
 
@@ -27,7 +27,7 @@ bool has_number(const PlyElement& element, std::string_view name) {
 }
 
 struct VertexLayout {
-    std::vector<Slot> slots;  // one a property
+    std::vector<Slot> slots;  // one per property
     bool normals = false;
     bool uvs = false;
 };
@@ -70,11 +70,11 @@ public:
                 throw Error({name_},
                             "the header claims " + std::to_string(element.count) + " of " +
                                 in_quotes(element.name) + ", more than the file can hold",
-                            "write the file again, it is cut or damaged");
+                            "write the file again; it is truncated or damaged");
             try {
                 read_element(element);
             } catch (const PlyFault& fault) {
-                fail(fault.what(), "write the file again, it is cut or damaged");
+                fail(fault.what(), "write the file again; it is truncated or damaged");
             }
         }
         return std::move(body_);
@@ -99,8 +99,8 @@ private:
     std::uint64_t list_length(const PlyProperty& property) {
         const double length = source_.number(*property.count_type);
         if (!(length >= 0 && length <= 0x1p32 && length == std::floor(length)))
-            fail("a list " + in_quotes(property.name) + " of negative or broken length",
-                 "write the file again, it is damaged");
+            fail("a list " + in_quotes(property.name) + " with an invalid length",
+                 "write the file again; it is damaged");
         return static_cast<std::uint64_t>(length);
     }
 
@@ -122,8 +122,8 @@ private:
         }
     }
 
-    /// Normals and texture coordinates may be what is no number: exporters write that where they
-    /// found none. So may be all of a vertex, if no face uses it.
+    /// Normals, texture coordinates, and all numbers of an unused vertex may be NaN, which
+    /// exporters write for missing values.
     void add_vertex(const VertexRow& row, const VertexLayout& layout) {
         const auto are_floats = [&](std::size_t first, std::size_t last) {
             return std::all_of(row.begin() + first, row.begin() + last + 1, [](double value) {
@@ -188,7 +188,7 @@ private:
     std::uint64_t row_ = 0;
     PlyBody body_;
     PlyMesh& mesh_ = body_.mesh;
-    std::vector<std::uint32_t> corners_;  // of the present face
+    std::vector<std::uint32_t> corners_;  // of the current face
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(PlyBody, faces_of_fewer_than_three_corners_are_left_out) {
     const PlyMesh mesh = parse_ply(of_rows(v + "0\n3 0 1 2\n1 2\n2 0 1\n3 2 1 0\n", "3", "5"), "m");
     EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {2, 1, 0}}));
     ASSERT_EQ(mesh.remarks.size(), 1U);
-    EXPECT_EQ(mesh.remarks[0], "faces of fewer than three corners are left out (3)");
+    EXPECT_EQ(mesh.remarks[0], "faces of fewer than three corners were left out (3)");
 }
 
 TEST(PlyBody, broken_vertices_that_no_face_uses_are_left_out) {
@@ -92,7 +92,7 @@ TEST(PlyBody, strips_of_triangles_are_named) {
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
         "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
         "end_header\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2 -1\n",
-        "m.ply:7:1: its faces are strips of triangles");
+        "m.ply:7:1: its faces are triangle strips");
 }
 
 /// A transfer as text may leave two carriage returns before each line end.
@@ -113,7 +113,7 @@ TEST(PlyBody, planar_convex_polygons_are_cut_and_others_refused) {
     const PlyMesh mesh = parse_ply(of_rows(pentagon + "5 0 1 2 3 4\n3 2 1 0\n", "5", "2"), "m");
     EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {2, 1, 0}}));
     ASSERT_EQ(mesh.remarks.size(), 1U);
-    EXPECT_EQ(mesh.remarks[0], "faces of more than four corners are cut into triangles (1)");
+    EXPECT_EQ(mesh.remarks[0], "faces of more than four corners were triangulated (1)");
     const std::string bent = "0 0 0\n2 0 0\n3 1 1\n1 2 0\n-1 1 0\n";
     expect_ply_refusal(of_rows(bent + "5 0 1 2 3 4\n", "5"),
                        "m.ply: face 0: it has 5 corners that are not");

@@ -246,13 +246,13 @@ TEST(Ply, faults_of_the_header_have_line_and_column) {
     };
     expect_fault("", "m.ply: is empty");
     expect_fault("solid stl", "m.ply: is an STL mesh, where a PLY mesh is read");
-    expect_fault("plx\n", "m.ply:1:1: this is no PLY file");
+    expect_fault("plx\n", "m.ply:1:1: this is not a PLY file");
     expect_fault("ply\nformat ascii 1.0\n", "m.ply:3:1: the file ends inside its header");
     expect_fault("ply\nformat utf8 1.0\n", "m.ply:2:8: unknown format \"utf8\"");
     expect_fault("ply\nformat ascii 2.0\n", "m.ply:2:14: unknown version \"2.0\"");
     expect_fault(with("elemnt vertex 3"), "m.ply:3:1: unknown statement \"elemnt\"");
-    expect_fault(with("element vertex -3"), "m.ply:3:16: \"-3\" is no count");
-    expect_fault(with("element vertex 3x"), "m.ply:3:16: \"3x\" is no count");
+    expect_fault(with("element vertex -3"), "m.ply:3:16: \"-3\" is not a count");
+    expect_fault(with("element vertex 3x"), "m.ply:3:16: \"3x\" is not a count");
     expect_fault(with("element vertex 99999999999999999999"), "m.ply:3:16: ");
     expect_fault(with("element vertex"), "m.ply:3:1: \"element\" is cut short");
     expect_fault(with("property float x"), "m.ply:3:1: a property before any element");
