@@ -25,6 +25,18 @@ struct Progress {
     bool is_learning = false;            // where photons are needed, before the next pass
 };
 
+/// Calls what changes the film of a render: a caller who reads the film on another thread holds a
+/// lock meanwhile.
+using FilmChange = std::function<void(const std::function<void()>& change)>;
+
+/// Changes the film by way of the caller's function, if there is one.
+inline void change_film(const FilmChange& caller, const std::function<void()>& change) {
+    if (caller)
+        caller(change);
+    else
+        change();
+}
+
 struct RenderHooks {
     /// After each pass, or interval of several ranks, and before and after an epoch is learned.
     std::function<void(const Progress&)> report;
@@ -32,6 +44,15 @@ struct RenderHooks {
     std::function<void(const RenderResult&)> snapshot;
     /// Asked after each pass, and while epochs are learned but the first.
     const std::atomic<bool>* interrupted = nullptr;
+    /// Asked all the time: learning and the pass that are under way are cut short and left out.
+    /// Passes of a sampler with a state are made to their end.
+    const std::atomic<bool>* cancelled = nullptr;
+    FilmChange change;
+
+    bool is_cancelled() const { return cancelled != nullptr && *cancelled; }
+    bool is_interrupted() const {
+        return is_cancelled() || (interrupted != nullptr && *interrupted);
+    }
     /// After a pass when `save_every` seconds have gone since the last call began, and at the end.
     std::function<void(const RenderState&)> save;
     double save_every = 60;

@@ -71,7 +71,7 @@ RenderScheduler::RenderScheduler(const RenderJob& job, const RenderHooks& hooks,
 
 bool RenderScheduler::is_over() const {
     const StopSettings& stop = job_.stop;
-    return interrupted_ || (hooks_.interrupted != nullptr && *hooks_.interrupted) ||
+    return interrupted_ || hooks_.is_interrupted() ||
            (stop.seconds && progress_.seconds >= *stop.seconds) ||
            (stop.cpu_seconds && progress_.cpu_seconds >= *stop.cpu_seconds) || is_at(progress_) ||
            !has_room_for_pass() || (!stop.end_pass && is_black());
@@ -108,11 +108,13 @@ bool RenderScheduler::leaves_no_pass() const {
 }
 
 bool RenderScheduler::cuts_learning() const {
+    if (hooks_.is_cancelled()) return true;
     if (progress_.passes == 0) return leaves_no_pass();
-    return is_late() || (hooks_.interrupted != nullptr && *hooks_.interrupted);
+    return is_late() || hooks_.is_interrupted();
 }
 
 bool RenderScheduler::cuts_pass() const {
+    if (hooks_.is_cancelled()) return true;
     if (progress_.passes > 0) return is_late();
     const bool is_learned = view_seconds_ > 0 && !state_.is_unlearned;
     return is_learned && leaves_no_pass();
@@ -141,7 +143,8 @@ double RenderScheduler::seconds_of_interval() const {
 PassRange RenderScheduler::next_interval() {
     const std::uint64_t begin = std::uint64_t{job_.stop.first_pass} + progress_.passes;
     const auto& end = job_.stop.end_pass;
-    if ((end && begin >= *end) || (progress_.passes > 0 && is_over())) return {begin, begin};
+    const bool is_done = hooks_.is_cancelled() || (progress_.passes > 0 && is_over());
+    if (is_done || (end && begin >= *end)) return {begin, begin};
     IntervalLimits limits{
         ranks_, pass_seconds_, seconds_of_interval(), job_.stop.target_error.has_value(), {}};
     const auto at_most = [&](std::uint64_t passes) {
@@ -186,7 +189,7 @@ void RenderScheduler::interval_ended(double of_others, bool interrupted) {
 }
 
 void RenderScheduler::finish() {
-    state_.interrupted = interrupted_ || (hooks_.interrupted != nullptr && *hooks_.interrupted);
+    state_.interrupted = interrupted_ || hooks_.is_interrupted();
     if (hooks_.snapshot && !shown_) clock_.aside([&] { hooks_.snapshot(state_); });
     if (hooks_.save && !saved_) hooks_.save(state_);
     count_time();
