@@ -68,6 +68,8 @@ sunfleck_module(stages NEEDS module_camera_paths module_photon_samplers module_f
 sunfleck_module(planning NEEDS module_stages)
 sunfleck_module(flags NEEDS module_stages)
 sunfleck_module(render NEEDS module_planning module_ranks module_reference)
+sunfleck_module(stats NEEDS module_render nlohmann_json::nlohmann_json)
+sunfleck_module(library NEEDS module_stats module_flags module_import)
 file(GLOB figures CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/experiment/figures/*.cpp)
 sunfleck_module(experiment NEEDS module_import module_procedural module_report module_film nlohmann_json::nlohmann_json)
 target_sources(module_experiment PRIVATE ${figures})

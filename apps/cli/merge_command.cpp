@@ -1,13 +1,13 @@
 // `sunfleck merge`: pass ranges of one render, added up exactly.
 #include "apps/cli/commands.h"
-#include "apps/cli/darkness.h"
-#include "apps/cli/image_stats.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
-#include "apps/cli/stats.h"
 #include "core/thread_trial.h"
 #include "film/film_file.h"
 #include "image/atomic_file.h"
+#include "stats/darkness.h"
+#include "stats/image_stats.h"
+#include "stats/stats.h"
 #include "sunfleck/error.h"
 
 namespace sunfleck::engine {

@@ -1,14 +1,11 @@
 // `sunfleck render`: scene in, pictures out.
 #include "apps/cli/commands.h"
-#include "apps/cli/darkness.h"
-#include "apps/cli/image_stats.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/render_answers.h"
 #include "apps/cli/render_setup.h"
 #include "apps/cli/snapshots.h"
-#include "apps/cli/stats.h"
 #include "apps/cli/together.h"
 #include "core/parallel.h"
 #include "core/processor.h"
@@ -18,6 +15,9 @@
 #include "planning/missing_light.h"
 #include "ranks/shared_interval.h"
 #include "render/progressive.h"
+#include "stats/darkness.h"
+#include "stats/image_stats.h"
+#include "stats/stats.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

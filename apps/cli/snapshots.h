@@ -1,7 +1,7 @@
 // Snapshots: picture and statistics of a render under way, a pair of files each.
 #pragma once
 
-#include "apps/cli/stats.h"
+#include "stats/stats.h"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // What is known of the errors of a picture as a whole.
-#include "apps/cli/image_stats.h"
+#include "stats/image_stats.h"
 
 #include "film/bias.h"
 #include "math/wavelengths.h"

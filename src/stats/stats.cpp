@@ -1,11 +1,11 @@
 // stats.json: what a render did, under stable names (docs/reference/stats.md).
-#include "apps/cli/stats.h"
+#include "stats/stats.h"
 
-#include "apps/cli/image_stats.h"
 #include "film/error_bars.h"
 #include "math/wavelengths.h"
 #include "planning/epoch.h"
 #include "render/count_pass.h"
+#include "stats/image_stats.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

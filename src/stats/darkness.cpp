@@ -1,5 +1,5 @@
 // Doubts about dark pictures.
-#include "apps/cli/darkness.h"
+#include "stats/darkness.h"
 
 #include "film/error_bars.h"
 
