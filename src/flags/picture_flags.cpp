@@ -1,11 +1,27 @@
 // The rows of the flags of every way of rendering.
 #include "flags/flag_tables.h"
 
+#include <sstream>
+
 namespace sunfleck {
 namespace {
 
 const char* const kIndependentPasses = "needs passes that do not build on one another";
 const char* const kOtherSampler = "leave it out, or use another sampler than paper";
+
+FlagValue aov_list() {
+    FlagValue value = one_of({}, [](RenderRequest& r, const std::string& text) {
+        std::istringstream words(text);
+        for (std::string word; std::getline(words, word, ',');)
+            for (const AovRow& row : kAovs)
+                if (row.name == word) r.settings.aovs.at(static_cast<std::size_t>(row.aov)) = true;
+    });
+    value.form = "NAME,...";
+    value.is_list = true;
+    for (const AovRow& row : kAovs)
+        if (!row.name.empty()) value.choices.push_back({std::string(row.name)});
+    return value;
+}
 
 std::vector<RenderFlag> frame_flags() {
     return {
@@ -34,9 +50,8 @@ std::vector<RenderFlag> frame_flags() {
 std::vector<RenderFlag> light_flags() {
     return {
         {.name = "--aovs",
-         .value = value_of("NAME,...", read_aovs,
-                           [](auto& r, const auto& aovs) { r.settings.aovs = aovs; }),
-         .help = "AOVs, as EXR layers: " + aov_names(),
+         .value = aov_list(),
+         .help = "AOVs, as EXR layers",
          .needs = {needs_photon_mapping()}},
         {.name = "--light-group",
          .value = {.form = "NAME=LIGHTS|each",

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace sunfleck {
 namespace {
@@ -37,16 +38,21 @@ std::string flag_name(std::string name) {
     return name.starts_with("--") ? name : "--" + name;
 }
 
-void check_choice(const RenderFlag& flag, const std::string& text) {
-    const std::vector<FlagChoice>& choices = flag.value.choices;
+void check_choice(const RenderFlag& flag, const std::string& word) {
     std::vector<std::string> names;
-    for (const FlagChoice& choice : choices) {
-        if (choice.name == text) return;
+    for (const FlagChoice& choice : flag.value.choices) {
+        if (choice.name == word) return;
         names.push_back(choice.name);
     }
-    if (!names.empty())
-        throw Error({flag.name}, fmt::format("does not take \"{}\"", text),
-                    fmt::format("use {}", fmt::join(names, " or ")));
+    throw Error({flag.name}, fmt::format("does not take \"{}\"", word),
+                fmt::format("use {}", fmt::join(names, " or ")));
+}
+
+void check_choices(const RenderFlag& flag, const std::string& text) {
+    if (flag.value.choices.empty()) return;
+    if (!flag.value.is_list) return check_choice(flag, text);
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');) check_choice(flag, word);
 }
 
 /// A render of which no end is given ends by error or by time, whichever comes first.
@@ -77,7 +83,7 @@ const RenderFlag& render_flag(const std::string& name) {
 
 void RenderFlags::set(const std::string& name, const std::string& text) {
     const RenderFlag& flag = render_flag(name);
-    check_choice(flag, text);
+    check_choices(flag, text);
     std::vector<std::string>& texts = texts_[flag.name];
     if (!texts.empty() && !flag.value.repeats)
         throw Error({flag.name}, "is given twice", "give it once");
