@@ -9,6 +9,14 @@ namespace sunfleck {
 
 class WrappedHelp : public CLI::Formatter {
 public:
+    std::string make_help(const CLI::App* app, std::string name,
+                          CLI::AppFormatMode mode) const override {
+        std::string text = Formatter::make_help(app, std::move(name), mode);
+        for (std::size_t at = 0; (at = text.find("\n\n\n")) != std::string::npos;)
+            text.erase(at, 1);  // one empty line between groups
+        return text;
+    }
+
     std::string make_option_desc(const CLI::Option* option) const override {
         constexpr std::size_t kPage = 100;
         const std::size_t width = kPage - get_column_width();

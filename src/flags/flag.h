@@ -60,8 +60,8 @@ struct RenderFlag {
     std::string group{};  // heading of the help, of the table that the flag is in
     FlagValue value;
     std::string help;
-    std::string standard{};  // its value where it is not given; empty: none
-    std::vector<FlagNeed> needs{};
+    std::string standard{};  // its value where it is not given: by itself the first of its words
+    std::vector<FlagNeed> needs{};  // its own, behind those of its table
 };
 
 /// The help of a flag in full: what it is, what its words mean, its range, and its default.

@@ -72,7 +72,6 @@ std::vector<RenderFlag> light_flags() {
                "falls with their radius; pictures have 2 to 3.5 times the noise"}},
              [](auto& r, const auto& name) { r.stop.error_terms.extrapolated = name == "on"; }),
          .help = "Bias of the picture",
-         .standard = "off",
          .needs = {needs_photon_mapping(), refused_by_paper(kIndependentPasses, kOtherSampler)}},
     };
 }
@@ -94,7 +93,6 @@ std::vector<RenderFlag> end_flags() {
              one_of({{"all", "noise, and the bias of the gather discs"}, {"noise"}},
                     [](auto& r, const auto& name) { r.stop.error_terms.bias = name == "all"; }),
          .help = "What --target-error counts",
-         .standard = "all",
          .needs = {needs_photon_mapping(), refused_by_paper(kIndependentPasses, kOtherSampler)}},
         {.name = "--time",
          .value = value_of("TIME", read_duration,
@@ -142,8 +140,7 @@ std::vector<RenderFlag> transport_flags() {
              {{"off"},
               {"on", "rough metals and glass give back what is lost between their facets"}},
              [](auto& r, const auto& name) { r.settings.energy_compensation = name == "on"; }),
-         .help = "Multiple scattering between microfacets",
-         .standard = "off"},
+         .help = "Multiple scattering between microfacets"},
     };
 }
 
@@ -158,8 +155,7 @@ std::vector<RenderFlag> run_flags() {
          .value = one_of({{"avx2", "the same bytes on every such machine"},
                           {"native", "all that this machine has; bytes may differ"}},
                          [](auto& r, const auto& name) { r.isa = name; }),
-         .help = "Instructions that rays are traced by",
-         .standard = "avx2"},
+         .help = "Instructions that rays are traced by"},
     };
 }
 

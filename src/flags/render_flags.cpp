@@ -14,11 +14,23 @@
 namespace sunfleck {
 namespace {
 
+/// Only this sampler has a use for the flag.
+FlagNeed needs_sampler(const std::string& name, const std::string& mend = "leave it out") {
+    return {.flag = "--photon-sampler",
+            .values = {name},
+            .why = "has a meaning with the sampler " + name + " alone",
+            .mend = mend};
+}
+
 std::vector<RenderFlag> joined_tables() {
     std::vector<RenderFlag> all;
-    const auto add = [&](const char* group, std::vector<RenderFlag> flags) {
+    const auto add = [&](const char* group, std::vector<RenderFlag> flags,
+                         const std::vector<FlagNeed>& needs = {}) {
         for (RenderFlag& flag : flags) {
             flag.group = group;
+            flag.needs.insert(flag.needs.begin(), needs.begin(), needs.end());
+            if (flag.standard.empty() && flag.value.choices.size() > 1 && !flag.value.is_list)
+                flag.standard = flag.value.choices.front().name;
             all.push_back(std::move(flag));
         }
     };
@@ -26,8 +38,10 @@ std::vector<RenderFlag> joined_tables() {
     add("Picture", picture_flags());
     add("Light transport", transport_flags());
     add("Method", method_flags());
-    add("Parts of the sampler adaptive", adaptive_flags());
-    add("Parts of the sampler paper", paper_flags());
+    add("Parts of the sampler adaptive", adaptive_flags(),
+        {needs_photon_mapping(), needs_sampler("adaptive")});
+    add("Parts of the sampler paper", paper_flags(),
+        {needs_photon_mapping(), needs_sampler("paper", "leave it out, or add --mode paper")});
     add("Run", run_flags());
     return all;
 }
