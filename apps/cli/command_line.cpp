@@ -1,9 +1,10 @@
-// The commands and their flags: each command's rows are here, or in a file of their own.
+// All commands: which one was given, and with what.
 #include "apps/cli/command_line.h"
 
-#include "apps/cli/experiment_options.h"
-#include "apps/cli/flag_rows.h"
+#include "apps/cli/command_flags.h"
+#include "apps/cli/manual.h"
 #include "apps/cli/render_options.h"
+#include "apps/cli/wrapped_help.h"
 #include "flags/renamed_flags.h"
 #include "sunfleck/error.h"
 
@@ -12,73 +13,23 @@
 namespace sunfleck::engine {
 namespace {
 
-/// An output that may be repeated.
-void add_outputs(CLI::App& app, std::vector<std::string>& outputs, const char* formats) {
-    app.add_option("-o,--output", outputs,
-                   "Output file: " + std::string(formats) + "; may be repeated")
-        ->type_name("FILE")
-        ->allow_extra_args(false)
-        ->required();
-}
-
-void add_merge(CLI::App& app, MergeOptions& o, RenderFlags& flags) {
-    app.add_option("FILES", o.inputs, ".film files")->required()->type_name("FILE");
-    add_outputs(app, o.outputs, ".exr, .png, .film");
-    for (const char* name : {"--exposure", "--extrapolate"})
-        add_flag(app, render_flag(name), flags);
-    app.add_option("--stats", o.stats, "Write statistics as JSON")->type_name("FILE");
-}
-
-void add_relight(CLI::App& app, RelightOptions& o, RenderFlags& flags) {
-    app.add_option("PICTURE", o.picture, "EXR picture rendered with --light-group")
-        ->required()
-        ->type_name("FILE");
-    add_values(app, "FACTORS", "NAME=FACTOR", o.factors, read_factor,
-               "Factor of a light group: NAME=0.5, or per channel: NAME=1,0.8,0.6")
-        ->required();
-    add_outputs(app, o.outputs, ".exr, .png");
-    add_flag(app, render_flag("--exposure"), flags);
-}
-
-void add_compare(CLI::App& app, CompareOptions& o) {
-    app.add_option("REF", o.reference, "The reference: a picture, [LABEL=]FILE")
-        ->required()
-        ->type_name("FILE");
-    app.add_option("PICTURES", o.inputs,
-                   "Pictures, [LABEL=]FILE, or folders of snapshots, [LABEL=]FOLDER")
-        ->required()
-        ->type_name("FILE");
-    app.add_option("--report", o.report, "Write a page to look at: one .html that needs no network")
-        ->type_name("FILE");
-    app.add_option("--json", o.json, "Write the numbers as JSON")->type_name("FILE");
-}
-
-void add_info(CLI::App& app, InfoOptions& o) {
-    auto* const scene = app.add_option("SCENE", o.scene, "Scene file")->type_name("FILE");
-    app.add_flag("--lights", o.lights, "Also each light, by its number")->needs(scene);
-    app.add_flag("--words", o.words, "Instead: all words of the language, as Markdown")
-        ->excludes(scene);
-}
-
-void add_scene(CLI::App& app, SceneOptions& o) {
-    app.add_option("NAME", o.name, "Its name")->type_name("NAME");
-    app.add_option("-o,--output", o.folder, "Folder to write to (default .)")->type_name("FOLDER");
-    app.add_flag("--force", o.force, "Replace files there that differ");
-}
-
 /// All commands; one of them is given.
 class CommandLine {
 public:
     CommandLine() {
         app_.set_version_flag("--version", "sunfleck " SUNFLECK_VERSION);
         app_.require_subcommand(1);
+        for (CLI::App* app : app_.get_subcommands([](CLI::App*) { return true; }))
+            app->formatter(std::make_shared<WrappedHelp>());
         add_render_flags(*render_app_, render_, flags_);
-        add_info(*info_app_, info_);
-        add_scene(*scene_app_, scene_);
-        add_merge(*merge_app_, merge_, flags_);
-        add_relight(*relight_app_, relight_, flags_);
-        add_compare(*compare_app_, compare_);
+        add_info_flags(*info_app_, info_);
+        add_scene_flags(*scene_app_, scene_);
+        add_merge_flags(*merge_app_, merge_, flags_);
+        add_relight_flags(*relight_app_, relight_, flags_);
+        add_compare_flags(*compare_app_, compare_);
         add_experiment_flags(*experiment_app_, experiment_);
+        add_completion_flags(*completion_app_, manual_);
+        add_manual_flags(*manual_app_, manual_);
     }
 
     /// @return false where help or the version was asked for, and has been printed.
@@ -96,7 +47,7 @@ public:
             const std::vector<std::string> rest = app_.remaining();
             if (app_.get_subcommands().empty() && !rest.empty())
                 throw Error({"sunfleck"}, "unknown command \"" + rest.front() + "\"",
-                            "use render, info, scene, merge, relight, compare or experiment");
+                            "use " + names_of_commands());
             throw Error({"sunfleck"}, fault.what(), help());
         } catch (const CLI::ParseError& fault) {
             if (fault.get_exit_code() != 0) throw Error({"sunfleck"}, fault.what(), help());
@@ -106,8 +57,8 @@ public:
         return true;
     }
 
-    /// What was given. @param words  as for parse().
-    Options finish(int count, const char* const* words) {
+    /// What was given; nothing where it has been answered. @param words  as for parse().
+    std::optional<Options> finish(int count, const char* const* words) {
         Options options;
         if (render_app_->parsed()) {
             finish_render(*render_app_, flags_, render_);
@@ -132,6 +83,12 @@ public:
         } else if (experiment_app_->parsed()) {
             check_experiment(*experiment_app_);
             options.experiment = experiment_;
+        } else if (completion_app_->parsed()) {
+            std::fputs(manual_.shell->script(command_tree(app_)).c_str(), stdout);
+            return {};
+        } else if (manual_app_->parsed()) {
+            write_manual(command_tree(app_), manual_.folder);
+            return {};
         } else {
             options.compare = compare_;
         }
@@ -139,13 +96,20 @@ public:
     }
 
 private:
+    std::string names_of_commands() const {
+        std::string names;
+        for (const CLI::App* app : app_.get_subcommands({}))
+            names += (names.empty() ? "" : ", ") + app->get_name();
+        return names;
+    }
+
     /// Where to read on: of the command that was given.
     std::string help() const {
         const auto given = app_.get_subcommands();
         return "see sunfleck " + (given.empty() ? "" : given.front()->get_name() + " ") + "--help";
     }
 
-    CLI::App app_{"Sunfleck: a renderer for caustics, sun through windows and small gaps."};
+    CLI::App app_{"Renderer for caustics, sun through windows and small gaps", "sunfleck"};
     CLI::App* render_app_ = app_.add_subcommand("render", "Render a scene");
     CLI::App* info_app_ = app_.add_subcommand("info", "Say what a scene file holds");
     CLI::App* scene_app_ =
@@ -157,6 +121,10 @@ private:
         app_.add_subcommand("compare", "Measure pictures against a reference, and show them");
     CLI::App* experiment_app_ = app_.add_subcommand(
         "experiment", "Make the paper's figures and tables; without NAMES, list them");
+    CLI::App* completion_app_ =
+        app_.add_subcommand("completion", "Print what lets a shell complete commands and flags");
+    CLI::App* manual_app_ =
+        app_.add_subcommand("manual", "Write man pages, and completion for all shells");
     RenderOptions render_;
     RenderFlags flags_;  // of the command that is given: render, merge or relight
     InfoOptions info_;
@@ -165,6 +133,7 @@ private:
     RelightOptions relight_;
     CompareOptions compare_;
     ExperimentOptions experiment_;
+    ManualOptions manual_;
 };
 
 }  // namespace

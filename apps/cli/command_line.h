@@ -1,5 +1,5 @@
-// The command line: reads the words of a user into options. Each flag has its row in
-// command_line.cpp or *_options.cpp.
+// The command line: reads the words of a user into options. Flags are in render_options.cpp and
+// command_flags.cpp.
 #pragma once
 
 #include "apps/cli/options.h"

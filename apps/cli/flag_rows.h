@@ -10,6 +10,14 @@
 
 namespace sunfleck::engine {
 
+/// The names of a table's rows as a form: "bash|zsh|fish".
+template <class Rows>
+std::string form_of_names(const Rows& rows, const char* between = "|") {
+    std::string form;
+    for (const auto& row : rows) form += (form.empty() ? "" : between) + std::string(row.name);
+    return form;
+}
+
 /// A flag of renders, which `flags` takes. Any command may have it.
 inline void add_flag(CLI::App& app, const RenderFlag& row, RenderFlags& flags) {
     const std::string names = row.name + (row.alias.empty() ? "" : "," + row.alias);
@@ -19,6 +27,8 @@ inline void add_flag(CLI::App& app, const RenderFlag& row, RenderFlags& flags) {
     };
     CLI::Option* const option = app.add_option(names, take, help_text(row));
     option->type_name(row.value.form)->group(row.group);
+    if (row.value.is_list)
+        option->type_name(form_of_names(row.value.choices, ","))->option_text(row.value.form);
     if (row.value.repeats)
         option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);
 }

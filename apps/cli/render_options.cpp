@@ -27,8 +27,8 @@ void add_file_flags(CLI::App& app, RenderOptions& o) {
         ->allow_extra_args(false);
     app.add_option("--stats", o.stats, "Write statistics as JSON")->type_name("FILE");
     app.add_option("--snapshots", o.snapshots,
-                   "Also write picture and statistics to this folder after 1, 2, 4, 8 ... passes "
-                   "and at the end")
+                   "Also write picture and statistics to this folder, after passes 1, 2, 4, 8 and "
+                   "so on and at the end")
         ->type_name("FOLDER");
     auto* const checkpoint = add_value(app, "--checkpoint", "FILE", o.checkpoint, read_name,
                                        "Keep the render so far in this file, to --resume from");

@@ -5,11 +5,11 @@ namespace sunfleck::engine {
 
 std::string help_text(const RenderFlag& flag) {
     std::string text = flag.help;
-    const char* before = ". ";
+    const char* before = flag.value.is_list ? ": " : ". ";
     for (const FlagChoice& choice : flag.value.choices) {
-        if (choice.what.empty()) continue;
-        text += before + choice.name + ": " + choice.what;
-        before = "; ";
+        if (choice.what.empty() && !flag.value.is_list) continue;
+        text += before + choice.name + (choice.what.empty() ? "" : ": " + choice.what);
+        before = flag.value.is_list ? "," : "; ";
     }
     const std::string range = flag.value.range;
     const std::string standard = flag.standard.empty() ? "" : "default " + flag.standard;

@@ -25,7 +25,9 @@ struct FlagValue {
     std::string range{};  // "1 to 10000"; empty: none that could be said so
     std::vector<FlagChoice>
         choices{};         // all words that it takes; empty: any text that read() takes
+    bool is_list = false;  // takes several of its words, with commas between
     bool repeats = false;  // may be given several times
+    /// Reads a text, which has been compared with the choices where there are any.
     /// @throws Error that names the flag for a text that cannot be used.
     std::function<void(RenderRequest&, const std::string& text, const std::string& flag)> read;
 };
@@ -58,8 +60,8 @@ struct RenderFlag {
     std::string group{};  // heading of the help, of the table that the flag is in
     FlagValue value;
     std::string help;
-    std::string standard{};  // its value where it is not given; empty: none
-    std::vector<FlagNeed> needs{};
+    std::string standard{};  // its value where it is not given: by itself the first of its words
+    std::vector<FlagNeed> needs{};  // its own, behind those of its table
 };
 
 /// The help of a flag in full: what it is, what its words mean, its range, and its default.

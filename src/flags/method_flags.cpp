@@ -17,12 +17,10 @@ std::vector<RenderFlag> estimator_flags() {
                          [](auto& r, const auto& name) {
                              r.settings.integrator = *integrator_named(name);  // a choice
                          }),
-         .help = "What renders: the photon mapper, or a reference to compare it with",
-         .standard = "sppm"},
+         .help = "What renders: the photon mapper, or a reference to compare it with"},
         {.name = "--photon-sampler",
          .value = one_of(choices_of(kPhotonSamplers), set_sampler),
          .help = "Where photon paths come from",
-         .standard = "adaptive",
          .needs = {needs_photon_mapping()}},
         {.name = "--mode",
          .value = one_of({{"paper", "the same as --photon-sampler paper"}}, set_sampler),
@@ -39,7 +37,6 @@ std::vector<RenderFlag> estimator_flags() {
                                  name == "photons" ? DirectLight::photons : DirectLight::sampled;
                          }),
          .help = "How direct light is estimated; with the sampler paper by photons",
-         .standard = "sampled",
          .needs = {needs_photon_mapping(),
                    {.flag = "--photon-sampler",
                     .values = {"adaptive", "uniform", "random"},
@@ -50,7 +47,6 @@ std::vector<RenderFlag> estimator_flags() {
                           {"off", "one light sample per vertex"}},
                          [](auto& r, const auto& name) { r.settings.camera.ris = name == "auto"; }),
          .help = "Direct light by sampling",
-         .standard = "auto",
          .needs = {needs_photon_mapping(),
                    {.flag = "--direct",
                     .values = {"sampled"},

@@ -1,11 +1,27 @@
 // The rows of the flags of every way of rendering.
 #include "flags/flag_tables.h"
 
+#include <sstream>
+
 namespace sunfleck::engine {
 namespace {
 
 const char* const kIndependentPasses = "needs passes that do not build on one another";
 const char* const kOtherSampler = "leave it out, or use another sampler than paper";
+
+FlagValue aov_list() {
+    FlagValue value = one_of({}, [](RenderRequest& r, const std::string& text) {
+        std::istringstream words(text);
+        for (std::string word; std::getline(words, word, ',');)
+            for (const AovRow& row : kAovs)
+                if (row.name == word) r.settings.aovs.at(static_cast<std::size_t>(row.aov)) = true;
+    });
+    value.form = "NAME,...";
+    value.is_list = true;
+    for (const AovRow& row : kAovs)
+        if (!row.name.empty()) value.choices.push_back({std::string(row.name)});
+    return value;
+}
 
 std::vector<RenderFlag> frame_flags() {
     return {
@@ -34,9 +50,8 @@ std::vector<RenderFlag> frame_flags() {
 std::vector<RenderFlag> light_flags() {
     return {
         {.name = "--aovs",
-         .value = value_of("NAME,...", read_aovs,
-                           [](auto& r, const auto& aovs) { r.settings.aovs = aovs; }),
-         .help = "AOVs, as EXR layers: " + aov_names(),
+         .value = aov_list(),
+         .help = "AOVs, as EXR layers",
          .needs = {needs_photon_mapping()}},
         {.name = "--light-group",
          .value = {.form = "NAME=LIGHTS|each",
@@ -57,7 +72,6 @@ std::vector<RenderFlag> light_flags() {
                "falls with their radius; pictures have 2 to 3.5 times the noise"}},
              [](auto& r, const auto& name) { r.stop.error_terms.extrapolated = name == "on"; }),
          .help = "Bias of the picture",
-         .standard = "off",
          .needs = {needs_photon_mapping(), refused_by_paper(kIndependentPasses, kOtherSampler)}},
     };
 }
@@ -79,7 +93,6 @@ std::vector<RenderFlag> end_flags() {
              one_of({{"all", "noise, and the bias of the gather discs"}, {"noise"}},
                     [](auto& r, const auto& name) { r.stop.error_terms.bias = name == "all"; }),
          .help = "What --target-error counts",
-         .standard = "all",
          .needs = {needs_photon_mapping(), refused_by_paper(kIndependentPasses, kOtherSampler)}},
         {.name = "--time",
          .value = value_of("TIME", read_duration,
@@ -127,8 +140,7 @@ std::vector<RenderFlag> transport_flags() {
              {{"off"},
               {"on", "rough metals and glass give back what is lost between their facets"}},
              [](auto& r, const auto& name) { r.settings.energy_compensation = name == "on"; }),
-         .help = "Multiple scattering between microfacets",
-         .standard = "off"},
+         .help = "Multiple scattering between microfacets"},
     };
 }
 
@@ -143,8 +155,7 @@ std::vector<RenderFlag> run_flags() {
          .value = one_of({{"avx2", "the same bytes on every such machine"},
                           {"native", "all that this machine has; bytes may differ"}},
                          [](auto& r, const auto& name) { r.isa = name; }),
-         .help = "Instructions that rays are traced by",
-         .standard = "avx2"},
+         .help = "Instructions that rays are traced by"},
     };
 }
 

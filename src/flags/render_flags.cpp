@@ -9,15 +9,28 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace sunfleck::engine {
 namespace {
 
+/// Only this sampler has a use for the flag.
+FlagNeed needs_sampler(const std::string& name, const std::string& mend = "leave it out") {
+    return {.flag = "--photon-sampler",
+            .values = {name},
+            .why = "has a meaning with the sampler " + name + " alone",
+            .mend = mend};
+}
+
 std::vector<RenderFlag> joined_tables() {
     std::vector<RenderFlag> all;
-    const auto add = [&](const char* group, std::vector<RenderFlag> flags) {
+    const auto add = [&](const char* group, std::vector<RenderFlag> flags,
+                         const std::vector<FlagNeed>& needs = {}) {
         for (RenderFlag& flag : flags) {
             flag.group = group;
+            flag.needs.insert(flag.needs.begin(), needs.begin(), needs.end());
+            if (flag.standard.empty() && flag.value.choices.size() > 1 && !flag.value.is_list)
+                flag.standard = flag.value.choices.front().name;
             all.push_back(std::move(flag));
         }
     };
@@ -25,8 +38,10 @@ std::vector<RenderFlag> joined_tables() {
     add("Picture", picture_flags());
     add("Light transport", transport_flags());
     add("Method", method_flags());
-    add("Parts of the sampler adaptive", adaptive_flags());
-    add("Parts of the sampler paper", paper_flags());
+    add("Parts of the sampler adaptive", adaptive_flags(),
+        {needs_photon_mapping(), needs_sampler("adaptive")});
+    add("Parts of the sampler paper", paper_flags(),
+        {needs_photon_mapping(), needs_sampler("paper", "leave it out, or add --mode paper")});
     add("Run", run_flags());
     return all;
 }
@@ -37,16 +52,21 @@ std::string flag_name(std::string name) {
     return name.starts_with("--") ? name : "--" + name;
 }
 
-void check_choice(const RenderFlag& flag, const std::string& text) {
-    const std::vector<FlagChoice>& choices = flag.value.choices;
+void check_choice(const RenderFlag& flag, const std::string& word) {
     std::vector<std::string> names;
-    for (const FlagChoice& choice : choices) {
-        if (choice.name == text) return;
+    for (const FlagChoice& choice : flag.value.choices) {
+        if (choice.name == word) return;
         names.push_back(choice.name);
     }
-    if (!names.empty())
-        throw Error({flag.name}, fmt::format("does not take \"{}\"", text),
-                    fmt::format("use {}", fmt::join(names, " or ")));
+    throw Error({flag.name}, fmt::format("does not take \"{}\"", word),
+                fmt::format("use {}", fmt::join(names, " or ")));
+}
+
+void check_choices(const RenderFlag& flag, const std::string& text) {
+    if (flag.value.choices.empty()) return;
+    if (!flag.value.is_list) return check_choice(flag, text);
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');) check_choice(flag, word);
 }
 
 /// A render of which no end is given ends by error or by time, whichever comes first.
@@ -77,7 +97,7 @@ const RenderFlag& render_flag(const std::string& name) {
 
 void RenderFlags::set(const std::string& name, const std::string& text) {
     const RenderFlag& flag = render_flag(name);
-    check_choice(flag, text);
+    check_choices(flag, text);
     std::vector<std::string>& texts = texts_[flag.name];
     if (!texts.empty() && !flag.value.repeats)
         throw Error({flag.name}, "is given twice", "give it once");

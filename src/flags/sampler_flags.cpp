@@ -4,14 +4,6 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Only this sampler has a use for the flag.
-FlagNeed needs_sampler(const std::string& name, const std::string& mend) {
-    return {.flag = "--photon-sampler",
-            .values = {name},
-            .why = "has a meaning with the sampler " + name + " alone",
-            .mend = mend};
-}
-
 /// Another part of the sampler, without which this one does nothing.
 FlagNeed needs_part(const std::string& flag, const std::string& name) {
     return {.flag = flag, .values = {"auto"}, .why = "is a part of " + name + ", which is off"};
@@ -28,66 +20,49 @@ FlagValue auto_or_off(bool PhotonSettings::*is_on, const char* if_auto, const ch
 
 std::vector<RenderFlag> adaptive_flags() {
     using P = PhotonSettings;
-    const FlagNeed mapping = needs_photon_mapping();
-    const FlagNeed adaptive = needs_sampler("adaptive", "leave it out");
     const FlagNeed no_number{.flag = "--photons-per-pass",
                              .why = "given together with --photons-per-pass, which is a number",
                              .mend = "give one"};
     return {
         {.name = "--splitting",
          .value = auto_or_off(&P::splitting, "where these are rare", "one level, as in the paper"),
-         .help = "Multilevel splitting towards visible paths",
-         .standard = "auto",
-         .needs = {mapping, adaptive}},
+         .help = "Multilevel splitting towards visible paths"},
         {.name = "--emission-guide",
          .value = auto_or_off(&P::emission_guide, "where these are rare", "Markov chains alone"),
-         .help = "Learns where on the lights visible paths start",
-         .standard = "auto",
-         .needs = {mapping, adaptive}},
+         .help = "Learns where on the lights visible paths start"},
         {.name = "--guide-search",
          .value = auto_or_off(&P::guide_search, "where chains find no light", "chains alone"),
          .help = "Importons and edges look for light, for the emission guide",
-         .standard = "auto",
-         .needs = {mapping, adaptive, needs_part("--emission-guide", "the emission guide")}},
+         .needs = {needs_part("--emission-guide", "the emission guide")}},
         {.name = "--light-strata",
          .value = auto_or_off(&P::light_strata, "where visible fractions of lights are unlike",
                               "all lights together"),
-         .help = "Lights are sampled as strata",
-         .standard = "auto",
-         .needs = {mapping, adaptive}},
+         .help = "Lights are sampled as strata"},
         {.name = "--adaptive-pixels",
          .value =
              auto_or_off(&P::adaptive_pixels, "where the measured noise is high", "one per pixel"),
-         .help = "Up to 64 camera paths per subpass in a pixel",
-         .standard = "auto",
-         .needs = {mapping, adaptive}},
+         .help = "Up to 64 camera paths per subpass in a pixel"},
         {.name = "--photon-budget",
          .value = auto_or_off(&P::photon_budget,
                               "from pass 16 on as many as trials found most efficient",
                               "the same number in all passes"),
          .help = "Photon paths per pass",
-         .standard = "auto",
-         .needs = {mapping, adaptive, no_number}},
+         .needs = {no_number}},
         {.name = "--pass-weights",
          .value = auto_or_off(&P::pass_weights, "by inverse variance, up to four times", "equal"),
          .help = "Weights of passes",
-         .standard = "auto",
-         .needs = {mapping, adaptive, needs_part("--photon-budget", "the photon budget"),
-                   no_number}},
+         .needs = {needs_part("--photon-budget", "the photon budget"), no_number}},
     };
 }
 
 std::vector<RenderFlag> paper_flags() {
-    const FlagNeed paper = needs_sampler("paper", "leave it out, or add --mode paper");
     return {
         {.name = "--replica-exchange",
          .value = one_of({{"on"}, {"off", "a plain chain; all uniform paths only count"}},
                          [](auto& r, const auto& name) {
                              r.settings.photon.paper.replica_exchange = name == "on";
                          }),
-         .help = "Uniform paths may replace the state of the chain",
-         .standard = "on",
-         .needs = {needs_photon_mapping(), paper}},
+         .help = "Uniform paths may replace the state of the chain"},
         {.name = "--mutation-size",
          .value = value_of(
              "adaptive|THETA",
@@ -98,8 +73,7 @@ std::vector<RenderFlag> paper_flags() {
              [](auto& r, const auto& theta) { r.settings.photon.paper.mutation_size = theta; }),
          .help = "Size of mutations: as adapted while rendering, or theta of the paper's "
                  "equation 9",
-         .standard = "adaptive",
-         .needs = {needs_photon_mapping(), paper}},
+         .standard = "adaptive"},
         {.name = "--target-acceptance",
          .value = value_of(
              "X",
@@ -109,9 +83,7 @@ std::vector<RenderFlag> paper_flags() {
              [](auto& r, const auto& share) { r.settings.photon.paper.target_acceptance = share; }),
          .help = "Fraction of mutations to accept",
          .standard = "0.234",
-         .needs = {needs_photon_mapping(),
-                   paper,
-                   {.flag = "--mutation-size",
+         .needs = {{.flag = "--mutation-size",
                     .values = {"adaptive"},
                     .why = "has no meaning with a fixed --mutation-size",
                     .mend = "leave one of them out"}}},

@@ -4,7 +4,6 @@
 #include "sunfleck/error.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
@@ -158,32 +157,6 @@ std::array<double, 4> read_crop_window(const std::string& text, const std::strin
         throw Error({flag}, "\"" + text + "\" is no crop window",
                     "write x0,x1,y0,y1 as fractions of the picture, for example 0,0.5,0,1");
     return window;
-}
-
-std::string aov_names() {
-    std::vector<std::string_view> names;
-    for (const AovRow& row : kAovs)
-        if (!row.name.empty()) names.push_back(row.name);
-    return fmt::format("{}", fmt::join(names, ","));
-}
-
-AovSet read_aovs(const std::string& text, const std::string& flag) {
-    AovSet set{};
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string word = text.substr(begin, end - begin);
-        bool found = false;
-        for (const AovRow& row : kAovs) {
-            if (row.name != word || word.empty()) continue;
-            set[static_cast<std::size_t>(row.aov)] = true;
-            found = true;
-        }
-        if (!found)
-            throw Error({flag}, "unknown AOV \"" + word + "\"", "use some of " + aov_names());
-        begin = end + 1;
-    }
-    return set;
 }
 
 std::array<std::uint32_t, 2> read_pass_range(const std::string& text, const std::string& flag) {

@@ -2,7 +2,6 @@
 // the flag.
 #pragma once
 
-#include "aovs/channels.h"
 #include "film/relight.h"
 #include "math/vector.h"
 
@@ -46,10 +45,6 @@ LightGroupFactor read_factor(const std::string& text, const std::string& flag);
 std::array<int, 4> read_crop(const std::string& text, const std::string& flag);
 /// "0,0.5,0,1": four fractions in [0, 1]. @throws Error naming the flag.
 std::array<double, 4> read_crop_window(const std::string& text, const std::string& flag);
-/// All names that read_aovs() takes, with commas between.
-std::string aov_names();
-/// "caustic,depth"; empty: none. @throws Error naming the flag.
-AovSet read_aovs(const std::string& text, const std::string& flag);
 /// "a:b": the first pass, and the one after the last. @throws Error naming the flag.
 std::array<std::uint32_t, 2> read_pass_range(const std::string& text, const std::string& flag);
 

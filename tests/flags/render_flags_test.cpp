@@ -33,11 +33,15 @@ std::string fault_of(const Given& given) {
 std::string example_of(const RenderFlag& flag) {
     if (!flag.value.choices.empty()) return flag.value.choices.back().name;
     if (!flag.value.range.empty()) return flag.value.range.substr(0, flag.value.range.find(' '));
-    const std::map<std::string, std::string> by_form = {
-        {"WxH", "64x48"}, {"X0,X1,Y0,Y1", "0,1,0,1"},     {"NAME,...", "depth"},
-        {"X%", "5%"},     {"NAME=LIGHTS|each", "sun=1"},  {"TIME", "60s"},
-        {"A:B", "0:16"},  {"adaptive|THETA", "adaptive"}, {"X", "0.3"},
-        {"N", "7"}};
+    const std::map<std::string, std::string> by_form = {{"WxH", "64x48"},
+                                                        {"X0,X1,Y0,Y1", "0,1,0,1"},
+                                                        {"X%", "5%"},
+                                                        {"NAME=LIGHTS|each", "sun=1"},
+                                                        {"TIME", "60s"},
+                                                        {"A:B", "0:16"},
+                                                        {"adaptive|THETA", "adaptive"},
+                                                        {"X", "0.3"},
+                                                        {"N", "7"}};
     return by_form.at(flag.value.form);
 }
 
@@ -172,6 +176,17 @@ TEST(RenderFlags, have_names_as_python_writes_them) {
     EXPECT_EQ(fault_of({{"no_such", "1"}}).find("--no-such: is no flag of a render"), 0U);
     for (const RenamedFlag& row : kRenamedFlags)
         EXPECT_NE(fault_of({{std::string(row.before), "off"}}).find(row.now), std::string::npos);
+}
+
+TEST(RenderFlags, aovs_are_a_list_of_names) {
+    const AovSet aovs = request_of({{"aovs", "depth,caustic"}}).settings.aovs;
+    for (const AovRow& row : kAovs)
+        EXPECT_EQ(aovs.at(static_cast<std::size_t>(row.aov)),
+                  row.aov == Aov::depth || row.aov == Aov::caustic)
+            << row.name;
+    EXPECT_EQ(request_of({{"aovs", ""}}).settings.aovs, AovSet{});
+    for (const char* text : {"colour", "depth,,caustic", "depth;caustic", "total"})
+        EXPECT_EQ(fault_of({{"aovs", text}}).find("--aovs: does not take \""), 0U) << text;
 }
 
 TEST(RenderFlags, without_an_end_there_are_two_and_a_chain_has_one) {

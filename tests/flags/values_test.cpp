@@ -62,16 +62,6 @@ TEST(Values, pictures_have_sizes_crops_and_pass_ranges) {
     for (const char* text : {"", "4:4", "5:4", "1:2x", "1"}) expect_refused(read_pass_range, text);
 }
 
-TEST(Values, aovs_are_named) {
-    const AovSet aovs = read_aovs("depth,caustic", "--flag");
-    EXPECT_TRUE(aovs.at(static_cast<std::size_t>(Aov::depth)));
-    EXPECT_TRUE(aovs.at(static_cast<std::size_t>(Aov::caustic)));
-    EXPECT_FALSE(aovs.at(static_cast<std::size_t>(Aov::direct)));
-    const AovSet all = read_aovs(aov_names(), "--flag");
-    EXPECT_EQ(std::count(all.begin(), all.end(), true), kAovCount - 1) << "all but the picture";
-    expect_refused(read_aovs, "colour");
-}
-
 TEST(Values, factors_of_light_groups) {
     const LightGroupFactor one = read_factor("sun=0.5", "--flag");
     EXPECT_EQ(one.name, "sun");
