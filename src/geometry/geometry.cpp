@@ -14,7 +14,7 @@
 #include <limits>
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The smallest t of a hit: hits at t = 0 do not count.
@@ -287,4 +287,4 @@ std::size_t Geometry::triangle_count() const {
     return impl_->triangles;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

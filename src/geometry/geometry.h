@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The primitive that a ray hits; the hit itself is computed later by hit_of().
 struct Meeting {
@@ -88,4 +88,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Scales an interval to another extent, at least one pixel long. @param low, high  of `before`
@@ -62,4 +62,4 @@ void compensate_energy(SceneDescription& scene) {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

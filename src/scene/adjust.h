@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Sets another film size. The camera keeps the extent of its shorter axis; a crop keeps its
 /// fraction of the film, at least one pixel per axis.
@@ -26,4 +26,4 @@ void set_crop(SceneDescription& scene, const std::array<int, 4>& crop, const std
 /// Enables energy compensation of rough metals and glass (bsdf/facet_losses.h), except under coats.
 void compensate_energy(SceneDescription& scene);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Limit of nesting: inner shapes are checked when those around them are consistent.
@@ -122,4 +122,4 @@ void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
                      "the shape: rays go around the edge of an open one");
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Locations of the shapes in the scene file.
 struct ScenePlaces {
@@ -30,4 +30,4 @@ struct ScenePlaces {
 void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
                 const ScenePlaces& places, Warnings& warnings);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,11 +10,11 @@
 
 #include "scene/description.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Translates shapes, instances, lights, the camera and the frames of objects.
 /// @return the origin of rendering space in the world: origin_near() of the shapes that do not
 /// emit, or of those that do if there are no others.
 Vec3d move_to_rendering_space(SceneDescription& scene);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns whether a shape has no effect on paths: interfaces that neither emit nor separate media,
@@ -134,4 +134,4 @@ void Scene::join_media(Media media) {
     media_.at_camera = media.at_camera;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the scene knows of a shape besides its geometry.
 struct ShapeRecord {
@@ -78,4 +78,4 @@ inline Ray shadow_ray(const Hit& hit, const Vec3& direction, float distance) {
     return ray;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine
