@@ -190,7 +190,8 @@ TEST(Film, parts_of_other_renders_are_refused_by_name) {
         EXPECT_EQ(text.substr(0, begin.size()), begin) << text;
     };
     const std::string other = "b.film: is of another render: ";
-    starts(merge_fault(small_key(), numbers(50, 60)), "b.film: passes 50:60 are in another part");
+    starts(merge_fault(small_key(), numbers(50, 60)),
+           "b.film: passes 50:60 overlap those of another");
     FilmKey key = small_key(20, 10);
     starts(merge_fault(key, {90}), other + "resolution differs: 19x10 and 20x10;");
     key = small_key();
