@@ -2,6 +2,7 @@
 #include "apps/cli/progress.h"
 
 #include "apps/cli/messages.h"
+#include "core/duration_text.h"
 #include "math/wavelengths.h"
 
 #include <fmt/format.h>
@@ -100,13 +101,6 @@ std::size_t terminal_width() {
 }
 
 }  // namespace
-
-std::string duration_text(double seconds) {
-    const auto s = std::lround(seconds);
-    if (s < 60) return fmt::format("{} s", s);
-    if (s < 3600) return fmt::format("{}m{:02}s", s / 60, s % 60);
-    return fmt::format("{}h{:02}m", s / 3600, s / 60 % 60);
-}
 
 std::string state_text(std::uint64_t passes, double seconds, std::optional<TargetError> error) {
     const std::string time = seconds < 0.1    ? "less than 0.1 s"

@@ -73,14 +73,14 @@ SphericalCamera spherical(const Statement& camera, const Matrix& to_world, const
     return {to_world, size, map == kMaps[0] ? SphereMap::equal_area : SphereMap::equirectangular};
 }
 
+}  // namespace
+
 Camera camera_of(const Statement& camera, const Matrix& to_world, const Vec2i& size) {
     if (camera.type == "perspective") return perspective(camera, to_world, size);
     if (camera.type == "orthographic") return orthographic(camera, to_world, size);
     if (camera.type == "spherical") return spherical(camera, to_world, size);
     refuse(camera);
 }
-
-}  // namespace
 
 void finish_camera(Reading& reading) {
     const Statement none{"Camera", "perspective", {reading.scene.path}, {}, nullptr};

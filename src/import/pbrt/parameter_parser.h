@@ -6,6 +6,15 @@
 
 namespace sunfleck::engine {
 
+/// Returns a parameter without values, of its declaration: the type, blanks, the name.
+/// @param space  that rgb values are in.
+/// @throws Error  for unknown types, and for what only pbrt-v3 declares.
+Parameter declared_parameter(const std::string& declaration, const SourceLocation& where,
+                             ColourSpace space = ColourSpace::srgb);
+
+/// @throws Error  if the numbers of a parameter are no whole points, colours ...
+void check_components(const Parameter& parameter);
+
 /// All parameters that follow; ends before the next directive.
 /// @param space  that rgb values are in.
 /// @throws Error for unknown types, values of the wrong kind, lists that are cut or never end.
