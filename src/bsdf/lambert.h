@@ -32,6 +32,8 @@ struct Lambert {
     static constexpr Scattering scattering() { return Scattering::diffuse; }
     /// Light must arrive on the side that is looked at.
     static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
+    SampledSpectrum spread_share(const Vec3&) const { return albedo; }
+    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
 }  // namespace sunfleck

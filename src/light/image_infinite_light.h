@@ -16,6 +16,7 @@
 namespace sunfleck {
 
 struct ImageInfiniteLight {
+    static constexpr bool comes_from_afar = true;
     Spectrum curve;
     std::shared_ptr<const LightPicture> picture;
     Affine to_world;  // a rotation, or one with a reflection

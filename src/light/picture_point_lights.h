@@ -14,6 +14,7 @@ namespace sunfleck {
 
 /// The picture is an equal-area octahedral map of directions (uniform_sphere() in math/warp.h).
 struct GoniometricLight {
+    static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;
     std::shared_ptr<const LightPicture> picture;
@@ -30,6 +31,7 @@ struct GoniometricLight {
 /// The picture lies on the plane z = 1 of the light's frame, x to the right and y down. Within a
 /// texel the factor of emission follows the third power of the cosine.
 struct ProjectionLight {
+    static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;
     Vec2d half;                                   // of the picture's width and height

@@ -16,6 +16,7 @@
 namespace sunfleck {
 
 struct PortalLight {
+    static constexpr bool comes_from_afar = true;
     Spectrum curve;
     std::shared_ptr<const PortalPicture> picture;
     Affine frame;  // orthonormal; its origin a corner of the portal, z out to the sky

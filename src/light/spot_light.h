@@ -9,6 +9,7 @@
 namespace sunfleck {
 
 struct SpotLight {
+    static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;
     Vec3d axis;            // unit
