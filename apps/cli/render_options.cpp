@@ -4,6 +4,7 @@
 #include "apps/cli/number_check.h"
 #include "apps/cli/values.h"
 #include "core/error.h"
+#include "core/named_rows.h"
 #include "image/picture_file.h"
 #include "photon_samplers/samplers.h"
 
@@ -171,8 +172,9 @@ void add_render_flags(CLI::App& app, RenderOptions& o, RenderTexts& t) {
 
 void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o) {
     check_fits_integrator(given, t);
-    o.settings.integrator = *integrator_named(t.integrator);  // one of those names: checked
-    o.settings.photon.sampler = *sampler_named(t.sampler);    // one of those names: checked
+    // One of the names of each table: checked.
+    o.settings.integrator = row_named(kIntegrators, t.integrator)->integrator;
+    o.settings.photon.sampler = row_named(kPhotonSamplers, t.sampler)->sampler;
     o.settings.transport.direct =
         t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
     o.settings.camera.ris = t.ris != "off";

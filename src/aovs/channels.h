@@ -1,6 +1,8 @@
 // The AOVs of light and features that a pass measures for each pixel: one row each.
 #pragma once
 
+#include "core/named_rows.h"
+
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -52,9 +54,7 @@ constexpr bool is_aov_name(std::string_view name) {
 
 /// Is there another AOV of that name in each picture?
 constexpr bool is_taken_aov_name(std::string_view name) {
-    for (const AovRow& row : kAovs)
-        if (row.name == name) return true;
-    return name == "error" || name == "bias";
+    return row_named(kAovs, name) != nullptr || name == "error" || name == "bias";
 }
 
 }  // namespace sunfleck
