@@ -64,18 +64,6 @@ inline constexpr auto kDirectiveWords = std::to_array<WordRow>({
     {"Directive", "Accelerator", kExact, "ours is Embree's tree, whatever is asked for"},
 });
 
-inline constexpr auto kCameraWords = std::to_array<WordRow>({
-    {"Camera", "perspective", kExact,
-     "`fov` (of the shorter axis, 90), `frameaspectratio`, `screenwindow`, `lensradius`, "
-     "`focaldistance`, `shutteropen`, `shutterclose`"},
-    {"Camera", "orthographic", kExact,
-     "the same but for `fov`. With a lens each film point is seen through a lens around itself "
-     "(pbrt-v4 puts every lens at the camera's origin)"},
-    {"Camera", "spherical", kExact,
-     "`mapping` `\"equalarea\"` (the default) or `\"equirectangular\"`; the camera's y axis is up"},
-    {"Camera", "realistic", kRefused, "lens files are not read; the message names what to use"},
-});
-
 inline constexpr auto kFilmWords = std::to_array<WordRow>({
     {"Film", "rgb", kExact,
      "`xresolution` 1280, `yresolution` 720, `cropwindow`, `pixelbounds`, `filename`, `iso`, "

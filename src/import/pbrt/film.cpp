@@ -1,6 +1,7 @@
 // The picture as the scene asks for it, and what it asks of the renderer.
 #include "import/pbrt/film.h"
 
+#include "import/pbrt/data_vocabulary.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
 #include "scene/adjust.h"
@@ -148,7 +149,7 @@ void finish_film(Reading& reading) {
     FilmDescription& result = reading.scene.film;
     const Statement none{"Film", "rgb", {reading.scene.path}, {}, nullptr};
     const Statement& film = reading.options.film ? *reading.options.film : none;
-    static constexpr std::array<std::string_view, 3> kTypes = {"rgb", "gbuffer", "spectral"};
+    static constexpr auto kTypes = words_of(kFilmWords);
     if (std::find(kTypes.begin(), kTypes.end(), film.type) == kTypes.end())
         throw Error(film.where, "unknown film " + in_quotes(film.type),
                     use_one_of(kTypes, film.type));

@@ -1,6 +1,7 @@
 // Looking up words, and the table as Markdown.
 #include "import/pbrt/vocabulary.h"
 
+#include "import/pbrt/camera.h"
 #include "import/pbrt/data_vocabulary.h"
 #include "import/pbrt/film.h"
 #include "import/pbrt/lights.h"
@@ -47,7 +48,7 @@ std::span<const WordRow> vocabulary() {
     static const std::vector<WordRow> kAll = [] {
         std::vector<WordRow> all;
         for (const std::span<const WordRow> words :
-             {std::span<const WordRow>(kDirectiveWords), std::span<const WordRow>(kCameraWords),
+             {std::span<const WordRow>(kDirectiveWords), camera_words(),
               std::span<const WordRow>(kFilmWords), filter_words(),
               std::span<const WordRow>(kMethodWords), shape_words(), material_words(),
               texture_words(), light_words(), std::span<const WordRow>(kAreaLightWords),
