@@ -6,7 +6,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct DistantLight {
     static constexpr bool comes_from_afar = true;
@@ -21,4 +21,4 @@ struct DistantLight {
     double power(const SceneSphere& sphere) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

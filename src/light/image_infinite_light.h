@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ImageInfiniteLight {
     static constexpr bool comes_from_afar = true;
@@ -34,4 +34,4 @@ struct ImageInfiniteLight {
 /// its texels are nits.
 double illuminance_from_above(const LightPicture& picture);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct InfiniteLight {
     static constexpr bool comes_from_afar = true;
@@ -21,4 +21,4 @@ struct InfiniteLight {
     Beyond beyond(const Vec3& from, const Vec3& direction) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <concepts>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The sphere around everything: where distant and infinite lights shoot from.
 struct SceneSphere {
@@ -91,4 +91,4 @@ concept LightModel = std::copyable<L> &&
     { L::comes_from_afar } -> std::convertible_to<bool>;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PointLight {
     static constexpr bool comes_from_afar = false;
@@ -20,4 +20,4 @@ struct PointLight {
     double power(const SceneSphere&) const { return 4 * kPiDouble; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PortalLight {
     static constexpr bool comes_from_afar = true;
@@ -35,4 +35,4 @@ private:
     Vec3d to_local(const Vec3d& v) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

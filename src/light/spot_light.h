@@ -6,7 +6,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SpotLight {
     static constexpr bool comes_from_afar = false;
@@ -27,4 +27,4 @@ struct SpotLight {
     double falloff(double cos_angle) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine
