@@ -199,11 +199,14 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     const auto claims =
         together(ranks, [&] { return std::make_unique<OutputClaims>(written_files(*setup)); });
     if (!ranks.is_first()) return help_render(*setup, ranks, asked.log);
-    RunFacts facts{
-        options.scene, options.command, options.request.isa, thread_count(), 0, 0, 0, {}, 1, {}};
-    facts.ranks = ranks.size;
-    facts.error_terms = options.request.stop.error_terms;
-    facts.warnings = warnings_of(options, setup->scene);
+    RunFacts facts{.scene = options.scene,
+                   .command = options.command,
+                   .isa = options.request.isa,
+                   .threads = thread_count(),
+                   .seconds = {},
+                   .warnings = warnings_of(options, setup->scene),
+                   .ranks = ranks.size,
+                   .error_terms = options.request.stop.error_terms};
     print_lines(facts.warnings, options.log);
     if (options.log == LogLevel::info) print_lines(notes_of(*setup), options.log);
     facts.load_seconds = clock.seconds();

@@ -13,8 +13,9 @@ namespace sunfleck {
 namespace {
 
 RenderResult begin_of(const RenderJob& job, std::optional<RenderState> earlier) {
-    RenderState state =
-        earlier ? std::move(*earlier) : RenderState{Film(key_of(job)), {}, 0, 0, 1, {}};
+    RenderState state = earlier
+                            ? std::move(*earlier)
+                            : RenderState{.film = Film(key_of(job)), .seconds = {}, .paper = {}};
     return {std::move(state), false, false};
 }
 
