@@ -3,12 +3,13 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/progress_text.h"
 #include "apps/cli/render_answers.h"
+#include "apps/cli/render_notes.h"
 #include "apps/cli/render_setup.h"
 #include "apps/cli/snapshots.h"
 #include "apps/cli/together.h"
 #include "core/parallel.h"
-#include "core/processor.h"
 #include "core/stopwatch.h"
 #include "core/thread_trial.h"
 #include "image/atomic_file.h"
@@ -18,7 +19,6 @@
 #include "stats/stats.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <optional>
 #include <utility>
@@ -29,24 +29,6 @@ namespace {
 void print_lines(const std::vector<std::string>& lines, LogLevel log) {
     if (log == LogLevel::quiet) return;
     for (const std::string& line : lines) say(line);
-}
-
-/// Defaults that the user may want to know of.
-std::vector<std::string> notes_of(const RenderSetup& setup) {
-    const RenderOptions& options = setup.options;
-    std::vector<std::string> lines;
-    if (!options.request.max_depth && !setup.scene.hints().max_depth)
-        lines.push_back(fmt::format("maximum depth not given; using {} (--max-depth)",
-                                    setup.job.settings.transport.max_depth));
-    if (options.request.ends_by_default)
-        lines.push_back(setup.job.stop.target_error
-                            ? "no limit given; ending at an error of 2% or after 10 minutes "
-                              "(--target-error, --time)"
-                            : "no limit given; ending after 10 minutes (--time)");
-    if (options.outputs.empty())
-        lines.push_back(
-            fmt::format("no output given; writing {} (-o)", fmt::join(setup.outputs, " ")));
-    return lines;
 }
 
 void set_times(RunFacts& facts, const RenderState& state) {
@@ -130,8 +112,8 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
 
 /// A rank that writes nothing.
 int help_render(const RenderSetup& setup, const Ranks& ranks, LogLevel log) {
-    if (setup.options.request.isa == "avx2" && !cpu_has_avx2())
-        print_lines({fmt::format("rank {}: {}", ranks.rank, kNoAvx2)}, log);
+    for (const std::string& line : machine_warnings(setup.options.request.isa))
+        print_lines({fmt::format("rank {}: {}", ranks.rank, line)}, log);
     RenderHooks hooks;
     hooks.interrupted = &InterruptGuard::interrupted();
     render(setup.job, hooks, {}, ranks);
@@ -161,11 +143,14 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     const auto claims =
         together(ranks, [&] { return std::make_unique<OutputClaims>(written_files(*setup)); });
     if (!ranks.is_first()) return help_render(*setup, ranks, asked.log);
-    RunFacts facts{
-        options.scene, options.command, options.request.isa, thread_count(), 0, 0, 0, {}, 1, {}};
-    facts.ranks = ranks.size;
-    facts.error_terms = options.request.stop.error_terms;
-    facts.warnings = remarks_before(setup->job, options.request.isa);
+    RunFacts facts{.scene = options.scene,
+                   .command = options.command,
+                   .isa = options.request.isa,
+                   .threads = thread_count(),
+                   .seconds = {},
+                   .warnings = remarks_before(setup->job, options.request.isa),
+                   .ranks = ranks.size,
+                   .error_terms = options.request.stop.error_terms};
     print_lines(facts.warnings, options.log);
     if (options.log == LogLevel::info) print_lines(notes_of(*setup), options.log);
     facts.load_seconds = clock.seconds();

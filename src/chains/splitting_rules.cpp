@@ -27,12 +27,12 @@ struct Division {
 };
 // Guided paths bring the light from there. What it leaves out is little, but rare: the
 // uniform paths and the first sets must find it, so the last one has fewer states than without.
-constexpr Division kOftenSeen{0.35, 0.3, 1, 0.1};
+constexpr Division kOftenSeen{.guided = 0.35, .last = 0.3, .own = 1, .detour = 0.1};
 // No splitting leads to what is visible.
-constexpr Division kAlone{0.75, 0.5, 1, 0.25};
+constexpr Division kAlone{.guided = 0.75, .last = 0.5, .own = 1, .detour = 0.25};
 // Few paths through the guide are visible, fewer than are worth as much as states of chains: they
 // start these.
-constexpr Division kForSurvivors{0.1, 0.75, 0.1, {}};
+constexpr Division kForSurvivors{.guided = 0.1, .last = 0.75, .own = 0.1, .detour = {}};
 constexpr double kSeldomSeen = 0.2;      // of paths through such a guide
 constexpr double kMostImportance = 0.5;  // of detours
 

@@ -12,10 +12,14 @@
 
 namespace sunfleck::engine {
 
+std::vector<std::string> machine_warnings(const std::string& isa) {
+    if (isa != "avx2" || cpu_has_avx2()) return {};
+    return {"this machine has no AVX2: bytes may differ from those of other machines"};
+}
+
 std::vector<std::string> remarks_before(const RenderJob& job, const std::string& isa) {
-    std::vector<std::string> remarks;
+    std::vector<std::string> remarks = machine_warnings(isa);
     for (const auto& entry : job.scene.warnings().entries()) remarks.push_back(entry.line());
-    if (isa == "avx2" && !cpu_has_avx2()) remarks.emplace_back(kNoAvx2);
     if (job.settings.photon.sampler == PhotonSampler::paper)
         remarks.emplace_back(
             "sampler paper: its counts are pooled while the view and the radii change, so the "

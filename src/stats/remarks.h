@@ -10,11 +10,11 @@
 
 namespace sunfleck::engine {
 
-inline constexpr const char* kNoAvx2 =
-    "this machine has no AVX2: bytes may differ from those of other machines";
+/// Says that pictures may differ from those of other machines, if that is so.
+/// @param isa  that the scene was built with.
+std::vector<std::string> machine_warnings(const std::string& isa);
 
 /// Returns what is known before the render: warnings of the scene, bytes that may differ, bias.
-/// @param isa  that the scene was built with.
 std::vector<std::string> remarks_before(const RenderJob& job, const std::string& isa);
 
 /// Returns what the picture tells: light that is missing, errors that are not known, time that was
