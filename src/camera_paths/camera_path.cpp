@@ -1,4 +1,4 @@
-// Follows one camera path; who brings which light is decided here (docs/method/method.md, owners).
+// Follows one camera path; who brings which light is decided here (docs/method/method.md).
 #include "camera_paths/camera_path.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 //
 // In:  the scene at a pass's wavelengths. Out: visible points; emission and direct light are added
 // to the pass's image.
-// Owners of light: docs/method/method.md has the table; visible_points/visible_point.h what photons
-// bring.
+// Which estimator brings which light: docs/method/method.md has the table;
+// visible_points/visible_point.h what photons bring.
 #pragma once
 
 #include "aovs/pass_image.h"

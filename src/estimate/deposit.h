@@ -1,6 +1,7 @@
 // Photons and visible points become pixel values: the density estimate of one pass.
 //
 // In:  photons, an index of visible points. Out: the sums of photon_terms.h in the pass's image.
+// Equations: docs/method/method.md, eq. (2).
 #pragma once
 
 #include "aovs/pass_image.h"

@@ -3,10 +3,11 @@
 // In:  a film whose passes had discs. Out: the bias of its mean (what to subtract), and standard
 // errors, of the bias and of the mean without it. Means are over all passes; those of blocks and of
 // the picture, and all errors, come from complete batches. Of first order: light is taken to be
-// linear in the disc's area. Ordinary least squares (docs/method/method.md): unbiased whatever the
+// linear in the disc's area. Ordinary least squares (docs/method/errors.md): unbiased whatever the
 // batches' variances are; the errors take them to be equal, or as one over how often a batch
 // counts. That they are for blocks and the picture. In a pixel early batches have less noise than
 // late ones, and its errors come out too large by some 15%.
+// Equations: docs/method/errors.md, eqs. (29), (30) and (31).
 #pragma once
 
 #include "film/disc_areas.h"

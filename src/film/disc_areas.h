@@ -2,9 +2,10 @@
 // is regressed on.
 //
 // To first order the mean of that light, y = a + c s, is linear in the area s
-// (docs/method/method.md): c s is the bias, a the light without it. In a batch s is the mean over
+// (docs/method/errors.md): c s is the bias, a the light without it. In a batch s is the mean over
 // its passes. Passes and batches count as often as they do in the film, in all sums and means; in
 // that of the picture as they do there.
+// Equations: docs/method/errors.md, eqs. (28) and (32).
 #pragma once
 
 #include "film/film.h"

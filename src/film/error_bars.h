@@ -9,6 +9,7 @@
 // is itself uncertain: whatever is reported is widened by Student's t (widening()), whatever is
 // computed on is not, for its square has no bias. Precision: of y about 2^-26 relative
 // and 2^-32 absolute (the squares' unit is 2^-64).
+// Equations: docs/method/errors.md, eqs. (26) and (27).
 #pragma once
 
 #include "film/film.h"

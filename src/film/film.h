@@ -14,7 +14,7 @@
 //
 // In the picture passes of an open batch count as far as the wavelengths of their group are spread
 // evenly (pass_groups.h): where lamps have lines the light of other passes may be off as a whole
-// (docs/method/method.md). So the sums of the groups of open batches are kept for each AOV.
+// (docs/method/errors.md). So the sums of the groups of open batches are kept for each AOV.
 //
 // Passes that build on those before are no samples: a sequential film (film_key.h) has no batches.
 #pragma once

@@ -1,4 +1,5 @@
 // What --target-error compares: one number for the noise of a picture and the bias of its discs.
+// Equations: docs/method/errors.md, eqs. (33) and (34).
 #pragma once
 
 #include "film/film.h"

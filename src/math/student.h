@@ -1,4 +1,5 @@
 // Student's t: how far a mean may lie from the truth where its standard error is estimated, too.
+// Equations: docs/method/errors.md, eq. (26).
 #pragma once
 
 namespace sunfleck {

@@ -12,7 +12,7 @@ namespace sunfleck {
 namespace {
 
 /// The density's shape: two bells 1 / (1 + x^2)^2, one over the responses of green and red, one
-/// over that of blue. Centres, widths and heights were fitted (docs/method/method.md): the colour
+/// over that of blue. Centres, widths and heights were fitted (docs/method/errors.md): the colour
 /// of D65, of smooth reflectances under it and of lamps, seen in one pass, two, four and a batch,
 /// was to have the least standard deviation over the lattice's shift. The tails are so heavy that
 /// no visible wavelength is left out, and only + - * / are needed.

@@ -1,9 +1,10 @@
 // The wavelengths of a pass, shared by camera and photon paths, and what a wavelength is worth in
 // RGB.
 //
-// Source: design note "Spectra, batches, pixel values" (docs/method/method.md); density near the
+// Source: docs/method/errors.md, "Wavelengths and batches"; density near the
 // eye's response as in pbrt-v4 (Radziszewski et al. 2009, "An improved technique for full spectral
 // rendering").
+// Equations: docs/method/errors.md, eq. (24).
 #pragma once
 
 #include "core/random.h"

@@ -3,7 +3,7 @@
 //
 // In:  a pass and the number of a path in it. Out: a dimension reader for that path.
 // Why it is exact: only each path's own distribution matters for unbiasedness
-// (docs/method/method.md).
+// (docs/method/sampling.md).
 #pragma once
 
 #include "core/hash.h"

@@ -2,7 +2,7 @@
 // the shares sum to N exactly.
 //
 // In:  whole numbers and one uniform random number. Out: whole numbers; exact integer arithmetic.
-// Why one offset: no share then depends on what it is a share for (docs/method/method.md).
+// Why one offset: no share then depends on what it is a share for (docs/method/sampling.md).
 #pragma once
 
 #include <cstdint>

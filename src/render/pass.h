@@ -3,6 +3,7 @@
 // In:  scene, settings, seed and number of the pass. Out: the image of this pass alone, unbiased
 // for its radius, and integer counts. So passes may run in any order, on any machine, or again:
 // the film only adds them up.
+// Equations: docs/method/method.md, eq. (1).
 #pragma once
 
 #include "planning/epoch.h"

@@ -2,6 +2,7 @@
 //
 // A disc says where and what a visible point accepts; photons that it accepts are deposited. One
 // function, accepts(), decides it for the visibility query and for the deposit alike.
+// Equations: docs/method/method.md, eqs. (4) and (7).
 #pragma once
 
 #include "aovs/light_groups.h"

@@ -4,6 +4,7 @@
 // In:  visible points. Out: heights of places. Places that a disc may reach are full: higher than
 // all others. Each cell of the octree that a disc's box touches counts as seen, so the sets
 // { height >= h } are nested and hold all that is visible.
+// Equations: docs/method/sampling.md, eq. (11).
 #pragma once
 
 #include "visible_points/visible_point.h"
