@@ -17,7 +17,7 @@
 #include <concepts>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is fixed for a level before the pass.
 struct LevelPlan {
@@ -169,4 +169,4 @@ private:
     std::uint64_t states_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 #include <bit>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::size_t kMutationKinds = 2;
 /// Of bounce dimensions over emission dimensions, by kind.
@@ -118,4 +118,4 @@ inline MutationScales adapted(const MutationScales& scales, const Acceptances& c
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 
 #include "chains/guided_level.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SplittingPlan {
     std::uint32_t uniform_paths = 0;  // level 0
@@ -190,4 +190,4 @@ private:
     const GuidedPlan& guided_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class EmissionGuide {
 public:
@@ -89,4 +89,4 @@ private:
     std::vector<EmissionShear> shears_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,7 +2,7 @@
 // Equations: docs/method/errors.md, eq. (26).
 #pragma once
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Probability that a normal number lies within two standard deviations of its mean.
 inline constexpr double kWithinTwo = 0.954499736;
@@ -20,4 +20,4 @@ inline double student_widening(double degrees) {
     return student_quantile(kWithinTwo, degrees) / 2;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Where the primary samples of photon paths come from.
 enum class PhotonSampler { random, uniform, adaptive, paper };
@@ -96,4 +96,4 @@ inline constexpr std::array<AdaptivePart, 7> kAdaptiveParts = {{
      "auto: passes are weighted by their inverse variance, up to four times; off: equally"},
 }};
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::size_t kMostStrata = 4;
 /// Visible fractions that differ by no more than that may share a stratum.
@@ -45,4 +45,4 @@ struct StratumFlux {
 std::vector<std::uint32_t> shared_paths(const std::vector<StratumFlux>& strata,
                                         std::uint32_t paths);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

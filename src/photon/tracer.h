@@ -15,7 +15,7 @@
 #include <concepts>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Called with each photon.
 template <class V>
@@ -252,4 +252,4 @@ private:
     const bool has_media_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kHead =
@@ -107,4 +107,4 @@ std::vector<SceneFile> brandy_scene() {
             {"geometry/brandy-level.ply", ply_bytes(glass.brandy_air)}};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The scene's file, three surfaces of glass and brandy, and the leaves. Centimetres, z up.
 std::vector<SceneFile> brandy_scene();
@@ -19,4 +19,4 @@ inline double brandy_index(double wavelength) {
     return 1.3463 + 0.0032 / (wavelength * wavelength);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

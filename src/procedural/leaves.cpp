@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kCorners = 20;
@@ -65,4 +65,4 @@ Mesh canopy(const Canopy& canopy) {
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "math/vector.h"
 #include "procedural/mesh.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Lengths in the scene's unit; across the sun's direction unless said otherwise.
 struct Canopy {
@@ -22,4 +22,4 @@ struct Canopy {
 /// The leaves: flat, 3.5 to 6 long, turned at random.
 Mesh canopy(const Canopy& canopy);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 ProfilePoint between(const ProfilePoint& a, const ProfilePoint& b, double t) {
@@ -68,4 +68,4 @@ Mesh revolve_smooth(const SmoothProfile& profile, std::size_t segments) {
     return mesh;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

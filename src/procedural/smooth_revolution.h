@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A cubic Bezier curve of the profile: two ends, and the control points between them.
 using ProfileCurve = std::array<ProfilePoint, 4>;
@@ -32,4 +32,4 @@ SmoothProfile reversed(const SmoothProfile& profile);
 /// vertices. A tangent at the axis is horizontal.
 Mesh revolve_smooth(const SmoothProfile& profile, std::size_t segments);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

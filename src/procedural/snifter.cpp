@@ -2,7 +2,7 @@
 
 #include "procedural/snifter.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Piece {
@@ -64,4 +64,4 @@ Snifter snifter() {
             revolve_smooth(profiles.brandy_air, kSnifterSegments)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include "procedural/smooth_revolution.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Corners of every ring.
 inline constexpr std::size_t kSnifterSegments = 256;
@@ -29,4 +29,4 @@ struct SnifterProfiles {
 
 SnifterProfiles snifter_profiles();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class VisiblePointOctree {
 public:
@@ -71,4 +71,4 @@ private:
     Nodes nodes_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

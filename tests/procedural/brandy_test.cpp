@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Brandy, the_body_of_glass_is_closed_and_weighs_what_a_snifter_weighs) {
@@ -124,4 +124,4 @@ TEST(Brandy, each_surface_has_the_ratio_of_its_two_media_at_each_wavelength) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A quarter of a circle from the lowest point to the widest, to 3e-4 of its radius.
@@ -50,4 +50,4 @@ TEST(SmoothRevolution, a_curve_that_was_split_is_still_the_same_curve) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine
