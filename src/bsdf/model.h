@@ -36,7 +36,7 @@ struct BsdfDraw {
 enum class Scattering {
     specular,  // only delta lobes: always continue
     glossy,    // narrow, perhaps beside a delta lobe: gather or continue (docs/method/method.md,
-               // owners)
+               // which estimator brings which light)
     diffuse,   // wide: gather
     coated     // diffuse under a specular or glossy coat: both (bsdf/coated_diffuse.h)
 };

@@ -2,6 +2,7 @@
 //
 // In:  a guide fixed before the pass. Out: visible paths with weights, the sum of which is an
 // estimate of what is visible in the guided region; the same paths as survivors with these weights.
+// Equations: docs/method/sampling.md, eq. (16).
 #pragma once
 
 #include "chains/uniform_level.h"

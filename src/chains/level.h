@@ -2,7 +2,8 @@
 //
 // In:  a population of the set; how many states, how many chains. Out: every state with the number
 // of steps it stood, chain by chain, for collectors; integer counts.
-// Source: waste-free sequential Monte Carlo, Dau and Chopin 2022; docs/method/method.md.
+// Source: waste-free sequential Monte Carlo, Dau and Chopin 2022.
+// Equations: docs/method/sampling.md, eq. (13).
 #pragma once
 
 #include "chains/chain.h"

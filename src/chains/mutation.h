@@ -6,6 +6,7 @@
 // evidence). Two kinds, chosen at random: all dimensions alike, and bounce dimensions 16 times
 // farther than emission dimensions. Source: adaptive scale towards a target acceptance: paper,
 // section 4.4 (its own law: paper_step of photon/paper_chain.h).
+// Equations: docs/method/sampling.md, eq. (14).
 #pragma once
 
 #include "random_numbers/primary_sample.h"

@@ -5,8 +5,9 @@
 // In:  a space of paths, a plan that was fixed before the pass. Out: visible paths with weights:
 // the sum of weight * f(path) has the expectation of f over uniform primary samples, for any f
 // that vanishes on paths that are not visible.
-// Source: the paper's replica exchange made one pass and nested (docs/method/method.md); waste-free
-// sequential Monte Carlo: Dau and Chopin 2022.
+// Source: the paper's replica exchange made one pass and nested; waste-free sequential Monte Carlo:
+// Dau and Chopin 2022.
+// Equations: docs/method/sampling.md, eq. (12).
 #pragma once
 
 #include "chains/guided_level.h"

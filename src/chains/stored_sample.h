@@ -2,7 +2,7 @@
 //
 // In:  the numbers that a path asks for. Out: the same numbers again, and copies of the sample
 // in which the dimensions that were read have moved a little. A dimension that no path has read is
-// never drawn: whether a path is visible does not depend on it (docs/method/method.md).
+// never drawn: whether a path is visible does not depend on it (docs/method/sampling.md).
 #pragma once
 
 #include "chains/mutation.h"

@@ -1,6 +1,7 @@
 // What a chain's states are spread over: a set of paths, and less of it where others sample, too.
 //
 // In:  a primary sample. Out: its importance, the density of the chain's target but for a factor.
+// Equations: docs/method/sampling.md, eq. (16).
 #pragma once
 
 #include "chains/path_space.h"

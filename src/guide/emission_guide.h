@@ -6,6 +6,7 @@
 // tree. What starts with density q counts 1/q: exact for any density that was fixed before the
 // pass, as q is nowhere zero. Source: importance sampling; density trees: Ram and Gray 2011;
 // guiding of light paths by what was learned: Jensen 1995.
+// Equations: docs/method/sampling.md, eq. (15).
 #pragma once
 
 #include "guide/emission_shear.h"

@@ -4,6 +4,7 @@
 // In:  a space of paths, uniform paths with the knowledge whether they are visible. Out: the path
 // that Fig. 3 splats in each iteration, and the counts that normalise it (eq. 5). The view may
 // change between passes: counts, theta and the current path stay, as printed. That is biased.
+// Equations: docs/method/references.md, eq. (35).
 #pragma once
 
 #include "chains/path_space.h"
@@ -43,7 +44,7 @@ private:
 /// theta, by eq. 11: theta_1 = 1, theta_{i+1} = theta_i + (A_i - A*) / i after mutation i, where
 /// A_i is the accepted share of all mutations so far (section 5.2). Fig. 3 counts the first path,
 /// which no mutation made, as accepted; theta then starts by rising, and in close-ups is still far
-/// from A* after 10^6 mutations (docs/method/method.md).
+/// from A* after 10^6 mutations (docs/method/references.md).
 class MutationSize {
 public:
     /// As printed theta can fall below zero. Here 4% of all steps are as large as the last bit of a

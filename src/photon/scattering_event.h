@@ -3,6 +3,7 @@
 // A scattering event is worked out first and taken then: whoever has several photons at surfaces
 // works out all their events, which do not wait for each other, before any of them is decided.
 // Source: as photon/tracer.h.
+// Equations: docs/method/method.md, eq. (9).
 #pragma once
 
 #include "bsdf/bsdf.h"

@@ -4,6 +4,7 @@
 // surface that can gather goes to a visitor, which may end the path.
 // Source: adjoint correction of shading normals: Veach 1997, section 5.3.2; Russian roulette on the
 // throughput keeps it about constant, as the paper's binary target assumes (docs/method/method.md).
+// Equations: docs/method/method.md, eq. (8).
 #pragma once
 
 #include "aovs/statistics.h"

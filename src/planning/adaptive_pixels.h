@@ -3,6 +3,7 @@
 // In:  trials of the pixels. Out: numbers of paths, and what they are worth, foretold.
 // Source: Neyman's allocation, numbers as the standard deviation over the root of the cost
 // (J. Royal Statistical Society 97, 1934); here of variances that fall as nets have them.
+// Equations: docs/method/sampling.md, eq. (23).
 #pragma once
 
 #include "film/luminance.h"

@@ -6,6 +6,7 @@
 // first passes had the usual paths: worse ones are drawn together until they are worth as much, and
 // better ones count for as many as they are worth, as in a mean of least variance. Both are known
 // before the passes are made, and not from them: so the mean has no bias.
+// Equations: docs/method/sampling.md, eqs. (18), (19) and (21).
 #pragma once
 
 #include <cstdint>

@@ -5,6 +5,7 @@
 // What differs between the sets is the photons': alike in both views it stays, however many camera
 // paths a pixel has; else it is of where their points lie, and several have less of it.
 // Source: covariance of independent replicates.
+// Equations: docs/method/sampling.md, eq. (20).
 #pragma once
 
 #include "film/luminance.h"
