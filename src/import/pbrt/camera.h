@@ -1,13 +1,13 @@
-// The Camera statement as a perspective camera.
+// Conversion of the Camera statement to a camera.
 #pragma once
 
 namespace sunfleck {
 
 struct Reading;
 
-/// Reads the last Camera statement; call it after finish_film(). Without one the camera stands at
-/// the origin and looks along +z (pbrt-v4).
-/// @throws Error for other cameras than "perspective", and for values out of range.
+/// Converts the last Camera statement; finish_film() comes first. Without a statement the camera is
+/// at the origin and looks along +z (pbrt-v4).
+/// @throws Error  for cameras that are not simulated, and for values out of range.
 void finish_camera(Reading& reading);
 
 }  // namespace sunfleck

@@ -1,4 +1,4 @@
-// The rows of vocabulary(): what docs/reference/scenes.md says of each word.
+// The rows of vocabulary(): the tables of docs/reference/scenes.md.
 #pragma once
 
 #include "import/pbrt/vocabulary_row.h"

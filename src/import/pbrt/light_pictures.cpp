@@ -1,4 +1,4 @@
-// Reading and checking pictures of lights.
+// Reading and checking of images for lights.
 #include "import/pbrt/light_pictures.h"
 
 #include "image/read_image.h"
@@ -13,7 +13,7 @@ namespace sunfleck {
 Image light_image(const Statement& statement, Reading& reading) {
     const auto name = statement.text("filename");
     if (!name || name->empty())
-        throw Error(statement.where, "a light without its picture", "add \"string filename\"");
+        throw Error(statement.where, "a light without its image", "add \"string filename\"");
     const SourceLocation& where = statement.find("filename")->where;
     return reading.assets.files.read_as(*name, where, [&](const NamedFile& file) {
         Image image = parse_image(file.bytes, file.path);
@@ -28,9 +28,10 @@ Image directions_image(const Statement& statement, Reading& reading) {
     const Vec2i size = image.resolution();
     if (size.x != size.y)
         throw Error(statement.find("filename")->where,
-                    "the picture of a light is " + std::to_string(size.x) + " x " +
-                        std::to_string(size.y) + " texels, and no equal-area map of directions",
-                    "convert it to a square, as by pbrt-v4's imgtool makeequiarea");
+                    "the image of a light has " + std::to_string(size.x) + " x " +
+                        std::to_string(size.y) +
+                        " texels, but an equal-area map of directions is square",
+                    "convert it, for example with pbrt-v4's imgtool makeequiarea");
     return image;
 }
 
@@ -55,10 +56,12 @@ std::shared_ptr<const LightPicture> intensity_picture(const Statement& statement
 Affine turn_of(const Statement& statement, Reading& reading) {
     const Affine given(reading.still_matrix(statement.where));
     if (!given.is_invertible())
-        throw Error(statement.where, "the matrix of the light is singular", "scale by no zero");
+        throw Error(statement.where, "the matrix of the light is singular",
+                    "use scales other than zero");
     if (!is_similarity(given))
         reading.log.warn(statement.where,
-                         "a light with a picture is turned by its matrix, not stretched");
+                         "a light with an image uses the rotation of its matrix alone: scale and "
+                         "shear are ignored");
     Affine turn;
     turn.x = given.x.normalized();
     turn.y = (given.y - turn.x * turn.x.dot(given.y)).normalized();

@@ -1,4 +1,4 @@
-// Pictures that lights name, and how they are turned.
+// Images of lights, and the rotation of the lights.
 #pragma once
 
 #include "geometry/affine.h"
@@ -11,19 +11,19 @@ namespace sunfleck {
 
 struct Reading;
 
-/// The "filename" of a light. @throws Error for texels that are not finite.
+/// Returns the image "filename" of a light. @throws Error  for texels that are not finite.
 Image light_image(const Statement& statement, Reading& reading);
 
-/// The same where it stands for all directions. @throws Error also if it is no square.
+/// Returns an image of all directions. @throws Error  also if it is not square.
 Image directions_image(const Statement& statement, Reading& reading);
 std::shared_ptr<const LightPicture> directions_picture(const Statement& statement,
                                                        Reading& reading);
 
-/// Likewise, of one channel: the mean of the colours of a texel.
+/// Returns an image of all directions with one channel: the mean of each texel's colours.
 std::shared_ptr<const LightPicture> intensity_picture(const Statement& statement, Reading& reading);
 
-/// The present matrix as a rotation, with a reflection if it mirrors. Where it stretches or shears,
-/// the nearest in the order x, y, z of axes, and a warning.
+/// Returns the current matrix as a rotation, perhaps with a reflection. If the matrix scales or
+/// shears, the nearest one by orthonormalisation in the order x, y, z, with a warning.
 Affine turn_of(const Statement& statement, Reading& reading);
 
 }  // namespace sunfleck

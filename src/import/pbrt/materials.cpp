@@ -1,4 +1,4 @@
-// Materials by their words, and what stands in for those that we do not have.
+// Materials by their words.
 #include "import/pbrt/materials.h"
 
 #include "import/pbrt/coats.h"
@@ -21,7 +21,7 @@ FloatTexture checked_roughness(const Statement& statement, const std::string& na
     throw Error(statement.find(name)->where, in_quotes(name) + " is negative", "use 0 or more");
 }
 
-/// @param prefix  of the names of the parameters: "" or "conductor.".
+/// @param prefix  of the parameter names: "" or "conductor.".
 Roughness roughness_of(const Statement& statement, const std::string& prefix, Assets& assets) {
     const FloatTexture both = checked_roughness(statement, prefix + "roughness", 0, assets);
     return {checked_roughness(statement, prefix + "uroughness", both, assets),
@@ -29,7 +29,7 @@ Roughness roughness_of(const Statement& statement, const std::string& prefix, As
             statement.flag("remaproughness", true)};
 }
 
-/// An index of refraction: "float eta" or a spectrum.
+/// Returns an index of refraction: "float eta" or a spectrum.
 Spectrum eta_of(const Statement& statement, Assets& assets) {
     const Parameter* found = statement.find("eta");
     if (!found) return Spectrum::constant(1.5F);

@@ -1,4 +1,4 @@
-// Matrices between two: polar decomposition, and rotations as quaternions.
+// Interpolation of matrices: polar decomposition, and rotations as quaternions.
 #include "geometry/quadrature.h"
 #include "geometry/sweep.h"
 #include "import/pbrt/transforms.h"
@@ -13,14 +13,14 @@ namespace {
 
 using Quaternion = Imath::Quatd;
 
-/// matrix = stretch * rotation, for row vectors; the translation apart.
+/// matrix = stretch * rotation, for row vectors, without the translation.
 struct Parts {
     Matrix stretch;
     Quaternion rotation;
     Vec3d translation;
 };
 
-/// Higham's iteration: the mean of a matrix and its inverse transposed tends to the rotation.
+/// Higham's iteration: the mean of a matrix and its inverse transpose converges to the rotation.
 Parts parts_of(const Matrix& matrix) {
     Parts parts;
     parts.translation = matrix.translation();
@@ -33,7 +33,7 @@ Parts parts_of(const Matrix& matrix) {
         rotation = next;
         if (done) break;
     }
-    if (rotation.determinant() < 0) {  // a mirror is a stretch
+    if (rotation.determinant() < 0) {  // a reflection becomes part of the stretch
         rotation = rotation * -1.0;
         rotation[3][3] = 1;
     }

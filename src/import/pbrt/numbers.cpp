@@ -1,4 +1,4 @@
-// Conversion of words to numbers by std::from_chars: fast, and deaf to the locale.
+// Conversion of words to numbers by std::from_chars, independent of the locale.
 #include "import/pbrt/numbers.h"
 
 #include "import/pbrt/words.h"
@@ -10,13 +10,13 @@
 namespace sunfleck {
 namespace {
 
-/// from_chars takes no plus sign.
+/// Removes a plus sign, which from_chars does not accept.
 std::string_view without_plus(std::string_view text) {
     const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
     return plus ? text.substr(1) : text;
 }
 
-/// How to write what was meant for a number.
+/// Returns how to write the number that was meant.
 std::string number_mend(const Token& token) {
     const std::string_view text = token.text;
     if (token.kind == TokenKind::string) return "write a number such as 1.5, without quotes";
@@ -35,7 +35,7 @@ double real_of(const Token& token) {
     if (token.kind != TokenKind::word || !whole || code == std::errc::invalid_argument)
         throw Error(token.where(), "expected a number, found " + in_quotes(token.text),
                     number_mend(token));
-    // Out of range: too large, or too close to zero, which is zero then.
+    // Out of range: too large, or so small that it becomes zero.
     if (code == std::errc::result_out_of_range) {
         value = std::strtod(std::string(text).c_str(), nullptr);
         if (std::abs(value) < 1) return 0;

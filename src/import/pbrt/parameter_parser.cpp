@@ -1,4 +1,4 @@
-// Parameter lists, with the values of each type as that type asks for.
+// Parameter lists, with the values that each type needs.
 #include "import/pbrt/parameter_parser.h"
 
 #include "import/pbrt/numbers.h"
@@ -15,12 +15,13 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// "float radius": the type, blanks, the name.
+/// Parses "float radius": type, blanks, name.
 Parameter declared(const Token& token) {
     const std::string whole = unescaped(token);
     const std::string_view text = trimmed(whole);
     if (const auto odd = odd_character_in(whole))
-        throw Error(token.where(), odd->what + " stands in the declaration " + in_quotes(whole),
+        throw Error(token.where(),
+                    "unexpected " + odd->what + " in the declaration " + in_quotes(whole),
                     odd->mend);
     const std::size_t blank = text.find_first_of(" \t");
     if (blank == std::string_view::npos)

@@ -1,4 +1,4 @@
-// Reads a list of parameters: "type name" value, or "type name" [ values ], any number of them.
+// Parser of parameter lists: "type name" value, or "type name" [ values ], any number of them.
 #pragma once
 
 #include "import/pbrt/parameters.h"
@@ -6,12 +6,12 @@
 
 namespace sunfleck {
 
-/// All parameters that follow; ends before the next directive.
-/// @param space  that rgb values are in.
-/// @throws Error for unknown types, values of the wrong kind, lists that are cut or never end.
+/// Reads all parameters up to the next directive.
+/// @param space  colour space of rgb values.
+/// @throws Error  for unknown types, values of the wrong kind, and lists that are not closed.
 Parameters read_parameters(TokenStream& tokens, ColourSpace space = ColourSpace::srgb);
 
-/// A type word and the parameters that follow. @param keyword  the directive.
+/// Reads a type word and the parameters that follow. @param keyword  the directive.
 Statement read_statement(TokenStream& tokens, const Token& keyword,
                          ColourSpace space = ColourSpace::srgb);
 

@@ -1,4 +1,4 @@
-// The reading from its first statement to the finished scene.
+// Reading from the first statement to the finished scene.
 #include "import/pbrt/reader.h"
 
 #include "core/file_content.h"
@@ -16,7 +16,7 @@
 namespace sunfleck {
 namespace {
 
-/// Rays in the frame of such an instance would be out of the range of their floats.
+/// Returns whether rays in the frame of such an instance would overflow floats.
 bool is_extreme(const Matrix& to_world) {
     constexpr double kMost = 1e10;
     const auto is_far = [](const Affine& map) {
@@ -34,14 +34,14 @@ void finish_instances(Reading& reading) {
                         "make it by ObjectBegin and ObjectEnd");
         if (is_extreme(use.to_world))
             reading.log.warn(use.where,
-                             "an instance whose size is less than 10^-10 or more than 10^10 "
-                             "of its object's is left out");
+                             "an instance was left out: its scale is below 10^-10 "
+                             "or above 10^10");
         else
             reading.scene.instances.push_back({found->second, use.to_world});
     }
 }
 
-/// Interfaces do not shine (pbrt-v4), but for lights that nothing can meet.
+/// Interfaces do not emit (pbrt-v4), except for area lights of alpha zero.
 void finish_emission(Reading& reading) {
     for (ShapeDescription& shape : reading.scene.shapes) {
         const Material& material = reading.scene.materials[shape.material];
@@ -52,7 +52,7 @@ void finish_emission(Reading& reading) {
     }
 }
 
-/// What has to wait until all statements are known.
+/// Completes what had to wait until all statements are known.
 void finish(Reading& reading) {
     reading.check_blocks_closed(0);
     if (!reading.in_world)
@@ -82,7 +82,7 @@ SceneDescription read_all(std::string text, const std::string& path, const FileA
         read_statements(reading, tokens);
         finish(reading);
     } catch (const Error&) {
-        reading.assets.files.check_missing();  // this fault may come of what is missing
+        reading.assets.files.check_missing();  // the fault may be a consequence of missing files
         throw;
     }
     reading.assets.files.check_missing();

@@ -1,4 +1,4 @@
-// Slots as materials, and the parts of mixes.
+// Conversion of table entries, and the components of mixes.
 #include "import/pbrt/scene_materials.h"
 
 #include "import/pbrt/materials.h"
@@ -14,21 +14,22 @@ namespace {
 
 constexpr int kDeepestMix = 32;
 
-/// Looks up the parts of mixes.
+/// Looks up the components of mixes.
 class MixParts {
 public:
     MixParts(MaterialTable& table, ImportLog& log) : table_(table), log_(log) {}
 
-    /// The mix with the slots of its parts. Where nothing is mixed in, the other part is
-    /// everywhere. @throws Error when materials mix each other in a circle.
+    /// Returns the mix with the entries of its components. If one component is an interface, the
+    /// other is used everywhere. @throws Error  for cyclic mixes.
     Material complete(MixMaterial mix, const Statement& statement) {
         const Parameter& names = checked_parts(statement, 0);
         std::vector<std::string> there;
         for (const std::string& name : names.texts)
             if (!is_interface(name, names.where)) there.push_back(name);
         if (there.size() < 2)
-            log_.warn(statement.where,
-                      "a mix with nothing in it is not simulated: it is the other part everywhere");
+            log_.warn(
+                statement.where,
+                "a mix with \"interface\" is not simulated: the other material is used everywhere");
         if (there.empty()) return InterfaceMaterial{};
         for (std::size_t i = 0; i < 2; ++i) {
             mix.parts.at(i) = table_.slot_of(there.at(std::min(i, there.size() - 1)), names.where);
@@ -44,7 +45,7 @@ private:
         return type == "interface" || type == "none" || type.empty();
     }
 
-    /// The names of both parts. All mixes below are checked, each of them once.
+    /// Returns the names of both components. All mixes below are checked, each once.
     const Parameter& checked_parts(const Statement& statement, int depth) {
         const Parameter* names = statement.find("materials", ParameterType::text);
         if (!names || names->texts.size() != 2)
@@ -52,9 +53,9 @@ private:
                         "add \"string materials\" [ \"one\" \"another\" ]");
         if (depth >= kDeepestMix)
             throw Error(statement.where,
-                        "materials mix each other in a circle, or more than " +
+                        "mixes refer to each other in a cycle, or more than " +
                             std::to_string(kDeepestMix) + " deep",
-                        "break the circle, or mix fewer");
+                        "break the cycle, or mix fewer");
         for (const std::string& name : names->texts) {
             if (is_interface(name, names->where)) continue;
             const Statement& part = table_.named(name, names->where);

@@ -1,4 +1,4 @@
-// Materials of pbrt-v4 that are not simulated, as others of the same energy and colour.
+// Approximations of pbrt-v4's materials that are not simulated, with the same energy and colour.
 #pragma once
 
 #include "import/pbrt/assets.h"
@@ -7,11 +7,12 @@
 
 namespace sunfleck {
 
-/// Hair: what a fibre reflects and lets through, each spread evenly (material/fibre_albedo.h).
+/// Approximates hair by diffuse reflection and transmission of each fibre
+/// (material/fibre_albedo.h).
 Material hair_stand_in(const Statement& statement, Assets& assets);
-/// Skin, milk: diffuse under its surface, with the whole reflectance that it has in pbrt-v4.
+/// Approximates subsurface scattering by a coated diffuse material with pbrt-v4's total albedo.
 Material subsurface_stand_in(const Statement& statement, Assets& assets);
-/// Measured: a metal of about its roughness, or diffuse, with its mean reflectance.
+/// Approximates a measured material by a metal of similar roughness, or by a diffuse one.
 Material measured_stand_in(const Statement& statement, Assets& assets);
 
 }  // namespace sunfleck

@@ -1,4 +1,4 @@
-// Classes of textures by their words, with pbrt-v4's parameters and defaults.
+// Classes of textures, with pbrt-v4's parameters and defaults.
 #include "import/pbrt/texture_kinds.h"
 
 #include "import/pbrt/words.h"
@@ -9,7 +9,7 @@
 namespace sunfleck {
 namespace {
 
-/// What the makers of all classes need.
+/// Arguments of the functions of all classes.
 template <class T>
 struct Making {
     const TextureInput& input;
@@ -120,7 +120,8 @@ SpectrumTexture marble(const MakingSpectrum& m) {
 template <class T>
 T ptex(const Making<T>& m) {
     m.input.statement.ignore_all();
-    m.log.warn(m.input.statement.where, "textures of class \"ptex\" are not read: they are 0.5");
+    m.log.warn(m.input.statement.where,
+               "textures of class \"ptex\" are not read: the constant 0.5 is used");
     if constexpr (std::is_same_v<T, FloatTexture>)
         return 0.5F;
     else
@@ -145,8 +146,8 @@ constexpr std::array kBilerpParts = {own("v00", 0), own("v01", 1), own("v10", 0)
 
 struct Row {
     std::string_view word;
-    FloatTexture (*number)(const MakingNumber&);         // null: there is none
-    SpectrumTexture (*spectrum)(const MakingSpectrum&);  // likewise
+    FloatTexture (*number)(const MakingNumber&);         // null: no float texture of this class
+    SpectrumTexture (*spectrum)(const MakingSpectrum&);  // null: no spectrum texture
     std::span<const TexturePart> parts{};
 };
 

@@ -1,4 +1,4 @@
-// The table of named textures, each made when something asks for it.
+// The table of named textures, each converted at its first use.
 #include "import/pbrt/textures.h"
 
 #include "import/pbrt/version3.h"
@@ -12,7 +12,7 @@ namespace {
 constexpr int kDeepest = 100;
 constexpr double kMostLookups = 100'000;
 
-/// One name, as a texture parameter must have.
+/// Checks that a texture parameter has one name.
 const Parameter& checked(const Parameter& parameter) {
     if (parameter.texts.size() == 1) return parameter;
     throw Error(parameter.where,
@@ -49,7 +49,7 @@ TextureTable::Entry& TextureTable::entry_of(const std::string& kind, const Param
                 "make it by Texture before, or check the name");
 }
 
-/// Of parts that are not given, pbrt-v4's constants.
+/// Inputs that are not given have pbrt-v4's defaults.
 template <class T>
 TextureParts<T> TextureTable::parts_of(const Statement& statement, SpectrumUse use) {
     TextureParts<T> parts;
@@ -68,13 +68,13 @@ TextureParts<T> TextureTable::parts_of(const Statement& statement, SpectrumUse u
     return parts;
 }
 
-/// Notes how deep the tree below the texture is, and how deep that makes the one above.
+/// Converts a texture and records the depth of its tree.
 template <class T>
 T TextureTable::make(Entry& entry, SpectrumUse use) {
     const auto check = [&](int depth) {
         if (depth > kDeepest)
             throw Error(entry.statement.where, "textures are nested more than 100 deep",
-                        "use fewer of them");
+                        "use fewer levels");
     };
     check(++open_);
     const std::size_t limit_above = std::exchange(limit_, entry.order);
@@ -86,9 +86,8 @@ T TextureTable::make(Entry& entry, SpectrumUse use) {
     entry.tree = {below.depth + 1, below.lookups + 1};
     check(entry.tree.depth);
     if (entry.tree.lookups > kMostLookups)
-        throw Error(entry.statement.where,
-                    "a texture of more than 100000 others, each as often as it is asked for",
-                    "use fewer of them");
+        throw Error(entry.statement.where, "the tree of this texture has more than 100000 nodes",
+                    "use fewer textures");
     --open_;
     return texture;
 }

@@ -134,7 +134,7 @@ TEST(Materials, mixes_have_two_parts) {
     EXPECT_TRUE(
         contains(world_error("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" "
                              "[ \"m\" \"m\" ] NamedMaterial \"m\" Shape \"sphere\""),
-                 "circle"));
+                 "cycle"));
 }
 
 /// Looked at once each: as a tree these would be 2^30.
