@@ -12,13 +12,13 @@
 namespace sunfleck {
 namespace {
 
-/// What stands in the template for a part that is put in.
+/// A placeholder of the template, and its replacement.
 struct Part {
     std::string_view mark;
     std::string text;
 };
 
-/// JSON that may stand in a script element: no "<" in it.
+/// Escapes JSON for a script element: no "<" in it.
 std::string for_script(const std::string& json) {
     std::string text;
     for (const char c : json) {
@@ -66,7 +66,7 @@ bool has_series(const Comparison& comparison) {
     return false;
 }
 
-/// The template from its front to its end; what is put in is not looked at again.
+/// Replaces placeholders from front to end; replacements are not searched again.
 std::string filled(std::string_view page, std::span<const Part> parts) {
     std::string text;
     for (const Part& part : parts) {
@@ -118,7 +118,7 @@ std::string report_page(const Comparison& comparison) {
         Part{"<!-- style -->", "<style>\n" + std::string(kPageStyle) + "</style>"},
         Part{"<!-- numbers -->", for_script(comparison_json(comparison))},
         Part{"<!-- pixels -->", pixel_blocks(comparison)},
-        // The library only where there is something to draw.
+        // The chart library is included only if there is a chart.
         Part{"<!-- chart -->",
              with_chart ? "<script>" + std::string(kChartLibrary) + "</script>" : std::string()},
         Part{"<!-- script -->", "<script>\n" + std::string(kPageScript) + "</script>"},
