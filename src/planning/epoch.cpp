@@ -1,4 +1,4 @@
-// A pilot and trials over views like that of the epoch's first pass.
+// Learning of an epoch by a pilot and trials for visible points like those of its first pass.
 #include "planning/epoch.h"
 
 #include "core/stopwatch.h"

@@ -1,4 +1,4 @@
-// Walks from the visible points of each block of a view.
+// Importons from the visible points of each block of a trial.
 #include "planning/missing_light.h"
 
 #include "photon/importons.h"
@@ -10,11 +10,11 @@
 namespace sunfleck {
 namespace {
 
-constexpr int kBlocks = 16;                          // a side
-constexpr std::uint32_t kWalks = 512;                // of a block
-constexpr std::uint32_t kNoEpoch = (1U << 20U) - 1;  // no render comes so far
+constexpr int kBlocks = 16;                          // per axis
+constexpr std::uint32_t kWalks = 512;                // per block
+constexpr std::uint32_t kNoEpoch = (1U << 20U) - 1;  // beyond any render
 
-/// Block i of so many along an axis.
+/// Returns the boundary i of blocks along an axis.
 int edge(int begin, int end, int i) {
     return begin + static_cast<int>((std::int64_t{end} - begin) * i / kBlocks);
 }

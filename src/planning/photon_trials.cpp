@@ -1,4 +1,4 @@
-// Both views' points in one index: photons meet them as those of one pass.
+// The visible points of both trials in one index, so that photons are gathered as in one pass.
 #include "planning/photon_trials.h"
 
 #include "camera_paths/trace_camera_paths.h"
@@ -11,7 +11,7 @@
 namespace sunfleck {
 namespace {
 
-/// The first view's points, and the second's as pixels behind those of the first.
+/// Returns an index of the first trial's points, and the second's with pixel numbers behind those.
 VisiblePointIndex both(const CameraTrial& seen, VisiblePointLists others, std::size_t pixels,
                        int max_depth) {
     const std::span<const VisiblePoint> points = seen.index.points();

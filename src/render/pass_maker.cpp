@@ -1,4 +1,4 @@
-// Passes one after the other.
+// Passes in order.
 #include "render/pass_maker.h"
 
 #include "core/parallel.h"
@@ -16,7 +16,7 @@ PassMaker::PassMaker(const RenderJob& job, RenderState& state, PassHooks hooks)
     paper_.emplace(job.scene, job.settings, *state.paper);
 }
 
-/// @return false if it was cut short.
+/// @return false if it was cancelled.
 bool PassMaker::learn(std::uint32_t number) {
     if (epoch_ && epoch_->number == epoch_of(number)) return true;
     const bool is_told = hooks_.learning && needs_learning(job_.scene, job_.settings);

@@ -18,14 +18,14 @@ RenderResult begin_of(const RenderJob& job, std::optional<RenderState> earlier) 
     return {std::move(state), false, false};
 }
 
-/// The job with the sampler that needs no learning.
+/// Returns the job with the sampler that needs no learning.
 RenderJob unlearned(const RenderJob& job) {
     RenderJob plain = job;
     plain.settings.photon.sampler = PhotonSampler::uniform;
     return plain;
 }
 
-/// An interval is a pass, and goes into the film at once.
+/// Renders with one rank: an interval is a pass, and enters the film at once.
 RenderResult render_alone(const RenderJob& job, const RenderHooks& hooks, RenderResult result) {
     RenderScheduler scheduler(job, hooks, result, 1);
     const PassHooks asked{[&](bool begins) { scheduler.report_learning(begins); },
@@ -53,7 +53,7 @@ RenderResult render_alone(const RenderJob& job, const RenderHooks& hooks, Render
     return result;
 }
 
-/// Rank 0 chooses each interval and keeps the film.
+/// Renders with several ranks: rank 0 chooses each interval and has the film.
 RenderResult render_among(const Ranks& ranks, const RenderJob& job, const RenderHooks& hooks,
                           RenderResult result) {
     const WorkClock clock;
@@ -73,7 +73,7 @@ RenderResult render_among(const Ranks& ranks, const RenderJob& job, const Render
         if (interval[0].size() == 0) break;
         bool over = false;
         const auto take = [&](const PassRange& part, const Film& film, double radius_factor) {
-            if (over) return;  // one machine would not have rendered it
+            if (over) return;  // a single machine would not have rendered it
             merge(result.film, film);
             result.radius_factor = radius_factor;
             over = scheduler.reached_target(part.end);
