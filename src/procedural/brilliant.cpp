@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::uint32_t kFold = 8;
 
-/// Appends `count` corners at one radius and height, the first `turn` full turns from the x axis.
+/// Appends `count` corners at one radius and height, the first at `turn` revolutions from the x
+/// axis.
 std::uint32_t add_ring(Mesh& mesh, std::uint32_t count, double turn, double radius, double height) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Placements, and meshes carried by them.
+// Placements, and their application to meshes.
 
 #include "procedural/placement.h"
 
