@@ -14,8 +14,10 @@ from pathlib import Path
 LINE_CEILING = 300
 SUFFIXES = {".h", ".cpp"}
 TABLES = {".inc"}
-PRODUCT = ("src", "apps")
-OTHERS = ("tests", "bench", "tools")
+PRODUCT = ("include", "src", "apps", "python")
+OTHERS = ("tests", "bench", "tools", "examples")
+# Tests of the library and of its public headers stand together.
+PUBLIC = {"tests/library": "include/sunfleck"}
 # Tests of whole pictures: named after what they show, not after a file.
 UNMIRRORED = {"tests/render"}
 # What would make a picture depend on the machine, the day or the schedule, or hide a fault.
@@ -68,7 +70,9 @@ def check(root):
             continue
         module = root / "src" / test.parent.relative_to(root / "tests")
         subject = test.name.removesuffix("_test.cpp").removesuffix("_slow")
-        if module.is_dir() and not any((module / (subject + s)).exists() for s in SUFFIXES):
+        public = root / PUBLIC.get(str(test.parent.relative_to(root)), "none")
+        subjects = [place / (subject + s) for place in (module, public) for s in SUFFIXES]
+        if module.is_dir() and not any(file.exists() for file in subjects):
             faults.append(f"{test.relative_to(root)}: tests nothing that src/ has by that name")
     return faults
 

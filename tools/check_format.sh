@@ -11,7 +11,7 @@ if [[ -z $format ]]; then
 fi
 
 folders=()
-for folder in src apps tests bench tools; do
+for folder in include src apps python examples tests bench tools; do
     if [[ -d $folder ]]; then folders+=("$folder"); fi
 done
 find "${folders[@]}" -name '*.h' -o -name '*.cpp' | sort | xargs "$format" --dry-run --Werror

@@ -31,7 +31,7 @@ BANNED = [(re.compile(pattern, re.IGNORECASE), why) for pattern, why in (
 ALLOWED = {("LICENSE", "registry")}
 # These say what the old names were.
 HISTORY = ("CHANGELOG.md", "docs/develop/glossary.md", "docs/reference/old_names.md",
-           "apps/cli/renamed_flags.h", "tests/app/renamed_flags_test.cpp",
+           "src/flags/renamed_flags.h", "tests/app/renamed_flags_test.cpp",
            "tools/words_gone.txt", "tools/check_words_test.py")
 
 

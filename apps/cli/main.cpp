@@ -8,7 +8,6 @@
 #include "apps/cli/together.h"
 #include "apps/mpi/job.h"
 #include "core/kept_memory.h"
-#include "core/machine_fault.h"
 #include "image/atomic_file.h"
 
 #include <unistd.h>
@@ -17,21 +16,19 @@
 #include <exception>
 #include <string_view>
 
+namespace sunfleck::engine {
 namespace {
 
-using sunfleck::Ranks;
-
 int run(int count, char** words, const Ranks& ranks) {
-    const auto options =
-        sunfleck::together(ranks, [&] { return sunfleck::read_options(count, words); });
+    const auto options = together(ranks, [&] { return read_options(count, words); });
     if (!options) return 0;
-    if (options->render) return sunfleck::run_render(*options->render, ranks);
-    if (options->info) return sunfleck::run_info(*options->info);
-    if (options->scene) return sunfleck::run_scene(*options->scene);
-    if (options->merge) return sunfleck::run_merge(*options->merge);
-    if (options->relight) return sunfleck::run_relight(*options->relight);
-    if (options->experiment) return sunfleck::run_experiment(*options->experiment);
-    return sunfleck::run_compare(*options->compare);
+    if (options->render) return run_render(*options->render, ranks);
+    if (options->info) return run_info(*options->info);
+    if (options->scene) return run_scene(*options->scene);
+    if (options->merge) return run_merge(*options->merge);
+    if (options->relight) return run_relight(*options->relight);
+    if (options->experiment) return run_experiment(*options->experiment);
+    return run_compare(*options->compare);
 }
 
 /// Ends the program in place of abort(): an exception that nobody can catch, as of a thread of a
@@ -44,14 +41,14 @@ int run(int count, char** words, const Ranks& ranks) {
     } catch (const std::exception& error) {
         what = error.what();
     }
-    sunfleck::say(std::string("sunfleck: ") + what);
-    sunfleck::remove_own_temporaries();
+    say(std::string("sunfleck: ") + what);
+    remove_own_temporaries();
     _exit(1);
 }
 
 /// Leaves no temporary file, and ends by the signal as ever.
 void end_by_signal(int signal) {
-    sunfleck::remove_own_temporaries();
+    remove_own_temporaries();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
@@ -66,32 +63,35 @@ void set_ends(bool is_render) {
 }
 
 /// @return code, where it returns.
-int fail(const sunfleck::Job& job, int code, const std::string& line) {
-    sunfleck::say(line);
+int fail(const Job& job, int code, const std::string& line) {
+    say(line);
     job.abort(code);
     return code;
 }
 
-}  // namespace
-
-int main(int count, char** words) {
-    sunfleck::keep_streams();
+int run_program(int count, char** words) {
+    keep_streams();
     const bool is_render = count > 1 && std::string_view(words[1]) == "render";
     set_ends(is_render);
-    sunfleck::keep_freed_memory();
-    const sunfleck::Job job(is_render);
+    keep_freed_memory();
+    const Job job(is_render);
     try {
         int code = 0;
-        sunfleck::print_all([&] { code = run(count, words, job.ranks()); });
+        print_all([&] { code = run(count, words, job.ranks()); });
         return code;
-    } catch (const sunfleck::FaultOfAll& fault) {
-        if (job.ranks().is_first()) sunfleck::say(fault.what());
+    } catch (const FaultOfAll& fault) {
+        if (job.ranks().is_first()) say(fault.what());
         return fault.code();
-    } catch (const sunfleck::MachineFault& fault) {
-        return fail(job, 1, fault.what());
-    } catch (const sunfleck::Error& error) {
-        return fail(job, 2, error.what());
+    } catch (const Error& error) {
+        return fail(job, error.code() == ErrorCode::machine ? 1 : 2, error.what());
     } catch (const std::exception& error) {
         return fail(job, 1, std::string("sunfleck: ") + error.what());
     }
+}
+
+}  // namespace
+}  // namespace sunfleck::engine
+
+int main(int count, char** words) {
+    return sunfleck::engine::run_program(count, words);
 }

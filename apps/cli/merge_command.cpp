@@ -1,16 +1,16 @@
 // `sunfleck merge`: pass ranges of one render, added up exactly.
 #include "apps/cli/commands.h"
-#include "apps/cli/darkness.h"
-#include "apps/cli/image_stats.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
-#include "apps/cli/stats.h"
-#include "core/error.h"
 #include "core/thread_trial.h"
 #include "film/film_file.h"
 #include "image/atomic_file.h"
+#include "stats/darkness.h"
+#include "stats/image_stats.h"
+#include "stats/stats.h"
+#include "sunfleck/error.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 int run_merge(const MergeOptions& options) {
     try_threads();
@@ -46,4 +46,4 @@ int run_merge(const MergeOptions& options) {
     return 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

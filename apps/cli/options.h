@@ -1,17 +1,15 @@
 // What the commands are asked to do: every flag has its place here.
 #pragma once
 
-#include "apps/cli/light_groups.h"
 #include "experiment/cell.h"
 #include "film/relight.h"
-#include "stages/settings.h"
+#include "flags/render_request.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is said on standard error beside errors.
 enum class LogLevel {
@@ -23,15 +21,7 @@ enum class LogLevel {
 struct RenderOptions {
     std::string scene;
     std::vector<std::string> outputs;
-    RenderSettings settings;
-    StopSettings stop;
-    bool ends_by_default = false;  // the command says nothing of an end
-    std::vector<AskedLightGroup> light_groups;
-    std::optional<int> max_depth;  // wins over the scene's
-    std::optional<Vec2i> resolution;
-    std::optional<std::array<int, 4>> crop;            // in pixels
-    std::optional<std::array<double, 4>> crop_window;  // as fractions of the picture
-    std::string isa = "avx2";
+    RenderRequest request;
     std::string stats;      // file, or empty
     std::string snapshots;  // folder, or empty
     std::size_t threads = 0;
@@ -39,7 +29,6 @@ struct RenderOptions {
     std::string checkpoint;                     // file to write, or empty
     double checkpoint_seconds = 60;             // at least so many between two
     std::string resume;                         // file to go on from, or empty
-    double exposure = 0;                        // stops, PNG alone
     LogLevel log = LogLevel::info;
     std::string command;  // as typed, for the record
 };
@@ -94,4 +83,4 @@ struct Options {
     std::optional<CompareOptions> compare;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,14 +1,11 @@
 // `sunfleck render`: scene in, pictures out.
 #include "apps/cli/commands.h"
-#include "apps/cli/darkness.h"
-#include "apps/cli/image_stats.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/render_answers.h"
 #include "apps/cli/render_setup.h"
 #include "apps/cli/snapshots.h"
-#include "apps/cli/stats.h"
 #include "apps/cli/together.h"
 #include "core/parallel.h"
 #include "core/processor.h"
@@ -18,6 +15,9 @@
 #include "planning/missing_light.h"
 #include "ranks/shared_interval.h"
 #include "render/progressive.h"
+#include "stats/darkness.h"
+#include "stats/image_stats.h"
+#include "stats/stats.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,7 +25,7 @@
 #include <optional>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void print_lines(const std::vector<std::string>& lines, LogLevel log) {
@@ -40,8 +40,8 @@ const char* const kNoAvx2 =
 std::vector<std::string> warnings_of(const RenderOptions& options, const Scene& scene) {
     std::vector<std::string> lines;
     for (const auto& entry : scene.warnings().entries()) lines.push_back(entry.line());
-    if (options.isa == "avx2" && !cpu_has_avx2()) lines.emplace_back(kNoAvx2);
-    if (options.settings.photon.sampler == PhotonSampler::paper)
+    if (options.request.isa == "avx2" && !cpu_has_avx2()) lines.emplace_back(kNoAvx2);
+    if (options.request.settings.photon.sampler == PhotonSampler::paper)
         lines.emplace_back(
             "sampler paper: its counts are pooled while the view and the radii change, so the "
             "picture is biased until it has converged, and has no error bars; adaptive is not");
@@ -52,10 +52,10 @@ std::vector<std::string> warnings_of(const RenderOptions& options, const Scene& 
 std::vector<std::string> notes_of(const RenderSetup& setup) {
     const RenderOptions& options = setup.options;
     std::vector<std::string> lines;
-    if (!options.max_depth && !setup.scene.hints().max_depth)
+    if (!options.request.max_depth && !setup.scene.hints().max_depth)
         lines.push_back(fmt::format("maximum depth not given; using {} (--max-depth)",
                                     setup.job.settings.transport.max_depth));
-    if (options.ends_by_default)
+    if (options.request.ends_by_default)
         lines.push_back(setup.job.stop.target_error
                             ? "no limit given; ending at an error of 2% or after 10 minutes "
                               "(--target-error, --time)"
@@ -117,7 +117,7 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, KeptFiles& ke
 
 /// What is to be said of a picture that is written.
 std::vector<std::string> doubts_of(const RenderSetup& setup, const RenderResult& result) {
-    const StopSettings& stop = setup.options.stop;
+    const StopSettings& stop = setup.options.request.stop;
     std::vector<std::string> doubts =
         extrapolation_warnings(result.film, stop.error_terms.extrapolated);
     const auto add = [&](const std::vector<std::string>& lines) {
@@ -146,7 +146,7 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
     std::vector<std::string> written;
     InterruptGuard::finish_first([&] {
         written = write_outputs(setup.outputs, result.film,
-                                {options.exposure, facts.error_terms.extrapolated}, faults);
+                                {options.request.exposure, facts.error_terms.extrapolated}, faults);
     });
     line.reset();
     const std::vector<std::string> doubts = doubts_of(setup, result);
@@ -158,8 +158,9 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
         InterruptGuard::finish_first(
             [&] { faults.attempt([&] { write_file(options.stats, json); }); });
     }
-    const std::string state = state_text(result.film.pass_count(), result.total_seconds,
-                                         target_error(result.film, options.stop.error_terms));
+    const std::string state =
+        state_text(result.film.pass_count(), result.total_seconds,
+                   target_error(result.film, options.request.stop.error_terms));
     for (std::string& file : written) file += ": " + state;
     if (options.log == LogLevel::info) print_lines(written, options.log);
     faults.finish();
@@ -167,7 +168,7 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
 
 /// A rank that writes nothing.
 int help_render(const RenderSetup& setup, const Ranks& ranks, LogLevel log) {
-    if (setup.options.isa == "avx2" && !cpu_has_avx2())
+    if (setup.options.request.isa == "avx2" && !cpu_has_avx2())
         print_lines({fmt::format("rank {}: {}", ranks.rank, kNoAvx2)}, log);
     RenderHooks hooks;
     hooks.interrupted = &InterruptGuard::interrupted();
@@ -198,9 +199,10 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     const auto claims =
         together(ranks, [&] { return std::make_unique<OutputClaims>(written_files(*setup)); });
     if (!ranks.is_first()) return help_render(*setup, ranks, asked.log);
-    RunFacts facts{options.scene, options.command, options.isa, thread_count(), 0, 0, 0, {}, 1, {}};
+    RunFacts facts{
+        options.scene, options.command, options.request.isa, thread_count(), 0, 0, 0, {}, 1, {}};
     facts.ranks = ranks.size;
-    facts.error_terms = options.stop.error_terms;
+    facts.error_terms = options.request.stop.error_terms;
     facts.warnings = warnings_of(options, setup->scene);
     print_lines(facts.warnings, options.log);
     if (options.log == LogLevel::info) print_lines(notes_of(*setup), options.log);
@@ -217,4 +219,4 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     return result.interrupted ? 130 : 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

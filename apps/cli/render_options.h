@@ -1,51 +1,19 @@
-// The flags of `sunfleck render`.
+// The flags of `sunfleck render`: those of renders, and its own for files, threads and messages.
 #pragma once
 
-#include "apps/cli/adaptive_options.h"
-#include "apps/cli/error_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/paper_options.h"
-
-#include <optional>
-#include <string>
-#include <vector>
+#include "flags/render_flags.h"
 
 namespace CLI {
 class App;
 }
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
-/// Flags whose text needs a reader of its own.
-struct RenderTexts {
-    std::string time;
-    std::string cpu_time;
-    std::string memory_limit;
-    std::string every;
-    std::string target_error;
-    std::string resolution;
-    std::string crop;
-    std::string crop_window;
-    std::string pass_range;
-    std::string aovs;
-    std::vector<std::string> light_groups;
-    std::string sampler = "adaptive";
-    AdaptiveTexts adaptive;
-    PaperTexts paper;
-    ErrorTexts error;
-    std::string direct = "sampled";
-    std::string ris = "auto";
-    std::string energy_compensation = "off";
-    std::string integrator = "sppm";
-    std::string seed;
-    std::string log_level;
-    bool quiet = false;
-    std::optional<std::uint32_t> passes;
-};
-
-void add_render_flags(CLI::App& app, RenderOptions& options, RenderTexts& texts);
+/// @param flags  takes the flags of renders.
+void add_render_flags(CLI::App& app, RenderOptions& options, RenderFlags& flags);
 
 /// To be called when all flags have been read. @throws Error naming a flag that cannot be used.
-void finish_render(const CLI::App& given, const RenderTexts& texts, RenderOptions& options);
+void finish_render(const CLI::App& given, const RenderFlags& flags, RenderOptions& options);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

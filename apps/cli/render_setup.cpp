@@ -9,14 +9,14 @@
 #include "image/read_file.h"
 #include "import/load.h"
 #include "render/memory_estimate.h"
-#include "scene/adjust.h"
+#include "render/progressive.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The scene's own film name, as a picture that we write, where no -o is given.
@@ -40,16 +40,6 @@ std::uint64_t joined(const std::vector<SceneFileHash>& files) {
     std::uint64_t hash = hash_text("");
     for (const SceneFileHash& file : files) hash = hash_joined(hash, file.hash);
     return hash;
-}
-
-RenderSettings settings_of(const RenderOptions& options, const RenderHints& hints) {
-    RenderSettings settings = options.settings;
-    if (options.max_depth) {
-        settings.transport.max_depth = *options.max_depth;
-    } else if (hints.max_depth) {
-        settings.transport.max_depth = *hints.max_depth;
-    }
-    return settings;
 }
 
 /// @param read  files of the scene.
@@ -76,24 +66,13 @@ void check_memory(const RenderJob& job, const std::optional<std::uint64_t>& limi
         "render fewer pixels (--resolution, --crop), or raise --memory-limit");
 }
 
-void adjust(SceneDescription& description, const RenderOptions& options) {
-    if (options.resolution) set_resolution(description, *options.resolution);
-    if (options.settings.energy_compensation) compensate_energy(description);
-    if (options.crop) set_crop(description, *options.crop, "--crop");
-    if (options.crop_window)
-        set_crop(description, pixels_of_window(*options.crop_window, description.film.resolution),
-                 "--cropwindow");
-}
-
 }  // namespace
 
 RenderSetup::RenderSetup(const RenderOptions& from, SceneDescription description)
     : options(from),
-      origin{SUNFLECK_VERSION, from.isa, hashes_of(description)},
-      scene(std::move(description), from.isa),
-      job{scene, settings_of(from, scene.hints()), from.stop, joined(origin.files)} {
-    job.settings.transport.light_groups = light_groups_of(scene, from.light_groups);
-}
+      origin{SUNFLECK_VERSION, from.request.isa, hashes_of(description)},
+      scene(std::move(description), from.request.isa),
+      job{scene, settings_for(scene, from.request), from.request.stop, joined(origin.files)} {}
 
 RenderOptions options_of(const RenderOptions& options, const Ranks& ranks) {
     RenderOptions mine = options;
@@ -114,7 +93,7 @@ std::vector<std::string> written_files(const RenderSetup& setup) {
 }
 
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks) {
-    check_shareable(options.settings, ranks);
+    check_shareable(options.request.settings, ranks);
     if (options.scene == "-" && !ranks.is_alone())
         throw Error({"-"}, "standard input is that of one rank alone",
                     "write the scene to a file that all ranks can read");
@@ -122,7 +101,7 @@ std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& 
     check_apart(files_of(options, {options.scene}, options.outputs));
     std::optional<Checkpoint> checkpoint = open_checkpoints(options);
     SceneDescription description = load_scene(options.scene);
-    adjust(description, options);
+    adjust_scene(description, options.request);
     std::vector<std::string> outputs;
     if (ranks.is_first()) outputs = outputs_of(options, description);
     if (options.outputs.empty()) check_outputs(outputs, {});
@@ -138,4 +117,4 @@ std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& 
     return setup;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

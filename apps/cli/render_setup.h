@@ -3,11 +3,12 @@
 
 #include "apps/cli/checkpoints.h"
 #include "apps/cli/options.h"
+#include "ranks/ranks.h"
 #include "render/render_job.h"
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A render that can begin.
 struct RenderSetup {
@@ -31,4 +32,4 @@ std::vector<std::string> written_files(const RenderSetup& setup);
 /// @throws Error for whatever cannot be used.
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 
 #include "ranks/ranks.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The process belongs to the job while this lives; its end waits for all others. One per process.
 class Job {
@@ -26,4 +26,4 @@ private:
     Ranks ranks_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

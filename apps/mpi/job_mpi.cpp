@@ -11,7 +11,7 @@
 #include <chrono>
 #include <thread>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kReady = 1;  // message tags
@@ -70,4 +70,4 @@ void Job::abort(int code) const {
     if (!ranks_.is_alone()) MPI_Abort(MPI_COMM_WORLD, code);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The measured AOVs; the total always is one.
 using AovSet = std::array<bool, kAovCount>;
@@ -156,4 +156,4 @@ private:
     std::vector<std::atomic<std::uint64_t>> counts_ = std::vector<std::atomic<std::uint64_t>>(2);
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

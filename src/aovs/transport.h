@@ -3,7 +3,7 @@
 
 #include "aovs/light_groups.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Which estimator computes direct light at surfaces that gather.
 enum class DirectLight {
@@ -19,4 +19,4 @@ struct TransportSettings {
     LightGroups light_groups{};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Transmission and internal reflection of a coat, by quadrature.
 #include "bsdf/coat.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kFacets = 24;  // per axis, of the facets visible from a direction
@@ -84,4 +84,4 @@ float Coat::returned_rough(float cosine) const {
            });
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <array>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Coat {
 public:
@@ -62,4 +62,4 @@ private:
     float returning_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

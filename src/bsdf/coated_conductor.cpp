@@ -1,7 +1,7 @@
 // Evaluation of the metal's lobe through the coat, and sampling of both lobes.
 #include "bsdf/coated_conductor.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns facets with the slope variance of the metal plus two crossings of the coat's boundary.
@@ -129,4 +129,4 @@ std::optional<BsdfSample> CoatedConductor::sample(const Vec3& wo, const BsdfDraw
     return BsdfSample{eval(wo, *wi, draw.transport) * (std::abs(wi->z) / density), *wi, density};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

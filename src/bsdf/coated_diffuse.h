@@ -10,7 +10,7 @@
 #include "bsdf/coat_reflection.h"
 #include "bsdf/lambert.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The diffuse lobe of a coated base, without the coat's own reflection; the same on both sides.
 struct CoatedBase {
@@ -97,4 +97,4 @@ private:
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

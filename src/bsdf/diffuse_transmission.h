@@ -6,7 +6,7 @@
 
 #include "bsdf/lambert.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct DiffuseTransmission {
     SampledSpectrum reflectance;    // per wavelength; the sum with the transmittance is at most one
@@ -47,4 +47,4 @@ private:
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 // Visible facets are sampled by a Fibonacci lattice, because no ring of facets, such as one at the
@@ -123,4 +123,4 @@ void FacetLosses::take_means(Slice& slice) const {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <optional>
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The first segment of a camera path, in double for scenes far from the origin.
 struct CameraRay {
@@ -76,4 +76,4 @@ PerspectiveCamera make_perspective(const Matrix& camera_to_world, const Vec2i& r
 /// Changes the resolution. The screen keeps its centre and its shorter axis.
 void set_resolution(Camera& camera, const Vec2i& resolution);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Equivalent film points by the symmetries of each spherical map on the unit square.
 #include "camera/film_images.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The azimuth has a period of one; beyond a pole it is shifted by one half.
@@ -41,4 +41,4 @@ FilmPoints film_images(const Camera& camera, const Vec2d& film) {
     return images;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

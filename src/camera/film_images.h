@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A film point and its equivalents.
 class FilmPoints {
@@ -26,4 +26,4 @@ private:
 /// @param film  in pixels; for a spherical camera it lies on the film.
 FilmPoints film_images(const Camera& camera, const Vec2d& film);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Pixels [x0, x1) x [y0, y1) of the film in row-major order: pixel i of a pass.
 struct PixelWindow {
@@ -54,4 +54,4 @@ struct PixelCells {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Sight {
     Vec2d film;    // in pixels from the top left corner as in camera_ray(); may be outside the film
@@ -29,4 +29,4 @@ private:
     double volume_ = 1;  // of the unit cube of camera space, in the world
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

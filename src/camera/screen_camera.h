@@ -3,7 +3,7 @@
 
 #include "math/vector.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The camera frame is left-handed: it looks along +z, x points right, y up.
 struct ScreenCamera {
@@ -17,4 +17,4 @@ struct ScreenCamera {
     double focal_distance = 1e6;  // z of the plane in focus, in camera space
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

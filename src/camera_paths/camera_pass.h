@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Pixel i has 2^log2_samples[i] camera paths of equal weight; one path if the list is empty.
 using Log2Samples = std::vector<std::uint8_t>;
@@ -24,10 +24,10 @@ struct CameraPass {
     double radius_factor = 1;  // gather radius of this pass over that of pass 0
     /// Initial gather radius for direct and caustic photons, in pixel footprints.
     float first_radius =
-        static_cast<float>(sunfleck::first_radius(settings, scene.scene.film().resolution));
+        static_cast<float>(sunfleck::engine::first_radius(settings, scene.scene.film().resolution));
     /// Radius scale: gather radius for indirect photons over that for the others.
     float indirect_radius_scale = static_cast<float>(
-        sunfleck::indirect_radius_scale(settings, scene.scene.film().resolution));
+        sunfleck::engine::indirect_radius_scale(settings, scene.scene.film().resolution));
     std::span<const std::uint8_t> log2_samples = {};  // Log2Samples
     /// The rays of each pixel's paths are added here, unless it is empty.
     std::span<std::uint64_t> rays = {};
@@ -35,4 +35,4 @@ struct CameraPass {
     int cells = 1;  // if above 1, only the chosen pixels of PixelCells with this side have paths
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class CameraPath {
 public:
@@ -88,4 +88,4 @@ private:
     LightParts parts_;       // parts of the light that is added next
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

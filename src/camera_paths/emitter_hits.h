@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Radiance of an emitter along a ray, with the density of the other strategy for MIS.
 struct EmitterMet {
@@ -35,4 +35,4 @@ EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* fro
 EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction,
                           LightParts* parts = nullptr);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

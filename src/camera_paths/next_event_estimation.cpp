@@ -6,7 +6,7 @@
 #include <bit>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns the density of a direction under RIS candidates, for MIS weights. Infinite lights
@@ -179,4 +179,4 @@ SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& ve
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct CameraPathSettings {
     std::optional<double> radius_pixels{};    // initial radius over the pixel footprint at the
@@ -47,4 +47,4 @@ inline double indirect_radius_scale(const CameraPathSettings& settings, const Ve
                                                       : 2 * reach / first_radius({}, resolution));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

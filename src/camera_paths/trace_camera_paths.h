@@ -11,10 +11,10 @@
 #include "camera_paths/camera_pass.h"
 #include "visible_points/visible_point.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Traces all camera paths. The concatenated lists of visible points are in pixel order.
 VisiblePointLists trace_camera_paths(const CameraPass& pass, PassImage& image,
                                      Statistics& statistics);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,12 +1,12 @@
 // Reads pictures, checks that they are comparable, and measures them.
 #include "compare/comparison.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <filesystem>
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,4 +103,4 @@ Comparison compare(const CompareInput& reference, const std::vector<CompareInput
     return comparison;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

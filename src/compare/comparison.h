@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// An input of the user: a picture, or a folder with a series (series.h).
 struct CompareInput {
@@ -50,4 +50,4 @@ std::string comparison_table(const Comparison& comparison);
 /// values are null.
 std::string comparison_json(const Comparison& comparison);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace sunfleck::flip {
+namespace sunfleck::engine::flip {
 
 /// One number per pixel.
 struct Plane {
@@ -46,4 +46,4 @@ struct FeatureKernels {
 };
 FeatureKernels feature_kernels(float pixels_per_degree);
 
-}  // namespace sunfleck::flip
+}  // namespace sunfleck::engine::flip

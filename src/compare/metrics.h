@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Missing values are NaN. Means are over pixels that are finite in both pictures, and over R, G
 /// and B.
@@ -53,4 +53,4 @@ inline constexpr double kEpsilon = 0.01;
 /// slowest.
 Measured measure(const RgbImage& reference, const RgbImage& test, bool with_hdr = true);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

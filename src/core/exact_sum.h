@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A fixed-point number: value = high + low / 2^64.
 struct FixedPoint {
@@ -99,4 +99,4 @@ private:
     std::atomic<std::uint64_t> low_{0};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

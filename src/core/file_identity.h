@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Device and inode of a file; for a file that does not exist yet, those of its folder, and its
 /// name.
@@ -25,4 +25,4 @@ std::optional<FileIdentity> identity_of(const std::string& path);
 /// @throws Error  for a cycle of links, and for a link to a file that has no name any more.
 std::string link_target(const std::string& path);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Allocator that requests huge pages for arrays of at least one; smaller arrays are ordinary.
 template <class T>
@@ -53,4 +53,4 @@ private:
 template <class T>
 using HugeVector = std::vector<T, HugePages<T>>;
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,13 @@
 // Input files: read whole into memory, or opened as a stream.
 #pragma once
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <cstdint>
 #include <fstream>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Error for a file that does not exist under exactly that name.
 class MissingFile : public Error {
@@ -47,4 +47,4 @@ std::string read_input_file(const std::string& path, const SourceLocation& from)
 /// @throws Error  if the text exceeds free memory.
 std::string read_standard_input(const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

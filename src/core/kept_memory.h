@@ -11,7 +11,7 @@
 #include <malloc.h>
 #endif
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns no memory to the system from now on until the program ends. It is called when the
 /// program starts. Without glibc it does nothing.
@@ -24,4 +24,4 @@ inline void keep_freed_memory() {
 #endif
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns the resident memory of this process in bytes; zero where the system does not tell.
 std::uint64_t memory_in_use();
@@ -28,4 +28,4 @@ std::uint64_t free_memory();
 /// Formats bytes with a unit: "1.5 GiB", "230 MiB".
 std::string memory_text(std::uint64_t bytes);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

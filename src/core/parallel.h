@@ -9,7 +9,7 @@
 #include <functional>
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Limits later work to `count` threads while it lives, even where there are fewer cores. 0 means
 /// as many threads as cores. The main thread creates it, outside of loops. Nested limits end in
@@ -51,4 +51,4 @@ void parallel_blocks(std::size_t count, std::size_t block,
 /// incomplete.
 bool run_unless(const std::function<bool()>& is_over, const std::function<void()>& task);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns the text of the file, not parsed.
 /// @throws Error  for a missing file, and for one whose first bytes show another type.
@@ -16,4 +16,4 @@ inline std::string read_statistics_file(const std::string& path) {
     return text;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

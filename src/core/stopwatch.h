@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Stopwatch {
 public:
@@ -61,4 +61,4 @@ private:
     double aside_cpu_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Threads that wait until this object is destroyed.
@@ -69,4 +69,4 @@ void try_threads() {
     parallel_for(2, [](std::size_t) {});
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

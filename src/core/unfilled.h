@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Allocator that leaves elements without a given value uninitialised.
 template <class T>
@@ -25,4 +25,4 @@ struct Unfilled : std::allocator<T> {
 template <class T>
 using UnfilledVector = std::vector<T, Unfilled<T>>;
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

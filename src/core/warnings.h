@@ -1,13 +1,13 @@
 // Warnings: features of a scene that are not supported as asked, each reported once.
 #pragma once
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A list in order of first appearance. A repeated text increases a count. Not thread-safe.
 class Warnings {
@@ -39,4 +39,4 @@ private:
     std::vector<Entry> entries_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

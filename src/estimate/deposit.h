@@ -11,7 +11,7 @@
 #include "visible_points/photon_chunk.h"
 #include "visible_points/visible_point_index.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Depositor {
 public:
@@ -36,4 +36,4 @@ private:
     PhotonCounts* counts_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include "visible_points/photon_chunk.h"
 #include "visible_points/visible_point.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns f at the visible point from the photon's side towards the camera, without the part that
 /// the throughput already contains.
@@ -57,4 +57,4 @@ inline Aov owner_of(const VisiblePoint& point, PhotonKind kind) {
     return kind == PhotonKind::direct ? Aov::direct : Aov::caustic;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <mutex>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One lock per stripe of the image's pixels.
 class PixelLocks {
@@ -82,4 +82,4 @@ private:
     std::vector<std::uint32_t> order_;  // indices of terms, by stripe
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

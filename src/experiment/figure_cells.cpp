@@ -1,11 +1,11 @@
-// References first, then the figure's own cells.
+// References first, then the cells of the figure.
 #include "experiment/figure_cells.h"
 
 #include "experiment/methods.h"
 
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::vector<Cell> cells_of(const Figure& figure, const RunSettings& settings) {
     std::vector<Cell> cells;
@@ -23,4 +23,4 @@ std::vector<Cell> cells_of(const std::vector<Figure>& figures, const RunSettings
     return cells;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,11 +1,11 @@
-// A figure whose cells are rendered, with what the page shows of it.
+// A figure whose cells are rendered, with its parts of the page.
 #pragma once
 
 #include "experiment/figure.h"
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct FinishedFigure {
     const Figure* figure = nullptr;
@@ -13,4 +13,4 @@ struct FinishedFigure {
     std::string html;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

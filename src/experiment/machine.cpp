@@ -1,4 +1,4 @@
-// Linux tells the processor's name in /proc/cpuinfo.
+// The processor's name from Linux's /proc/cpuinfo.
 #include "experiment/machine.h"
 
 #include "core/parallel.h"
@@ -7,7 +7,7 @@
 
 #include <fstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::string machine_text() {
     std::ifstream file("/proc/cpuinfo");
@@ -20,4 +20,4 @@ std::string machine_text() {
     return fmt::format("{}, {} threads.", name, thread_count());
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

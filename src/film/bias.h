@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns RGB to subtract from the mean of each pixel. Empty if disc_areas() has nothing.
 std::vector<std::array<double, 3>> pixel_biases(const Film& film);
@@ -49,4 +49,4 @@ std::vector<double> extrapolated_pixel_errors(const Film& film);
 /// Returns standard errors of the corrected luminance of each block, without that lower bound.
 std::vector<double> extrapolated_block_errors(const Film& film);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Complete batches needed for a slope; with fewer, its standard error is itself too uncertain.
 inline constexpr std::uint64_t kBiasBatches = 4;
@@ -39,4 +39,4 @@ struct DiscAreas {
 /// Returns nothing without discs, with too few batches, or if radii have hardly shrunk.
 std::optional<DiscAreas> disc_areas(const Film& film);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

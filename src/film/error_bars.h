@@ -18,7 +18,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Below this mean the squares lack precision.
 inline constexpr double kDimmestMean = 0x1p-18;
@@ -67,4 +67,4 @@ inline bool is_too_dim(const Film& film) {
     return mean > 0 && mean < kDimmestMean;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Film {
 public:
@@ -102,4 +102,4 @@ std::uint64_t complete_batches(const PassSet& passes);
 /// Returns a batch whose passes have different weights, if there is one. @param heavy  the weights.
 std::optional<std::uint64_t> uneven_batch(const PassSet& passes, const HeavyPasses& heavy);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

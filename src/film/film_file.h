@@ -18,7 +18,7 @@
 #include <istream>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Writes the film atomically.
 /// @throws Error  if the file cannot be written.
@@ -37,4 +37,4 @@ void put_film(WordWriter& out, const Film& film);
 /// Reads a film from all remaining words.
 Film take_film(WordReader& in);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "film/film.h"
 #include "image/picture.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Metadata key of pictures whose bias has been subtracted.
 inline constexpr const char* kExtrapolated = "extrapolated";
@@ -25,4 +25,4 @@ struct FilmPictureOptions {
 /// and AOVs are unchanged: they add up to RGB plus bias. Without passes the picture is black.
 Picture film_picture(const Film& film, FilmPictureOptions options = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Side of the square blocks for which errors are measured, in pixels.
 inline constexpr int kErrorBlock = 8;
@@ -88,4 +88,4 @@ std::vector<std::span<const FixedPoint>> all_arrays(const FilmSums& sums);
 std::vector<std::span<FixedPoint>> arrays(OpenGroup& group);
 std::vector<std::span<const FixedPoint>> arrays(const OpenGroup& group);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include "film/pass_set.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns the group in which a pass of an open batch is summed: all passes before the first of 1,
 /// 2, 4, 8 or 12 up to which some are missing; behind it, the passes between two of these numbers.
@@ -23,4 +23,4 @@ std::vector<PassRange> open_groups(const PassSet& passes);
 /// smaller by the square of their number if they are fewer, zero while some are missing.
 double share_of_group(const PassSet& passes, const PassRange& group);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The factor of a light group.
 struct LightGroupFactor {
@@ -28,4 +28,4 @@ struct Relit {
 Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors,
             const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Complete batches needed; with fewer, standard errors are themselves too uncertain.
 inline constexpr std::uint64_t kTargetBatches = 4;
@@ -46,4 +46,4 @@ std::optional<TargetError> target_error(const Film& film, ErrorTerms terms);
 /// has 2 to 3.5 times the error of its mean.
 std::optional<double> relative_bias(const Film& film);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

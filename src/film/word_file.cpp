@@ -1,8 +1,8 @@
 // Buffers of words between memory and file.
 #include "film/word_file.h"
 
-#include "core/error.h"
 #include "core/file_content.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 static_assert(std::endian::native == std::endian::little, "words are stored as they stand");
 static_assert(sizeof(FixedPoint) == 16, "sums are stored as two words");
@@ -106,4 +106,4 @@ void WordReader::refill() {
     if (buffer_.empty()) damaged();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

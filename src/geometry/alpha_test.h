@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Alpha of a surface at a hit, the probability in [0,1] that a ray hits it. Thread-safe; shape and
 /// instance of the hit are not set yet.
@@ -35,4 +35,4 @@ struct CrossingName {
 bool passes_alpha_test(float cover, const Vec3d& origin, const Vec3d& direction,
                        const CrossingName& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

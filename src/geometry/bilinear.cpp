@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Margin of u and v around a patch, so that rounding leaves no gap between patches.
@@ -148,4 +148,4 @@ Bounds Bilinear::bounds() const {
     return box;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

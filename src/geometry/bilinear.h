@@ -6,7 +6,7 @@
 
 #include "geometry/local_surface.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Interpolates four corner values at (u, v). Order of corners: 00, 10, 01, 11.
 template <class V>
@@ -54,4 +54,4 @@ struct Bilinear {
     Bounds bounds() const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

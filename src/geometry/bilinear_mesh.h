@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One patch with the attributes of its corners. The normal is dP/du x dP/dv, flipped to the side
 /// of the corners' normals if there are any.
@@ -40,4 +40,4 @@ struct BilinearMesh {
 
 static_assert(ExactShapes<BilinearMesh> && HasArea<BilinearMesh>);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One shape in the frame of its group. The address of the input must not change.
 class BuiltShape {
@@ -113,4 +113,4 @@ struct BuiltInstance {
     double ray_uncertainty(const Vec3d& normal, const Vec3d& local, const Vec3d& world) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

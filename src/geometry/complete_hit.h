@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// An intersection found by Embree, in terms of the input's indices.
 struct Found {
@@ -26,4 +26,4 @@ struct Found {
 /// @param line  in the world, with a unit direction.
 void complete_hit(const Found& found, const Line& line, Hit& hit);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns whether the alpha test passes; always true if the query has none.
 /// @param crossing  index among several hits of a ray with one primitive.
@@ -16,4 +16,4 @@ bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
 /// Makes Embree call is_there() for each hit on the mesh, whose address must not change.
 void attach_cover(const BuiltShape& mesh);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

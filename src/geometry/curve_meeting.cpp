@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The ends of a part are extended by this into both neighbours, so that no line passes between.
@@ -267,4 +267,4 @@ std::size_t meet(const CurvePiece& piece, const Vec3d& origin, const Vec3d& dire
     return Search(piece, origin, direction, found).run();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

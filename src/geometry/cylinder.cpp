@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Computes from the midpoint of the chord in the projection along the axis, as for spheres
 /// (sphere.cpp).
@@ -75,4 +75,4 @@ double Cylinder::area(const Affine& map) const {
     return flat / turn * integrate_rectangle(stretch, {0, turn}, {0, 1}, 1e-8);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "math/vector.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Derivatives per unit of u and v of the shaded surface, in the world. With vertex normals or
 /// given tangents, the tangents are perpendicular and of equal length, as in pbrt-v4.
@@ -14,4 +14,4 @@ struct SurfaceDerivatives {
     Vec3 dn_dv{0};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

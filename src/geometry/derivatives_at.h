@@ -5,10 +5,10 @@
 #include "geometry/derivatives.h"
 #include "geometry/ray.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param instance  instance that was hit, or null.
 SurfaceDerivatives derivatives_at(const BuiltShape& shape, const BuiltInstance* instance,
                                   const Hit& hit);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

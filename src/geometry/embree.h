@@ -7,7 +7,7 @@
 #include <string>
 #include <type_traits>
 
-namespace sunfleck::embree {
+namespace sunfleck::engine::embree {
 
 /// Larger coordinates may abort the program inside Embree.
 inline constexpr double kLargest = 1e18;
@@ -38,4 +38,4 @@ void commit(RTCScene scene);
 /// @throws std::runtime_error  if an earlier call of this thread failed.
 void check(RTCDevice device);
 
-}  // namespace sunfleck::embree
+}  // namespace sunfleck::engine::embree

@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns the next float after x in the direction of `sign`, with a small margin.
@@ -111,4 +111,4 @@ void attach_exact_shapes(ShapeGroup& group, RTCDevice device, std::uint32_t numb
     rtcAttachGeometryByID(group.scene.get(), g, number);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,10 +5,10 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Registers the exact shapes of a group with Embree; the group's address must not change.
 /// @param number  Embree's geometry id, one for all of them.
 void attach_exact_shapes(ShapeGroup& group, RTCDevice device, std::uint32_t number);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <limits>
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The smallest t of a hit: hits at t = 0 do not count.
@@ -198,10 +198,7 @@ bool Geometry::Impl::is_far(double distance, const Vec3& p) const {
 }
 
 Geometry::Geometry(GeometryInput input, const std::string& isa)
-    : impl_(std::make_unique<Impl>(std::move(input), isa)) {}
-Geometry::~Geometry() = default;
-Geometry::Geometry(Geometry&&) noexcept = default;
-Geometry& Geometry::operator=(Geometry&&) noexcept = default;
+    : impl_(std::make_shared<const Impl>(std::move(input), isa)) {}
 
 Meeting Geometry::meet(const Ray& ray, AlphaTest alpha_test) const {
     return impl_->meet({Vec3d(ray.origin), Vec3d(ray.direction)}, 0, ray.length, alpha_test);
@@ -287,4 +284,4 @@ std::size_t Geometry::triangle_count() const {
     return impl_->triangles;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

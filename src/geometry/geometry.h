@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The primitive that a ray hits; the hit itself is computed later by hit_of().
 struct Meeting {
@@ -42,11 +42,6 @@ public:
     /// @param isa  "avx2" (the same bytes on every machine), or "native" (Embree's choice).
     /// @throws std::runtime_error  if Embree cannot build (memory), or for another `isa`.
     explicit Geometry(GeometryInput input, const std::string& isa = "avx2");
-    ~Geometry();
-    Geometry(Geometry&&) noexcept;
-    Geometry& operator=(Geometry&&) noexcept;
-    Geometry(const Geometry&) = delete;
-    Geometry& operator=(const Geometry&) = delete;
 
     /// Returns the nearest hit strictly between the ray's ends; t of a triangle has a relative
     /// error of about 2^-22. A ray that is not finite or starts beyond 1e18 hits nothing.
@@ -85,7 +80,7 @@ public:
 
 private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    std::shared_ptr<const Impl> impl_;  // copies share it
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

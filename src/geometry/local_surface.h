@@ -10,7 +10,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Intersections of a line with a surface, in any order. Those on a part that is cut away, and
 /// unused ones, are not `on`.
@@ -80,4 +80,4 @@ Result with_exact(const S& shape, [[maybe_unused]] std::uint32_t i, const Use& u
         return nothing;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns why a mesh cannot be subdivided: an edge with more than two triangles, or with two in
 /// the same direction; a triangle with a repeated vertex; a vertex with more than one fan of
@@ -23,4 +23,4 @@ std::string fault_of_control_mesh(const TriangleMesh& mesh);
 /// @param levels  not negative.
 TriangleMesh loop_subdivided(const TriangleMesh& control, int levels);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include "geometry/geometry_input.h"
 #include "geometry/triangle.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns a box around the image of a box; empty for an empty one.
 Bounds image_of(const Bounds& box, const Affine& map);
@@ -30,4 +30,4 @@ double surface_area(const PlacedShape& placed);
 /// box of the used vertices.
 Bounds bounds_of(const PlacedShape& placed);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

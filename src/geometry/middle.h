@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A centre, and a distance within which objects lie.
 struct Middle {
@@ -27,4 +27,4 @@ Middle middle_of(const std::vector<Bounds>& boxes);
 /// for coordinates of few digits, and objects moved by whole steps get the same coordinates.
 Vec3d origin_near(const Middle& middle);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

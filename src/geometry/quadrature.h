@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Interval {
     double from = 0;
@@ -22,4 +22,4 @@ double integrate_rectangle(const std::function<double(double, double)>& f, const
 /// Returns the arc cosine in double by + - * / and sqrt alone, in [0, pi]. @param x  in [-1, 1].
 double arc_cosine(double x);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,21 +1,21 @@
-// The tree is grown from the points box by box; then a share of its mass is spread evenly. Where a
-// shear tells more than any cut, as in a slanted tube, the box is sheared before it is cut.
+// Growth of the tree from points, box by box; then a fraction of its mass is spread uniformly.
+// Where a shear gains more likelihood than any cut, as in a slanted tube, the box is sheared first.
 #include "guide/emission_guide.h"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
-constexpr std::size_t kBins = 8;         // places where a box may be cut, by dimension
+constexpr std::size_t kBins = 8;         // positions of cuts, per dimension
 constexpr double kLeastWidth = 0x1p-32;  // of a box that is cut: dimensions have 52 bits
 constexpr double kLeastEffective = 12;   // points in a box that is cut
 constexpr double kLeastToShear = 40;     // points in a box that is sheared: four slopes are fitted
-constexpr double kLeastShear = 0.35;     // of log likelihood a point: half of the variance
+constexpr double kLeastShear = 0.35;     // log likelihood per point: half of the variance
 
-/// Weights of points, and how many of equal weight they are worth.
+/// Weights of points, and their effective number.
 struct Mass {
     double sum = 0;
     double squares = 0;
@@ -36,12 +36,13 @@ struct Cut {
     double at = 0;
 };
 
-/// x ln(x / expected), 0 where there is nothing. In float: the same bits on every machine.
+/// Returns x ln(x / expected), 0 for zero. It uses the float function, whose bits are the same on
+/// every machine.
 double surprise(double share, double expected) {
     return share > 0 ? share * std::log(static_cast<float>(share / expected)) : 0;
 }
 
-/// The cut that tells most, in nats a point.
+/// Returns the cut with the largest gain, in nats per point.
 Cut best_cut(std::span<const WeightedEmission> points, const EmissionBox& box, const Mass& all) {
     Cut best;
     for (std::uint32_t s = 0; s < kGuidedDimensions; ++s) {
@@ -96,7 +97,7 @@ private:
         std::size_t shears;  // on the way to it
     };
 
-    /// @return the box's mass, the uniform share in it.
+    /// @return the mass of the box, uniform part included.
     double grow(std::uint32_t node, const Part& part) {
         const double even = growth_.uniform_share;
         const double mass = (1 - even) * part.share + even * part.volume;
@@ -111,7 +112,7 @@ private:
         Cut cut = best_cut(points, part.box, all);
         const std::size_t shears = part.shears + shear(node, points, part, all, cut);
         if (cut.gain * all.effective() < growth_.least_gain) {
-            guide_.shears_.resize(guide_.nodes_[node].first_shear);  // they were for nothing
+            guide_.shears_.resize(guide_.nodes_[node].first_shear);  // they had no use
             guide_.nodes_[node].shears = 0;
             return mass;
         }
@@ -126,10 +127,10 @@ private:
     }
 
     struct Division {
-        std::size_t split;   // the first point of the right half
+        std::size_t split;   // index of the first point of the right half
         std::size_t shears;  // on the way to both
-        double in_left;      // share of the points' weight
-        double points;       // that all of them are worth
+        double in_left;      // of the points' weight
+        double points;       // effective number of all
         double mass;         // of both
     };
 
@@ -141,7 +142,7 @@ private:
         left.range.end = right.range.begin = d.split;
         const double volume = (cut.at - part.box.low[cut.dimension]) /
                               (part.box.high[cut.dimension] - part.box.low[cut.dimension]);
-        // Two points more, spread evenly: no part of a box is empty for certain.
+        // Two more points, spread uniformly, so that no part of a box is certainly empty.
         const double to_left = (d.in_left * d.points + 2 * volume) / (d.points + 2);
         left.share *= to_left;
         right.share *= 1 - to_left;
@@ -160,8 +161,8 @@ private:
         return d.mass;
     }
 
-    /// Shears the box, and the points with it, while that tells more than a cut. @return how often.
-    /// @param cut  the best one, before and after.
+    /// Shears the box and its points while that gains more than a cut. @return number of shears.
+    /// @param cut  the best cut, before and after.
     std::size_t shear(std::uint32_t node, std::span<WeightedEmission> points, const Part& part,
                       const Mass& all, Cut& cut) {
         guide_.nodes_[node].first_shear = static_cast<std::uint32_t>(guide_.shears_.size());
@@ -181,7 +182,7 @@ private:
 
     std::vector<WeightedEmission> points_;
     EmissionGuide::Growth growth_;
-    double all_points_ = 0;  // their weights
+    double all_points_ = 0;  // sum of weights
     EmissionGuide guide_;
 };
 
@@ -189,4 +190,4 @@ EmissionGuide EmissionGuide::learned(std::vector<WeightedEmission> points, const
     return EmissionGuideBuilder(std::move(points), growth).build();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

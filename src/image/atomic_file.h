@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A file that is being written; without commit() it leaves nothing behind. All faults throw Error,
 /// or MachineFault where no other name would help.
@@ -79,4 +79,4 @@ inline void write_file(const std::string& path, const std::string& text) {
     write_file(path, std::as_bytes(std::span(text)));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

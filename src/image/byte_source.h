@@ -1,14 +1,14 @@
 // Sequential reader of a file in memory, which throws at the end of the data.
 #pragma once
 
-#include "core/error.h"
 #include "image/image_memory.h"
+#include "sunfleck/error.h"
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class ByteSource {
 public:
@@ -73,4 +73,4 @@ private:
     std::string format_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Image parse_png_image(std::string_view bytes, const std::string& name, const Encoding& encoding);
 /// Decodes grey, RGB or CMYK of 8 bits.
@@ -23,4 +23,4 @@ Image parse_hdr(std::string_view bytes, const std::string& name);
 /// multiplies the values.
 Image parse_pfm(std::string_view bytes, const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns what is wrong with an image that needs so many bytes to decode: empty, or that the bytes
 /// exceed free memory.
@@ -17,4 +17,4 @@ inline std::string fault_of_size(std::uint64_t bytes) {
     return "its pixels take " + std::to_string(bytes / kMebi) + " MiB, more than is free";
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include "image/image.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Wrap mode beyond the edges (pbrt-v4). octahedral_sphere: the image is an octahedral map of the
 /// sphere, whose edges are glued to each other.
@@ -18,4 +18,4 @@ std::array<float, 4> bilinear(const Image& image, const Vec2& place, Wrap wrap);
 /// Returns all channels of the nearest texel as linear light.
 std::array<float, 4> nearest(const Image& image, const Vec2& place, Wrap wrap);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,11 +5,11 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @throws Error  if the file does not exist or cannot be read.
 inline std::string read_file(const std::string& path) {
     return read_input_file(path, {path});
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

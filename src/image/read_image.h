@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Decodes a file in memory. As in pbrt-v4, 8 bits and halves are kept and 16 bits become floats;
 /// grey with alpha loses the alpha, and so does an image whose alpha is one everywhere, and any
@@ -17,4 +17,4 @@ namespace sunfleck {
 /// than it can hold, and for an EXR without colour channels.
 Image parse_image(std::string_view bytes, const std::string& name, const Encoding& encoding = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,11 +5,11 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Reads a scene.
 /// @param path  of the scene, or "-" for standard input.
 /// @throws Error  for a scene that cannot be read.
 SceneDescription load_scene(const std::string& path);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

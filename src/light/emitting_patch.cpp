@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Density in (u, v) up to a factor: the areas at the corners, interpolated bilinearly; exact for
@@ -72,4 +72,4 @@ double surface_area(const EmittingPatch& patch) {
     return patch.surface.area();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

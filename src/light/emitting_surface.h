@@ -19,7 +19,7 @@
 #include <optional>
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A triangle in the world. It emits on the side of `normal` (unit, geometric).
 struct EmittingTriangle {
@@ -127,4 +127,4 @@ std::optional<VisibleCap> visible_cap(const Surface&, const Vec3d&) {
     return {};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ImageInfiniteLight {
     Spectrum curve;
@@ -32,4 +32,4 @@ struct ImageInfiniteLight {
 /// Returns the illuminance on the plane z = 0 from above: in lumens per m^2 if texels are in nits.
 double illuminance_from_above(const LightPicture& picture);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

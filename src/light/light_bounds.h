@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A point to be lit.
 struct Receiver {
@@ -61,4 +61,4 @@ private:
     bool two_sided_ = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

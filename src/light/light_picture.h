@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Light of a texel: luminance times an RGB factor.
 struct TexelLight {
@@ -65,4 +65,4 @@ private:
     double mean_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

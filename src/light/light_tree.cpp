@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Up to this many lights at finite distance (two square lamps) are selected by weight, if distant
@@ -206,4 +206,4 @@ double LightTree::probability(const Receiver& at, std::size_t index) const {
     return probability;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

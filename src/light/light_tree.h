@@ -17,7 +17,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class LightTree {
 public:
@@ -67,4 +67,4 @@ private:
     double weight_share_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "light/towards_point.h"
 #include "math/warp.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns the direction in the light's frame. @param to_world  a rotation.
@@ -124,4 +124,4 @@ std::shared_ptr<const LightPicture> projected_picture(Image image, const Vec2d& 
     return std::make_shared<const LightPicture>(std::move(image), share);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The image is an octahedral equal-area map of directions (uniform_sphere() in math/warp.h).
 struct GoniometricLight {
@@ -51,4 +51,4 @@ private:
 /// Returns an image for a projector, with texels weighted by their solid angles.
 std::shared_ptr<const LightPicture> projected_picture(Image image, const Vec2d& half);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

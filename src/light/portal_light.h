@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PortalLight {
     Spectrum curve;
@@ -35,4 +35,4 @@ private:
     Vec3d to_local(const Vec3d& v) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

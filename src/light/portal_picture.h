@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A direction, and the scale of areas of the map there.
 struct PortalDirection {
@@ -72,4 +72,4 @@ private:
     std::vector<double> sums_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

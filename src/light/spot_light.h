@@ -7,7 +7,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SpotLight {
     Spectrum curve;
@@ -28,4 +28,4 @@ struct SpotLight {
     double falloff(double cos_angle) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

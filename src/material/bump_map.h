@@ -11,7 +11,7 @@
 #include <memory>
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Displacement along the normal, in world units.
 struct Bumps {
@@ -36,4 +36,4 @@ inline bool is_flat(const Relief& relief) {
 void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit,
           const Vec3d& origin = Vec3d(0));
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

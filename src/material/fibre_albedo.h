@@ -5,7 +5,7 @@
 // as in pbrt-v4. Scales, roughness and tilt do not change the energy.
 #pragma once
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Fractions of the light on a fibre; the rest is absorbed.
 struct FibreAlbedo {
@@ -23,4 +23,4 @@ FibreAlbedo fibre_albedo(float absorption, float eta);
 /// @param beta  azimuthal roughness, in [0.01, 1].
 float absorption_of_hair(float colour, float beta);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <optional>
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// If both alphas are smaller, the surface is treated as perfectly smooth (pbrt-v4).
 inline constexpr float kSmoothAlpha = 1e-3F;
@@ -111,4 +111,4 @@ bool may_gather(const Material& material);
 std::optional<Bsdf> bsdf_of(const Material& material, const Wavelengths& wavelengths,
                             const TexturePoint& point = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

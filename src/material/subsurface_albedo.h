@@ -10,7 +10,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class SubsurfaceAlbedo {
 public:
@@ -27,4 +27,4 @@ private:
     std::array<float, kCells + 1> table_{};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

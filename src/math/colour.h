@@ -10,7 +10,7 @@
 #include <array>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Range of the observer's tables; radiance outside it is invisible.
 inline constexpr int kFirstNm = 360;
@@ -40,4 +40,4 @@ const std::array<double, kVisibleCount>& luminance_response();
 Triple xyz_of_rgb(const Triple& rgb);
 Triple rgb_of_xyz(const Triple& xyz);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A point of the unit disc, and the squared height of the unit sphere above it, without
 /// cancellation.
@@ -39,4 +39,4 @@ inline FloatDiscPoint float_disc_point(const Vec2& u) {
     return {{radius * along_x, radius * along_y}, (1 - radius) * (1 + radius)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class SigmoidTable {
 public:
@@ -47,4 +47,4 @@ private:
     std::vector<std::array<float, 3>> nodes_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ConstantSpectrum {
     float value = 0;
@@ -90,4 +90,4 @@ std::optional<Spectrum> named_spectrum(const std::string& name);
 /// Returns all names, sorted, for messages.
 std::vector<std::string> named_spectra();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 double student_quantile(double within, double degrees) {
     constexpr std::size_t kSteps = 4096;
@@ -31,4 +31,4 @@ double student_quantile(double within, double degrees) {
     return std::sqrt(n) * std::tan(x * kStep);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

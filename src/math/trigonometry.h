@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SinCos {
     double sin = 0;
@@ -55,4 +55,4 @@ inline SinCos sin_cos_2pi(double fraction) {
     return {-rest.cos, rest.sin};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include "math/sampled_spectrum.h"
 #include "math/vector.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Passes of a batch: their wavelengths form one lattice. A batch is the independent unit of error
 /// bars (batch means).
@@ -40,4 +40,4 @@ struct Wavelengths {
     std::array<SampledSpectrum, 3> rgb_weight{};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

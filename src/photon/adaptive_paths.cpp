@@ -1,13 +1,13 @@
-// The splitting's paths become photons.
+// Conversion of the splitting's paths to photons.
 #include "photon/adaptive_paths.h"
 
 #include "photon/photon_space.h"
 #include "random_numbers/emission_points.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
-/// One chunk a chain, or a block of paths through a guide.
+/// One chunk per chain, or per block of guided paths.
 struct PhotonSink {
     struct Collector {
         PhotonChunk chunk;
@@ -60,11 +60,11 @@ AdaptivePaths trace_adaptive_paths(const PhotonContext& view, const VisiblePoint
     counts[Count::visible_states] += guided_visible;
     if (splitting.levels.size() <= stratum.plan.levels.size()) return paths;  // starved
     const LevelCounts& last = splitting.levels.back();
-    const bool brings_all =
-        stratum.guided.own_share < 1;  // else the guide's paths bring what it covers
+    const bool brings_all = stratum.guided.own_share <
+                            1;  // otherwise guided paths contribute the light of their region
     counts[Count::distinct_visible] += last.distinct - (brings_all ? 0 : last.distinct_covered);
     counts[Count::visible_states] += last.states - (brings_all ? 0 : last.covered);
     return paths;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Points by edges, a light sample at each.
+// Points next to edges, with a light sample at each.
 #include "photon/edge_search.h"
 
 #include "core/parallel.h"
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Edge {
@@ -18,14 +18,14 @@ struct Edge {
     Vec3d to;
 };
 
-/// Triangles or patches of one shape, where they stand.
+/// Triangles or patches of one placed shape.
 struct EdgedShape {
     const Shape* shape;
     Affine to_world;
-    std::size_t end;  // of its triangles or patches, counted over all shapes up to it
+    std::size_t end;  // cumulative count of triangles or patches
 };
 
-/// How many corners each part of the shape has, and how many parts; none of shapes without edges.
+/// Corners per element and number of elements of a shape; none for shapes without edges.
 struct Parts {
     std::size_t corners = 0;
     std::size_t count = 0;
@@ -47,8 +47,9 @@ public:
 
     bool empty() const { return shapes_.empty(); }
 
-    /// Half of the edges are of any triangle alike, half of any shape: a door among statues is one
-    /// shape of a few triangles. @param which, part, side  in (0,1).
+    /// Selects an edge: half of the time uniformly over all triangles, half of the time uniformly
+    /// over shapes, because a door among statues is one shape of a few triangles. @param which,
+    /// part, side  in (0,1).
     Edge choose(double which, double part, double side) const {
         const bool by_part = which < 0.5;
         const double at = by_part ? 2 * which : 2 * which - 1;
@@ -88,7 +89,7 @@ private:
             return {place(mesh->positions, corners.at(side)),
                     place(mesh->positions, corners.at((side + 1) % 3))};
         }
-        constexpr std::array<std::size_t, 4> kAround = {0, 1, 3, 2};  // of a patch's corners
+        constexpr std::array<std::size_t, 4> kAround = {0, 1, 3, 2};  // around a patch's corners
         const auto& mesh = std::get<BilinearMesh>(*of.shape);
         const auto& corners = mesh.patches[part];
         return {place(mesh.positions, corners.at(kAround.at(side))),
@@ -98,7 +99,7 @@ private:
     Shapes shapes_;
 };
 
-/// A point by the edge: from 2^-16 of its length away to all of it, each octave alike.
+/// Samples a point next to the edge: at 2^-16 to 1 of its length, log-uniform.
 Vec3 point_by(const Edge& edge, RandomStream& stream) {
     constexpr double kOctaves = 16;
     const Vec3d way = edge.to - edge.from;
@@ -138,4 +139,4 @@ std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Random walks over surfaces, a light sample at each.
+// Random walks over surfaces, with a light sample at each vertex.
 #include "photon/importons.h"
 
 #include "core/parallel.h"
@@ -6,7 +6,7 @@
 #include "photon/initial_guide_samples.h"
 #include "photon/scattering_event.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kMostBounces = 16;
@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    /// At the walk's first point, which may leave direct light to the camera paths.
+    /// Samples light at the first vertex of a walk, where camera paths may compute direct light.
     void look_for_light(const Vec3& at, const Disc& disc, const Vec3& normal) {
         const auto sample = guide_samples_.sample(at, stream_);
         if (!sample) return;
@@ -85,7 +85,7 @@ private:
         add(sample, hit.position, weight);
     }
 
-    /// What a sample brings if nothing is in the way.
+    /// Returns the unoccluded contribution of a sample.
     double weight_of(const LightAtPoint& sample, const SampledSpectrum& scattered) {
         const SampledSpectrum flux = throughput_ * scattered * emitted_by(sample.light);
         const double weight = static_cast<double>(flux.sum()) *
@@ -94,8 +94,9 @@ private:
         return weight;
     }
 
-    /// Of a light that is dark at the pass's wavelengths as if it were grey: what is found of it
-    /// holds for other passes, too. Its luminance is what it is weighed by, over its power.
+    /// Returns the emission of a light; a light that is dark at the wavelengths of the pass counts
+    /// as grey, because guide samples are used in other passes, too. It is weighted by luminance
+    /// over power.
     SampledSpectrum emitted_by(std::size_t light) const {
         const SampledSpectrum& emission = scene_.emission[light];
         if (!emission.is_zero()) return emission;
@@ -118,7 +119,7 @@ private:
     SampledSpectrum throughput_{1};
 };
 
-/// @param kinds  of photons that visible points take; none: what each does.
+/// @param kinds  of photons that visible points accept; zero: as each point does.
 WalkedEmission walk(const PhotonContext& view, const LightChoice& lights, PassId pass,
                     const PathRange& walks, std::uint8_t kinds) {
     constexpr std::size_t kBlock = 1024;
@@ -160,4 +161,4 @@ double flux_seen(const PhotonContext& view, PassId pass) {
     return flux / kWalks;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

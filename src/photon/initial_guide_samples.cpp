@@ -1,9 +1,9 @@
-// Samples of lights, ways to them, and the inverse of their emission.
+// Light samples, their visibility, and the inverse of their emission.
 #include "photon/initial_guide_samples.h"
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::optional<LightAtPoint> InitialGuideSamples::sample(const Vec3& at,
                                                         RandomStream& stream) const {
@@ -30,14 +30,15 @@ int InitialGuideSamples::panes_to(Ray ray, float distance) const {
     return -1;
 }
 
-/// Does a smooth surface let light through?
+/// Returns whether a specular surface transmits light.
 bool InitialGuideSamples::is_clear(Hit& hit, const Vec3& direction) const {
     std::optional<Bsdf> room;
     const Bsdf& bsdf = scene_.bsdf_at(hit, room);
     if (scattering(bsdf) != Scattering::specular) return false;
     const Vec3 wo = Frame(hit.shading_normal, hit.tangent).to_local(-direction);
-    constexpr float kLast = 1 - 0x1p-20F;  // of the lobes: transmission
-    const auto through = sunfleck::sample(bsdf, wo, {{kLast, 0.5F, 0.5F}, Transport::radiance, {}});
+    constexpr float kLast = 1 - 0x1p-20F;  // the last lobe: transmission
+    const auto through =
+        sunfleck::engine::sample(bsdf, wo, {{kLast, 0.5F, 0.5F}, Transport::radiance, {}});
     return through && through->wi.z * wo.z < 0;
 }
 
@@ -59,4 +60,4 @@ std::optional<WeightedEmission> InitialGuideSamples::guide_sample(const LightAtP
     return WeightedEmission{point, weight};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Pilots: a short one for each light, then one for each stratum.
+// Pilots: a short one per light, then one per stratum.
 #include "photon/light_strata.h"
 
 #include "photon/edge_search.h"
@@ -11,20 +11,19 @@
 #include <memory>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kMostClusters = 64;
-constexpr std::uint32_t kMeasuring = 1;  // part of the pilots' numbers that measure clusters
+constexpr std::uint32_t kMeasuring = 1;  // PassId::part of the measurement of clusters
 
-/// What a walk from the view costs at most, in paths of a picture: it meets many surfaces, and asks
-/// for a light at each. Measured: 7 in the dark, where photon paths cost least; 1 to 2 in lit
-/// rooms.
+/// Upper bound of the cost of an importon in photon paths: it hits many surfaces, with a light
+/// sample at each. Measured: 7 in the dark, where photon paths are cheapest; 1 to 2 in lit rooms.
 constexpr std::uint64_t kPathsOfAWalk = 8;
 
 using Lights = std::vector<std::uint32_t>;
 
-/// The paths of some lights, and what is seen of them.
+/// The paths of some lights, with the visibility of their photons.
 struct SamplingContext {
     LightChoice lights;
     PhotonTracer tracer;
@@ -43,7 +42,7 @@ struct SamplingContext {
 
 using PhotonPilot = Pilot<PhotonSpace, EmissionPoints>;
 
-/// The view, and all lights.
+/// The visible points, and all lights.
 class LightSurvey {
 public:
     /// @param work  see LightPlanner.
@@ -51,7 +50,7 @@ public:
                 std::uint64_t work)
         : view_(view), settings_(settings), name_(name), work_(work), octree_(octree_of(view)) {}
 
-    /// Lights by stratum.
+    /// Returns the lights by stratum.
     std::vector<Lights> strata() const {
         std::vector<Lights> clusters =
             light_clusters(view_.scene.scene.light_sources(), weights(), kMostClusters);
@@ -72,8 +71,8 @@ public:
 
     Sets sets() const { return settings_.splitting ? Sets::as_needed : Sets::one; }
 
-    /// @param context  must outlive what is returned. @param strata  of lights: each is searched
-    /// for.
+    /// @param context  must outlive the result.
+    /// @param strata  number of strata: each is searched for.
     GuideSource maps(const SamplingContext& context, std::size_t strata) const {
         if (!settings_.emission_guide || !settings_.guide_search || view_.index.points().empty() ||
             context.lights.empty())
@@ -90,7 +89,7 @@ public:
     }
 
 private:
-    /// A few paths of each cluster; more where these are too few to tell fractions apart.
+    /// Measures visible fractions by a few paths per cluster, and more where these are too few.
     std::vector<MeasuredLight> measured(const std::vector<Lights>& clusters) const {
         constexpr std::size_t kLeast = 1000;
         constexpr std::size_t kMost = 4000;
@@ -129,7 +128,7 @@ private:
     VisiblePointOctree octree_;
 };
 
-/// Lights by stratum, each explored by a pilot of its own.
+/// The lights by stratum, each explored by a pilot of its own.
 class Pilots {
 public:
     Pilots(const LightSurvey& survey, std::vector<LightChoice> strata)
@@ -166,7 +165,7 @@ private:
 
 }  // namespace
 
-/// Pilots are sent out when a plan asks for them.
+/// Pilots run when a plan needs them.
 struct LightPlanner::State {
     LightSurvey survey;
     std::vector<Lights> strata;
@@ -199,4 +198,4 @@ std::vector<LightStratum> LightPlanner::plan(std::uint32_t paths) {
     return l.apart->plan(paths);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

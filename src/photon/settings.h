@@ -8,37 +8,10 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
-/// Where the primary samples of photon paths come from.
+/// Which sampler chooses the photon paths (photon_samplers/samplers.h).
 enum class PhotonSampler { random, uniform, adaptive, paper };
-
-struct PhotonSamplerRow {
-    PhotonSampler sampler;
-    std::string_view name;  // as the user writes it
-    std::string_view what;
-};
-
-inline constexpr std::array<PhotonSamplerRow, 4> kPhotonSamplers = {{
-    {PhotonSampler::adaptive, "adaptive", "Markov chains on the paths that can be seen"},
-    {PhotonSampler::uniform, "uniform", "evenly spread over the lights"},
-    {PhotonSampler::random, "random", "independent numbers, the paper's baseline"},
-    {PhotonSampler::paper, "paper",
-     "the paper's one chain over all passes, to the letter; biased at finite time"},
-}};
-
-constexpr std::string_view name_of(PhotonSampler sampler) {
-    for (const PhotonSamplerRow& row : kPhotonSamplers)
-        if (row.sampler == sampler) return row.name;
-    return {};
-}
-
-/// Nothing for a name that no sampler has.
-constexpr std::optional<PhotonSampler> sampler_named(std::string_view name) {
-    for (const PhotonSamplerRow& row : kPhotonSamplers)
-        if (row.name == name) return row.sampler;
-    return {};
-}
 
 /// Of the sampler `paper` alone: what its authors' experiments vary.
 struct PaperSettings {
@@ -65,8 +38,7 @@ struct PhotonSettings {
 /// A part of the sampler `adaptive` that can be left out.
 struct AdaptivePart {
     bool PhotonSettings::*is_on;
-    std::string_view name;  // as the user writes it
-    std::string_view what;
+    std::string_view name;  // of its flag, without "--"
 };
 
 /// As statistics and films have it: its name with '_' for '-'.
@@ -77,23 +49,13 @@ inline std::string setting_of(const AdaptivePart& part) {
 }
 
 inline constexpr std::array<AdaptivePart, 7> kAdaptiveParts = {{
-    {&PhotonSettings::splitting, "splitting",
-     "auto: where visible paths are rare, multilevel splitting towards them; off: one level, as in "
-     "the paper"},
-    {&PhotonSettings::emission_guide, "emission-guide",
-     "auto: where visible paths are rare, learn where they start; off: Markov chains alone"},
-    {&PhotonSettings::guide_search, "guide-search",
-     "auto: where chains find no light, importons and edges look for it; off: chains alone"},
-    {&PhotonSettings::light_strata, "light-strata",
-     "auto: lights of unlike visible fractions are sampled as strata; off: all lights together"},
-    {&PhotonSettings::adaptive_pixels, "adaptive-pixels",
-     "auto: up to 64 camera paths per subpass in pixels whose measured noise is high; off: one per "
-     "pixel"},
-    {&PhotonSettings::photon_budget, "photon-budget",
-     "auto: from pass 16 on, the number of photon paths per pass that trials found most efficient; "
-     "off: the same number in all passes"},
-    {&PhotonSettings::pass_weights, "pass-weights",
-     "auto: passes are weighted by their inverse variance, up to four times; off: equally"},
+    {&PhotonSettings::splitting, "splitting"},
+    {&PhotonSettings::emission_guide, "emission-guide"},
+    {&PhotonSettings::guide_search, "guide-search"},
+    {&PhotonSettings::light_strata, "light-strata"},
+    {&PhotonSettings::adaptive_pixels, "adaptive-pixels"},
+    {&PhotonSettings::photon_budget, "photon-budget"},
+    {&PhotonSettings::pass_weights, "pass-weights"},
 }};
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

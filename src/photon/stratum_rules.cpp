@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kLittlePower = 0.1;
 constexpr double kLittleFlux = 0.01;
 constexpr double kLeastShare = 0.1;
 
-/// Lights that share a stratum, as far as it is made.
+/// Lights of a stratum that is being formed.
 struct Part {
     std::vector<std::size_t> lights;
     double power = 0;
@@ -24,7 +24,8 @@ struct Part {
     }
 };
 
-/// From the most visible light down; a new part where one is too far from the part's first.
+/// Goes from the most visible light down; starts a new stratum if a light is too far from its
+/// first.
 std::vector<Part> parts_of(const std::vector<MeasuredLight>& lights) {
     const auto seen = [&](std::size_t i) { return std::max<std::uint64_t>(lights[i].visible, 1); };
     std::vector<std::size_t> order(lights.size());
@@ -43,7 +44,8 @@ std::vector<Part> parts_of(const std::vector<MeasuredLight>& lights) {
     return parts;
 }
 
-/// May the less visible of two parts be in the other's way, and does the other matter?
+/// Returns whether the less visible stratum would slow down the other, and whether the other
+/// matters.
 bool are_worth_parting(const Part& more, const Part& less) {
     return less.power >= kLittlePower * more.power &&
            more.visible_flux >= kLittleFlux * less.visible_flux;
@@ -73,7 +75,7 @@ std::vector<std::uint32_t> shared_paths(const std::vector<StratumFlux>& strata,
     constexpr double kVisibleOfSplitting = 0.5;
     std::vector<double> shares;
     double all = 0;
-    for (const StratumFlux& stratum : strata) {  // uniform paths: the fraction falls out
+    for (const StratumFlux& stratum : strata) {  // uniform paths: the fraction cancels
         const double fraction =
             stratum.has_splitting ? stratum.visible_fraction / kVisibleOfSplitting : 1;
         shares.push_back(stratum.power * fraction);
@@ -93,8 +95,8 @@ std::vector<std::uint32_t> shared_paths(const std::vector<StratumFlux>& strata,
         numbers.push_back(kLeast + std::min(share, left));
         left -= std::min(share, left);
     }
-    numbers.front() += left;  // what rounding left
+    numbers.front() += left;  // remainder of rounding
     return numbers;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,9 +1,10 @@
-// A photon path as a function of its primary sample: light, then surface after surface.
+// PhotonTracer: a photon path as a function of its primary sample, from a light through surface
+// after surface.
 //
-// In:  a dimension reader (the point u), the scene at a pass's wavelengths. Out: each photon at a
-// surface that can gather goes to a visitor, which may end the path.
-// Source: adjoint correction of shading normals: Veach 1997, section 5.3.2; Russian roulette on the
-// throughput keeps it about constant, as the paper's binary target assumes (docs/method/method.md).
+// In:  a primary-sample reader (the point u), the scene at the wavelengths of a pass. Out: each
+// photon at a surface that can gather is passed to a visitor, which may end the path.
+// Source: shading-normal correction: Veach 1997, section 5.3.2; Russian roulette on the throughput
+// keeps it about constant, as the paper's binary target assumes (docs/method/method.md).
 #pragma once
 
 #include "aovs/statistics.h"
@@ -14,17 +15,17 @@
 #include <concepts>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Called with each photon.
 template <class V>
 concept PhotonVisitor = std::invocable<V&, const Photon&>;
 
 enum class PathEnd {
-    no_light,  // nothing emits, or not from there
+    no_light,  // no emission at that sample
     escaped,   // left the scene
-    absorbed,  // by a surface or a medium, or by Russian roulette
-    too_long   // the next event would exceed the greatest depth
+    absorbed,  // by a surface, a medium, or Russian roulette
+    too_long   // the next event would exceed the maximum depth
 };
 
 /// Counts how a path ended.
@@ -38,12 +39,12 @@ public:
     PhotonTracer(const PassScene& pass, const TransportSettings& transport)
         : PhotonTracer(pass, transport, pass.scene.light_choice()) {}
 
-    /// @param lights  where paths start: of the scene's, some or all.
+    /// @param lights  in which paths start: some or all of the scene's.
     PhotonTracer(const PassScene& pass, const TransportSettings& transport,
                  const LightChoice& lights)
         : pass_(pass), transport_(transport), lights_(lights), has_media_(pass.scene.has_media()) {}
 
-    /// One whole path. @param rays  counts the rays traced.
+    /// Traces one complete path. @param rays  counts the rays.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     PathEnd trace(Reader&& read, Visitor&& visit, std::uint64_t& rays) const {
         PhotonState state;
@@ -56,8 +57,8 @@ public:
         }
     }
 
-    /// The steps of a path. The first: chooses the light, and flux, place and direction there.
-    /// @return false when nothing emits there.
+    /// Steps of a path. First: samples the light, with flux, position and direction. @return false
+    /// if nothing is emitted.
     template <PrimarySampleReader Reader>
     bool start(Reader& read, PhotonState& state) const {
         const std::optional<Emission> from = emit(read, state);
@@ -68,7 +69,7 @@ public:
         return true;
     }
 
-    /// The ray of a photon on its way. It meets all that is there in part: pass_absent().
+    /// Traces the ray of a photon without alpha test; pass_absent() applies it.
     Meeting send(const PhotonState& state) const {
         const Geometry& geometry = pass_.scene.geometry();
         if (state.at_light)
@@ -76,13 +77,12 @@ public:
         return geometry.meet({Vec3(state.origin), state.direction}, AlphaTest::off);
     }
 
-    /// Where it arrives. @return whether it does.
+    /// Computes the hit. @return whether there is one.
     bool hit_of(const Meeting& meeting, Hit& hit) const {
         return pass_.scene.geometry().hit_of(meeting, hit);
     }
 
-    /// What happens where the ray arrives, up to the next ray. @return how the path ends, if it
-    /// does.
+    /// Handles a hit up to the next ray. @return how the path ends, if it does.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
@@ -97,14 +97,15 @@ public:
         return {};
     }
 
-    /// go_on() in three steps, for who has many photons to go on with. First: what scatters there,
-    /// if it is a surface that is treated so; else go_on() is to be called.
+    /// go_on() in three steps, for a caller with many photons. First: returns the surface if its
+    /// events can be computed together; otherwise go_on() is to be called.
     const Lambert* plain_surface(const Hit& hit, const PhotonState& state) const {
         if (state.unlit > 0 || has_media_ || pass_.scene.has_cover(hit)) return nullptr;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         return constant ? std::get_if<Lambert>(&*constant) : nullptr;
     }
-    /// @return how the path ends, if it does; else sample_scattering() follows, and after_event().
+    /// @return how the path ends, if it does; otherwise sample_scattering() follows, and
+    /// after_event().
     template <PhotonVisitor Visitor>
     std::optional<PathEnd> see(Visitor&& visit, const Hit& hit, const PhotonState& state) const {
         visit(arrive(hit, state));
@@ -123,9 +124,9 @@ private:
         return pass_.scene.geometry().is_there(hit, state.origin, state.direction);
     }
 
-    /// Where a surface is there in part and not for this photon: its visible points gather the
-    /// photon all the same, since they are there by a chance of their own. Light that arrives at a
-    /// surface does not depend on how much of it is there.
+    /// Handles a surface whose alpha test fails for this photon: its visible points still gather
+    /// the photon, because they passed an alpha test of their own. Light that arrives at a surface
+    /// does not depend on its alpha.
     template <PhotonVisitor Visitor>
     [[gnu::noinline]] std::optional<PathEnd> pass_absent(Visitor& visit, const Hit& hit,
                                                          PhotonState& state) const {
@@ -138,7 +139,7 @@ private:
         return {};
     }
 
-    /// The medium takes its share on the way to the hit. @return whether anything is left.
+    /// Attenuates the photon on the way to the hit. @return whether anything is left.
     [[gnu::noinline]] bool attenuate(const Hit& hit, PhotonState& state) const {
         const SampledSpectrum left = pass_.transmittance(state.medium, hit.distance);
         const float before = state.flux.sum();
@@ -153,21 +154,21 @@ private:
         state.medium = pass_.scene.medium_beyond(hit, state.direction, state.medium);
     }
 
-    /// Makes ready for the next ray.
+    /// Prepares the next ray.
     void leave(const Hit& hit, PhotonState& state) const {
         state.at_light = false;
         if (has_media_) enter_beyond(hit, state);
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
     }
 
-    /// Is the photon met where it is no light yet?
+    /// Returns true if the photon hit something before it passed the portal.
     bool is_stopped(const Hit& hit, PhotonState& state) const {
         const bool before = hit.distance < state.unlit;
         state.unlit -= hit.distance;
         return before && !pass_.scene.is_null_interface(hit);
     }
 
-    /// GatherContext and scattering. @return how the path ends, if it does.
+    /// Visits the photon and scatters it. @return how the path ends, if it does.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     [[gnu::always_inline]] inline std::optional<PathEnd> meet(Reader& read, Visitor& visit,
                                                               const Bsdf& bsdf, const Hit& hit,
@@ -183,7 +184,8 @@ private:
         return {};
     }
 
-    /// meet() where the material varies; apart, so as not to be in the way of the rest.
+    /// meet() for a material that is textured or a mix; a separate function, to keep the usual one
+    /// short.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     [[gnu::noinline]] std::optional<PathEnd> meet_varied(Reader& read, Visitor& visit,
                                                          const Hit& hit, PhotonState& state) const {
@@ -193,7 +195,7 @@ private:
         return meet(read, visit, bsdf, bent, state);
     }
 
-    /// Chooses the light and the first ray; sets flux and direction.
+    /// Samples the light and the first ray; sets flux and direction.
     template <PrimarySampleReader Reader>
     std::optional<Emission> emit(Reader& read, PhotonState& state) const {
         const auto unit = [&](EmissionDimension which) { return to_unit(read(dimension(which))); };
@@ -204,7 +206,7 @@ private:
             {unit(EmissionDimension::position_u), unit(EmissionDimension::position_v),
              unit(EmissionDimension::direction_u), unit(EmissionDimension::direction_v)},
             pass_.scene.sphere());
-        if (!(start.factor > 0)) return {};  // from a dark place of a picture
+        if (!(start.factor > 0)) return {};  // from a black texel of an image
         state.light_group = transport_.light_groups.of(choice.index);
         const Vec3d normal(start.normal);
         start.origin += normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
@@ -222,7 +224,7 @@ private:
                 state.light_group, 1,      state.flux};
     }
 
-    /// One scattering event. @return false when the photon is absorbed.
+    /// Applies one scattering event. @return false if the photon is absorbed.
     template <PrimarySampleReader Reader>
     static bool scatter(Reader& read, const Bsdf& at_surface, const Hit& hit, PhotonState& state) {
         if (!is_dispersive(at_surface)) return scatter_at(read, at_surface, hit, state);
@@ -251,4 +253,4 @@ private:
     const bool has_media_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

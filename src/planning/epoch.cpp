@@ -1,10 +1,11 @@
-// A pilot and trials over views like that of the epoch's first pass.
+// Learning of an epoch by a pilot and trials for visible points like those of its first pass.
 #include "planning/epoch.h"
 
 #include "core/stopwatch.h"
 #include "film/target_error.h"
 #include "math/wavelengths.h"
 #include "photon/light_strata.h"
+#include "photon_samplers/samplers.h"
 #include "planning/photon_budget.h"
 #include "planning/trial_iterations.h"
 #include "visible_points/radius.h"
@@ -12,7 +13,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The first epoch is too short for a budget to pay, and for trials as large as those of others;
@@ -39,17 +40,9 @@ std::uint64_t worth_learning(std::uint32_t epoch) {
 
 }  // namespace
 
-std::uint32_t usual_paths(const PhotonSettings& settings, std::size_t pixels) {
-    constexpr std::size_t kLeast = 200'000;
-    constexpr std::size_t kOfPixel = 2;
-    constexpr std::size_t kMost = std::size_t{1} << 30U;
-    const std::size_t usual = std::min(kMost, std::max(kLeast, kOfPixel * pixels));
-    return settings.paths_per_pass.value_or(static_cast<std::uint32_t>(usual));
-}
-
 bool needs_learning(const Scene& scene, const RenderSettings& settings) {
     return !scene.is_dark() && settings.integrator == Integrator::sppm &&
-           settings.photon.sampler == PhotonSampler::adaptive;
+           learns(settings.photon.sampler);
 }
 
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
@@ -99,4 +92,4 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     return epoch;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

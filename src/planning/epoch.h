@@ -16,7 +16,7 @@
 #include <functional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// 0 for passes 0 .. 15, 1 for 16 .. 127, 2 for 128 .. 1023, and so on by factors of eight.
 constexpr std::uint32_t epoch_of(std::uint32_t pass) {
@@ -40,9 +40,6 @@ struct Epoch {
     double seconds = 0;
 };
 
-/// Photon paths of a pass, unless learning finds others better.
-std::uint32_t usual_paths(const PhotonSettings& settings, std::size_t pixels);
-
 /// Is there anything to learn? If not, each epoch is the same but for its number.
 bool needs_learning(const Scene& scene, const RenderSettings& settings);
 
@@ -52,4 +49,4 @@ bool needs_learning(const Scene& scene, const RenderSettings& settings);
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
                   const std::function<void(double)>& view_traced = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

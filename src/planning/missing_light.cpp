@@ -1,4 +1,4 @@
-// Walks from the visible points of each block of a view.
+// Importons from the visible points of each block of a trial.
 #include "planning/missing_light.h"
 
 #include "photon/importons.h"
@@ -7,14 +7,14 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
-constexpr int kBlocks = 16;                          // a side
-constexpr std::uint32_t kWalks = 512;                // of a block
-constexpr std::uint32_t kNoEpoch = (1U << 20U) - 1;  // no render comes so far
+constexpr int kBlocks = 16;                          // per axis
+constexpr std::uint32_t kWalks = 512;                // per block
+constexpr std::uint32_t kNoEpoch = (1U << 20U) - 1;  // beyond any render
 
-/// Block i of so many along an axis.
+/// Returns the boundary i of blocks along an axis.
 int edge(int begin, int end, int i) {
     return begin + static_cast<int>((std::int64_t{end} - begin) * i / kBlocks);
 }
@@ -43,4 +43,4 @@ double share_lit_by_photons(const Scene& scene, const RenderSettings& settings) 
     return static_cast<double>(lit) / static_cast<double>(whole.pixels());
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,17 +1,18 @@
-// Both views' points in one index: photons meet them as those of one pass.
+// The visible points of both trials in one index, so that photons are gathered as in one pass.
 #include "planning/photon_trials.h"
 
 #include "camera_paths/trace_camera_paths.h"
+#include "photon_samplers/splitting_sampler.h"
 #include "planning/trial_iterations.h"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
-/// The first view's points, and the second's as pixels behind those of the first.
+/// Returns an index of the first trial's points, and the second's with pixel numbers behind those.
 VisiblePointIndex both(const CameraTrial& seen, VisiblePointLists others, std::size_t pixels,
                        int max_depth) {
     const std::span<const VisiblePoint> points = seen.index.points();
@@ -66,12 +67,12 @@ PhotonTrials photon_trials(const CameraPass& second, const CameraTrial& seen,
     trials.pair.cells = second.cells;
     trials.pair.paths = static_cast<double>(paths_of(strata));
     PhotonCounts taken(2 * pixels);
+    const PhotonContext view{second.scene, second.transport, index};
     for (std::uint32_t set = 0; set < kPhotonSets; ++set) {
         PassImage image(2 * pixels, {});
-        trials.totals.add(trace_photons({second.scene, second.transport, index},
-                                        name.iteration(kPhotonSetsIteration + set),
-                                        PhotonSampler::adaptive, strata, {image, &taken}),
-                          1.0 / kPhotonSets);
+        const PhotonPass pass{view, name.iteration(kPhotonSetsIteration + set), strata, {}};
+        NoState none;
+        trials.totals.add(SplittingSampler::trace(pass, {image, &taken}, none), 1.0 / kPhotonSets);
         add_light(image, set, trials.pair);
     }
     const auto middle = taken.begin() + static_cast<std::ptrdiff_t>(pixels);
@@ -83,4 +84,4 @@ PhotonTrials photon_trials(const CameraPass& second, const CameraTrial& seen,
     return trials;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

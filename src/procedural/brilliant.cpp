@@ -4,12 +4,13 @@
 
 #include "math/trigonometry.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint32_t kFold = 8;
 
-/// Appends `count` corners at one radius and height, the first `turn` full turns from the x axis.
+/// Appends `count` corners at one radius and height, the first at `turn` revolutions from the x
+/// axis.
 std::uint32_t add_ring(Mesh& mesh, std::uint32_t count, double turn, double radius, double height) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -60,4 +61,4 @@ Mesh brilliant(const BrilliantCut& cut) {
     return mesh;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Facets: a large square in the plane, cut by one half-space after the other.
+// Facets: a large square in the plane, clipped by one half-space after the other.
 
 #include "procedural/convex.h"
 
@@ -6,12 +6,12 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kLarge = 100;
 
-/// What is left of a convex polygon (Sutherland and Hodgman 1974).
+/// Clips a convex polygon (Sutherland and Hodgman 1974).
 Polygon cut(const Polygon& polygon, const HalfSpace& by) {
     Polygon rest;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -61,4 +61,4 @@ void add_polygon(Mesh& mesh, const Polygon& polygon) {
         mesh.triangles.push_back({first, first + i, first + i + 1});
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

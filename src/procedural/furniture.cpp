@@ -1,4 +1,4 @@
-// Cushions are superellipsoids, turned work is turned, the rest is boards.
+// Cushions are superellipsoids, round parts are surfaces of revolution, the rest is boards.
 
 #include "procedural/furniture.h"
 
@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Mesh cushion(const Vec3d& half, const Vec3d& middle, float power = 0.4F) {
@@ -121,7 +121,7 @@ Mesh leaves() {
         const double length = random.between(0.35, 0.6);
         const double rise = random.between(0.5, 1.25);
         const double turn = 0.382 * i + random.between(-0.03, 0.03);
-        // A stalk that rises and bends over; the blade is the outer half of it.
+        // A stalk that rises and bends over; the blade is its outer half.
         const auto blade = [&](double around, double along) {
             const SinCos t = sin_cos_2pi(around);
             const SinCos swell = sin_cos_2pi(along / 2);
@@ -186,4 +186,4 @@ Mesh net_curtain(double width, double height) {
     return net;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

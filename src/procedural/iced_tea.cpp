@@ -1,4 +1,5 @@
-// The scene file around the tumbler: camera, sun, sky, table, and which surface parts which media.
+// The scene file around the tumbler: camera, sun, sky, table, and the media on each surface's
+// sides.
 
 #include "procedural/iced_tea.h"
 
@@ -7,7 +8,7 @@
 
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kHead =
@@ -85,4 +86,4 @@ std::vector<SceneFile> iced_tea_scene() {
             {"geometry/tea-sky.pfm", clear_sky_pfm(Vec3d(-0.52, 0.53, 0.67).normalized(), 64)}};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Meshes as bytes: binary PLY and pbrt-v4's trianglemesh; the box.
+// Meshes as binary PLY and as pbrt-v4's trianglemesh; boxes.
 
 #include "procedural/mesh.h"
 
@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::string shortest(float value) {
@@ -100,4 +100,4 @@ Mesh box_mesh(const std::array<float, 3>& low, const std::array<float, 3>& high)
     return mesh;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,10 +1,10 @@
-// The common head of the scenes, and parts one by one.
+// The common head of the scenes, and the addition of parts.
 
 #include "procedural/scene_folder.h"
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kReadable = 60;  // triangles
@@ -57,4 +57,4 @@ std::vector<SceneFile> SceneFolder::files() && {
     return std::move(files_);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

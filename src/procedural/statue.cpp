@@ -9,7 +9,7 @@
 #include "procedural/scene_folder.h"
 #include "procedural/surfaces.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kFar = R"(LookAt -47 -196 120  0 0 92  0 0 1
@@ -30,7 +30,7 @@ MakeNamedMaterial "wall" "string type" "diffuse" "rgb reflectance" [ 0.34 0.36 0
 struct Lamp {
     Vec3d place;
     std::string_view colour;
-    double half;  // of its side, cm
+    double half;  // half of its side, cm
 };
 
 constexpr std::array<Lamp, 3> kLamps = {{
@@ -40,7 +40,7 @@ constexpr std::array<Lamp, 3> kLamps = {{
 }};
 constexpr Vec3d kMiddle(0, 0, 111.8);  // of the knot
 
-/// A square that faces the statue.
+/// Returns a square that faces the statue.
 Mesh panel(const Lamp& lamp) {
     const Vec3d way = (kMiddle - lamp.place).normalized();
     const Vec3d side = Vec3d(0, 0, 1).cross(way).normalized();
@@ -60,7 +60,7 @@ Mesh pedestal() {
     return revolve(profile, 160);
 }
 
-/// Walls, floor and ceiling of the studio as boxes within one another.
+/// Adds walls, floor and ceiling of the studio as boxes within one another.
 void add_studio(SceneFolder& folder) {
     const auto half = static_cast<float>(kStudioHalfWidth);
     folder.add("floor", "floor",
@@ -76,9 +76,9 @@ void add_studio(SceneFolder& folder) {
 }  // namespace
 
 Mesh fluted_knot(std::size_t along, std::size_t around) {
-    constexpr double kRing = 21;  // of the torus that the knot lies on
+    constexpr double kRing = 21;  // radius of the torus on which the knot lies
     constexpr double kTube = 9.5;
-    constexpr double kThick = 5.8;  // of the fluted tube
+    constexpr double kThick = 5.8;  // radius of the fluted tube
     constexpr int kFlutes = 5;
     constexpr int kTwists = 8;
     return ring_grid(along, around, [=](double t, double turn) {
@@ -117,4 +117,4 @@ std::vector<SceneFile> statue_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

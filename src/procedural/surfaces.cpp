@@ -1,4 +1,4 @@
-// Grids of ring and ball form, and the surfaces made of them.
+// Grids with the topology of torus and sphere, and the surfaces made of them.
 
 #include "procedural/surfaces.h"
 
@@ -7,14 +7,14 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 double share(std::size_t i, std::size_t of) {
     return static_cast<double>(i) / static_cast<double>(of);
 }
 
-/// |x|^power with the sign of x.
+/// Returns |x|^power with the sign of x.
 double signed_power(double x, float power) {
     const auto size = std::pow(static_cast<float>(std::abs(x)), power);
     return x < 0 ? -size : size;
@@ -74,8 +74,9 @@ Mesh superellipsoid(const Vec3d& half, float power, std::size_t around, std::siz
 
 Mesh closed_tube(const std::vector<Vec3d>& chain, double radius, std::size_t around) {
     const std::size_t size = chain.size();
-    // Each ring lies across the way between the neighbours; its first point is that of the ring
-    // before, carried along. What is left to close the turn is spread over all rings.
+    // Each ring is perpendicular to the direction between its neighbours; its first point is that
+    // of the previous ring, transported along. The remaining rotation is distributed over all
+    // rings.
     std::vector<Vec3d> ways(size);
     for (std::size_t i = 0; i < size; ++i)
         ways[i] = (chain[(i + 1) % size] - chain[(i + size - 1) % size]).normalized();
@@ -105,4 +106,4 @@ Mesh torus(double radius, double thickness, std::size_t along, std::size_t aroun
     });
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

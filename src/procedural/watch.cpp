@@ -6,7 +6,7 @@
 #include "procedural/scene_folder.h"
 #include "procedural/watch_parts.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr SceneHead kHead = {"Unit: millimetres; z is up",
@@ -33,7 +33,7 @@ MakeNamedMaterial "blued" "string type" "diffuse" "rgb reflectance" [ 0.03 0.06 
 MakeNamedMaterial "glass" "string type" "dielectric" "float eta" 1.52
 )";
 
-constexpr double kTurn = -0.125;  // of the watch on the table
+constexpr double kTurn = -0.125;  // revolutions of the watch on the table
 
 }  // namespace
 
@@ -55,4 +55,4 @@ std::vector<SceneFile> watch_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

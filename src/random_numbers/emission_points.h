@@ -14,7 +14,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class EmissionPoints {
 public:
@@ -64,4 +64,4 @@ private:
 
 static_assert(PrimarySampleReader<EmissionPoints::Reader>);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

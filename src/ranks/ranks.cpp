@@ -1,7 +1,7 @@
 // The binary tree over neighbours, up and down.
 #include "ranks/ranks.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns whether rank `r` receives from rank r + step. Otherwise it sends to r - step, unless it
@@ -60,4 +60,4 @@ std::string first_text(const Ranks& ranks, const std::string& mine) {
     return first;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

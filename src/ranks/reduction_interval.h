@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns the passes of rank `rank` of `size`; may be empty.
 PassRange block_of(const PassRange& interval, int rank, int size);
@@ -37,4 +37,4 @@ struct IntervalLimits {
 /// has one.
 std::uint64_t passes_of_interval(const IntervalLimits& limits);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

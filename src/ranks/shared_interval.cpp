@@ -1,15 +1,15 @@
 // Blocks are rendered first and sent afterwards, so that no rank waits for a busy one.
 #include "ranks/shared_interval.h"
 
-#include "core/error.h"
 #include "ranks/film_transfer.h"
 #include "ranks/reduction_interval.h"
+#include "sunfleck/error.h"
 
 #include <array>
 #include <bit>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The passes of one part that a rank has, its own and received ones.
@@ -96,4 +96,4 @@ RankNote SharedInterval::render(
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <functional>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Data that a rank reports at the end of an interval.
 struct RankNote {
@@ -55,4 +55,4 @@ private:
     MakePass make_pass_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,9 +10,9 @@
 
 #include "reference/path_integrator.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Adds a camera path and a light path per pixel, with all their connections, to the total.
 void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image, Statistics& statistics);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

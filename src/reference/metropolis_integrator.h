@@ -12,7 +12,7 @@
 
 #include "reference/path_integrator.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Numbers of samples of a pass.
 struct MetropolisPlan {
@@ -27,4 +27,4 @@ MetropolisPlan metropolis_plan(std::size_t pixels);
 /// Adds a pass to the total. @return the fraction of bootstrap pairs that contributed light.
 double trace_metropolis_chains(const ReferencePass& pass, PassImage& image, Statistics& statistics);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

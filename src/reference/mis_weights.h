@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The densities at a vertex, as its own subpath sampled it.
 struct PathWeights {
@@ -108,4 +108,4 @@ inline double light_image_weight(const PathWeights& light, const Departure& from
     return 1 / (1 + at_light * from_other_end(light, from_light) / light_paths);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

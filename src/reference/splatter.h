@@ -4,7 +4,7 @@
 #include "camera/filter.h"
 #include "reference/path_integrator.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Splatter {
 public:
@@ -34,4 +34,4 @@ private:
     PassImage& image_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

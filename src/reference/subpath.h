@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A scattering vertex. "Local" means the frame of its shading normal.
 struct SubpathVertex {
@@ -103,4 +103,4 @@ private:
     LightRay start_;  // or the camera ray
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "scene/pass_scene.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns the Bsdf at a hit for the path: at a dispersive surface that is not specular, the path
 /// terminates its secondary wavelengths; a path of one wavelength gets the Bsdf of that wavelength.
@@ -17,4 +17,4 @@ inline Bsdf met_bsdf(const PassScene& scene, Hit& hit, SampledSpectrum& throughp
     return hero.single ? at_wavelength(bsdf, hero.chosen) : bsdf;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

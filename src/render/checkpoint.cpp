@@ -1,14 +1,14 @@
 // Checkpoints, word by word.
 #include "render/checkpoint.h"
 
-#include "core/error.h"
 #include "core/input_file.h"
 #include "film/film_file.h"
+#include "sunfleck/error.h"
 
 #include <bit>
 #include <type_traits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x0A'74'70'6B'63'6E'75'73;     // "sunckpt\n"
@@ -70,6 +70,29 @@ private:
     WordReader& in_;
 };
 
+/// Hands a photon sampler's state to an archive.
+/// @param state  SamplerState, constant for an archive that writes.
+template <class Variant, class Archive>
+void visit_sampler_state(Variant& state, Archive& archive) {
+    std::visit(
+        [&]<class State>(State& s) {
+            if constexpr (!std::is_same_v<std::remove_const_t<State>, NoState>)
+                std::remove_const_t<State>::visit(s, archive);
+        },
+        state);
+}
+
+/// The alternative of that index, to be filled by an archive.
+template <std::size_t Index = std::variant_size_v<SamplerState> - 1>
+SamplerState alternative_at(std::uint64_t index) {
+    if constexpr (Index == 0) {
+        return NoState();
+    } else {
+        if (index != Index) return alternative_at<Index - 1>(index);
+        return std::variant_alternative_t<Index, SamplerState>(PhotonSettings(), 0.5, 0);
+    }
+}
+
 /// The numbers of a state that are no sums.
 struct Numbers {
     PassTimes seconds;
@@ -92,8 +115,10 @@ bool is_sound(const RenderState& state) {
         if (!(number >= 0 && number < 1e15)) return false;
     const auto& ranges = state.film.passes().ranges();
     if (ranges.size() != 1 || ranges[0].end > kMostPasses) return false;
-    if (state.paper.has_value() != state.film.key().sequential) return false;
-    return !state.paper || state.paper->is_sound(state.film);
+    const FilmKey& key = state.film.key();
+    const bool has_state = !std::holds_alternative<NoState>(state.sampler);
+    return has_state == key.sequential &&
+           is_sound(state.sampler, key.pixels(), state.film.pass_count());
 }
 
 std::vector<SceneFileHash> take_files(WordReader& in) {
@@ -146,8 +171,8 @@ void write_checkpoint(const std::string& path, const Origin& origin, const Rende
     const Numbers numbers{state.seconds, state.total_seconds, state.cpu_seconds,
                           state.radius_factor};
     Numbers::visit(numbers, put);
-    put(state.paper.has_value());
-    if (state.paper) PaperMemory::visit(*state.paper, put);
+    out.put(std::uint64_t{state.sampler.index()});
+    visit_sampler_state(state.sampler, put);
     put_film(out, state.film);
     out.finish();
 }
@@ -159,13 +184,13 @@ Checkpoint read_checkpoint(std::istream& stream, std::uint64_t size, const std::
     Origin origin{in.text(), in.text(), take_files(in)};
     Numbers n;
     Numbers::visit(n, take);
-    std::optional<PaperMemory> paper;
-    if (in.word_up_to(1) != 0) PaperMemory::visit(paper.emplace(RenderSettings(), 0), take);
+    SamplerState sampler = alternative_at(in.word_up_to(std::variant_size_v<SamplerState> - 1));
+    visit_sampler_state(sampler, take);
     Film film = take_film(in);
     in.finish();
     Checkpoint checkpoint{std::move(origin),
                           {std::move(film), n.seconds, n.total_seconds, n.cpu_seconds,
-                           n.radius_factor, std::move(paper)}};
+                           n.radius_factor, std::move(sampler)}};
     if (!is_sound(checkpoint.state)) in.damaged();
     return checkpoint;
 }
@@ -194,4 +219,4 @@ void check_same_render(const std::string& name, const Checkpoint& checkpoint, co
                     "ask for " + std::to_string(passes.end) + " or more");
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

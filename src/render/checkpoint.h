@@ -2,10 +2,10 @@
 //
 // A file of words (film/word_file.h): magic, version; program, isa; count of the scene's files, and
 // each name and hash; radius factor, seconds of building, camera paths, index, photons, learning,
-// all of them, and those of the processors; 1 and the memory of the sampler `paper`, or 0 with
-// other samplers; the words of a film file; checksum of all before. Real numbers are the bits of
-// their double; lists are their length and their elements. The next pass is the one after the
-// film's last.
+// all of them, and those of the processors; the index of the photon sampler's state in SamplerState
+// (0: none, 1: of `paper`) and the state; the words of a film file; checksum of all before. Real
+// numbers are the bits of their double; lists are their length and their elements. The next pass is
+// the one after the film's last.
 //
 // The file is written beside the former one and renamed onto it, folder synced: after a crash at
 // any moment either is there, whole.
@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SceneFileHash {
     std::string name;  // as read
@@ -53,4 +53,4 @@ Checkpoint read_checkpoint(std::istream& stream, std::uint64_t size, const std::
 void check_same_render(const std::string& name, const Checkpoint& checkpoint, const Origin& origin,
                        const FilmKey& key, const StopSettings& stop);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

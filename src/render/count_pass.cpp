@@ -1,14 +1,14 @@
-// Names of statistics, and what they are sums of.
+// Names of statistics, and the sums behind them.
 #include "render/count_pass.h"
 
 #include "planning/epoch.h"
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
-/// Level by level, as sums over passes.
+/// Counts level by level, as sums over passes.
 void count_splitting(Film& film, const std::string& name, const SplittingCounts& splitting) {
     for (std::size_t k = 0; k < splitting.levels.size(); ++k) {
         const std::string level = name + "splitting." + std::to_string(k) + ".";
@@ -36,7 +36,7 @@ void count_strata(Film& film, const std::vector<StratumCounts>& strata) {
     }
 }
 
-/// How many subpasses, camera paths and photon paths the passes of an epoch have.
+/// Counts subpasses, camera paths and photon paths of an epoch's passes.
 void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     if (pass.strata.empty()) return;
     std::uint64_t paths = 0;
@@ -49,6 +49,12 @@ void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     film.count(name + "paths", paths);
 }
 
+/// What Film::add_pass() counts by itself.
+std::uint64_t counted_by_film(const PassImage& image, Count count) {
+    if (count == Count::dropped_nonfinite) return image.dropped();
+    return count == Count::saturated ? image.saturated() : 0;
+}
+
 bool is_starved(const PassResult& pass) {
     return pass.statistics[Count::visible_states] == 0;
 }
@@ -58,8 +64,8 @@ bool is_starved(const PassResult& pass) {
 void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     film.add_pass(number, pass.image, pass.weight);
     for (const CountRow& row : kCountRows)
-        if (row.count != Count::dropped_nonfinite && row.count != Count::saturated)
-            film.count(row.name, pass.statistics[row.count]);
+        film.count(row.name, pass.statistics[row.count] - counted_by_film(pass.image, row.count));
+    for (const SamplerSum& sum : pass.sums) film.sum(sum.name, sum.value);
     if (pass.statistics[Count::uniform_paths] == 0) return;
     film.count("starved_passes", is_starved(pass) ? 1 : 0);
     film.sum("visible_fraction", pass.visible_fraction);
@@ -69,4 +75,4 @@ void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     count_strata(film, pass.strata);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,14 @@
 // Sizes of what a pass and the film hold, fitted to measured peaks.
 #include "render/memory_estimate.h"
 
+#include "photon_samplers/samplers.h"
 #include "planning/adaptive_pixels.h"
 #include "planning/epoch.h"
 #include "random_numbers/path_range.h"
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 // Bytes, fitted to the scenes and sizes of docs/reference/render.md.
@@ -15,14 +16,8 @@ constexpr std::uint64_t kOnce = std::uint64_t{3} << 20U;
 /// Film, pass and picture; of the film, 20 bytes for a second stratum of passes
 /// (film/pass_groups.h).
 constexpr std::uint64_t kReferencePixel = 224;
-/// The same without strata, and a visible point with its place in the index.
-constexpr std::uint64_t kPaperPixel = 580;
-/// The same with 50 bytes for a second stratum.
-constexpr std::uint64_t kPixel = 650;
 /// What learning holds beside these; photons are traced when it is over.
 constexpr std::uint64_t kLearningPixel = 650;
-/// A photon path and its photons, until they are deposited.
-constexpr std::uint64_t kPath = 180;
 /// One more visible point, with its place in the index.
 constexpr std::uint64_t kPoint = 400;
 /// A channel more, in film, pass and picture.
@@ -35,16 +30,16 @@ std::uint64_t channels_of(const RenderSettings& settings) {
     return channels;
 }
 
-/// Of the renderer's own samplers.
 MemoryEstimate sppm_bytes(const RenderJob& job, std::uint64_t pixels) {
     const PhotonSettings& photon = job.settings.photon;
     const std::uint64_t paths = usual_paths(photon, pixels);
-    const std::uint64_t photons = kPath * std::min(paths, paths_at_once(paths));
+    const SamplerMemory memory = memory_of(photon.sampler);
+    const std::uint64_t photons = memory.path * std::min(paths, paths_at_once(paths));
     if (!needs_learning(job.scene, job.settings)) {
-        const std::uint64_t all = pixels * kPixel + photons;
+        const std::uint64_t all = pixels * memory.pixel + photons;
         return {all, all};
     }
-    const std::uint64_t usual = pixels * kPixel + std::max(pixels * kLearningPixel, photons);
+    const std::uint64_t usual = pixels * memory.pixel + std::max(pixels * kLearningPixel, photons);
     if (!photon.adaptive_pixels) return {usual, usual};
     return {usual, usual + kPoint * (most_camera_paths(pixels) - pixels)};
 }
@@ -52,8 +47,6 @@ MemoryEstimate sppm_bytes(const RenderJob& job, std::uint64_t pixels) {
 MemoryEstimate bytes_of_kind(const RenderJob& job, std::uint64_t pixels) {
     if (job.settings.integrator != Integrator::sppm)
         return {pixels * kReferencePixel, pixels * kReferencePixel};
-    if (job.settings.photon.sampler == PhotonSampler::paper)
-        return {pixels * kPaperPixel, pixels * kPaperPixel};
     return sppm_bytes(job, pixels);
 }
 
@@ -66,4 +59,4 @@ MemoryEstimate render_bytes(const RenderJob& job) {
     return {of_kind.usual + more, of_kind.most + more};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,68 +3,73 @@
 
 #include "camera_paths/trace_camera_paths.h"
 #include "core/stopwatch.h"
+#include "photon_samplers/samplers.h"
 #include "reference/bidirectional_integrator.h"
 #include "reference/light_integrator.h"
 #include "reference/metropolis_integrator.h"
-#include "stages/photon_stage.h"
 #include "visible_points/radius.h"
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Adds one subpass: camera paths and the photon paths that belong to them.
 PhotonTotals draw_sppm(const RenderSettings& settings, const CameraPass& camera,
                        const std::vector<LightStratum>& strata, PhotonCounts* taken,
-                       PassResult& result) {
+                       SamplerState& state, PassResult& result) {
     Stopwatch watch;
     auto points = trace_camera_paths(camera, result.image, result.statistics);
+    if (const auto factor = shrink_radii(state, points)) result.radius_factor = *factor;
     result.seconds.camera += watch.lap();
     const VisiblePointIndex index(std::move(points), camera.transport.max_depth);
     result.seconds.index += watch.lap();
-    PhotonTotals photons = trace_photons({camera.scene, settings.transport, index},
-                                         camera.id.subpass(camera.subpass.number),
-                                         settings.photon.sampler, strata, {result.image, taken});
+    const PhotonContext view{camera.scene, settings.transport, index};
+    PhotonTotals photons =
+        trace_photons({view, camera.id.subpass(camera.subpass.number), strata, settings.photon},
+                      {result.image, taken}, state);
     result.seconds.photon += watch.lap();
     return photons;
 }
 
 void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch& epoch,
-                 PassResult& result) {
+                 SamplerState& state, PassResult& result) {
     PhotonTotals photons;
     camera.log2_samples = epoch.log2_samples;
     const bool are_counted = result.image.has(Aov::samples);
     PhotonCounts taken(are_counted ? result.image.pixels() : 0);
     for (std::uint32_t subpass = 0; subpass < epoch.subpasses; ++subpass) {
         camera.subpass = {subpass, epoch.subpasses};
-        photons.add(
-            draw_sppm(settings, camera, epoch.strata, are_counted ? &taken : nullptr, result),
-            1.0 / epoch.subpasses);
+        photons.add(draw_sppm(settings, camera, epoch.strata, are_counted ? &taken : nullptr, state,
+                              result),
+                    1.0 / epoch.subpasses);
     }
     if (are_counted) add_samples(taken, result.image);
     result.statistics += photons.statistics;
     result.visible_fraction = photons.visible_fraction;
     result.strata = std::move(photons.strata);
+    result.sums = std::move(photons.sums);
 }
 
 }  // namespace
 
 PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::uint32_t number,
-                       const Epoch& epoch) {
+                       const Epoch& epoch, SamplerState& state) {
     const PixelWindow window = window_of(scene.film());
     const PassId id{settings.seed, number};
-    const bool has_discs = settings.integrator == Integrator::sppm;
+    const bool sequential = is_sequential(settings);  // its state sets the radii
+    const bool has_discs = settings.integrator == Integrator::sppm && !sequential;
     PassResult result{PassImage(window.pixels(), settings.aovs, has_discs,
                                 settings.transport.light_groups.names.size(), epoch.subpasses),
                       {},
                       {},
-                      radius_factor(number, settings.alpha),
+                      sequential ? 1 : radius_factor(number, settings.alpha),
                       0,
                       {},
                       epoch.subpasses,
                       epoch.weight};
-    if (scene.is_dark() && settings.aovs == AovSet{}) return result;
+    // A state counts passes: a black one, too, goes the whole way.
+    if (scene.is_dark() && settings.aovs == AovSet{} && !sequential) return result;
     Stopwatch watch;
     const PassScene at_wavelengths(scene, id);
     result.seconds.build = watch.lap();
@@ -73,7 +78,7 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     const ReferencePass reference{at_wavelengths, settings.transport, window, id};
     switch (settings.integrator) {
         case Integrator::sppm:
-            render_sppm(settings, camera, epoch, result);
+            render_sppm(settings, camera, epoch, state, result);
             break;
         case Integrator::path:
             trace_reference_paths(reference, result.image, result.statistics);
@@ -101,4 +106,4 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,17 +2,27 @@
 //
 // In:  scene, settings, seed and number of the pass. Out: the image of this pass alone, unbiased
 // for its radius, and integer counts. So passes may run in any order, on any machine, or again:
-// the film only adds them up.
+// the film only adds them up. A photon sampler with a state is the exception: its state is an
+// argument, too, and its passes have an order.
 #pragma once
 
+#include "photon_samplers/samplers.h"
 #include "planning/epoch.h"
 #include "stages/pass_result.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param epoch  of that pass.
+/// @param state  of the photon sampler: as the pass before left it, and as this pass leaves it.
 PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::uint32_t number,
-                       const Epoch& epoch);
+                       const Epoch& epoch, SamplerState& state);
+
+/// The same with a sampler whose passes are independent of each other.
+inline PassResult render_pass(const Scene& scene, const RenderSettings& settings,
+                              std::uint32_t number, const Epoch& epoch) {
+    SamplerState none;
+    return render_pass(scene, settings, number, epoch, none);
+}
 
 /// The same, learning the epoch by itself.
 inline PassResult render_pass(const Scene& scene, const RenderSettings& settings,
@@ -20,4 +30,4 @@ inline PassResult render_pass(const Scene& scene, const RenderSettings& settings
     return render_pass(scene, settings, number, learn_epoch(scene, settings, number));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Passes one after the other.
+// Passes in order.
 #include "render/pass_maker.h"
 
 #include "core/parallel.h"
@@ -7,43 +7,43 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
-PassMaker::PassMaker(const RenderJob& job, RenderState& state, PassHooks hooks)
-    : job_(job), state_(state), hooks_(std::move(hooks)) {
-    if (!is_sequential(job.settings)) return;
-    if (!state.paper) state.paper.emplace(job.settings, state.film.key().pixels());
-    paper_.emplace(job.scene, job.settings, *state.paper);
+PassMaker::PassMaker(const RenderJob& job, RenderState& state) : job_(job), state_(state) {
+    if (is_sequential(job.settings) && std::holds_alternative<NoState>(state.sampler))
+        state.sampler =
+            first_state(job.settings.photon, job.settings.alpha, state.film.key().pixels());
 }
 
-/// @return false if it was cut short.
-bool PassMaker::learn(std::uint32_t number) {
+/// @return false if it was cancelled.
+bool PassMaker::learn(std::uint32_t number, const PassHooks& hooks) {
     if (epoch_ && epoch_->number == epoch_of(number)) return true;
-    const bool is_told = hooks_.learning && needs_learning(job_.scene, job_.settings);
-    if (is_told) hooks_.learning(true);
-    const bool is_learned = run_unless(hooks_.cuts_learning, [&] {
-        epoch_ = learn_epoch(job_.scene, job_.settings, number, hooks_.view_traced);
+    const bool is_told = hooks.learning && needs_learning(job_.scene, job_.settings);
+    if (is_told) hooks.learning(true);
+    const bool is_learned = run_unless(hooks.cuts_learning, [&] {
+        epoch_ = learn_epoch(job_.scene, job_.settings, number, hooks.view_traced);
     });
-    if (is_told) hooks_.learning(false);
+    if (is_told) hooks.learning(false);
     if (is_learned) state_.seconds.learn += epoch_->seconds;
     return is_learned;
 }
 
-std::optional<double> PassMaker::make(std::uint32_t number, Film& film) {
-    std::optional<PassResult> pass;
-    if (paper_) {
-        pass.emplace(paper_->next_pass());
-    } else {
-        if (!learn(number)) return {};
-        const bool is_whole = run_unless(hooks_.cuts_pass, [&] {
-            pass.emplace(render_pass(job_.scene, job_.settings, number, *epoch_));
-        });
-        if (!is_whole) return {};
+std::optional<double> PassMaker::make(std::uint32_t number, Film& film, PassHooks hooks) {
+    if (is_sequential(job_.settings)) {
+        hooks.cuts_learning = {};
+        hooks.cuts_pass = {};
     }
-    add_pass(film, number, *pass);
-    if (paper_) paper_->count(film);
-    state_.seconds += pass->seconds;
+    std::optional<PassResult> pass;
+    if (!learn(number, hooks)) return {};
+    const bool is_whole = run_unless(hooks.cuts_pass, [&] {
+        pass.emplace(render_pass(job_.scene, job_.settings, number, *epoch_, state_.sampler));
+    });
+    if (!is_whole) return {};
+    change_film(hooks.change, [&] {
+        add_pass(film, number, *pass);
+        state_.seconds += pass->seconds;
+    });
     return pass->radius_factor;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

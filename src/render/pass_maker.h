@@ -1,15 +1,15 @@
 // Passes one after the other, each added to a film.
 #pragma once
 
-#include "paper/paper_render.h"
 #include "planning/epoch.h"
+#include "render/render_hooks.h"
 #include "render/render_job.h"
 #include "render/render_state.h"
 
 #include <functional>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is asked and told while a pass is made. Each may be absent.
 struct PassHooks {
@@ -17,26 +17,25 @@ struct PassHooks {
     std::function<void(double)> view_traced;    // while learning: see learn_epoch()
     std::function<bool()> cuts_learning;        // asked on any thread: is it to be cut short?
     std::function<bool()> cuts_pass;            // the same of the pass itself
+    FilmChange change;                          // as in RenderHooks
 };
 
 class PassMaker {
 public:
-    /// @param state  its seconds grow with each pass; with the sampler `paper` its memory goes on.
-    PassMaker(const RenderJob& job, RenderState& state, PassHooks hooks = {});
+    /// @param state  its seconds grow with each pass, and the sampler's state goes on.
+    PassMaker(const RenderJob& job, RenderState& state);
 
     /// Renders a pass and adds it, with all that it counted, to a film of this job.
     /// @return its radius factor, or nothing if it was cut short: then the film has not changed.
-    ///         Passes of the sampler `paper` never are: they change its memory while they run.
-    std::optional<double> make(std::uint32_t number, Film& film);
+    ///         Passes of a sampler with a state never are: they change it while they run.
+    std::optional<double> make(std::uint32_t number, Film& film, PassHooks hooks = {});
 
 private:
-    bool learn(std::uint32_t number);
+    bool learn(std::uint32_t number, const PassHooks& hooks);
 
     const RenderJob& job_;
     RenderState& state_;
-    PassHooks hooks_;
     std::optional<Epoch> epoch_;
-    std::optional<PaperRender> paper_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,22 +2,20 @@
 #pragma once
 
 #include "film/film.h"
-#include "paper/paper_memory.h"
+#include "photon_samplers/samplers.h"
 #include "stages/pass_result.h"
 
-#include <optional>
-
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// All that goes from one pass to the next. What adaptive sampling has learned is no part of it: an
 /// epoch's plan is learned again, to the same bits, from the number of the pass (planning/epoch.h).
 struct RenderState {
     Film film;
     PassTimes seconds;
-    double total_seconds = 0;          // of rendering, on the wall
-    double cpu_seconds = 0;            // the same of all threads together
-    double radius_factor = 1;          // of the last pass
-    std::optional<PaperMemory> paper;  // of the sampler `paper` alone
+    double total_seconds = 0;  // of rendering, on the wall
+    double cpu_seconds = 0;    // the same of all threads together
+    double radius_factor = 1;  // of the last pass
+    SamplerState sampler{};    // of the photon sampler after the last pass, if it has one
 };
 
 struct RenderResult : RenderState {
@@ -27,4 +25,4 @@ struct RenderResult : RenderState {
     bool is_unlearned = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

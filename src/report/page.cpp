@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A placeholder of the template, and its replacement.
@@ -126,4 +126,4 @@ std::string report_page(const Comparison& comparison) {
     return filled(kPage, parts);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

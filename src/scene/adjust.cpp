@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Scales an interval to another extent, at least one pixel long. @param low, high  of `before`
@@ -19,12 +19,12 @@ void keep_share(int& low, int& high, int before, int now) {
 
 }  // namespace
 
-void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
-    const Vec2i before = scene.film.resolution;
-    set_resolution(scene.camera, resolution);
-    scene.film.resolution = resolution;
-    if (scene.film.crop) {
-        auto& crop = *scene.film.crop;
+void set_resolution(Camera& camera, FilmDescription& film, const Vec2i& resolution) {
+    const Vec2i before = film.resolution;
+    set_resolution(camera, resolution);
+    film.resolution = resolution;
+    if (film.crop) {
+        auto& crop = *film.crop;
         keep_share(crop[0], crop[1], before.x, resolution.x);
         keep_share(crop[2], crop[3], before.y, resolution.y);
     }
@@ -41,8 +41,8 @@ std::array<int, 4> pixels_of_window(const std::array<double, 4>& window, const V
             pixel(std::max(window[2], window[3]), size.y)};
 }
 
-void set_crop(SceneDescription& scene, const std::array<int, 4>& crop, const std::string& flag) {
-    const Vec2i size = scene.film.resolution;
+void set_crop(FilmDescription& film, const std::array<int, 4>& crop, const std::string& flag) {
+    const Vec2i size = film.resolution;
     const auto is_run = [](int begin, int end, int most) {
         return 0 <= begin && begin < end && end <= most;
     };
@@ -50,11 +50,11 @@ void set_crop(SceneDescription& scene, const std::array<int, 4>& crop, const std
         throw Error({flag}, "is not within the picture",
                     "give x0,x1,y0,y1 in pixels, with 0 <= x0 < x1 <= " + std::to_string(size.x) +
                         " and 0 <= y0 < y1 <= " + std::to_string(size.y));
-    scene.film.crop = crop;
+    film.crop = crop;
 }
 
-void compensate_energy(SceneDescription& scene) {
-    for (Material& material : scene.materials) {
+void compensate_energy(std::vector<Material>& materials) {
+    for (Material& material : materials) {
         if (auto* metal = std::get_if<ConductorMaterial>(&material))
             metal->roughness.gives_back = true;
         if (auto* glass = std::get_if<DielectricMaterial>(&material))
@@ -62,4 +62,4 @@ void compensate_energy(SceneDescription& scene) {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Changes to a scene description that command-line flags ask for, before the scene is built.
+// Changes to a scene that a user asks for: film size, crop, energy compensation.
 #pragma once
 
 #include "scene/description.h"
@@ -6,12 +6,15 @@
 #include <array>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Sets another film size. The camera keeps the extent of its shorter axis; a crop keeps its
 /// fraction of the film, at least one pixel per axis.
 /// @param resolution  positive, at most 65536 per side.
-void set_resolution(SceneDescription& scene, const Vec2i& resolution);
+void set_resolution(Camera& camera, FilmDescription& film, const Vec2i& resolution);
+inline void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
+    set_resolution(scene.camera, scene.film, resolution);
+}
 
 /// Returns the pixels of a crop window, rounded as in pbrt-v4.
 /// @param window  x0 x1 y0 y1 as fractions of the picture. @return x0 x1 y0 y1 in pixels.
@@ -21,9 +24,9 @@ std::array<int, 4> pixels_of_window(const std::array<double, 4>& window, const V
 /// @param crop  x0 x1 y0 y1 in pixels.
 /// @param flag  the flag, for the error.
 /// @throws Error  if the crop is not within the picture.
-void set_crop(SceneDescription& scene, const std::array<int, 4>& crop, const std::string& flag);
+void set_crop(FilmDescription& film, const std::array<int, 4>& crop, const std::string& flag);
 
 /// Enables energy compensation of rough metals and glass (bsdf/facet_losses.h), except under coats.
-void compensate_energy(SceneDescription& scene);
+void compensate_energy(std::vector<Material>& materials);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns the normal of the side that rays call outside: by the winding in the object's frame,
@@ -111,4 +111,4 @@ std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32
     return lights;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

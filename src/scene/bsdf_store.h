@@ -8,7 +8,7 @@
 #include <deque>
 #include <mutex>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Any number of threads may add; reading starts when all have finished.
 class BsdfStore {
@@ -27,4 +27,4 @@ private:
     std::deque<Bsdf> bsdfs_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A statement of the scene file that makes one light or many.
 struct LightStatement {
@@ -114,4 +114,4 @@ struct SceneDescription {
     std::vector<UsedWord> words;      // sorted
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

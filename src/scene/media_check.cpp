@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Limit of nesting: inner shapes are checked when those around them are consistent.
@@ -88,10 +88,11 @@ void take_starts(const MediaWalks& walks, Media& media) {
 
 }  // namespace
 
-void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
-                const ScenePlaces& places, Warnings& warnings) {
+std::vector<std::uint32_t> mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
+                                      const ScenePlaces& places, Warnings& warnings) {
     const Media stated = media;
     std::set<std::uint32_t> at_odds;
+    std::vector<std::uint32_t> exchanged;
     for (int i = 0; i < kMostNested; ++i) {
         MediaWalks walks(surfaces, origins, stated, at_odds);
         walks.walk_all();
@@ -99,6 +100,7 @@ void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
         const auto inside_out = shapes_inside_out(walks);
         for (const std::uint32_t shape : inside_out) {
             surfaces.exchange_media(shape);
+            exchanged.push_back(shape);
             warnings.add(places.shapes[shape],
                          "the normals of this shape point into it, so that its MediumInterface "
                          "names the medium inside as the one outside; both were exchanged; remove "
@@ -120,6 +122,7 @@ void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
                      "that light and camera paths may cross different media; name the same medium "
                      "on sides of surfaces that face each other and around the camera, and close "
                      "the shape, because rays pass around the edge of an open one");
+    return exchanged;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

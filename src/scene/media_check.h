@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Locations of the shapes in the scene file.
 struct ScenePlaces {
@@ -27,7 +27,8 @@ struct ScenePlaces {
 /// through which they are seen. Warns of these changes, and of shapes that remain inconsistent. A
 /// camera or light with a named medium is taken as right; without any, the camera is in empty
 /// space. Decisions are made by random walks (scene/media_walks.h) that depend on the scene alone.
-void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
-                const ScenePlaces& places, Warnings& warnings);
+/// @return  the shapes whose media were exchanged.
+std::vector<std::uint32_t> mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
+                                      const ScenePlaces& places, Warnings& warnings);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

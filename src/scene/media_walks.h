@@ -16,7 +16,7 @@
 #include <set>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Counts of walks by what they found about the media of a shape.
 struct MediaVotes {
@@ -89,4 +89,4 @@ private:
     std::map<std::uint32_t, ShapeVotes> votes_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

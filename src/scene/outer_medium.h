@@ -5,7 +5,7 @@
 #include "scene/media.h"
 #include "scene/surfaces.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Finds the outer medium by rays that leave the scene from the camera through transmitting
 /// surfaces; empty space if there is none (then no distant light reaches the camera). In pbrt-v4
@@ -14,4 +14,4 @@ namespace sunfleck {
 MediumNumber outer_medium_of(const Surfaces& surfaces, const CameraView& view,
                              MediumNumber at_camera);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

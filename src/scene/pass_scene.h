@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PassScene {
     const Scene& scene;
@@ -48,7 +48,7 @@ struct PassScene {
 
     /// Returns the transmittance of a distance in a medium; the distance may be infinite.
     SampledSpectrum transmittance(MediumNumber medium, float distance) const {
-        return sunfleck::transmittance(absorption[medium], distance);
+        return sunfleck::engine::transmittance(absorption[medium], distance);
     }
     /// Returns the medium in which light leaves a light, and attenuates its flux: distant light has
     /// come an infinite way already.
@@ -86,4 +86,4 @@ private:
     mutable BsdfStore kept_;                 // numbers depend on the threads, pictures do not
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <type_traits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Shapes = std::vector<ShapeDescription>;
@@ -84,10 +84,14 @@ Vec3d move_to_rendering_space(SceneDescription& scene) {
     move(scene.shapes, -origin);
     for (InstanceDescription& instance : scene.instances) move(instance.to_world, -origin);
     for (Light& light : scene.lights) std::visit([&](auto& one) { move(one, -origin); }, light);
-    std::visit([&](auto& camera) { move(camera.camera_to_world, -origin); }, scene.camera);
+    move_to(origin, scene.camera);
     move_covers(scene.shapes, origin);
     for (Shapes& object : scene.objects) move_covers(object, origin);
     return origin;
 }
 
-}  // namespace sunfleck
+void move_to(const Vec3d& origin, Camera& camera) {
+    std::visit([&](auto& one) { move(one.camera_to_world, -origin); }, camera);
+}
+
+}  // namespace sunfleck::engine

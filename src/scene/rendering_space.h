@@ -10,11 +10,14 @@
 
 #include "scene/description.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Translates shapes, instances, lights, the camera and the frames of objects.
 /// @return the origin of rendering space in the world: origin_near() of the shapes that do not
 /// emit, or of those that do if there are no others.
 Vec3d move_to_rendering_space(SceneDescription& scene);
 
-}  // namespace sunfleck
+/// Moves a camera of the world into the rendering space of that origin.
+void move_to(const Vec3d& origin, Camera& camera);
+
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns whether a shape has no effect on paths: interfaces that neither emit nor separate media,
@@ -37,22 +37,38 @@ Scene::Scene(SceneDescription description, const std::string& isa)
     : origin_(move_to_rendering_space(description)),
       has_media_(description.media.absorb()),
       reliefs_(std::move(description.reliefs)),
-      lights_(std::move(description.light_statements)),
+      lights_(std::make_shared<SceneLights>(std::move(description.light_statements))),
       surfaces_(take_shapes(description, isa)),
-      camera_(description.camera),
       filter_(description.filter),
-      film_(std::move(description.film)),
       hints_(std::move(description.hints)),
       warnings_(std::move(description.warnings)),
       path_(std::move(description.path)) {
     reliefs_.resize(materials().size());
     finish_lights(description);
     find_darkness();
+    if (has_media_) join_media(std::move(description.media));
+    stated_ = std::make_shared<const Stated>(
+        Stated{media_, warnings_, places_of(description, path_, materials())});
+    camera_ = description.camera;
+    film_ = std::move(description.film);
+    if (has_media_) place_view();
+}
+
+void Scene::set_view(Camera camera, FilmDescription film) {
+    camera_ = std::move(camera);
+    move_to(origin_, camera_);
+    film_ = std::move(film);
+    warnings_ = stated_->warnings;
     if (!has_media_) return;
-    join_media(std::move(description.media));
+    media_ = stated_->media;
+    for (const std::uint32_t shape : exchanged_) surfaces_.exchange_media(shape);
+    place_view();
+}
+
+/// Finds the medium around the camera and around everything.
+void Scene::place_view() {
     const CameraView view{camera_, film_.resolution};
-    mend_media(surfaces_, media_, {view, lights_}, places_of(description, path_, materials()),
-               warnings_);
+    exchanged_ = mend_media(surfaces_, media_, {view, *lights_}, stated_->places, warnings_);
     outer_medium_ = outer_medium_of(surfaces_, view, media_.at_camera);
     for (std::size_t i = 0; i < lights().size(); ++i)
         if (comes_from_afar(lights()[i])) media_.at_lights[i] = {outer_medium_, outer_medium_};
@@ -95,7 +111,7 @@ Surfaces Scene::take_shapes(SceneDescription& description, const std::string& is
 
 void Scene::add_area_lights(const ShapeDescription& shape, std::uint32_t index) {
     const std::vector<AreaLight> made = area_lights_of(shape, index);
-    lights_.add(made, shape.emission->statement);
+    lights_->add(made, shape.emission->statement);
     // Without a surface the medium around the light is the one within, too.
     const MediumSides around{shape.media.outside, shape.media.outside};
     media_.at_lights.insert(media_.at_lights.end(), made.size(),
@@ -105,12 +121,12 @@ void Scene::add_area_lights(const ShapeDescription& shape, std::uint32_t index) 
 /// Adds the lights that are not area lights, which have been added before.
 void Scene::finish_lights(const SceneDescription& description) {
     for (std::size_t i = 0; i < description.lights.size(); ++i)
-        lights_.add(description.lights[i],
-                    i < description.stated_in.size() ? description.stated_in[i] : kNone);
+        lights_->add(description.lights[i],
+                     i < description.stated_in.size() ? description.stated_in[i] : kNone);
     const Bounds& bounds = geometry().bounds();
     SceneSphere sphere;
     if (!bounds.is_empty()) sphere = {bounds.center(), std::max(bounds.radius(), 1e-6)};
-    lights_.finish(sphere);
+    lights_->finish(sphere);
 }
 
 void Scene::find_darkness() {
@@ -120,7 +136,7 @@ void Scene::find_darkness() {
     };
     if (lights().empty())
         darken("the scene has no light");
-    else if (!lights_.has_power())
+    else if (!lights_->has_power())
         darken("no light of the scene has any power (L, I or scale is 0)");
     else if (geometry().bounds().is_empty() && infinite_lights().empty())
         darken("the scene has no shape and no infinite light: nothing can be seen");
@@ -134,4 +150,4 @@ void Scene::join_media(Media media) {
     media_.at_camera = media.at_camera;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,21 +1,30 @@
 // Scene: the immutable whole of surfaces, materials, lights and camera, ready for rendering.
 //
 // In:  a SceneDescription. Out: hits with their material and emission. Thread-safe.
+// Copies share geometry and lights, and may have a camera and a film of their own.
 #pragma once
 
 #include "scene/description.h"
+#include "scene/media_check.h"
 #include "scene/scene_lights.h"
 #include "scene/surfaces.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Scene {
 public:
     /// @param isa  see Geometry. @throws Error  for a scene that cannot be built.
     explicit Scene(SceneDescription description, const std::string& isa = "avx2");
+
+    /// Sets another camera and film; the scene is then as if it had been built with them.
+    /// @param camera  in world space.
+    void set_view(Camera camera, FilmDescription film);
+    /// Enables energy compensation, as compensate_energy() of scene/adjust.h.
+    void compensate_energy() { surfaces_.compensate_energy(); }
 
     /// Returns the origin of rendering space in the world (scene/rendering_space.h). All positions
     /// of the scene (surfaces, lights, camera) are relative to it.
@@ -27,15 +36,15 @@ public:
     const RenderHints& hints() const { return hints_; }
 
     // See SceneLights.
-    const std::vector<Light>& lights() const { return lights_.all(); }
-    const std::vector<std::uint32_t>& infinite_lights() const { return lights_.infinite(); }
-    const LightChoice& light_choice() const { return lights_.choice(); }
-    const std::vector<LightRange>& light_sources() const { return lights_.sources(); }
-    const std::vector<LightStatement>& light_statements() const { return lights_.statements(); }
-    const std::vector<std::uint32_t>& stated_in() const { return lights_.stated_in(); }
-    const LightTree& light_tree() const { return lights_.tree(); }
-    const SceneSphere& sphere() const { return lights_.sphere(); }
-    bool has_lights_to_meet() const { return lights_.has_lights_to_meet(); }
+    const std::vector<Light>& lights() const { return lights_->all(); }
+    const std::vector<std::uint32_t>& infinite_lights() const { return lights_->infinite(); }
+    const LightChoice& light_choice() const { return lights_->choice(); }
+    const std::vector<LightRange>& light_sources() const { return lights_->sources(); }
+    const std::vector<LightStatement>& light_statements() const { return lights_->statements(); }
+    const std::vector<std::uint32_t>& stated_in() const { return lights_->stated_in(); }
+    const LightTree& light_tree() const { return lights_->tree(); }
+    const SceneSphere& sphere() const { return lights_->sphere(); }
+    bool has_lights_to_meet() const { return lights_->has_lights_to_meet(); }
 
     const Warnings& warnings() const { return warnings_; }
     const std::string& path() const { return path_; }
@@ -78,13 +87,14 @@ private:
     void finish_lights(const SceneDescription& description);
     void find_darkness();
     void join_media(Media media);
+    void place_view();
 
     Vec3d origin_;
     bool has_media_ = false;
     Media media_;
     MediumNumber outer_medium_ = 0;
     std::vector<Relief> reliefs_;
-    SceneLights lights_;
+    std::shared_ptr<SceneLights> lights_;
     Surfaces surfaces_;
     bool is_dark_ = false;
     Camera camera_;
@@ -93,6 +103,15 @@ private:
     RenderHints hints_;
     Warnings warnings_;
     std::string path_;
+
+    /// What a view changes, as it was before.
+    struct Stated {
+        Media media;
+        Warnings warnings;
+        ScenePlaces places;
+    };
+    std::shared_ptr<const Stated> stated_;
+    std::vector<std::uint32_t> exchanged_;  // shapes whose media the present view has exchanged
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

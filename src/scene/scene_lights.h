@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class SceneLights {
 public:
@@ -56,4 +56,4 @@ private:
     bool has_power_ = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the scene knows of a shape besides its geometry.
 struct ShapeRecord {
@@ -58,6 +58,8 @@ public:
     }
     /// Exchanges the media on the two sides of a shape.
     void exchange_media(std::uint32_t shape);
+    /// As compensate_energy() of scene/adjust.h.
+    void compensate_energy();
 
 private:
     std::vector<Material> materials_;
@@ -78,4 +80,4 @@ inline Ray shadow_ray(const Hit& hit, const Vec3& direction, float distance) {
     return ray;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,12 +3,12 @@
 
 #include "aovs/pass_image.h"
 #include "aovs/statistics.h"
-#include "photon/light_stratum.h"
+#include "photon_samplers/model.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Seconds.
 struct PassTimes {
@@ -37,6 +37,7 @@ struct PassResult {
     std::vector<StratumCounts> strata;  // as the epoch's
     std::uint32_t subpasses = 1;
     std::uint32_t weight = 1;  // how often it counts in the picture
+    std::vector<SamplerSum> sums{};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,9 +1,11 @@
 // The text that says whether two renders may be merged: one "name=value" a line.
 #include "stages/settings.h"
 
+#include "photon_samplers/samplers.h"
+
 #include <fmt/format.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void use_paper_mode(RenderSettings& settings) {
     settings.photon.sampler = PhotonSampler::paper;
@@ -14,8 +16,7 @@ void use_paper_mode(RenderSettings& settings) {
 }
 
 bool is_sequential(const RenderSettings& settings) {
-    return settings.integrator == Integrator::sppm &&
-           settings.photon.sampler == PhotonSampler::paper;
+    return settings.integrator == Integrator::sppm && has_state(settings.photon.sampler);
 }
 
 std::string RenderSettings::text() const {
@@ -35,13 +36,7 @@ std::string RenderSettings::text() const {
         if (!(photon.*part.is_on)) text += setting_of(part) + "=off\n";
     if (!transport.light_groups.names.empty())
         text += fmt::format("output_light_groups={}\n", transport.light_groups.text);
-    if (photon.sampler != PhotonSampler::paper) return text;
-    const PaperSettings& paper = photon.paper;
-    return text + fmt::format("replica_exchange={}\nmutation_size={}\ntarget_acceptance={}\n",
-                              paper.replica_exchange ? "on" : "off",
-                              paper.mutation_size ? fmt::format("{}", *paper.mutation_size)
-                                                  : std::string("adaptive"),
-                              paper.target_acceptance);
+    return text + sampler_settings_text(photon);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Use of a spectrum, which decides how a texel's RGB becomes a spectrum.
 enum class ColourUse {
@@ -39,4 +39,4 @@ float image_number(const FloatImageKind& image, const TexturePoint& point);
 /// Returns linear RGB of an image at a point, scaled and inverted, at least zero.
 Vec3 image_rgb(const ImageKind& image, const TexturePoint& point);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// texture * factor.
 /// @tparam T  FloatTexture or SpectrumTexture, here and below; T::Number is the texture of numbers.
@@ -83,4 +83,4 @@ struct MarbleKind {
     float variation = 0.2F;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include "math/vector.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns noise in about [-1,1], zero at integers, with period 256 along each axis.
 float noise(const Vec3& p);
@@ -24,4 +24,4 @@ float fbm(Vec3 p, const Octaves& octaves);
 /// Returns the sum of |noise| over the octaves, plus 0.2 for the mean of the next one.
 float turbulence(Vec3 p, const Octaves& octaves);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns whether an integer-valued float of any size is odd.
@@ -166,4 +166,4 @@ SampledSpectrum SpectrumTexture::varied(const TexturePoint& point,
     return std::visit(SpectrumValue<decltype(at)>(point, at, wavelengths), kind_->kind);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

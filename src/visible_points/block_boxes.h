@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct BlockBoxes {
     BlockBoxes() = default;
@@ -24,4 +24,4 @@ struct BlockBoxes {
     Occupancy occupancy;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "core/parallel.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns the node over boxes first .. first + 7 (those that exist); nothing touches an empty box.
@@ -40,4 +40,4 @@ BoxTree::BoxTree(std::vector<Box> leaves) {
     } while (boxes.size() > 1);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

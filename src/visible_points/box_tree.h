@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A closed box; empty until extended.
 struct Box {
@@ -102,4 +102,4 @@ private:
     std::vector<std::vector<BoxNode>> levels_;  // lowest first; the last has one node
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

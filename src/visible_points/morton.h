@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct MortonKey {
     std::uint64_t code = 0;
@@ -36,4 +36,4 @@ private:
 /// Sorts stably by the upper `bits` of the 63 bits of a code. @param bits  1 to 63.
 void sort_by_code(MortonKeys& keys, unsigned bits);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Sorts items by code; equal codes are in the order of the lists.
 /// @param size_of  size_of(list).
@@ -28,4 +28,4 @@ MortonKeys in_morton_order(std::size_t lists, const SizeOf& size_of, const CodeO
     return keys;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

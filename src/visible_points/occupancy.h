@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Occupancy {
 public:
@@ -41,4 +41,4 @@ private:
     std::vector<std::uint64_t> rows_;  // bits along x
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

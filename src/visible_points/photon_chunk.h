@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Photon i belongs to path paths[i], an index within the pass or the chunk. taken[i] is set when
 /// the photon is deposited.
@@ -43,4 +43,4 @@ struct PhotonChunk {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

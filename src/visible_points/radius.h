@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Sequence of disc areas in passes 0, 1, 2 ..., relative to pass 0.
 class DiscAreaSequence {
@@ -46,4 +46,4 @@ inline double batch_area(std::uint64_t batch, double alpha) {
     return sum / kBatchPasses;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Positions of eight photons. Unset places are in no box.
 struct alignas(32) PhotonLeaf {
@@ -50,4 +50,4 @@ private:
     std::size_t first_deep_ = 0;  // index of the first long specular chain
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

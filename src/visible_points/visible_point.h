@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// How a photon reached the surface of its hit; exactly one applies.
 enum class PhotonKind : std::uint8_t {
@@ -132,4 +132,4 @@ inline constexpr std::uint32_t kLambertian = 0xFFFFFFFF;
 /// Visible points in the order of their creation: a list per block of pixels.
 using VisiblePointLists = std::vector<std::vector<VisiblePoint>>;
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

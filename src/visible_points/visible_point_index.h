@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class VisiblePointIndex {
 public:
@@ -73,4 +73,4 @@ private:
     BlockBoxes all_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

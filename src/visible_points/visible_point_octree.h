@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class VisiblePointOctree {
 public:
@@ -72,4 +72,4 @@ private:
     Nodes nodes_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 
 #include <regex>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::ProgramTest;
@@ -39,6 +39,21 @@ TEST_F(Documentation, has_each_flag_of_each_command) {
     }
 }
 
+TEST_F(Documentation, has_each_command) {
+    const std::string text = page("docs/reference/command_line.md");
+    const std::string help = run({"--help"}).out;
+    const std::regex row("^  ([a-z]+) ");
+    int commands = 0;
+    std::istringstream lines(help.substr(help.find("Subcommands:")));
+    for (std::string line; std::getline(lines, line);)
+        if (std::smatch match; std::regex_search(line, match, row)) {
+            EXPECT_NE(text.find("| `sunfleck " + match[1].str() + "` |"), std::string::npos)
+                << line;
+            ++commands;
+        }
+    EXPECT_GE(commands, 9);
+}
+
 TEST_F(Documentation, has_each_layer) {
     const std::string text = page("docs/reference/render.md");
     for (const AovRow& row : kAovs) {
@@ -49,4 +64,4 @@ TEST_F(Documentation, has_each_layer) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;
@@ -50,9 +50,7 @@ TEST_F(ExperimentRun, makes_a_figure_and_goes_on) {
     other[3] = "2";
     const Ran differs = run(other);
     EXPECT_EQ(differs.code, 2);
-    EXPECT_NE(differs.err.find("was begun with passes 1, and is asked to go on with 2"),
-              std::string::npos)
-        << differs.err;
+    EXPECT_NE(differs.err.find("was begun with passes 1, not 2"), std::string::npos) << differs.err;
 }
 
 /// Finished cells are kept, the one under way goes on, and nothing shows in the end.
@@ -92,4 +90,4 @@ TEST_F(ExperimentRun, says_why_a_render_failed) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

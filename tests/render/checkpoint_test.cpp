@@ -2,12 +2,12 @@
 // that is full leaves the former one.
 #include "render/checkpoint.h"
 
-#include "core/error.h"
 #include "film/error_bars.h"
 #include "film/word_hash.h"
 #include "image/read_file.h"
 #include "image/temporary_folder.h"
 #include "render/progressive.h"
+#include "sunfleck/error.h"
 #include "support/renders.h"
 
 #include <sys/resource.h>
@@ -16,7 +16,7 @@
 #include <cstring>
 #include <sstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -30,6 +30,10 @@ Scene small_room() {
                                     R"(AreaLightSource "diffuse" "rgb L" [4 4 4]
 )" + quad("-0.5 -0.5 2  -0.5 0.5 2  0.5 0.5 2  0.5 -0.5 2"),
                                 "room.pbrt"));
+}
+
+PaperMemory& paper_of(RenderState& state) {
+    return std::get<PaperMemory>(state.sampler);
 }
 
 class Checkpoints : public TemporaryFolder {
@@ -89,7 +93,8 @@ TEST_F(Checkpoints, come_back_as_they_were) {
         const Checkpoint read = read_checkpoint(stream, bytes.size(), "x.ckpt");
         EXPECT_EQ(read.origin, kOrigin);
         EXPECT_EQ(read.state.film.pass_count(), 18U);
-        EXPECT_EQ(read.state.paper.has_value(), row.sampler == PhotonSampler::paper);
+        EXPECT_EQ(std::holds_alternative<PaperMemory>(read.state.sampler),
+                  row.sampler == PhotonSampler::paper);
         EXPECT_GT(read.state.total_seconds, 0);
         EXPECT_TRUE(bytes_of(read.state) == bytes) << row.name;
     }
@@ -183,18 +188,18 @@ TEST_F(Checkpoints, numbers_that_cannot_be_are_refused) {
     EXPECT_EQ(fault_with([](RenderState&) {}), "");
     EXPECT_EQ(fault_with([](RenderState& s) { s.total_seconds = -1; }), damaged);
     EXPECT_EQ(fault_with([](RenderState& s) { s.seconds.camera = std::nan(""); }), damaged);
-    EXPECT_EQ(fault_with([](RenderState& s) { s.paper.reset(); }), damaged);
-    EXPECT_EQ(fault_with([](RenderState& s) { s.paper->passes = 3; }), damaged);
-    EXPECT_EQ(fault_with([](RenderState& s) { s.paper->shown = -1; }), damaged);
-    EXPECT_EQ(fault_with([](RenderState& s) { s.paper->flux[0].resize(5); }), damaged);
+    EXPECT_EQ(fault_with([](RenderState& s) { s.sampler = NoState(); }), damaged);
+    EXPECT_EQ(fault_with([](RenderState& s) { paper_of(s).passes = 3; }), damaged);
+    EXPECT_EQ(fault_with([](RenderState& s) { paper_of(s).shown = -1; }), damaged);
+    EXPECT_EQ(fault_with([](RenderState& s) { paper_of(s).flux[0].resize(5); }), damaged);
     // A saturated colour has negative channels.
-    EXPECT_EQ(fault_with([](RenderState& s) { s.paper->flux[0][1].high = -1; }), "");
-    EXPECT_EQ(fault_with([](RenderState& s) { s.paper->radii = LocalRadii(15, 0.7); }), damaged);
-    EXPECT_EQ(fault_with([](RenderState& s) { s.paper->radii = LocalRadii(16, 1.5); }), damaged);
+    EXPECT_EQ(fault_with([](RenderState& s) { paper_of(s).flux[0][1].high = -1; }), "");
+    EXPECT_EQ(fault_with([](RenderState& s) { paper_of(s).radii = LocalRadii(15, 0.7); }), damaged);
+    EXPECT_EQ(fault_with([](RenderState& s) { paper_of(s).radii = LocalRadii(16, 1.5); }), damaged);
     EXPECT_EQ(fault_with([](RenderState& s) {
                   PaperSettings settings;
                   settings.mutation_size = -1;
-                  s.paper->chain.size = MutationSize(settings);
+                  paper_of(s).chain.size = MutationSize(settings);
               }),
               damaged);
     EXPECT_EQ(fault_with([](RenderState& s) { s.film = Film(s.film.key()); }), damaged);
@@ -227,4 +232,4 @@ TEST_F(Checkpoints, a_full_disk_leaves_the_former_one) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

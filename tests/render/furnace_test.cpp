@@ -7,7 +7,7 @@
 
 #include <iostream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -96,7 +96,7 @@ Estimate shown(const Row& row, int z, Integrator integrator) {
             "LightSource \"infinite\" \"spectrum L\" \"stdillum-D65\"\n" + row.material +
             (row.solid ? box({-2, -2, -.1}, {2, 2, 0.1}) : quad("-2 -2 0  2 -2 0  2 2 0  -2 2 0")),
         "test.pbrt");
-    if (row.gives_back) compensate_energy(description);
+    if (row.gives_back) compensate_energy(description.materials);
     const Scene scene(std::move(description));
     RenderSettings settings;
     settings.integrator = integrator;
@@ -125,4 +125,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Furnace, ::testing::ValuesIn(rows()),
                          [](const auto& row) { return row.param.name; });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,18 +1,18 @@
 // The paper's own algorithm on whole scenes: the same bytes on any number of threads, the light of
 // other samplers within its known bias, the acceptance that it aims at.
-#include "core/error.h"
 #include "core/parallel.h"
 #include "film/bias.h"
 #include "film/film_file.h"
 #include "image/temporary_folder.h"
-#include "paper/paper_render.h"
+#include "photon_samplers/samplers.h"
 #include "render/progressive.h"
+#include "sunfleck/error.h"
 #include "support/procedural.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -102,13 +102,13 @@ TEST(Paper, a_plain_chain_agrees_on_one_island) {
 TEST(Paper, images_of_passes_are_differences_of_estimates) {
     const Scene scene = one_island();
     const RenderSettings settings = paper(200);
-    PaperMemory memory(settings, 64);
-    PaperRender paper(scene, settings, memory);
+    SamplerState state = first_state(settings.photon, settings.alpha, 64);
     std::vector<double> sums(64, 0);
     double lowest_term = 0;
     double radius = 1;
-    for (int pass = 1; pass <= 12; ++pass) {
-        const PassResult result = paper.next_pass();
+    for (std::uint32_t pass = 0; pass < 12; ++pass) {
+        const PassResult result =
+            render_pass(scene, settings, pass, learn_epoch(scene, settings, pass), state);
         EXPECT_LE(result.statistics[Count::visible_points], 64U) << "one a pixel";
         EXPECT_LE(result.radius_factor, radius);
         radius = result.radius_factor;
@@ -142,4 +142,4 @@ TEST_F(PaperFiles, films_have_no_error_bars_and_stay_alone) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Crop = std::array<int, 4>;
@@ -39,7 +39,7 @@ TEST(Adjust, energy_compensation_reaches_the_materials) {
     scene.materials = {metal, DielectricMaterial{eta, {0.2F, 0.2F}},
                        CoatedConductorMaterial{metal, nullptr}};
     EXPECT_EQ(std::get<ConductorMaterial>(scene.materials[0]).roughness.losses(), nullptr);
-    compensate_energy(scene);
+    compensate_energy(scene.materials);
     EXPECT_NE(std::get<ConductorMaterial>(scene.materials[0]).roughness.losses(), nullptr);
     EXPECT_NE(std::get<DielectricMaterial>(scene.materials[1]).roughness.losses(), nullptr);
     EXPECT_EQ(std::get<CoatedConductorMaterial>(scene.materials[2]).metal.roughness.losses(),
@@ -132,9 +132,9 @@ TEST(Adjust, a_small_crop_keeps_a_pixel) {
 TEST(Adjust, a_new_crop_replaces_the_old) {
     SceneDescription scene = wide_scene();
     scene.film.crop = Crop{0, 10, 0, 10};
-    set_crop(scene, {20, 21, 30, 100}, "--crop");
+    set_crop(scene.film, {20, 21, 30, 100}, "--crop");
     EXPECT_EQ(scene.film.crop, (Crop{20, 21, 30, 100}));
-    set_crop(scene, {0, 200, 0, 100}, "--crop");
+    set_crop(scene.film, {0, 200, 0, 100}, "--crop");
     EXPECT_EQ(scene.film.crop, (Crop{0, 200, 0, 100}));
     EXPECT_EQ(scene.film.resolution, Vec2i(200, 100));
     expect_screen(scene, {-1, -0.5}, {3, 1.5});
@@ -154,7 +154,7 @@ TEST(Adjust, a_crop_that_is_no_part_of_the_picture_is_an_error) {
         SceneDescription scene = wide_scene();
         scene.film.crop = Crop{1, 2, 3, 4};
         try {
-            set_crop(scene, crop, "--crop");
+            set_crop(scene.film, crop, "--crop");
             ADD_FAILURE() << crop[0] << ' ' << crop[1] << ' ' << crop[2] << ' ' << crop[3];
         } catch (const Error& error) {
             EXPECT_EQ(std::string(error.what()),
@@ -166,4 +166,4 @@ TEST(Adjust, a_crop_that_is_no_part_of_the_picture_is_an_error) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

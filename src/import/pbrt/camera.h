@@ -1,7 +1,7 @@
 // Conversion of the Camera statement to a camera.
 #pragma once
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -10,4 +10,4 @@ struct Reading;
 /// @throws Error  for cameras that are not simulated, and for values out of range.
 void finish_camera(Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "import/pbrt/even_textures.h"
 #include "import/pbrt/words.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns the index of a coat, constant over wavelengths: the mean with luminance weights.
@@ -54,4 +54,4 @@ std::shared_ptr<const Coat> coat_of(const Statement& statement, const CoatWords&
                                   length(prefix + "thickness", words.thickness));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

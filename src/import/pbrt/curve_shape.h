@@ -4,7 +4,7 @@
 #include "import/pbrt/local_points.h"
 #include "import/pbrt/parameters.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -13,4 +13,4 @@ struct Reading;
 /// widths.
 LocalShape curve(const Statement& statement, Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "import/pbrt/words.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Loads images now, because their mean is needed before the end.
@@ -62,4 +62,4 @@ Spectrum tabulated(const std::function<float(float)>& value) {
     return Spectrum::table(std::move(points));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns the bytes of a file, decompressed if it is gzip.
 /// @param from  statement that names it.
@@ -39,4 +39,4 @@ NamedFile find_file(const std::string& name, const std::string& folder, const So
 /// Returns the path of a file named in a scene: relative names start at the main file's folder.
 std::string resolved(const std::string& name, const std::string& folder);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Warns of what the image loses: primaries other than sRGB's, channels that were selected or left
 /// out, texels that are not finite.
@@ -55,4 +55,4 @@ private:
     std::size_t loaded_ = 0;  // index of the first image that is not decoded
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

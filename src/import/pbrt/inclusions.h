@@ -13,7 +13,7 @@
 #include <set>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Inclusions {
 public:
@@ -38,4 +38,4 @@ private:
     bool is_counted_ = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

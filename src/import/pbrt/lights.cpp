@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns the unit vector from "from" to "to" in the world.
@@ -176,4 +176,4 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
     return emission;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

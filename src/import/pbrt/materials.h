@@ -8,7 +8,7 @@
 
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns all words, with "" (for an interface).
 std::span<const std::string_view> material_types();
@@ -20,4 +20,4 @@ Material material_of(const Statement& statement, Assets& assets);
 /// Converts "displacement" or "normalmap"; if both are given, the normal map wins, as in pbrt-v4.
 Relief relief_of(const Statement& statement, Assets& assets);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,12 +1,12 @@
 // Measured materials: the data of their files that an approximation needs.
 #pragma once
 
-#include "core/error.h"
 #include "math/spectrum.h"
+#include "sunfleck/error.h"
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct MeasuredSummary {
     Spectrum albedo;  // under diffuse illumination, in [0,1]
@@ -20,4 +20,4 @@ struct MeasuredSummary {
 /// 2018, equations 8 and 9.
 MeasuredSummary summary_of_measured(const std::string& bytes, const SourceLocation& from);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

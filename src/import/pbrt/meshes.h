@@ -4,7 +4,7 @@
 #include "import/pbrt/local_points.h"
 #include "import/pbrt/parameters.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -27,4 +27,4 @@ LocalShape loop_mesh(const Statement& statement, Reading& reading);
 /// Converts Shape "plymesh". @throws Error  as triangle_mesh(), and for files that cannot be read.
 LocalShape ply_mesh(const Statement& statement, Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Removes a plus sign, which from_chars does not accept.
@@ -57,4 +57,4 @@ int integer_of(const Token& token) {
     return value;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "import/pbrt/lexer.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @throws Error  for invalid numbers, NaN, infinity, and numbers beyond the range of floats.
 double real_of(const Token& token);
@@ -11,4 +11,4 @@ double real_of(const Token& token);
 /// @throws Error  for anything else than a 32-bit integer.
 int integer_of(const Token& token);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "import/pbrt/parameters.h"
 #include "import/pbrt/token_stream.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Reads all parameters up to the next directive.
 /// @param space  colour space of rgb values.
@@ -15,4 +15,4 @@ Parameters read_parameters(TokenStream& tokens, ColourSpace space = ColourSpace:
 Statement read_statement(TokenStream& tokens, const Token& keyword,
                          ColourSpace space = ColourSpace::srgb);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include "import/pbrt/reading.h"
 #include "math/warp.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Cells per axis for a constant environment, where they only guide the sampling.
@@ -73,4 +73,4 @@ Light portal_light(const Statement& statement, Reading& reading) {
     return light;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

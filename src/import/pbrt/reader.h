@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Reads a scene from disk, plain or gzip. Relative names start at its folder.
 /// SceneDescription::warnings lists what is not simulated.
@@ -25,4 +25,4 @@ SceneDescription read_pbrt_text(const std::string& text, const std::string& path
 SceneDescription read_pbrt_text(const std::string& text, const std::string& path,
                                 const FileAccess& files);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

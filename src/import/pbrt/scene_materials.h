@@ -5,7 +5,7 @@
 #include "import/pbrt/material_table.h"
 #include "scene/description.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Adds a material and a bump or normal map for each entry, in order; components of mixes become
 /// further entries. Missing files are noted.
@@ -13,4 +13,4 @@ namespace sunfleck {
 /// invalid parameters.
 void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& scene);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

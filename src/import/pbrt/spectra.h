@@ -6,7 +6,7 @@
 #include "import/pbrt/scene_files.h"
 #include "math/spectrum.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Use of a spectrum, which decides what an rgb means (pbrt-v4).
 enum class SpectrumUse {
@@ -43,4 +43,4 @@ private:
     ImportLog& log_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

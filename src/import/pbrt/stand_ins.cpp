@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr float kGlossyAlpha = 0.5F;  // rougher measured materials are approximated as diffuse
@@ -134,4 +134,4 @@ Material measured_stand_in(const Statement& statement, Assets& assets) {
     return metal;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "import/pbrt/parameters.h"
 #include "material/material.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Approximates hair by diffuse reflection and transmission of each fibre
 /// (material/fibre_albedo.h).
@@ -15,4 +15,4 @@ Material subsurface_stand_in(const Statement& statement, Assets& assets);
 /// Approximates a measured material by a metal of similar roughness, or by a diffuse one.
 Material measured_stand_in(const Statement& statement, Assets& assets);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

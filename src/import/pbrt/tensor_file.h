@@ -7,14 +7,14 @@
 // Rendering (2018), and its files.
 #pragma once
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// An array of floats; the last index varies fastest.
 struct Tensor {
@@ -29,4 +29,4 @@ std::map<std::string, Tensor> read_tensors(const std::string& bytes,
                                            const std::map<std::string, std::size_t>& wanted,
                                            const SourceLocation& from);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Arguments of the functions of all classes.
@@ -208,4 +208,4 @@ template FloatTexture texture_of(const TextureInput&, const TextureParts<FloatTe
 template SpectrumTexture texture_of(const TextureInput&, const TextureParts<SpectrumTexture>&,
                                     ImageTable&, ImportLog&);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns all classes of both kinds.
 std::span<const std::string_view> texture_classes();
@@ -38,4 +38,4 @@ template <class T>
 T texture_of(const TextureInput& input, const TextureParts<T>& parts, ImageTable& images,
              ImportLog& log);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A Texture statement without its input textures.
 struct TextureInput {
@@ -34,4 +34,4 @@ Octaves octaves_of(const TextureInput& input);
 /// Returns the image; warns of filters that are not simulated.
 ImageKind image_of(const TextureInput& input, ImageTable& images, ImportLog& log);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class TextureTable {
 public:
@@ -73,4 +73,4 @@ private:
     int open_ = 0;                         // textures that are being converted
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

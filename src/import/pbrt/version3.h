@@ -1,12 +1,12 @@
 // Words that pbrt-v3 has and pbrt-v4 has not; scenes with one of them must be converted.
 #pragma once
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns whether only pbrt-v3 or older has the directive, parameter type, or parameter.
 bool is_directive_of_v3(std::string_view word);
@@ -20,4 +20,4 @@ void check_not_of_v3(std::string_view directive, std::string_view type,
 /// @param what  the user's words. @throws Error  always.
 [[noreturn]] void refuse_v3(const std::string& what, const SourceLocation& where);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

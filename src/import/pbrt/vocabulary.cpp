@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Returns whether `word` is one of the blank-separated words of a row.
@@ -72,4 +72,4 @@ std::vector<std::string_view> vocabulary_directives() {
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

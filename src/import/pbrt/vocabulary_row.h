@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class Treatment {
     exact,         // with the meaning of pbrt-v4
@@ -19,4 +19,4 @@ struct WordRow {
     std::string_view read_as;  // Markdown, for a table cell
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns `use "a", "b" or "c"`, the remedy for an unknown word; a similar word comes first.
 /// @param known  not empty.
@@ -26,4 +26,4 @@ constexpr std::array<std::string_view, N> words_of(const std::array<Row, N>& row
 /// Returns `did you mean "Shape"?` if a known word is similar, else `check the spelling`.
 std::string did_you_mean(std::span<const std::string_view> known, std::string_view instead_of);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Returns the mesh without unused vertices.
 /// @param name  file name for errors.
@@ -13,4 +13,4 @@ namespace sunfleck {
 /// for a body without triangles.
 PlyMesh finished_ply(PlyBody body, const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The data end too early or contain something else than a number; the reader adds the location.
 struct PlyFault : std::runtime_error {
@@ -151,4 +151,4 @@ private:
     const char* end_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A face of more than four corners as a fan of triangles.
 struct PlyFan {
@@ -36,4 +36,4 @@ struct PlyBody {
 /// hold, invalid numbers, and invalid vertex indices.
 PlyBody read_rows(const PlyHeader& header, std::string_view body, const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,0 +1,42 @@
+// The commands and flags of the program as plain data, for help, man pages and completion.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace sunfleck::engine {
+
+/// A flag, or a word that stands without one.
+struct CommandFlag {
+    std::vector<std::string> names;  // "-o", "--output"; of a word its only name: "SCENE"
+    std::string form;                // "N", "on|off"; empty for a flag that takes nothing
+    std::vector<std::string> words;  // literal ones that it takes, as far as they can be listed
+    std::string group;               // heading
+    std::string help;
+    bool is_required = false;
+    bool repeats = false;
+    bool is_list = false;  // takes several of its words, with commas between
+
+    bool is_file() const;    // takes the name of a file
+    bool is_folder() const;  // takes the name of a folder
+};
+
+struct Command {
+    std::string name;  // "sunfleck", or of a command: "render"
+    std::string help;
+    std::vector<CommandFlag> flags;
+    std::vector<CommandFlag> words;     // in their order
+    std::vector<std::string> examples;  // of use
+    std::vector<Command> commands;      // below it
+};
+
+Command command_tree(const CLI::App& app);
+
+/// The first sentence of a help text, without what is in parentheses.
+std::string short_help(const std::string& help);
+
+}  // namespace sunfleck::engine

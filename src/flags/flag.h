@@ -1,0 +1,116 @@
+// A flag of a render as a row of data: its names, values, help, and the flags that it goes with.
+#pragma once
+
+#include "flags/render_request.h"
+#include "flags/values.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunfleck::engine {
+
+/// A word that a flag takes.
+struct FlagChoice {
+    std::string name;
+    std::string what{};  // it means; empty where the flag's help says it
+};
+
+/// What a flag takes, and how its text becomes a part of the request.
+struct FlagValue {
+    std::string form;     // "N", "WxH", "on|off": a word in small letters is literal
+    std::string range{};  // "1 to 10000"; empty: none that could be said so
+    std::vector<FlagChoice>
+        choices{};         // all words that it takes; empty: any text that read() takes
+    bool is_list = false;  // takes several of its words, with commas between
+    bool repeats = false;  // may be given several times
+    /// Reads a text, which has been compared with the choices where there are any.
+    /// @throws Error that names the flag for a text that cannot be used.
+    std::function<void(RenderRequest&, const std::string& text, const std::string& flag)> read;
+};
+
+/// A condition on another flag, without which this one has no meaning and is refused.
+struct FlagNeed {
+    std::string flag;                   // the other one
+    std::vector<std::string> values{};  // of which it must have one; none: it must not be given
+    std::string why{};                  // this one is refused; empty: made from the condition
+    std::string mend = "leave it out";
+    std::string of_value{};  // this one has, if only that value is refused
+};
+
+/// Other integrators gather no photons.
+inline FlagNeed needs_photon_mapping() {
+    return {.flag = "--integrator", .values = {"sppm"}};
+}
+
+/// Any sampler but `paper`.
+inline FlagNeed refused_by_paper(const std::string& why, const std::string& mend = "leave it out") {
+    return {.flag = "--photon-sampler",
+            .values = {"adaptive", "uniform", "random"},
+            .why = why,
+            .mend = mend};
+}
+
+struct RenderFlag {
+    std::string name;     // "--passes"
+    std::string alias{};  // "--spp"; empty: none
+    std::string group{};  // heading of the help, of the table that the flag is in
+    FlagValue value;
+    std::string help;
+    std::string standard{};  // its value where it is not given: by itself the first of its words
+    std::vector<FlagNeed> needs{};  // its own, behind those of its table
+};
+
+/// The help of a flag in full: what it is, what its words mean, its range, and its default.
+std::string help_text(const RenderFlag& flag);
+
+/// A value that `read(text, flag)` reads and `set(request, value)` puts into the request.
+template <class Read, class Set>
+FlagValue value_of(const std::string& form, Read read, Set set) {
+    return {.form = form,
+            .read = [=](RenderRequest& request, const std::string& text, const std::string& flag) {
+                set(request, read(text, flag));
+            }};
+}
+
+/// One of some words.
+template <class Set>
+FlagValue one_of(const std::vector<FlagChoice>& choices, Set set) {
+    std::string form;
+    for (const FlagChoice& choice : choices) form += (form.empty() ? "" : "|") + choice.name;
+    return {.form = form,
+            .choices = choices,
+            .read = [=](RenderRequest& request, const std::string& text, const std::string&) {
+                set(request, text);
+            }};
+}
+
+/// The names of a table whose rows have `name` and `what`.
+template <class Rows>
+std::vector<FlagChoice> choices_of(const Rows& rows) {
+    std::vector<FlagChoice> choices;
+    for (const auto& row : rows)
+        choices.push_back({.name = std::string(row.name), .what = std::string(row.what)});
+    return choices;
+}
+
+/// A number from `low` to `high`.
+template <class Set>
+FlagValue number(double low, double high, Set set) {
+    FlagValue value = value_of("X", number_from(low, high), set);
+    value.range = fmt::format("{} to {}", low, high);
+    return value;
+}
+
+/// A whole number from `low` to `high`.
+template <class Set>
+FlagValue whole(std::int64_t low, std::int64_t high, Set set) {
+    FlagValue value = value_of("N", whole_from(low, high), set);
+    value.range = fmt::format("{} to {}", low, high);
+    return value;
+}
+
+}  // namespace sunfleck::engine

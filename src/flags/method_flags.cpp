@@ -1,0 +1,104 @@
+// The rows of the flags about the method.
+#include "flags/flag_tables.h"
+
+namespace sunfleck::engine {
+namespace {
+
+/// Sets the sampler, and with `paper` all that belongs to it.
+void set_sampler(RenderRequest& request, const std::string& name) {
+    request.settings.photon.sampler = *sampler_named(name);  // one of the choices
+    if (request.settings.photon.sampler == PhotonSampler::paper) use_paper_mode(request.settings);
+}
+
+std::vector<RenderFlag> estimator_flags() {
+    return {
+        {.name = "--integrator",
+         .value = one_of(choices_of(kIntegrators),
+                         [](auto& r, const auto& name) {
+                             r.settings.integrator = *integrator_named(name);  // a choice
+                         }),
+         .help = "What renders: the photon mapper, or a reference to compare it with"},
+        {.name = "--photon-sampler",
+         .value = one_of(choices_of(kPhotonSamplers), set_sampler),
+         .help = "Where photon paths come from",
+         .needs = {needs_photon_mapping()}},
+        {.name = "--mode",
+         .value = one_of({{"paper", "the same as --photon-sampler paper"}}, set_sampler),
+         .help = "The paper's algorithm",
+         .needs = {needs_photon_mapping(),
+                   {.flag = "--photon-sampler",
+                    .values = {"paper"},
+                    .why = "is the sampler paper, and --photon-sampler names another",
+                    .mend = "leave one of them out"}}},
+        {.name = "--direct",
+         .value = one_of({{"sampled", "by sampling the lights"}, {"photons", "by photons, too"}},
+                         [](auto& r, const auto& name) {
+                             r.settings.transport.direct =
+                                 name == "photons" ? DirectLight::photons : DirectLight::sampled;
+                         }),
+         .help = "How direct light is estimated; with the sampler paper by photons",
+         .needs = {needs_photon_mapping(),
+                   {.flag = "--photon-sampler",
+                    .values = {"adaptive", "uniform", "random"},
+                    .why = "is photons with the sampler paper",
+                    .of_value = "sampled"}}},
+        {.name = "--ris",
+         .value = one_of({{"auto", "resampled importance sampling of several candidates"},
+                          {"off", "one light sample per vertex"}},
+                         [](auto& r, const auto& name) { r.settings.camera.ris = name == "auto"; }),
+         .help = "Direct light by sampling",
+         .needs = {needs_photon_mapping(),
+                   {.flag = "--direct",
+                    .values = {"sampled"},
+                    .why = "photons bring direct light: none is sampled"},
+                   refused_by_paper("photons bring direct light: none is sampled")}},
+    };
+}
+
+std::vector<RenderFlag> gathering_flags() {
+    return {
+        {.name = "--photons-per-pass",
+         .value = whole(1, 1 << 30,
+                        [](auto& r, const auto& n) {
+                            r.settings.photon.paths_per_pass = static_cast<std::uint32_t>(n);
+                        }),
+         .help = "Photon paths per pass",
+         .standard = "200000 or 2 a pixel, the larger, and from pass 16 on as --photon-budget "
+                     "says; with the sampler paper 200000",
+         .needs = {{.flag = "--integrator", .values = {"sppm", "light"}}}},
+        {.name = "--radius-pixels",
+         .value =
+             number(1e-3, 1e3, [](auto& r, const auto& x) { r.settings.camera.radius_pixels = x; }),
+         .help = "First gather radius, in pixel footprints",
+         .standard = "2, less in pictures of fewer than 512 pixels a side; with the sampler "
+                     "paper 2",
+         .needs = {needs_photon_mapping()}},
+        {.name = "--radius",
+         .value = number(1e-30, 1e30, [](auto& r, const auto& x) { r.settings.camera.radius = x; }),
+         .help = "First gather radius in scene units, in place of --radius-pixels",
+         .needs = {needs_photon_mapping(), {.flag = "--radius-pixels"}}},
+        {.name = "--indirect-radius",
+         .value =
+             number(1, 100, [](auto& r, const auto& x) { r.settings.camera.indirect_radius = x; }),
+         .help = "Radius for photons that a rough surface has scattered, over that for others",
+         .standard = "2 to 3.1, more in pictures of more than 512 pixels a side; less where a "
+                     "radius is given; with the sampler paper 1",
+         .needs = {needs_photon_mapping(), refused_by_paper("is 1 with the sampler paper")}},
+        {.name = "--alpha",
+         .value = number(1e-6, 1 - 1e-6, [](auto& r, const auto& x) { r.settings.alpha = x; }),
+         .help = "How slowly radii shrink: areas go with the number of passes to the power of "
+                 "alpha - 1",
+         .standard = "2/3; with the sampler paper 0.7",
+         .needs = {needs_photon_mapping()}},
+    };
+}
+
+}  // namespace
+
+std::vector<RenderFlag> method_flags() {
+    std::vector<RenderFlag> rows = estimator_flags();
+    for (RenderFlag& row : gathering_flags()) rows.push_back(std::move(row));
+    return rows;
+}
+
+}  // namespace sunfleck::engine

@@ -1,0 +1,39 @@
+// A render as a user asks for it: settings, ends and the picture, whatever the scene is.
+//
+// Files, threads and what is said belong to the program that renders, and are not here.
+#pragma once
+
+#include "flags/light_groups.h"
+#include "stages/settings.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sunfleck::engine {
+
+struct SceneDescription;
+
+struct RenderRequest {
+    RenderSettings settings;
+    StopSettings stop;
+    bool ends_by_default = false;  // no end was given: `stop` holds the default ends
+    std::optional<int> max_depth;  // in place of the scene's
+    std::optional<Vec2i> resolution;
+    std::optional<std::array<int, 4>> crop;            // x0 x1 y0 y1 in pixels
+    std::optional<std::array<double, 4>> crop_window;  // the same as fractions of the picture
+    std::vector<AskedLightGroup> light_groups;
+    std::string isa = "avx2";
+    double exposure = 0;  // stops, for formats of limited range alone
+};
+
+/// Changes a scene that is not built yet as the request says: size, crop, energy compensation.
+/// @throws Error for a crop that is not a part of the picture.
+void adjust_scene(SceneDescription& scene, const RenderRequest& request);
+
+/// The settings of the request for this scene: with the scene's depth where none is given, and with
+/// the lights of each light group. @throws Error for lights that the scene does not have.
+RenderSettings settings_for(const Scene& scene, const RenderRequest& request);
+
+}  // namespace sunfleck::engine

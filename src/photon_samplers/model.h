@@ -1,0 +1,99 @@
+// What a photon sampler must offer, as a concept: no base class, no virtual call.
+//
+// A photon sampler chooses the photon paths of a pass. In: what is seen in the pass, and a plan:
+// strata of lights with their numbers of paths. Out: the light of the photons, added to an image,
+// and counts.
+#pragma once
+
+#include "aovs/pass_image.h"
+#include "aovs/statistics.h"
+#include "estimate/photon_counts.h"
+#include "photon/light_stratum.h"
+#include "photon/settings.h"
+
+#include <concepts>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace sunfleck::engine {
+
+/// The photon paths of a pass, or of one of its subpasses.
+struct PhotonPass {
+    const PhotonContext& view;
+    PassId id;  // names their random numbers
+    const std::vector<LightStratum>& strata;
+    const PhotonSettings& settings;
+};
+
+/// Where the light of photons is added.
+struct PhotonTarget {
+    PassImage& image;
+    PhotonCounts* taken = nullptr;  // photons by pixel, or none
+};
+
+/// A statistic that one sampler alone has.
+struct SamplerSum {
+    std::string_view name;  // in film files and stats.json
+    double value = 0;
+};
+
+/// What photons counted.
+struct PhotonTotals {
+    Statistics statistics;
+    double visible_fraction = 0;        // this pass's estimate, of uniform paths from all lights
+    std::vector<StratumCounts> strata;  // as they were given
+    std::vector<SamplerSum> sums{};
+
+    /// The next stratum of one subpass, whose paths the statistics hold already.
+    void add_stratum(StratumCounts counts);
+    /// Another subpass of the same pass, with its share in the mean over subpasses.
+    void add(const PhotonTotals& subpass, double share);
+};
+
+/// Bytes that a render holds while photons are traced, fitted to measured peaks.
+struct SamplerMemory {
+    std::uint64_t pixel = 0;  // film, pass and picture; a visible point with its place in the index
+    std::uint64_t path = 0;   // a photon path and its photons, until they are deposited
+};
+
+/// The state of a sampler whose passes are independent of each other.
+using NoState = std::monostate;
+
+/// kind:   its own value of the setting.
+/// name:   as the user writes it. what: as the help explains it.
+/// learns: whether pilots and trials make the plan of an epoch (planning/epoch.h). Otherwise the
+///         plan is one stratum of all lights.
+/// State:  what goes from pass to pass; NoState where passes are independent of each other.
+/// memory: what it holds.
+/// default_paths: photon paths per pass where the user gives no number.
+/// settings_text: lines for RenderSettings::text() of the settings that this sampler alone has.
+/// trace:  adds the light of the photons of a pass to the target.
+template <class S>
+concept PhotonSamplerModel = requires(const PhotonSettings& settings, std::size_t pixels,
+                                      const PhotonPass& pass, const PhotonTarget& target,
+                                      typename S::State& state) {
+    { S::kind } -> std::convertible_to<PhotonSampler>;
+    { S::name } -> std::convertible_to<std::string_view>;
+    { S::what } -> std::convertible_to<std::string_view>;
+    { S::learns } -> std::convertible_to<bool>;
+    { S::memory } -> std::convertible_to<SamplerMemory>;
+    { S::default_paths(pixels) } -> std::same_as<std::uint32_t>;
+    { S::settings_text(settings) } -> std::same_as<std::string>;
+    { S::trace(pass, target, state) } -> std::same_as<PhotonTotals>;
+};
+
+/// What the state of a sampler must offer, if there is one.
+///
+/// visit:    hands all of it to an archive, as StoredSample::visit() does.
+/// is_sound: whether it can be the state after so many passes of a picture of so many pixels.
+/// shrink:   sets the gather radii of a pass's visible points. Returns their mean factor.
+template <class T>
+concept SamplerStateModel = std::copyable<T> &&
+    std::constructible_from<T, const PhotonSettings&, double, std::size_t> &&
+    requires(const T& state, VisiblePointLists& points, std::size_t pixels, std::uint64_t passes) {
+    { state.is_sound(pixels, passes) } -> std::same_as<bool>;
+    { state.shrink(points) } -> std::same_as<double>;
+};
+
+}  // namespace sunfleck::engine

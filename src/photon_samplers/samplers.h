@@ -1,0 +1,77 @@
+// Every photon sampler there is. To add one: write its files, then name it here and in
+// PhotonSampler (photon/settings.h): docs/develop/adding.md.
+#pragma once
+
+#include "photon_samplers/paper_sampler.h"
+#include "photon_samplers/splitting_sampler.h"
+#include "photon_samplers/uniform_sampler.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace sunfleck::engine {
+
+template <PhotonSamplerModel... Samplers>
+using PhotonSamplerVariant = std::variant<Samplers...>;
+
+/// In the order of the help.
+using AnyPhotonSampler =
+    PhotonSamplerVariant<SplittingSampler, UniformSampler, RandomSampler, PaperSampler>;
+
+template <SamplerStateModel... States>
+using SamplerStateVariant = std::variant<NoState, States...>;
+
+/// What the sampler of a render carries from pass to pass. Checkpoints hold the index of the
+/// alternative: new ones stand at the end.
+using SamplerState = SamplerStateVariant<PaperMemory>;
+
+struct PhotonSamplerRow {
+    PhotonSampler sampler;
+    std::string_view name;  // as the user writes it
+    std::string_view what;
+};
+
+template <class... Samplers>
+constexpr std::array<PhotonSamplerRow, sizeof...(Samplers)> rows_of(
+    const std::variant<Samplers...>&) {
+    return {{{Samplers::kind, Samplers::name, Samplers::what}...}};
+}
+
+inline constexpr auto kPhotonSamplers = rows_of(AnyPhotonSampler());
+
+std::string_view name_of(PhotonSampler sampler);
+
+/// Nothing for a name that no sampler has.
+std::optional<PhotonSampler> sampler_named(std::string_view name);
+
+/// Do pilots and trials make its plans?
+bool learns(PhotonSampler sampler);
+
+/// Does each pass build on those before?
+bool has_state(PhotonSampler sampler);
+
+SamplerMemory memory_of(PhotonSampler sampler);
+
+/// Lines for RenderSettings::text().
+std::string sampler_settings_text(const PhotonSettings& settings);
+
+/// Photon paths of a pass, unless learning finds others better.
+std::uint32_t usual_paths(const PhotonSettings& settings, std::size_t pixels);
+
+/// The state before the first pass. @param alpha  of local radii. @param pixels  of the picture.
+SamplerState first_state(const PhotonSettings& settings, double alpha, std::size_t pixels);
+
+/// Adds the light of the photons of a pass, or of one subpass of it, to the image.
+/// @param state  of the same sampler.
+PhotonTotals trace_photons(const PhotonPass& pass, const PhotonTarget& target, SamplerState& state);
+
+/// Sets the gather radii of a pass's visible points.
+/// @return their mean factor, or nothing if the state has no say in them.
+std::optional<double> shrink_radii(const SamplerState& state, VisiblePointLists& points);
+
+/// Can it be the state after so many passes of a picture of so many pixels?
+bool is_sound(const SamplerState& state, std::size_t pixels, std::uint64_t passes);
+
+}  // namespace sunfleck::engine

@@ -1,0 +1,34 @@
+// stats.json: what a render did, under stable names (docs/reference/stats.md).
+#pragma once
+
+#include "film/target_error.h"
+#include "stages/pass_result.h"
+
+#include <string>
+#include <vector>
+
+namespace sunfleck::engine {
+
+/// What the film does not hold.
+struct RunFacts {
+    std::string scene;
+    std::string command;
+    std::string isa;
+    std::size_t threads = 0;
+    double load_seconds = 0;
+    double total_seconds = 0;
+    double cpu_seconds = 0;  // of all threads
+    PassTimes seconds;
+    double radius_factor = 1;
+    std::vector<std::string> warnings;
+    int ranks = 1;
+    ErrorTerms error_terms{};
+};
+
+/// @return JSON text, ending in a new line.
+std::string stats_json(const Film& film, const RunFacts& facts);
+
+/// What makes the picture unreliable, a line each: starved passes, an uncertain brightness.
+std::vector<std::string> reliability_warnings(const Film& film);
+
+}  // namespace sunfleck::engine
