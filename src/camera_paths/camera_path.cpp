@@ -48,7 +48,7 @@ void CameraPath::follow(std::optional<Hit> hit, BatchPoints& numbers) {
         if (scene.has_media())
             throughput_ *= pass_.scene.transmittance(medium_, hit ? hit->distance : kInfinity);
         if (!hit) {
-            add_emission(emitter_beyond(pass_.scene, position_, direction_, wanted_parts()));
+            add_emission(environment_along(pass_.scene, position_, direction_, wanted_parts()));
             return;
         }
         grow_footprint(*hit);
@@ -56,9 +56,9 @@ void CameraPath::follow(std::optional<Hit> hit, BatchPoints& numbers) {
         add_emission(emitter_at(pass_.scene, *hit, weighted ? &glossy_ : nullptr, direction_,
                                 wanted_parts()));
         if (!scene.is_null_interface(*hit)) {
-            if (!has_met_) first_footprint_ = footprint_;
-            has_met_ = true;
-            if (!meet(*hit, numbers)) return;
+            if (!has_hit_) first_footprint_ = footprint_;
+            has_hit_ = true;
+            if (!interact(*hit, numbers)) return;
         }
         hit = scene.geometry().intersect(ray_beyond(*hit));
     }
@@ -85,7 +85,7 @@ CameraRay CameraPath::start(BatchPoints& numbers) {
 }
 
 /// @return whether the path continues, in the new direction.
-bool CameraPath::meet(Hit& hit, BatchPoints& numbers) {
+bool CameraPath::interact(Hit& hit, BatchPoints& numbers) {
     const TransportSettings& transport = pass_.transport;
     std::optional<Bsdf> room;
     const Bsdf& at_surface = pass_.scene.bsdf_at(hit, room);
@@ -103,18 +103,18 @@ bool CameraPath::meet(Hit& hit, BatchPoints& numbers) {
     if (const auto* coated = std::get_if<CoatedDiffuse>(&at_surface)) {
         const Bsdf base = coated->base();
         const Bsdf top = coated->top();
-        meet_base({hit, frame, vertex.wo, base, medium_, several}, numbers);
+        gather_at_base({hit, frame, vertex.wo, base, medium_, several}, numbers);
         return go_on({hit, frame, vertex.wo, top, medium_, several}, numbers);
     }
     if (kind == Scattering::diffuse) {
-        meet_base(vertex, numbers);
+        gather_at_base(vertex, numbers);
         return false;
     }
     return go_on(vertex, numbers);
 }
 
 /// Ends the path at a diffuse lobe.
-void CameraPath::meet_base(const CameraVertex& vertex, BatchPoints& numbers) {
+void CameraPath::gather_at_base(const CameraVertex& vertex, BatchPoints& numbers) {
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
     gather(vertex.hit, vertex.bsdf, sampled ? kScattered : kEverything);
     if (sampled) add_direct_light(vertex, numbers, true);
@@ -132,7 +132,7 @@ bool CameraPath::go_on(const CameraVertex& vertex, BatchPoints& numbers) {
     return scatter(vertex, numbers);
 }
 
-void CameraPath::add_emission(const EmitterMet& met) {
+void CameraPath::add_emission(const EmitterHit& met) {
     if (met.radiance.is_zero() || emitters_ == Emitters::none) {
         parts_.clear();
         return;
@@ -187,7 +187,7 @@ void CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbe
     const Vec2d choices = numbers.next_2d();
     SampledSpectrum light = sample_lights(pass, vertex, {choices.x, numbers.next_2d(), choices.y},
                                           statistics_, wanted_parts());
-    if (follow && pass.scene.has_lights_to_meet()) {
+    if (follow && pass.scene.has_lights_to_hit()) {
         const Vec2d u = numbers.next_2d();
         const BsdfDraw draw{
             {static_cast<float>(numbers.next()), static_cast<float>(u.x), static_cast<float>(u.y)},

@@ -38,10 +38,10 @@ private:
     void follow(std::optional<Hit> hit, BatchPoints& numbers);
     /// Returns the next ray from a hit, in the new direction.
     Ray ray_beyond(const Hit& hit);
-    bool meet(Hit& hit, BatchPoints& numbers);
-    void meet_base(const CameraVertex& vertex, BatchPoints& numbers);
+    bool interact(Hit& hit, BatchPoints& numbers);
+    void gather_at_base(const CameraVertex& vertex, BatchPoints& numbers);
     bool go_on(const CameraVertex& vertex, BatchPoints& numbers);
-    void add_emission(const EmitterMet& met);
+    void add_emission(const EmitterHit& met);
     /// @param radiance  incident radiance, of which parts_ are the parts.
     void add_light(const SampledSpectrum& radiance, float weight, Aov owner);
     LightParts* wanted_parts() { return image_.light_groups() > 0 ? &parts_ : nullptr; }
@@ -63,7 +63,7 @@ private:
     Statistics& statistics_;
 
     std::uint32_t pixel_ = 0;
-    bool has_met_ = false;  // the path has hit a surface
+    bool has_hit_ = false;  // the path has hit a surface
     bool has_features_ = false;
     float of_pixel_ = 1;  // weight of this path in the pixel
     float weight_ = 1;    // of the pixel filter, the exposure and of_pixel_

@@ -8,7 +8,7 @@ void note(LightParts* parts, std::size_t light, const SampledSpectrum& radiance)
         parts->push_back({static_cast<std::uint32_t>(light), radiance});
 }
 
-EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* from,
+EmitterHit emitter_at(const PassScene& pass, const Hit& hit, const Receiver* from,
                       const Vec3& direction, LightParts* parts) {
     const std::uint32_t index = pass.scene.light_of(hit);
     if (index == kNone) return {};
@@ -22,9 +22,9 @@ EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* fro
                           light.direct_pdf(from->position, hit.position, hit.normal)};
 }
 
-EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction,
-                          LightParts* parts) {
-    EmitterMet all;
+EmitterHit environment_along(const PassScene& pass, const Vec3& from, const Vec3& direction,
+                             LightParts* parts) {
+    EmitterHit all;
     for (const std::uint32_t index : pass.scene.infinite_lights()) {
         const Beyond there = beyond(pass.scene.lights()[index], from, direction);
         const SampledSpectrum radiance =

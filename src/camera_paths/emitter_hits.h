@@ -9,7 +9,7 @@
 namespace sunfleck::engine {
 
 /// Radiance of an emitter along a ray, with the density of the other strategy for MIS.
-struct EmitterMet {
+struct EmitterHit {
     SampledSpectrum radiance;
     float pdf = 0;  // per steradian, of a RIS candidate, choice included
 };
@@ -28,11 +28,11 @@ void note(LightParts* parts, std::size_t light, const SampledSpectrum& radiance)
 /// Returns the emitter at a hit, seen along `direction` (unit, of the ray); zero if it emits to the
 /// other side, or does not emit.
 /// @param from  vertex at the origin of the ray; null for no density.
-EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* from,
+EmitterHit emitter_at(const PassScene& pass, const Hit& hit, const Receiver* from,
                       const Vec3& direction, LightParts* parts = nullptr);
 
 /// Returns the infinite lights along a ray that leaves the scene, from a vertex at `from`.
-EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction,
-                          LightParts* parts = nullptr);
+EmitterHit environment_along(const PassScene& pass, const Vec3& from, const Vec3& direction,
+                             LightParts* parts = nullptr);
 
 }  // namespace sunfleck::engine

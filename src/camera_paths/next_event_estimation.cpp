@@ -14,7 +14,7 @@ namespace {
 float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen& light,
               const DirectSample& drawn) {
     if (is_infinite(pass.scene.lights()[light.index]))
-        return emitter_beyond(pass, from, drawn.direction).pdf;
+        return environment_along(pass, from, drawn.direction).pdf;
     return *drawn.pdf * static_cast<float>(light.probability);
 }
 
@@ -154,7 +154,7 @@ SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& ve
     const float density_over_lights =
         drawn.pdf.value_or(1) / static_cast<float>(ris_candidates(vertex));
     std::size_t added = parts != nullptr ? parts->size() : 0;
-    const auto add = [&](const EmitterMet& met) {
+    const auto add = [&](const EmitterHit& met) {
         if (met.radiance.is_zero()) return;
         const float mis = mis_weight(density_over_lights, met.pdf);
         sum += weight * met.radiance * mis;
@@ -169,7 +169,7 @@ SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& ve
         if (scene.has_media())
             weight *= pass.transmittance(medium, hit ? hit->distance : kInfinity);
         if (!hit) {
-            add(emitter_beyond(pass, vertex.hit.position, direction, parts));
+            add(environment_along(pass, vertex.hit.position, direction, parts));
             return sum;
         }
         add(emitter_at(pass, *hit, &from, direction, parts));

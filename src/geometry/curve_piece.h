@@ -27,7 +27,7 @@ CurvePoint evaluate(const Bezier& p, double u);
 Bezier part_of(const Bezier& curve, double from, double to);
 
 /// An intersection of a line with a piece.
-struct CurveMeeting {
+struct CurveHit {
     double t = 0;
     double u = 0;
     double across = 0;  // signed distance from the curve along +v; of a tube, seen along the line
@@ -60,7 +60,7 @@ static_assert(ExactShape<CurvePiece>);
 /// Finds all intersections of a line with a piece from the line's start on, and some before it, in
 /// any order.
 /// @return their count.
-std::size_t meet(const CurvePiece& piece, const Vec3d& origin, const Vec3d& direction,
-                 std::array<CurveMeeting, CurvePiece::kMostCrossings>& found);
+std::size_t intersect(const CurvePiece& piece, const Vec3d& origin, const Vec3d& direction,
+                      std::array<CurveHit, CurvePiece::kMostCrossings>& found);
 
 }  // namespace sunfleck::engine

@@ -78,8 +78,8 @@ Bounds CurvePiece::bounds(const Affine& map) const {
 
 CrossingsOf<CurvePiece::kMostCrossings> CurvePiece::crossings(const Vec3d& origin,
                                                               const Vec3d& direction) const {
-    std::array<CurveMeeting, kMostCrossings> found;
-    const std::size_t count = meet(*this, origin, direction, found);
+    std::array<CurveHit, kMostCrossings> found;
+    const std::size_t count = intersect(*this, origin, direction, found);
     CrossingsOf<kMostCrossings> result;
     for (std::size_t i = 0; i < count; ++i) {
         result.t.at(i) = found.at(i).t;

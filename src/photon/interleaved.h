@@ -49,7 +49,7 @@ private:
         std::uint32_t number = 0;
         std::optional<Reader> read;  // empty: no path here
         PhotonState state;
-        Meeting ahead;
+        RayHit ahead;
         bool arrived = false;  // the ray hit something: `hit`
         Hit hit;
         const Lambert* surface = nullptr;  // surface whose event is computed together with others
@@ -106,12 +106,12 @@ private:
         for (std::size_t i = 0; i < kSideBySide + kLate; ++i) {
             if (i < kSideBySide && walks_[i].read) {
                 // Constructed in place, because a copy would wait for partial stores.
-                new (&walks_[i].ahead) Meeting(tracer_.send(walks_[i].state));
+                new (&walks_[i].ahead) RayHit(tracer_.send(walks_[i].state));
                 ++rays;
             }
             if (i < kLate) continue;
             Walk& late = walks_[i - kLate];
-            if (late.read) late.arrived = tracer_.hit_of(late.ahead, late.hit);
+            if (late.read) late.arrived = tracer_.complete(late.ahead, late.hit);
         }
         return rays;
     }
@@ -120,7 +120,7 @@ private:
     /// any is applied.
     void go_on() {
         for (Walk& walk : walks_)
-            if (walk.read) meet(walk);
+            if (walk.read) interact(walk);
         for (Walk& walk : walks_)
             if (walk.surface != nullptr)
                 walk.event = sample_scattering(*walk.read, *walk.surface, walk.hit, walk.state);
@@ -133,7 +133,7 @@ private:
         }
     }
 
-    void meet(Walk& walk) {
+    void interact(Walk& walk) {
         walk.surface = nullptr;
         walk.end = PathEnd::escaped;
         if (!walk.arrived) return;

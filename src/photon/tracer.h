@@ -52,7 +52,7 @@ public:
         for (;;) {
             ++rays;
             Hit hit;
-            if (!hit_of(send(state), hit)) return PathEnd::escaped;
+            if (!complete(send(state), hit)) return PathEnd::escaped;
             if (const auto end = go_on(read, visit, hit, state)) return *end;
         }
     }
@@ -70,16 +70,16 @@ public:
     }
 
     /// Traces the ray of a photon without alpha test; pass_absent() applies it.
-    Meeting send(const PhotonState& state) const {
+    RayHit send(const PhotonState& state) const {
         const Geometry& geometry = pass_.scene.geometry();
         if (state.at_light)
-            return geometry.meet_precise(state.origin, state.first_direction, AlphaTest::off);
-        return geometry.meet({Vec3(state.origin), state.direction}, AlphaTest::off);
+            return geometry.trace_precise(state.origin, state.first_direction, AlphaTest::off);
+        return geometry.trace({Vec3(state.origin), state.direction}, AlphaTest::off);
     }
 
     /// Computes the hit. @return whether there is one.
-    bool hit_of(const Meeting& meeting, Hit& hit) const {
-        return pass_.scene.geometry().hit_of(meeting, hit);
+    bool complete(const RayHit& ray_hit, Hit& hit) const {
+        return pass_.scene.geometry().complete(ray_hit, hit);
     }
 
     /// Handles a hit up to the next ray. @return how the path ends, if it does.
@@ -91,8 +91,8 @@ public:
         if (state.unlit > 0 && is_stopped(hit, state)) return PathEnd::absorbed;
         if (has_media_ && !attenuate(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
-        if (constant) return meet(read, visit, *constant, hit, state);
-        if (!pass_.scene.is_null_interface(hit)) return meet_varied(read, visit, hit, state);
+        if (constant) return interact(read, visit, *constant, hit, state);
+        if (!pass_.scene.is_null_interface(hit)) return interact_varied(read, visit, hit, state);
         leave(hit, state);
         return {};
     }
@@ -170,9 +170,9 @@ private:
 
     /// Visits the photon and scatters it. @return how the path ends, if it does.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
-    [[gnu::always_inline]] inline std::optional<PathEnd> meet(Reader& read, Visitor& visit,
-                                                              const Bsdf& bsdf, const Hit& hit,
-                                                              PhotonState& state) const {
+    [[gnu::always_inline]] inline std::optional<PathEnd> interact(Reader& read, Visitor& visit,
+                                                                  const Bsdf& bsdf, const Hit& hit,
+                                                                  PhotonState& state) const {
         const auto* lambert = std::get_if<Lambert>(&bsdf);
         const bool gathers = lambert != nullptr || pass_.may_gather(pass_.scene.material_of(hit));
         if (gathers) visit(arrive(hit, state));
@@ -184,15 +184,16 @@ private:
         return {};
     }
 
-    /// meet() for a material that is textured or a mix; a separate function, to keep the usual one
-    /// short.
+    /// interact() for a material that is textured or a mix; a separate function, to keep the usual
+    /// one short.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
-    [[gnu::noinline]] std::optional<PathEnd> meet_varied(Reader& read, Visitor& visit,
-                                                         const Hit& hit, PhotonState& state) const {
+    [[gnu::noinline]] std::optional<PathEnd> interact_varied(Reader& read, Visitor& visit,
+                                                             const Hit& hit,
+                                                             PhotonState& state) const {
         Hit bent = hit;
         std::optional<Bsdf> room;
         const Bsdf& bsdf = pass_.bsdf_at(bent, room);
-        return meet(read, visit, bsdf, bent, state);
+        return interact(read, visit, bsdf, bent, state);
     }
 
     /// Samples the light and the first ray; sets flux and direction.

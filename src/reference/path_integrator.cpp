@@ -91,7 +91,7 @@ private:
 
     /// Adds direct light, then samples a direction: `ray` becomes the next one.
     std::optional<BsdfSample> scatter(Hit& hit, Ray& ray) {
-        const Bsdf bsdf = met_bsdf(pass_.scene, hit, throughput_, hero_);
+        const Bsdf bsdf = vertex_bsdf(pass_.scene, hit, throughput_, hero_);
         const Frame frame(hit.shading_normal, hit.tangent);
         const Vec3 wo = frame.to_local(-ray.direction);
         if (scattering(bsdf) != Scattering::specular) add_light_sample(hit, frame, bsdf, wo);

@@ -31,7 +31,7 @@ SampledSpectrum PathPair::trace(const Vec2d& film, Numbers& numbers) {
 
 SampledSpectrum PathPair::met_lights() const {
     SampledSpectrum sum;
-    for (const MetLight& met : eye_.lights) {
+    for (const LightHit& met : eye_.lights) {
         if (met.vertices == 0) continue;
         const SubpathVertex& last = eye_.vertices[met.vertices - 1];
         const EndDensities end = end_densities(pass_.scene.scene, met.light, met.ray, last.hit);
@@ -42,7 +42,7 @@ SampledSpectrum PathPair::met_lights() const {
 
 SampledSpectrum PathPair::unscattered() const {
     SampledSpectrum sum;
-    for (const MetLight& met : eye_.lights)
+    for (const LightHit& met : eye_.lights)
         if (met.vertices == 0) sum += met.seen;
     return sum;
 }

@@ -78,7 +78,7 @@ void SubpathTracer::trace_eye(const Vec2d& film, std::size_t wavelength, PathNum
     hero_ = {wavelength, false};
     medium_ = pass_.scene.scene.media().at_camera;
     direction_ = Vec3(ray.direction);
-    meeting_ = pass_.scene.scene.geometry().meet_precise(ray.origin, ray.direction);
+    ray_hit_ = pass_.scene.scene.geometry().trace_precise(ray.origin, ray.direction);
     unlit_ = 0;
     scale_ = 1;
     follow(numbers, path);
@@ -105,7 +105,7 @@ void SubpathTracer::trace_light(std::size_t wavelength, PathNumbers& numbers, Su
     const Vec3d normal(start.normal);
     const Vec3d origin =
         start.origin + normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
-    meeting_ = scene.geometry().meet_precise(origin, start.direction);
+    ray_hit_ = scene.geometry().trace_precise(origin, start.direction);
     unlit_ = static_cast<float>(start.unlit);
     follow(numbers, path);
 }
@@ -125,7 +125,7 @@ bool SubpathTracer::next_surface(Subpath& path) {
     const Scene& scene = pass_.scene.scene;
     while (true) {
         ++rays_;
-        const bool met = scene.geometry().hit_of(meeting_, hit_);
+        const bool met = scene.geometry().complete(ray_hit_, hit_);
         if (scene.has_media())
             throughput_ *= pass_.scene.transmittance(medium_, met ? hit_.distance : kInfinity);
         if (transport_ == Transport::radiance) note_lights(met, path);
@@ -134,7 +134,7 @@ bool SubpathTracer::next_surface(Subpath& path) {
         unlit_ -= hit_.distance;
         if (!scene.is_null_interface(hit_)) return is_lit;
         medium_ = scene.medium_beyond(hit_, direction_, medium_);
-        meeting_ = scene.geometry().meet(ray_from(hit_, direction_));
+        ray_hit_ = scene.geometry().trace(ray_from(hit_, direction_));
     }
 }
 
@@ -166,7 +166,7 @@ void SubpathTracer::note_lights(bool met, Subpath& path) {
 /// Returns the vertex at the hit surface.
 SubpathVertex SubpathTracer::arrive(const Subpath& path) {
     const Vec3 came = direction_;
-    Bsdf bsdf = met_bsdf(pass_.scene, hit_, throughput_, hero_);
+    Bsdf bsdf = vertex_bsdf(pass_.scene, hit_, throughput_, hero_);
     const Frame frame(hit_.shading_normal, hit_.tangent);
     SubpathVertex vertex{hit_,    frame, bsdf, frame.to_local(-came), 1, throughput_, hero_,
                          medium_, {},    {}};
@@ -212,7 +212,7 @@ bool SubpathTracer::scatter(PathNumbers& numbers, SubpathVertex& vertex, std::si
         throughput_ /= survives;
     }
     medium_ = pass_.scene.scene.medium_beyond(vertex.hit, direction_, medium_);
-    meeting_ = pass_.scene.scene.geometry().meet(ray_from(vertex.hit, direction_));
+    ray_hit_ = pass_.scene.scene.geometry().trace(ray_from(vertex.hit, direction_));
     return true;
 }
 

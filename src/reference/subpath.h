@@ -28,7 +28,7 @@ struct SubpathVertex {
 };
 
 /// A light hit by the camera subpath.
-struct MetLight {
+struct LightHit {
     std::size_t vertices = 0;  // of the subpath before the light
     std::uint32_t light = 0;
     LightRay ray;          // to the last of them
@@ -37,7 +37,7 @@ struct MetLight {
 
 struct Subpath {
     std::vector<SubpathVertex> vertices;
-    std::vector<MetLight> lights;
+    std::vector<LightHit> lights;
 
     void clear() {
         vertices.clear();
@@ -94,7 +94,7 @@ private:
     HeroWavelength hero_;
     MediumNumber medium_ = 0;
     Vec3 direction_{0};
-    Meeting meeting_;
+    RayHit ray_hit_;
     Hit hit_;
     float unlit_ = 0;
     float scale_ = 1;  // squared ratio of indices, for Russian roulette

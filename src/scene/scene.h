@@ -44,7 +44,7 @@ public:
     const std::vector<std::uint32_t>& stated_in() const { return lights_->stated_in(); }
     const LightTree& light_tree() const { return lights_->tree(); }
     const SceneSphere& sphere() const { return lights_->sphere(); }
-    bool has_lights_to_meet() const { return lights_->has_lights_to_meet(); }
+    bool has_lights_to_hit() const { return lights_->has_lights_to_hit(); }
 
     const Warnings& warnings() const { return warnings_; }
     const std::string& path() const { return path_; }

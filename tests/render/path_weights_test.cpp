@@ -21,7 +21,7 @@ double geometric_cosine(const Hit& hit, const Vec3& way) {
 class FoundPath {
 public:
     FoundPath(const PassScene& scene, const Projection& projection, const Subpath& camera,
-              const MetLight& met)
+              const LightHit& met)
         : eye_(camera.vertices.begin(), camera.vertices.begin() + long(met.vertices)) {
         end_ = end_densities(scene.scene, met.light, met.ray, eye_.back().hit);
         light_ = eye_;
@@ -135,7 +135,7 @@ TEST(PathWeights, of_all_strategies_sum_to_one) {
     for (std::uint32_t i = 0; i < 60'000; ++i) {
         PathNumbers numbers(RandomStream(5, Purpose::test, 1, i));
         tracer.trace_eye({random.next() * 16, random.next() * 16}, 0, numbers, camera);
-        for (const MetLight& met : camera.lights) {
+        for (const LightHit& met : camera.lights) {
             if (met.vertices == 0) continue;
             const FoundPath path(at_wavelengths, projection, camera, met);
             const auto weights = path.weights();
