@@ -42,13 +42,13 @@ enum class Purpose : std::uint32_t {
     test,
     splitting,
     light_path,
-    pair_eye,
+    pair_camera,
     pair_light,
     pair_joints,
     metropolis_bootstrap,
     metropolis_step,
     metropolis_choice,
-    view_walk,
+    importon,
     edge_search
 };
 

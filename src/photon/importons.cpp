@@ -128,7 +128,7 @@ WalkedEmission walk(const PhotonContext& view, const LightChoice& lights, PassId
     std::vector<WalkedEmission> blocks((count + kBlock - 1) / kBlock);
     parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            RandomStream stream = pass.stream(Purpose::view_walk, walks.begin + i);
+            RandomStream stream = pass.stream(Purpose::importon, walks.begin + i);
             const auto point =
                 static_cast<std::size_t>(stream.next() * static_cast<double>(points.size()));
             Disc disc = points[point].disc;

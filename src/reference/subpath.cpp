@@ -67,8 +67,8 @@ EndDensities end_densities(const Scene& scene, std::uint32_t number, const Light
     return end;
 }
 
-void SubpathTracer::trace_eye(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers,
-                              Subpath& path) {
+void SubpathTracer::trace_camera(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers,
+                                 Subpath& path) {
     path.clear();
     transport_ = Transport::radiance;
     lens_ = numbers.next_two();
@@ -174,12 +174,12 @@ SubpathVertex SubpathTracer::arrive(const Subpath& path) {
     if (!path.vertices.empty()) {
         const SubpathVertex& last = path.vertices.back();
         const double distance2 = (Vec3d(hit_.position) - Vec3d(last.hit.position)).length2();
-        vertex.weighing = next_weights(last.weighing, last.leaving, cosine_at(last.hit, came),
-                                       cosine_at(hit_, came), distance2);
+        vertex.weights = next_weights(last.weights, last.leaving, cosine_at(last.hit, came),
+                                      cosine_at(hit_, came), distance2);
     } else if (transport_ == Transport::flux) {
-        vertex.weighing = first_of_light(end_densities(pass_.scene.scene, light_, start_, hit_));
+        vertex.weights = first_of_light(end_densities(pass_.scene.scene, light_, start_, hit_));
     } else if (const auto sight = camera_.sight_of(Vec3d(hit_.position), lens_)) {
-        vertex.weighing = first_of_eye(sight->area * cosine_at(hit_, came), light_paths_);
+        vertex.weights = first_of_camera(sight->area * cosine_at(hit_, came), light_paths_);
     }
     return vertex;
 }

@@ -21,8 +21,8 @@ struct SubpathVertex {
     SampledSpectrum arriving;  // importance or flux
     HeroWavelength hero;       // of `arriving`
     MediumNumber medium = 0;   // of the incoming segment
-    PathWeights weighing;
-    Departure leaving;  // of the next direction, if the subpath continued
+    PathWeights weights;
+    DirectionDensities leaving;  // of the next direction, if the subpath continued
 
     bool is_wide() const { return scattering(bsdf) != Scattering::specular; }
 };
@@ -48,7 +48,7 @@ struct Subpath {
 /// The scattering of a vertex from its subpath into a direction.
 struct Scattered {
     SampledSpectrum weight;  // bsdf times cosine of the flux, shading-normal correction included
-    Departure leaving;
+    DirectionDensities leaving;
     float cosine = 0;  // with the geometric normal
 };
 
@@ -63,13 +63,14 @@ EndDensities end_densities(const Scene& scene, std::uint32_t number, const Light
 /// Traces subpaths; each thread has one and reuses it.
 class SubpathTracer {
 public:
-    /// @param light_paths  see first_of_eye(). References are kept.
+    /// @param light_paths  see first_of_camera(). References are kept.
     SubpathTracer(const ReferencePass& pass, const Projection& camera, double light_paths)
         : pass_(pass), camera_(camera), light_paths_(light_paths) {}
 
     /// Traces from the camera. @param film  in pixels. @param wavelength  hero wavelength for
     /// dispersion.
-    void trace_eye(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers, Subpath& path);
+    void trace_camera(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers,
+                      Subpath& path);
     /// Traces from a light selected by power; the path is empty if no light has power.
     void trace_light(std::size_t wavelength, PathNumbers& numbers, Subpath& path);
 
