@@ -97,7 +97,7 @@ struct SceneDescription {
     FilmDescription film;
     RenderHints hints;
     std::vector<Material> materials;
-    std::vector<Relief> reliefs;           // per material; those beyond the end are empty
+    std::vector<BumpMap> bump_maps;        // per material; those beyond the end are empty
     std::vector<ShapeDescription> shapes;  // in the world
     std::vector<std::vector<ShapeDescription>> objects;  // each list once, placed by instances
     std::vector<InstanceDescription> instances;

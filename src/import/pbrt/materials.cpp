@@ -151,14 +151,14 @@ Material material_of(const Statement& statement, Assets& assets) {
     return row.maker(statement, assets);
 }
 
-Relief relief_of(const Statement& statement, Assets& assets) {
+BumpMap bump_map_of(const Statement& statement, Assets& assets) {
     const auto displacement = assets.textures.find_number(statement, "displacement");
     const auto map = statement.text("normalmap");
     if (map && !map->empty()) {
         const Encoding linear{Encoding::Kind::linear, 1};
         return NormalMap{assets.images.enter(*map, linear, statement.find("normalmap")->where)};
     }
-    if (displacement && !displacement->is_constant()) return Bumps{*displacement};
+    if (displacement && !displacement->is_constant()) return DisplacementMap{*displacement};
     return {};
 }
 

@@ -18,6 +18,6 @@ std::span<const std::string_view> material_types();
 Material material_of(const Statement& statement, Assets& assets);
 
 /// Converts "displacement" or "normalmap"; if both are given, the normal map wins, as in pbrt-v4.
-Relief relief_of(const Statement& statement, Assets& assets);
+BumpMap bump_map_of(const Statement& statement, Assets& assets);
 
 }  // namespace sunfleck::engine

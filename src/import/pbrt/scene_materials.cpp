@@ -79,7 +79,7 @@ void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& sc
     for (std::size_t i = 0; i < table.slots().size(); ++i) {
         const MaterialTable::Slot slot = table.slots()[i];
         Material& material = scene.materials.emplace_back(DiffuseMaterial{});
-        Relief& relief = scene.reliefs.emplace_back();
+        BumpMap& bump_map = scene.bump_maps.emplace_back();
         if (!slot.statement && !slot.used && !table.is_made(slot.name)) {
             assets.log.warn(slot.from, "there is no material " + in_quotes(slot.name) +
                                            ", but no shape uses it");
@@ -92,7 +92,7 @@ void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& sc
             material = material_of(statement, assets);
             if (const auto* mix = std::get_if<MixMaterial>(&material))
                 material = parts.complete(*mix, statement);
-            relief = relief_of(statement, assets);
+            bump_map = bump_map_of(statement, assets);
             assets.log.warn_unused(statement);
         } catch (const MissingFile& missing) {
             assets.files.note_missing(missing);

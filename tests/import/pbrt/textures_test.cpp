@@ -170,11 +170,11 @@ TEST(Textures, bend_surfaces) {
             "\"diffuse\" \"string normalmap\" \"a/i.pfm\" Shape \"sphere\" Material \"diffuse\" "
             "\"float displacement\" 3 Shape \"sphere\"",
         two_images());
-    ASSERT_EQ(scene.reliefs.size(), scene.materials.size());
-    EXPECT_TRUE(is_flat(scene.reliefs[0]));
-    EXPECT_TRUE(std::holds_alternative<Bumps>(scene.reliefs[1]));
-    EXPECT_TRUE(std::holds_alternative<NormalMap>(scene.reliefs[2]));
-    EXPECT_TRUE(is_flat(scene.reliefs[3]));
+    ASSERT_EQ(scene.bump_maps.size(), scene.materials.size());
+    EXPECT_TRUE(is_flat(scene.bump_maps[0]));
+    EXPECT_TRUE(std::holds_alternative<DisplacementMap>(scene.bump_maps[1]));
+    EXPECT_TRUE(std::holds_alternative<NormalMap>(scene.bump_maps[2]));
+    EXPECT_TRUE(is_flat(scene.bump_maps[3]));
     EXPECT_TRUE(scene.warnings.entries().empty());
 }
 
