@@ -26,7 +26,8 @@ EmitterHit environment_along(const PassScene& pass, const Vec3& from, const Vec3
                              LightParts* parts) {
     EmitterHit all;
     for (const std::uint32_t index : pass.scene.infinite_lights()) {
-        const Beyond there = beyond(pass.scene.lights()[index], from, direction);
+        const EnvironmentRadiance there =
+            environment_radiance(pass.scene.lights()[index], from, direction);
         const SampledSpectrum radiance =
             pass.tinted(pass.emission[index] * there.factor, there.tint);
         note(parts, index, radiance);

@@ -34,7 +34,7 @@ EmissionDimensions ImageInfiniteLight::emission_dimensions(const LightRay& ray,
 
 double ImageInfiniteLight::emission_pdf(const LightRay& ray, const SceneSphere& sphere) const {
     const Vec3 back(-ray.direction);
-    return static_cast<double>(beyond(back, back).pdf) / scene_disc_area(sphere);
+    return static_cast<double>(environment_radiance(back, back).pdf) / scene_disc_area(sphere);
 }
 
 std::optional<DirectSample> ImageInfiniteLight::sample_direct(const Vec3&, const Vec2& u,
@@ -51,7 +51,8 @@ double ImageInfiniteLight::power(const SceneSphere& sphere) const {
     return picture->mean() * 4 * kPiDouble * scene_disc_area(sphere);
 }
 
-Beyond ImageInfiniteLight::beyond(const Vec3&, const Vec3& direction) const {
+EnvironmentRadiance ImageInfiniteLight::environment_radiance(const Vec3&,
+                                                             const Vec3& direction) const {
     if (!(picture->mean() > 0)) return {};
     const TexelLight light = picture->at(place_of(to_world, Vec3d(direction)));
     const double pdf = light.luminance / (picture->mean() * 4 * kPiDouble);

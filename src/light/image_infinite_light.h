@@ -26,7 +26,7 @@ struct ImageInfiniteLight {
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;
     double power(const SceneSphere& sphere) const;
-    Beyond beyond(const Vec3& from, const Vec3& direction) const;
+    EnvironmentRadiance environment_radiance(const Vec3& from, const Vec3& direction) const;
 };
 
 /// Returns the illuminance on the plane z = 0 from above: in lumens per m^2 if texels are in nits.

@@ -59,7 +59,7 @@ struct DirectSample {
 };
 
 /// What an infinite light sends to a point from one direction.
-struct Beyond {
+struct EnvironmentRadiance {
     float factor = 0;  // radiance per unit of the curve
     float pdf = 0;     // per steradian, of sample_direct(): the other half of MIS
     std::optional<Vec3> tint{};
@@ -76,7 +76,7 @@ struct Beyond {
 ///             (behind a one-sided emitter, outside a spot).
 /// power:      total emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).
 /// curve:      the emission's spectrum.
-/// beyond:     of infinite lights alone: what a point gets from a direction.
+/// environment_radiance: of infinite lights: the light that a point receives from a direction.
 template <class L>
 concept LightModel = std::copyable<L> &&
     requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,

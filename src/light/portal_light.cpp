@@ -66,7 +66,8 @@ double PortalLight::power(const SceneSphere&) const {
     return extent.x * extent.y * picture->through().mean();
 }
 
-Beyond PortalLight::beyond(const Vec3& from, const Vec3& direction) const {
+EnvironmentRadiance PortalLight::environment_radiance(const Vec3& from,
+                                                      const Vec3& direction) const {
     const Vec3d w = to_local(Vec3d(direction));
     const auto seen = w.z > 0 ? window(from) : std::nullopt;
     if (!seen) return {};

@@ -28,7 +28,7 @@ struct PortalLight {
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;
     double power(const SceneSphere&) const;
-    Beyond beyond(const Vec3& from, const Vec3& direction) const;
+    EnvironmentRadiance environment_radiance(const Vec3& from, const Vec3& direction) const;
 
 private:
     std::optional<PortalWindow> window(const Vec3& from) const;

@@ -65,7 +65,8 @@ private:
 
     void add_emitters_beyond(const Vec3& direction) {
         for (const std::uint32_t i : scene_.infinite_lights()) {
-            const Beyond met = beyond(scene_.lights()[i], last_, direction);
+            const EnvironmentRadiance met =
+                environment_radiance(scene_.lights()[i], last_, direction);
             add_emitter(i, met.pdf,
                         pass_.scene.tinted(pass_.scene.emission[i] * met.factor, met.tint));
         }

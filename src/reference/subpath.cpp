@@ -56,7 +56,7 @@ EndDensities end_densities(const Scene& scene, std::uint32_t number, const Light
             static_cast<double>(area->direct_pdf(at.position, Vec3(ray.origin), ray.normal));
         end.hit = area->unseen ? 0 : 1;
     } else if (is_infinite(light)) {
-        end.direct *= static_cast<double>(beyond(light, at.position, -way).pdf);
+        end.direct *= static_cast<double>(environment_radiance(light, at.position, -way).pdf);
         end.hit = 1;
     } else if (!comes_from_afar(light)) {
         end.emitted /= (Vec3d(at.position) - ray.origin).length2();
@@ -154,7 +154,7 @@ void SubpathTracer::note_lights(bool met, Subpath& path) {
     }
     const Vec3 last = vertices == 0 ? Vec3(start_.origin) : path.vertices.back().hit.position;
     for (const std::uint32_t i : scene.infinite_lights()) {
-        const Beyond seen = beyond(scene.lights()[i], last, direction_);
+        const EnvironmentRadiance seen = environment_radiance(scene.lights()[i], last, direction_);
         if (!(seen.factor > 0)) continue;
         const SampledSpectrum light =
             pass_.scene.tinted(pass_.scene.emission[i] * seen.factor, seen.tint);

@@ -35,7 +35,8 @@ double emitted(const Light& light, const Emission& e) {
     }
     // Within, past the portal of those that have one.
     const Vec3 within(e.origin + e.direction * (e.unlit + 0.01));
-    if (is_infinite(light)) return static_cast<double>(beyond(light, within, back).factor);
+    if (is_infinite(light))
+        return static_cast<double>(environment_radiance(light, within, back).factor);
     const Vec3d on = e.origin + e.direction;
     const auto direct = sample_direct(light, Vec3(on), Vec2(0.5F), kExampleSphere);
     return direct ? static_cast<double>(direct->factor) : 0;

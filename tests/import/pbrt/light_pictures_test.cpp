@@ -23,7 +23,7 @@ const std::string kSky = "LightSource \"infinite\" \"string filename\" \"sky.pfm
 
 Vec3 radiance(const SceneDescription& scene, const Vec3& w, const Vec3& from = Vec3(0)) {
     const Light& light = scene.lights.at(0);
-    const Beyond met = beyond(light, from, w.normalized());
+    const EnvironmentRadiance met = environment_radiance(light, from, w.normalized());
     return met.tint.value_or(Vec3(1)) * (met.factor * curve(light).luminance());
 }
 
