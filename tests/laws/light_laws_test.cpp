@@ -42,7 +42,7 @@ TEST(LightExamples, cover_every_kind_and_surface) {
             surfaces.insert(area->surface.index());
     }
     EXPECT_EQ(kinds.size(), std::variant_size_v<Light>);
-    EXPECT_EQ(infinite, infinite_examples().size());  // BeyondLaws has them all
+    EXPECT_EQ(infinite, infinite_examples().size());  // EnvironmentLaws has them all
     EXPECT_EQ(surfaces.size(), std::variant_size_v<decltype(AreaLight::surface)>);
 }
 
