@@ -29,7 +29,7 @@ EmitterHit environment_along(const PassScene& pass, const Vec3& from, const Vec3
         const EnvironmentRadiance there =
             environment_radiance(pass.scene.lights()[index], from, direction);
         const SampledSpectrum radiance =
-            pass.tinted(pass.emission[index] * there.factor, there.tint);
+            pass.coloured(pass.emission[index] * there.factor, there.rgb);
         note(parts, index, radiance);
         all.radiance += radiance;
         all.pdf += static_cast<float>(pass.scene.light_tree().probability({}, index)) * there.pdf;

@@ -48,7 +48,7 @@ RisCandidate candidate(const PassScene& pass, const CameraVertex& vertex,
         weight *= mis_weight(many * density(pass, vertex.hit.position, choice, *light),
                              pdf(vertex.bsdf, vertex.wo, wi, Transport::radiance));
     return {choice.index, light->direction, light->distance,
-            f * pass.tinted(pass.emission[choice.index], light->tint) * weight};
+            f * pass.coloured(pass.emission[choice.index], light->rgb) * weight};
 }
 
 /// Shadow rays to the candidates of a vertex.

@@ -68,7 +68,7 @@ Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneS
     if (alpha) emission.factor *= alpha->at(surface, on.position, on.normal);
     if (!picture) return emission;
     emission.factor *= from.light.luminance / from.density;
-    emission.tint = from.light.tint;
+    emission.rgb = from.light.rgb;
     return emission;
 }
 
@@ -115,7 +115,7 @@ std::optional<DirectSample> AreaLight::sample_direct(const Vec3& point, const Ve
     const TexelLight light = picture->at(surface, on, towards);
     if (!(light.luminance > 0)) return {};
     drawn->factor *= static_cast<float>(light.luminance);
-    drawn->tint = light.tint;
+    drawn->rgb = light.rgb;
     return drawn;
 }
 

@@ -22,7 +22,7 @@ Emission ImageInfiniteLight::sample_emission(const std::array<double, 4>& u,
             power(sphere),
             Vec3(0),
             0,
-            drawn.light.tint};
+            drawn.light.rgb};
 }
 
 EmissionDimensions ImageInfiniteLight::emission_dimensions(const LightRay& ray,
@@ -44,7 +44,7 @@ std::optional<DirectSample> ImageInfiniteLight::sample_direct(const Vec3&, const
     const double pdf = drawn.light.luminance / (picture->mean() * 4 * kPiDouble);
     return DirectSample{Vec3(to_world.vector(uniform_sphere(drawn.place))), kInfinity,
                         static_cast<float>(picture->mean() * 4 * kPiDouble),
-                        static_cast<float>(pdf), drawn.light.tint};
+                        static_cast<float>(pdf), drawn.light.rgb};
 }
 
 double ImageInfiniteLight::power(const SceneSphere& sphere) const {
@@ -56,7 +56,7 @@ EnvironmentRadiance ImageInfiniteLight::environment_radiance(const Vec3&,
     if (!(picture->mean() > 0)) return {};
     const TexelLight light = picture->at(place_of(to_world, Vec3d(direction)));
     const double pdf = light.luminance / (picture->mean() * 4 * kPiDouble);
-    return {static_cast<float>(light.luminance), static_cast<float>(pdf), light.tint};
+    return {static_cast<float>(light.luminance), static_cast<float>(pdf), light.rgb};
 }
 
 double illuminance_from_above(const LightPicture& picture) {

@@ -48,7 +48,7 @@ TexelLight texel_light(const Vec3& given) {
 void prepare_colours(const Image& image) {
     for (int y = 0; y < image.resolution().y; ++y)
         for (int x = 0; x < image.resolution().x; ++x)
-            if (texel_light(image.rgb(x, y)).tint != Vec3(1)) {
+            if (texel_light(image.rgb(x, y)).rgb != Vec3(1)) {
                 SigmoidTable::srgb();
                 return;
             }

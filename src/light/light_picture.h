@@ -17,7 +17,7 @@ namespace sunfleck::engine {
 /// Light of a texel: luminance times an RGB factor.
 struct TexelLight {
     double luminance = 0;
-    Vec3 tint{1};  // RGB of luminance one
+    Vec3 rgb{1};  // RGB of luminance one
 };
 
 /// Splits a colour in linear sRGB; negative components count as zero.

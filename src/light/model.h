@@ -4,7 +4,7 @@
 // a ray meets an emitter or leaves the scene, radiance() and direct_pdf() for the other half of
 // MIS. Curves are evaluated once a pass: a light's functions return a unitless or geometric factor
 // and `LightSpectra` holds each light's emission at the pass's wavelengths. A light with a picture
-// adds a tint: linear sRGB of luminance one, whose smooth spectrum multiplies the curve.
+// adds an RGB factor: linear sRGB of luminance one, whose smooth spectrum multiplies the curve.
 #pragma once
 
 #include "geometry/ray.h"
@@ -30,9 +30,9 @@ struct Emission {
     /// Flux per unit of the light's curve: factor * curve = Le |cos| / (pdf position * pdf
     /// direction). The choice of the light is not in it.
     double factor = 0;
-    Vec3 normal;                 // geometric, of an area light's surface; zero for others
-    float error = 0;             // bound of the origin's error on an area light
-    std::optional<Vec3> tint{};  // of lights with pictures: multiplies the curve
+    Vec3 normal;                // geometric, of an area light's surface; zero for others
+    float error = 0;            // bound of the origin's error on an area light
+    std::optional<Vec3> rgb{};  // of lights with pictures: multiplies the curve
     /// What the photon meets nearer than this stops it unlit: it is not yet through the portal.
     double unlit = 0;
 };
@@ -54,7 +54,7 @@ struct DirectSample {
     float distance = kInfinity;
     float factor = 0;  // radiance (or irradiance, for delta lights) per unit of the curve, / pdf
     std::optional<float> pdf;  // per steradian at the point; none for delta lights
-    std::optional<Vec3> tint{};
+    std::optional<Vec3> rgb{};
     Vec3 normal{0};  // as Emission::normal: of the place on an area light
 };
 
@@ -62,7 +62,7 @@ struct DirectSample {
 struct EnvironmentRadiance {
     float factor = 0;  // radiance per unit of the curve
     float pdf = 0;     // per steradian, of sample_direct(): the other half of MIS
-    std::optional<Vec3> tint{};
+    std::optional<Vec3> rgb{};
 };
 
 /// emission:   u in (0,1)^4: position (2), direction (2). Continuous and gentle in u.

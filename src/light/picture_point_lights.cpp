@@ -24,7 +24,7 @@ std::optional<DirectSample> sample_at(const TowardsPoint& way, const TexelLight&
     if (!(light.luminance > 0)) return {};
     return DirectSample{Vec3(way.direction), static_cast<float>(way.distance),
                         static_cast<float>(light.luminance / way.distance2), std::nullopt,
-                        light.tint};
+                        light.rgb};
 }
 
 }  // namespace
@@ -32,9 +32,8 @@ std::optional<DirectSample> sample_at(const TowardsPoint& way, const TexelLight&
 Emission GoniometricLight::sample_emission(const std::array<double, 4>& u,
                                            const SceneSphere& sphere) const {
     const auto drawn = picture->draw({u[2], u[3]});
-    return {
-        position,        to_world.vector(uniform_sphere(drawn.place)), power(sphere), Vec3(0), 0,
-        drawn.light.tint};
+    return {position,       to_world.vector(uniform_sphere(drawn.place)), power(sphere), Vec3(0), 0,
+            drawn.light.rgb};
 }
 
 EmissionDimensions GoniometricLight::emission_dimensions(const LightRay& ray,
@@ -70,7 +69,7 @@ Emission ProjectionLight::sample_emission(const std::array<double, 4>& u,
             intensity * 4 * half.x * half.y / drawn.density,
             Vec3(0),
             0,
-            drawn.light.tint};
+            drawn.light.rgb};
 }
 
 /// Returns the image point in the unit square; nothing outside the image.

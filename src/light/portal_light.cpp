@@ -28,7 +28,7 @@ Emission PortalLight::sample_emission(const std::array<double, 4>& u,
         extent.x * extent.y * drawn.light.luminance * out.w.z * out.solid_angle / drawn.density,
         Vec3(0),
         0,
-        drawn.light.tint};
+        drawn.light.rgb};
     emission.unlit = ahead;
     return emission;
 }
@@ -59,7 +59,7 @@ std::optional<DirectSample> PortalLight::sample_direct(const Vec3& point, const 
     const double pdf = drawn->density / out.solid_angle;
     return DirectSample{Vec3(frame.vector(out.w)), kInfinity,
                         static_cast<float>(drawn->light.luminance / pdf), static_cast<float>(pdf),
-                        drawn->light.tint};
+                        drawn->light.rgb};
 }
 
 double PortalLight::power(const SceneSphere&) const {
@@ -75,7 +75,7 @@ EnvironmentRadiance PortalLight::environment_radiance(const Vec3& from,
     if (!seen->contains(uv)) return {};
     const TexelLight light = picture->through().at(uv);
     const double pdf = picture->density(*seen, uv) / portal_direction(uv).solid_angle;
-    return {static_cast<float>(light.luminance), static_cast<float>(pdf), light.tint};
+    return {static_cast<float>(light.luminance), static_cast<float>(pdf), light.rgb};
 }
 
 }  // namespace sunfleck::engine

@@ -213,7 +213,7 @@ private:
         start.origin += normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
         state.flux =
             pass_.emission[choice.index] * static_cast<float>(start.factor / choice.probability);
-        if (start.tint) state.flux = pass_.tinted(state.flux, start.tint);
+        if (start.rgb) state.flux = pass_.coloured(state.flux, start.rgb);
         if (has_media_) state.medium = pass_.start_medium(choice.index, start, state.flux);
         state.direction = Vec3(start.direction);
         return start;

@@ -70,7 +70,7 @@ private:
         const Vec2d way = two_numbers();
         Emission start = sample_emission(scene_.lights()[choice.index],
                                          {place.x, place.y, way.x, way.y}, scene_.sphere());
-        flux_ = pass_.scene.tinted(pass_.scene.emission[choice.index], start.tint) *
+        flux_ = pass_.scene.coloured(pass_.scene.emission[choice.index], start.rgb) *
                 (share * static_cast<float>(start.factor / choice.probability));
         medium_ = pass_.scene.start_medium(choice.index, start, flux_);
         return start;

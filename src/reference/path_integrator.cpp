@@ -68,7 +68,7 @@ private:
             const EnvironmentRadiance met =
                 environment_radiance(scene_.lights()[i], last_, direction);
             add_emitter(i, met.pdf,
-                        pass_.scene.tinted(pass_.scene.emission[i] * met.factor, met.tint));
+                        pass_.scene.coloured(pass_.scene.emission[i] * met.factor, met.rgb));
         }
     }
 
@@ -129,7 +129,7 @@ private:
             weight = mine / (mine + pdf(bsdf, wo, wi, Transport::radiance));
         }
         const SampledSpectrum emitted =
-            pass_.scene.tinted(pass_.scene.emission[choice->index], light->tint);
+            pass_.scene.coloured(pass_.scene.emission[choice->index], light->rgb);
         sum_ +=
             throughput_ * f * seen * emitted * (light->factor * std::abs(wi.z) * weight / chosen);
     }

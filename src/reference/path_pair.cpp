@@ -73,7 +73,7 @@ SampledSpectrum PathPair::sampled_light(const SubpathVertex& vertex, PathNumbers
     const auto number = static_cast<std::uint32_t>(choice->index);
     const EndDensities end = end_densities(scene, number, ray, vertex.hit);
     const double weight = end_weights(end, vertex.weights, turned.leaving).sampled;
-    const SampledSpectrum emitted = pass_.scene.tinted(pass_.scene.emission[number], light->tint);
+    const SampledSpectrum emitted = pass_.scene.coloured(pass_.scene.emission[number], light->rgb);
     return vertex.arriving * turned.weight * left * emitted *
            static_cast<float>(static_cast<double>(light->factor) * weight / choice->probability);
 }

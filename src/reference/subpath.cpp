@@ -97,7 +97,7 @@ void SubpathTracer::trace_light(std::size_t wavelength, PathNumbers& numbers, Su
         sample_emission(scene.lights()[light_], {place.x, place.y, way.x, way.y}, scene.sphere());
     if (!(start.factor > 0)) return;
     start_ = {start.origin, start.normal, start.direction};
-    throughput_ = pass_.scene.tinted(pass_.scene.emission[light_], start.tint) *
+    throughput_ = pass_.scene.coloured(pass_.scene.emission[light_], start.rgb) *
                   static_cast<float>(start.factor / choice.probability);
     hero_ = {wavelength, false};
     medium_ = pass_.scene.start_medium(light_, start, throughput_);
@@ -157,7 +157,7 @@ void SubpathTracer::note_lights(bool met, Subpath& path) {
         const EnvironmentRadiance seen = environment_radiance(scene.lights()[i], last, direction_);
         if (!(seen.factor > 0)) continue;
         const SampledSpectrum light =
-            pass_.scene.tinted(pass_.scene.emission[i] * seen.factor, seen.tint);
+            pass_.scene.coloured(pass_.scene.emission[i] * seen.factor, seen.rgb);
         path.lights.push_back(
             {vertices, i, {Vec3d(last), Vec3(0), -Vec3d(direction_)}, throughput_ * light});
     }

@@ -36,31 +36,31 @@ TEST_P(EnvironmentLaws, radiance_is_that_which_samples_bring) {
             continue;
         }
         ASSERT_NEAR(s->factor * *s->pdf / met.factor, 1, 1e-4F);
-        ASSERT_EQ(met.tint, s->tint);
-        ASSERT_FALSE(met.tint && std::abs(met.tint->dot({0.2126F, 0.7152F, 0.0722F}) - 1) > 1e-5F);
+        ASSERT_EQ(met.rgb, s->rgb);
+        ASSERT_FALSE(met.rgb && std::abs(met.rgb->dot({0.2126F, 0.7152F, 0.0722F}) - 1) > 1e-5F);
     }
     EXPECT_LE(lost, 5);
 }
 
-/// Means of tint * factor: photons and direct samples bring the picture's integral, in colour, and
+/// Means of rgb * factor: photons and direct samples bring the picture's integral, in colour, and
 /// so do uniform directions. Sees 3%. (Photons through a portal: LightLaws.)
 TEST_P(EnvironmentLaws, all_ways_bring_the_same_colour) {
     constexpr int kSamples = 1 << 18;
     const double disc = kPiDouble * kExampleSphere.radius * kExampleSphere.radius;
     const bool is_portal = std::holds_alternative<PortalLight>(light());
     std::array<Vec3d, 3> sums = {Vec3d(0), Vec3d(0), Vec3d(0)};
-    const auto add = [&](std::size_t way, double factor, const std::optional<Vec3>& tint) {
-        sums.at(way) += Vec3d(tint.value_or(Vec3(1))) * factor / kSamples;
+    const auto add = [&](std::size_t way, double factor, const std::optional<Vec3>& rgb) {
+        sums.at(way) += Vec3d(rgb.value_or(Vec3(1))) * factor / kSamples;
     };
     for (int i = 0; i < kSamples; ++i) {
         const std::array<double, 4> u = {0.5, 0.5, random_.next(), random_.next()};
         const Emission e = sample_emission(light(), u, kExampleSphere);
-        add(0, is_portal ? 0 : e.factor / disc, e.tint);
+        add(0, is_portal ? 0 : e.factor / disc, e.rgb);
         const auto s = sample_direct(light(), GetParam().point, random_2d(), kExampleSphere);
-        add(1, static_cast<double>(s->factor), s->tint);
+        add(1, static_cast<double>(s->factor), s->rgb);
         const Vec3 w(uniform_sphere({random_.next(), random_.next()}));
         const EnvironmentRadiance met = environment_radiance(light(), GetParam().point, w);
-        add(2, static_cast<double>(met.factor) * 4 * kPiDouble, met.tint);
+        add(2, static_cast<double>(met.factor) * 4 * kPiDouble, met.rgb);
     }
     for (int c = 0; c < 3; ++c)
         for (const std::size_t way : {is_portal ? 1U : 0U, 1U})

@@ -96,7 +96,7 @@ TEST_P(LightLaws, only_lights_of_some_width_give_a_pdf) {
         ASSERT_EQ(s->pdf.has_value(), area_light() != nullptr || is_infinite(light()));
         if (area_light() == nullptr) continue;
         ASSERT_NEAR(s->normal.length(), 1, 1e-5F);
-        ASSERT_EQ(s->tint.has_value(), area_light()->picture != nullptr);
+        ASSERT_EQ(s->rgb.has_value(), area_light()->picture != nullptr);
         if (area_light()->picture) continue;
         ASSERT_NEAR(s->factor * *s->pdf, 1, 1e-5F);
     }

@@ -101,7 +101,7 @@ TEST(PicturedLights, direct_samples_bring_what_rays_meet) {
             if (!hit || std::abs(hit->distance - s->distance) > 1e-4F) continue;  // behind itself
             const SampledSpectrum met = pass.emitted(index, light, *hit);
             const SampledSpectrum promised =
-                pass.tinted(pass.emission[index] * (s->factor * *s->pdf), s->tint);
+                pass.coloured(pass.emission[index] * (s->factor * *s->pdf), s->rgb);
             if (std::abs(hit->uv.x - 0.5F) > 0.49F) continue;  // at the seam
             ASSERT_NEAR(met.sum(), promised.sum(), 0.01F * promised.sum()) << i << ' ' << hit->uv;
             ++tested;

@@ -24,7 +24,7 @@ const std::string kSky = "LightSource \"infinite\" \"string filename\" \"sky.pfm
 Vec3 radiance(const SceneDescription& scene, const Vec3& w, const Vec3& from = Vec3(0)) {
     const Light& light = scene.lights.at(0);
     const EnvironmentRadiance met = environment_radiance(light, from, w.normalized());
-    return met.tint.value_or(Vec3(1)) * (met.factor * curve(light).luminance());
+    return met.rgb.value_or(Vec3(1)) * (met.factor * curve(light).luminance());
 }
 
 void expect_near(const Vec3& a, const Vec3& b) {
@@ -65,7 +65,7 @@ Vec3 intensity(const SceneDescription& scene, const Vec3& point) {
     const Light& light = scene.lights.at(0);
     const auto s = sample_direct(light, point, {0.5F, 0.5F}, {});
     if (!s) return Vec3(0);
-    return s->tint.value_or(Vec3(1)) *
+    return s->rgb.value_or(Vec3(1)) *
            (s->factor * s->distance * s->distance * curve(light).luminance());
 }
 
