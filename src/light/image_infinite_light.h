@@ -8,7 +8,7 @@
 #pragma once
 
 #include "geometry/affine.h"
-#include "light/light_picture.h"
+#include "light/light_image.h"
 #include "light/model.h"
 
 #include <memory>
@@ -17,7 +17,7 @@ namespace sunfleck::engine {
 
 struct ImageInfiniteLight {
     Spectrum curve;
-    std::shared_ptr<const LightPicture> picture;
+    std::shared_ptr<const LightImage> image;
     Affine to_world;  // a rotation, perhaps with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
@@ -30,6 +30,6 @@ struct ImageInfiniteLight {
 };
 
 /// Returns the illuminance on the plane z = 0 from above: in lumens per m^2 if texels are in nits.
-double illuminance_from_above(const LightPicture& picture);
+double illuminance_from_above(const LightImage& image);
 
 }  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 // Two users: photon paths start with sample_emission(); camera paths ask sample_direct() and, when
 // a ray meets an emitter or leaves the scene, radiance() and direct_pdf() for the other half of
 // MIS. Curves are evaluated once a pass: a light's functions return a unitless or geometric factor
-// and `LightSpectra` holds each light's emission at the pass's wavelengths. A light with a picture
+// and `LightSpectra` holds each light's emission at the pass's wavelengths. A light with an image
 // adds an RGB factor: linear sRGB of luminance one, whose smooth spectrum multiplies the curve.
 #pragma once
 
@@ -32,7 +32,7 @@ struct Emission {
     double factor = 0;
     Vec3 normal;                // geometric, of an area light's surface; zero for others
     float error = 0;            // bound of the origin's error on an area light
-    std::optional<Vec3> rgb{};  // of lights with pictures: multiplies the curve
+    std::optional<Vec3> rgb{};  // of lights with images: multiplies the curve
     /// What the photon meets nearer than this stops it unlit: it is not yet through the portal.
     double unlit = 0;
 };
@@ -71,7 +71,7 @@ struct EnvironmentRadiance {
 ///             that it cannot give, anything.
 /// emission_pdf: density of sample_emission() at a ray that it may give, per m^2 and sr (m^2 across
 ///             the ray for lights from afar); per sr alone for points, per m^2 for distant lights.
-///             Exact, but for pictures on surfaces: there as if their table had no cells.
+///             Exact, but for images on surfaces: there as if their table had no cells.
 /// direct:     a direction to the light from `point`, u in (0,1)^2; nothing if it cannot be seen
 ///             (behind a one-sided emitter, outside a spot).
 /// power:      total emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).

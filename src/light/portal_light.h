@@ -9,7 +9,7 @@
 
 #include "geometry/affine.h"
 #include "light/model.h"
-#include "light/portal_picture.h"
+#include "light/portal_image.h"
 
 #include <memory>
 
@@ -17,7 +17,7 @@ namespace sunfleck::engine {
 
 struct PortalLight {
     Spectrum curve;
-    std::shared_ptr<const PortalPicture> picture;
+    std::shared_ptr<const PortalImage> image;
     Affine frame;  // orthonormal; the origin is a corner of the portal, z points out to the
                    // environment
     Vec2d extent;  // of the portal from the corner along x and y; positive

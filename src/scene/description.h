@@ -7,7 +7,7 @@
 #include "core/warnings.h"
 #include "geometry/geometry.h"
 #include "light/light.h"
-#include "light/surface_picture.h"
+#include "light/surface_image.h"
 #include "material/bump_map.h"
 #include "material/material.h"
 #include "scene/media.h"
@@ -33,7 +33,7 @@ struct AreaEmission {
     /// (pbrt-v4); an image is divided by its mean.
     double power = 0;
     /// Image that multiplies the radiance, by the surface's (u, v); null for none.
-    std::shared_ptr<const SurfacePicture> picture = nullptr;
+    std::shared_ptr<const SurfaceImage> image = nullptr;
     std::uint32_t statement = kNone;  // index into SceneDescription::light_statements
 };
 

@@ -41,7 +41,7 @@ struct PassScene {
 
     /// Returns the emission of an area light at a hit.
     SampledSpectrum emitted(std::uint32_t index, const AreaLight& light, const Hit& hit) const {
-        if (!light.picture) return emission[index];
+        if (!light.image) return emission[index];
         const TexelLight here = light.light_at(hit.uv);
         return coloured(emission[index] * static_cast<float>(here.luminance), here.rgb);
     }

@@ -2,7 +2,7 @@
 // "power" and "illuminance" (if positive) multiply "scale".
 #include "import/pbrt/lights.h"
 
-#include "import/pbrt/light_pictures.h"
+#include "import/pbrt/light_images.h"
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/portals.h"
 #include "import/pbrt/reading.h"
@@ -44,13 +44,13 @@ Light goniometric_light(const Statement& statement, Reading& reading) {
                          "a goniometric light without \"filename\" is read as a point light");
         return point_light(statement, reading);
     }
-    const auto picture = intensity_picture(statement, reading);
+    const auto distribution = intensity_image(statement, reading);
     Affine to_world = turn_of(statement, reading);
     std::swap(to_world.y, to_world.z);
-    const double at_one = 4 * kPiDouble * picture->mean();
+    const double at_one = 4 * kPiDouble * distribution->mean();
     const double factor = scale_of(statement) * factor_by(statement, "power", at_one);
     return GoniometricLight{scaled(emission_of(statement, "I", reading), factor),
-                            Affine(reading.still_matrix(statement.where)).origin, picture,
+                            Affine(reading.still_matrix(statement.where)).origin, distribution,
                             to_world};
 }
 
@@ -64,13 +64,13 @@ Light projection_light(const Statement& statement, Reading& reading) {
     const SinCos corner = sin_cos_2pi(fov / 720);
     const Vec2d size(image.resolution());
     const Vec2d half = size * (corner.sin / corner.cos / std::min(size.x, size.y));
-    const auto picture = projected_picture(std::move(image), half);
+    const auto distribution = projected_image(std::move(image), half);
     Affine to_world = turn_of(statement, reading);
     to_world.y = -to_world.y;
-    const double at_one = 4 * half.x * half.y * picture->mean();
+    const double at_one = 4 * half.x * half.y * distribution->mean();
     const double factor = scale_of(statement) * factor_by(statement, "power", at_one);
     return ProjectionLight{scaled(Spectrum::d65(), factor),
-                           Affine(reading.still_matrix(statement.where)).origin, half, picture,
+                           Affine(reading.still_matrix(statement.where)).origin, half, distribution,
                            to_world};
 }
 
@@ -97,11 +97,11 @@ Light distant_light(const Statement& statement, Reading& reading) {
 }
 
 Light image_infinite_light(const Statement& statement, Reading& reading) {
-    const auto picture = directions_picture(statement, reading);
+    const auto distribution = directions_light_image(statement, reading);
     // pbrt-v4 sums 2 pi / texels per texel, half of the solid angle.
-    const double at_one = illuminance_from_above(*picture) / 2;
+    const double at_one = illuminance_from_above(*distribution) / 2;
     const double factor = scale_of(statement) * factor_by(statement, "illuminance", at_one);
-    return ImageInfiniteLight{scaled(Spectrum::d65(), factor), picture,
+    return ImageInfiniteLight{scaled(Spectrum::d65(), factor), distribution,
                               turn_of(statement, reading)};
 }
 
@@ -166,7 +166,7 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
         if (const Parameter* both = statement.find("L"))
             throw Error(both->where, "an area light with \"L\" and \"filename\"",
                         "give one of them");
-        emission.picture = std::make_shared<const SurfacePicture>(light_image(statement, reading));
+        emission.image = std::make_shared<const SurfaceImage>(light_image(statement, reading));
     }
     emission.radiance = scaled(emission_of(statement, "L", reading), scale_of(statement));
     emission.two_sided = statement.flag("twosided", false);

@@ -2,7 +2,7 @@
 #include "import/pbrt/portals.h"
 
 #include "image/lookup.h"
-#include "import/pbrt/light_pictures.h"
+#include "import/pbrt/light_images.h"
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/reading.h"
 #include "math/warp.h"
@@ -54,12 +54,12 @@ Light portal_light(const Statement& statement, Reading& reading) {
         const double at_one = 2 * kPiDouble * static_cast<double>(curve.luminance());
         light.curve =
             scaled(curve, scale_of(statement) * factor_by(statement, "illuminance", at_one));
-        light.picture =
-            std::make_shared<const PortalPicture>(kPlainSide, [](const Vec3d&) { return Vec3(1); });
+        light.image =
+            std::make_shared<const PortalImage>(kPlainSide, [](const Vec3d&) { return Vec3(1); });
         return light;
     }
     const Image image = directions_image(statement, reading);
-    const double at_one = illuminance_from_above(LightPicture(image)) / 2;
+    const double at_one = illuminance_from_above(LightImage(image)) / 2;
     light.curve =
         scaled(Spectrum::d65(), scale_of(statement) * factor_by(statement, "illuminance", at_one));
     const Affine turn = turn_of(statement, reading);
@@ -69,7 +69,7 @@ Light portal_light(const Statement& statement, Reading& reading) {
         const auto v = bilinear(image, Vec2(sphere_to_square(own)), Wrap::octahedral_sphere);
         return image.channels() < 3 ? Vec3(v[0]) : Vec3(v[0], v[1], v[2]);
     };
-    light.picture = std::make_shared<const PortalPicture>(image.resolution().x, sky);
+    light.image = std::make_shared<const PortalImage>(image.resolution().x, sky);
     return light;
 }
 

@@ -1,5 +1,5 @@
 // Reading and checking of images for lights.
-#include "import/pbrt/light_pictures.h"
+#include "import/pbrt/light_images.h"
 
 #include "image/read_image.h"
 #include "import/pbrt/reading.h"
@@ -35,13 +35,12 @@ Image directions_image(const Statement& statement, Reading& reading) {
     return image;
 }
 
-std::shared_ptr<const LightPicture> directions_picture(const Statement& statement,
-                                                       Reading& reading) {
-    return std::make_shared<const LightPicture>(directions_image(statement, reading));
+std::shared_ptr<const LightImage> directions_light_image(const Statement& statement,
+                                                         Reading& reading) {
+    return std::make_shared<const LightImage>(directions_image(statement, reading));
 }
 
-std::shared_ptr<const LightPicture> intensity_picture(const Statement& statement,
-                                                      Reading& reading) {
+std::shared_ptr<const LightImage> intensity_image(const Statement& statement, Reading& reading) {
     const Image image = directions_image(statement, reading);
     const Vec2i& size = image.resolution();
     std::vector<float> means;
@@ -50,7 +49,7 @@ std::shared_ptr<const LightPicture> intensity_picture(const Statement& statement
             const Vec3 rgb = image.rgb(x, y);
             means.push_back((rgb.x + rgb.y + rgb.z) / 3);
         }
-    return std::make_shared<const LightPicture>(Image(size, 1, std::move(means)));
+    return std::make_shared<const LightImage>(Image(size, 1, std::move(means)));
 }
 
 Affine turn_of(const Statement& statement, Reading& reading) {

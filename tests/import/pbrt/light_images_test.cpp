@@ -1,5 +1,5 @@
 // Infinite lights with pictures: directions, scale, illuminance, and what cannot be.
-#include "import/pbrt/light_pictures.h"
+#include "import/pbrt/light_images.h"
 
 #include "image/image_files.h"
 #include "import/pbrt/scene_text.h"
@@ -116,7 +116,7 @@ TEST(LightPictures, of_area_lights_lie_on_their_shapes) {
     const AreaEmission& emission = scene.shapes.at(0).emission.value();
     EXPECT_NEAR(emission.radiance.luminance(), 3, 1e-3);
     EXPECT_EQ(emission.power, 5);
-    EXPECT_EQ(emission.picture->resolution(), Vec2i(2, 1));
+    EXPECT_EQ(emission.image->resolution(), Vec2i(2, 1));
     EXPECT_TRUE(scene.warnings.entries().empty());
     EXPECT_TRUE(contains(world_error(light + "\"rgb L\" [1 1 1]", kFiles), "\"L\" and"));
 }
