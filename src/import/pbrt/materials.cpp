@@ -1,8 +1,8 @@
 // Materials by their words.
 #include "import/pbrt/materials.h"
 
+#include "import/pbrt/approximations.h"
 #include "import/pbrt/coats.h"
-#include "import/pbrt/stand_ins.h"
 #include "import/pbrt/words.h"
 #include "texture/kinds.h"
 
@@ -133,9 +133,9 @@ constexpr std::array<Row, 14> kRows = {{{"diffuse", diffuse},
                                         {"coateddiffuse", coated_diffuse},
                                         {"coatedconductor", coated_conductor},
                                         {"mix", mix},
-                                        {"measured", measured_stand_in},
-                                        {"hair", hair_stand_in},
-                                        {"subsurface", subsurface_stand_in},
+                                        {"measured", approximate_measured},
+                                        {"hair", approximate_hair},
+                                        {"subsurface", approximate_subsurface},
                                         {"diffusetransmission", diffuse_transmission}}};
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Materials: ours by their parameters, the others by what stands in.
+// Materials: ours by their parameters, the others by approximations.
 #include "import/pbrt/materials.h"
 
 #include "import/pbrt/scene_text.h"

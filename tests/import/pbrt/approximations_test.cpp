@@ -1,4 +1,4 @@
-// Hair, skin and measured materials: what stands in for them, and with which energy.
+// Hair, skin and measured materials: how they are approximated, and with which energy.
 #include "import/pbrt/scene_text.h"
 #include "import/pbrt/tensors.h"
 #include "material/fibre_albedo.h"
