@@ -48,13 +48,14 @@ void CameraPath::follow(std::optional<Hit> hit, BatchPoints& numbers) {
         if (scene.has_media())
             throughput_ *= pass_.scene.transmittance(medium_, hit ? hit->distance : kInfinity);
         if (!hit) {
-            add_emission(environment_along(pass_.scene, position_, direction_, wanted_parts()));
+            add_emission(
+                environment_along(pass_.scene, position_, direction_, wanted_contributions()));
             return;
         }
         grow_footprint(*hit);
         const bool weighted = emitters_ == Emitters::weighted;
         add_emission(emitter_at(pass_.scene, *hit, weighted ? &glossy_ : nullptr, direction_,
-                                wanted_parts()));
+                                wanted_contributions()));
         if (!scene.is_null_interface(*hit)) {
             if (!has_hit_) first_footprint_ = footprint_;
             has_hit_ = true;
@@ -134,7 +135,7 @@ bool CameraPath::go_on(const CameraVertex& vertex, BatchPoints& numbers) {
 
 void CameraPath::add_emission(const EmitterHit& met) {
     if (met.radiance.is_zero() || emitters_ == Emitters::none) {
-        parts_.clear();
+        contributions_.clear();
         return;
     }
     const float weight = emitters_ == Emitters::all ? 1 : mis_weight(bsdf_pdf_, met.pdf);
@@ -175,10 +176,10 @@ void CameraPath::add_light(const SampledSpectrum& radiance, float weight, Aov ow
         return pass_.scene.wavelengths.to_rgb(throughput_ * arriving * weight * weight_);
     };
     image_.add_camera_light(pixel_, rgb(radiance), owner);
-    for (const LightPart& part : parts_)
+    for (const LightContribution& part : contributions_)
         image_.add_to_light_group(pixel_, rgb(part.radiance),
                                   pass_.transport.light_groups.of(part.light));
-    parts_.clear();
+    contributions_.clear();
 }
 
 /// @param follow  trace a bsdf sample for MIS (a path that continues needs none).
@@ -186,7 +187,7 @@ void CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbe
     const PassScene& pass = pass_.scene;
     const Vec2d choices = numbers.next_2d();
     SampledSpectrum light = sample_lights(pass, vertex, {choices.x, numbers.next_2d(), choices.y},
-                                          statistics_, wanted_parts());
+                                          statistics_, wanted_contributions());
     if (follow && pass.scene.has_lights_to_hit()) {
         const Vec2d u = numbers.next_2d();
         const BsdfDraw draw{
@@ -194,7 +195,7 @@ void CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbe
             Transport::radiance,
             hero_};
         if (const auto drawn = sample(vertex.bsdf, vertex.wo, draw))
-            light += follow_bsdf_sample(pass, vertex, *drawn, statistics_, wanted_parts());
+            light += follow_bsdf_sample(pass, vertex, *drawn, statistics_, wanted_contributions());
     }
     if (light.is_zero()) return;
     add_light(light, 1, rough_ > 0 ? Aov::indirect : Aov::direct);

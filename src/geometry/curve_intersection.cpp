@@ -83,7 +83,7 @@ public:
     }
 
     std::size_t run() {
-        const Bezier part = part_of(piece_.curve, piece_.from, piece_.to);
+        const Bezier part = subcurve(piece_.curve, piece_.from, piece_.to);
         int depth = 0;
         const double widest = std::max(piece_.width_at(piece_.from), piece_.width_at(piece_.to));
         const double straight = 0.05 * widest;

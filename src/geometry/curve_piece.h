@@ -24,7 +24,7 @@ using Bezier = std::array<Vec3d, 4>;
 
 CurvePoint evaluate(const Bezier& p, double u);
 /// Returns the control points of the part with u in [from, to] (blossoming).
-Bezier part_of(const Bezier& curve, double from, double to);
+Bezier subcurve(const Bezier& curve, double from, double to);
 
 /// An intersection of a line with a piece.
 struct CurveHit {

@@ -35,7 +35,7 @@ CurvePoint evaluate(const Bezier& p, double u) {
             ((d1 - d0) * w + (d2 - d1) * u) * 6};
 }
 
-Bezier part_of(const Bezier& curve, double from, double to) {
+Bezier subcurve(const Bezier& curve, double from, double to) {
     return {blossom(curve, from, from, from), blossom(curve, from, from, to),
             blossom(curve, from, to, to), blossom(curve, to, to, to)};
 }
@@ -69,7 +69,7 @@ Bounds CurvePiece::bounds(const Affine& map) const {
     Vec3d half;
     for (int i = 0; i < 3; ++i) half[i] = reach * Vec3d(map.x[i], map.y[i], map.z[i]).length();
     Bounds box;
-    for (const Vec3d& p : part_of(curve, from, to)) {
+    for (const Vec3d& p : subcurve(curve, from, to)) {
         box.extend(map.point(p) - half);
         box.extend(map.point(p) + half);
     }

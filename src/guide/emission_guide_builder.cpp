@@ -57,9 +57,9 @@ Cut best_cut(std::span<const WeightedEmission> points, const EmissionBox& box, c
         double left = 0;
         for (std::size_t k = 1; k < kBins; ++k) {
             left += bins.at(k - 1) / all.sum;
-            const double part = static_cast<double>(k) / kBins;
-            const double gain = surprise(left, part) + surprise(1 - left, 1 - part);
-            if (gain > best.gain) best = {gain, s, box.low[s] + width * part};
+            const double fraction = static_cast<double>(k) / kBins;
+            const double gain = surprise(left, fraction) + surprise(1 - left, 1 - fraction);
+            if (gain > best.gain) best = {gain, s, box.low[s] + width * fraction};
         }
     }
     return best;
@@ -89,7 +89,7 @@ private:
         std::size_t end;
     };
 
-    struct Part {
+    struct Region {
         EmissionBox box;
         Range range;         // of its points
         double share;        // of the points' mass, by the model
@@ -98,19 +98,19 @@ private:
     };
 
     /// @return the mass of the box, uniform part included.
-    double grow(std::uint32_t node, const Part& part) {
+    double grow(std::uint32_t node, const Region& region) {
         const double even = growth_.uniform_share;
-        const double mass = (1 - even) * part.share + even * part.volume;
-        guide_.nodes_[node].density = mass / part.volume;
-        guide_.nodes_[node].volume = part.volume;
-        const std::span<WeightedEmission> points(points_.data() + part.range.begin,
-                                                 part.range.end - part.range.begin);
+        const double mass = (1 - even) * region.share + even * region.volume;
+        guide_.nodes_[node].density = mass / region.volume;
+        guide_.nodes_[node].volume = region.volume;
+        const std::span<WeightedEmission> points(points_.data() + region.range.begin,
+                                                 region.range.end - region.range.begin);
         Mass all;
         for (const WeightedEmission& p : points) all.add(p.weight);
         guide_.nodes_[node].found = all.sum / all_points_;
         if (all.effective() < kLeastEffective) return mass;
-        Cut cut = best_cut(points, part.box, all);
-        const std::size_t shears = part.shears + shear(node, points, part, all, cut);
+        Cut cut = best_cut(points, region.box, all);
+        const std::size_t shears = region.shears + shear(node, points, region, all, cut);
         if (cut.gain * all.effective() < growth_.least_gain) {
             guide_.shears_.resize(guide_.nodes_[node].first_shear);  // they had no use
             guide_.nodes_[node].shears = 0;
@@ -122,8 +122,9 @@ private:
         Mass left;
         for (auto p = points.begin(); p != middle; ++p) left.add(p->weight);
         const std::size_t split =
-            part.range.begin + static_cast<std::size_t>(middle - points.begin());
-        return divide(node, part, cut, {split, shears, left.sum / all.sum, all.effective(), mass});
+            region.range.begin + static_cast<std::size_t>(middle - points.begin());
+        return divide(node, region, cut,
+                      {split, shears, left.sum / all.sum, all.effective(), mass});
     }
 
     struct Division {
@@ -134,14 +135,14 @@ private:
         double mass;         // of both
     };
 
-    double divide(std::uint32_t node, const Part& part, const Cut& cut, const Division& d) {
-        Part left = part;
-        Part right = part;
+    double divide(std::uint32_t node, const Region& region, const Cut& cut, const Division& d) {
+        Region left = region;
+        Region right = region;
         left.shears = right.shears = d.shears;
         left.box.high[cut.dimension] = right.box.low[cut.dimension] = cut.at;
         left.range.end = right.range.begin = d.split;
-        const double volume = (cut.at - part.box.low[cut.dimension]) /
-                              (part.box.high[cut.dimension] - part.box.low[cut.dimension]);
+        const double volume = (cut.at - region.box.low[cut.dimension]) /
+                              (region.box.high[cut.dimension] - region.box.low[cut.dimension]);
         // Two more points, spread uniformly, so that no part of a box is certainly empty.
         const double to_left = (d.in_left * d.points + 2 * volume) / (d.points + 2);
         left.share *= to_left;
@@ -163,16 +164,16 @@ private:
 
     /// Shears the box and its points while that gains more than a cut. @return number of shears.
     /// @param cut  the best cut, before and after.
-    std::size_t shear(std::uint32_t node, std::span<WeightedEmission> points, const Part& part,
+    std::size_t shear(std::uint32_t node, std::span<WeightedEmission> points, const Region& region,
                       const Mass& all, Cut& cut) {
         guide_.nodes_[node].first_shear = static_cast<std::uint32_t>(guide_.shears_.size());
         if (all.effective() < kLeastToShear) return 0;
         std::size_t count = 0;
-        while (part.shears + count < EmissionGuide::kMostShears) {
-            const FoundShear found = best_shear(points, part.box);
+        while (region.shears + count < EmissionGuide::kMostShears) {
+            const FoundShear found = best_shear(points, region.box);
             if (found.gain < kLeastShear || found.gain < cut.gain) break;
             for (WeightedEmission& p : points) found.shear.apply(p.point);
-            cut = best_cut(points, part.box, all);
+            cut = best_cut(points, region.box, all);
             guide_.shears_.push_back(found.shear);
             ++count;
         }

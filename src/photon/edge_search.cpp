@@ -26,12 +26,12 @@ struct EdgedShape {
 };
 
 /// Corners per element and number of elements of a shape; none for shapes without edges.
-struct Parts {
+struct Elements {
     std::size_t corners = 0;
     std::size_t count = 0;
 };
 
-Parts parts_of(const Shape& shape) {
+Elements elements_of(const Shape& shape) {
     if (const auto* mesh = std::get_if<TriangleMesh>(&shape)) return {3, mesh->triangles.size()};
     if (const auto* mesh = std::get_if<BilinearMesh>(&shape)) return {4, mesh->patches.size()};
     return {};
@@ -49,8 +49,8 @@ public:
 
     /// Selects an edge: half of the time uniformly over all triangles, half of the time uniformly
     /// over shapes, because a door among statues is one shape of a few triangles. @param which,
-    /// part, side  in (0,1).
-    Edge choose(double which, double part, double side) const {
+    /// element, side  in (0,1).
+    Edge choose(double which, double element, double side) const {
         const bool by_part = which < 0.5;
         const double at = by_part ? 2 * which : 2 * which - 1;
         const auto total = static_cast<double>(shapes_.back().end);
@@ -58,40 +58,41 @@ public:
             by_part ? shape_of(static_cast<std::size_t>(at * total))
                     : shapes_.begin() +
                           static_cast<std::ptrdiff_t>(at * static_cast<double>(shapes_.size()));
-        const Parts parts = parts_of(*shape->shape);
-        return edge(*shape, static_cast<std::size_t>(part * static_cast<double>(parts.count)),
-                    static_cast<std::size_t>(side * static_cast<double>(parts.corners)));
+        const Elements elements = elements_of(*shape->shape);
+        return edge(*shape, static_cast<std::size_t>(element * static_cast<double>(elements.count)),
+                    static_cast<std::size_t>(side * static_cast<double>(elements.corners)));
     }
 
 private:
     using Shapes = std::vector<EdgedShape>;
 
     void add(const PlacedShape& placed, const Matrix& outer) {
-        const Parts parts = parts_of(placed.shape);
-        if (parts.count == 0) return;
+        const Elements elements = elements_of(placed.shape);
+        if (elements.count == 0) return;
         const std::size_t before = shapes_.empty() ? 0 : shapes_.back().end;
-        shapes_.push_back({&placed.shape, Affine(placed.to_world * outer), before + parts.count});
+        shapes_.push_back(
+            {&placed.shape, Affine(placed.to_world * outer), before + elements.count});
     }
 
-    Shapes::const_iterator shape_of(std::size_t part) const {
-        return std::upper_bound(shapes_.begin(), shapes_.end() - 1, part,
+    Shapes::const_iterator shape_of(std::size_t element) const {
+        return std::upper_bound(shapes_.begin(), shapes_.end() - 1, element,
                                 [](std::size_t i, const EdgedShape& s) { return i < s.end; });
     }
 
-    static Edge edge(const EdgedShape& of, std::size_t part, std::size_t side) {
+    static Edge edge(const EdgedShape& of, std::size_t element, std::size_t side) {
         const auto place = [&](const std::vector<Vec3>& positions, std::uint32_t corner) {
             constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
             if (corner >= positions.size()) return Vec3d(kNowhere);
             return of.to_world.point(Vec3d(positions[corner]));
         };
         if (const auto* mesh = std::get_if<TriangleMesh>(of.shape)) {
-            const auto& corners = mesh->triangles[part];
+            const auto& corners = mesh->triangles[element];
             return {place(mesh->positions, corners.at(side)),
                     place(mesh->positions, corners.at((side + 1) % 3))};
         }
         constexpr std::array<std::size_t, 4> kAround = {0, 1, 3, 2};  // around a patch's corners
         const auto& mesh = std::get<BilinearMesh>(*of.shape);
-        const auto& corners = mesh.patches[part];
+        const auto& corners = mesh.patches[element];
         return {place(mesh.positions, corners.at(kAround.at(side))),
                 place(mesh.positions, corners.at(kAround.at((side + 1) % 4)))};
     }
@@ -123,8 +124,8 @@ std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
         for (std::size_t i = begin; i < end; ++i) {
             RandomStream stream = pass.stream(Purpose::edge_search, tries.begin + i);
             const double which = stream.next();
-            const double part = stream.next();
-            const Vec3 at = point_by(edges.choose(which, part, stream.next()), stream);
+            const double element = stream.next();
+            const Vec3 at = point_by(edges.choose(which, element, stream.next()), stream);
             if (!std::isfinite(at.x + at.y + at.z)) continue;
             const auto light = guide_samples.sample(at, stream);
             if (!light) continue;

@@ -12,12 +12,12 @@ constexpr double kLittleFlux = 0.01;
 constexpr double kLeastShare = 0.1;
 
 /// Lights of a stratum that is being formed.
-struct Part {
+struct Stratum {
     std::vector<std::size_t> lights;
     double power = 0;
     double visible_flux = 0;
 
-    void add(const Part& other) {
+    void add(const Stratum& other) {
         lights.insert(lights.end(), other.lights.begin(), other.lights.end());
         power += other.power;
         visible_flux += other.visible_flux;
@@ -26,27 +26,27 @@ struct Part {
 
 /// Goes from the most visible light down; starts a new stratum if a light is too far from its
 /// first.
-std::vector<Part> parts_of(const std::vector<MeasuredLight>& lights) {
+std::vector<Stratum> strata_of(const std::vector<MeasuredLight>& lights) {
     const auto seen = [&](std::size_t i) { return std::max<std::uint64_t>(lights[i].visible, 1); };
     std::vector<std::size_t> order(lights.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return seen(a) > seen(b); });
-    std::vector<Part> parts;
+    std::vector<Stratum> strata;
     for (const std::size_t i : order) {
         const MeasuredLight& light = lights[i];
-        if (parts.empty() || seen(i) * kFractionsApart < seen(parts.back().lights.front()))
-            parts.emplace_back();
+        if (strata.empty() || seen(i) * kFractionsApart < seen(strata.back().lights.front()))
+            strata.emplace_back();
         const double flux =
             light.power * static_cast<double>(light.visible) / static_cast<double>(light.paths);
-        parts.back().add({{i}, light.power, flux});
+        strata.back().add({{i}, light.power, flux});
     }
-    return parts;
+    return strata;
 }
 
 /// Returns whether the less visible stratum would slow down the other, and whether the other
 /// matters.
-bool are_worth_parting(const Part& more, const Part& less) {
+bool are_worth_separating(const Stratum& more, const Stratum& less) {
     return less.power >= kLittlePower * more.power &&
            more.visible_flux >= kLittleFlux * less.visible_flux;
 }
@@ -54,15 +54,15 @@ bool are_worth_parting(const Part& more, const Part& less) {
 }  // namespace
 
 std::vector<std::vector<std::size_t>> stratified(const std::vector<MeasuredLight>& lights) {
-    std::vector<Part> strata;
-    for (const Part& part : parts_of(lights)) {
-        const bool parted = strata.empty() ||
-                            (strata.size() < kMostStrata && are_worth_parting(strata.back(), part));
+    std::vector<Stratum> strata;
+    for (const Stratum& part : strata_of(lights)) {
+        const bool parted = strata.empty() || (strata.size() < kMostStrata &&
+                                               are_worth_separating(strata.back(), part));
         if (parted) strata.emplace_back();
         strata.back().add(part);
     }
     std::vector<std::vector<std::size_t>> lists;
-    for (Part& stratum : strata) {
+    for (Stratum& stratum : strata) {
         std::sort(stratum.lights.begin(), stratum.lights.end());
         lists.push_back(std::move(stratum.lights));
     }

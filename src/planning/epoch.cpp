@@ -83,7 +83,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
         const PhotonBudget& budget = plan.budget;
         if (budget.paths > paths) epoch.strata = planner.plan(budget.paths);
         if (budget.paths < paths)
-            epoch.strata = part_of(std::move(epoch.strata), paths / budget.paths);
+            epoch.strata = fraction_of(std::move(epoch.strata), paths / budget.paths);
         epoch.paths = static_cast<std::uint32_t>(paths_of(epoch.strata));
         epoch.subpasses = budget.subpasses;
         epoch.weight = settings.photon.pass_weights ? budget.weight : 1;

@@ -104,7 +104,7 @@ SubpassPlan measured_plan(const CameraPass& first, const CameraTrial& seen,
     const PixelTrials pixels =
         shared ? trials_of_pixels(first, name, request.views) : no_trials(window);
     if (!(pixels.have_noise() || request.budget)) return {{request.usual}, {}};
-    const std::vector<LightStratum> strata = part_of(plan, request.parts);
+    const std::vector<LightStratum> strata = fraction_of(plan, request.parts);
     CameraPass second = first;
     second.id = name.iteration(kSecondTrialIteration);
     second.cells = request.cells;

@@ -40,7 +40,7 @@ CameraTrial view_of(const CameraPass& pass) {
     return {std::move(image), counts, std::move(index)};
 }
 
-std::vector<LightStratum> part_of(std::vector<LightStratum> strata, std::uint32_t parts) {
+std::vector<LightStratum> fraction_of(std::vector<LightStratum> strata, std::uint32_t parts) {
     const auto part = [&](std::uint32_t& number) { number = std::max(1U, number / parts); };
     for (LightStratum& stratum : strata) {
         part(stratum.plan.uniform_paths);

@@ -24,7 +24,7 @@ CameraTrial view_of(const CameraPass& pass);
 
 /// Returns the same level sets and guides with 1 / parts of the paths and chains: measurements then
 /// hold for the full plan, which new levels for few paths would not allow.
-std::vector<LightStratum> part_of(std::vector<LightStratum> strata, std::uint32_t parts);
+std::vector<LightStratum> fraction_of(std::vector<LightStratum> strata, std::uint32_t parts);
 
 struct PhotonTrials {
     TrialPair pair;

@@ -13,7 +13,7 @@ namespace sunfleck::engine {
 namespace {
 
 /// A placeholder of the template, and its replacement.
-struct Part {
+struct Replacement {
     std::string_view mark;
     std::string text;
 };
@@ -67,13 +67,13 @@ bool has_series(const Comparison& comparison) {
 }
 
 /// Replaces placeholders from front to end; replacements are not searched again.
-std::string filled(std::string_view page, std::span<const Part> parts) {
+std::string filled(std::string_view page, std::span<const Replacement> replacements) {
     std::string text;
-    for (const Part& part : parts) {
-        const std::size_t at = page.find(part.mark);
+    for (const Replacement& replacement : replacements) {
+        const std::size_t at = page.find(replacement.mark);
         text += page.substr(0, at);
-        text += part.text;
-        page.remove_prefix(at + part.mark.size());
+        text += replacement.text;
+        page.remove_prefix(at + replacement.mark.size());
     }
     return text.append(page);
 }
@@ -114,16 +114,17 @@ HalfPixels half_pixels(const RgbImage& image) {
 
 std::string report_page(const Comparison& comparison) {
     const bool with_chart = has_series(comparison);
-    const std::array parts = {
-        Part{"<!-- style -->", "<style>\n" + std::string(kPageStyle) + "</style>"},
-        Part{"<!-- numbers -->", for_script(comparison_json(comparison))},
-        Part{"<!-- pixels -->", pixel_blocks(comparison)},
+    const std::array replacements = {
+        Replacement{"<!-- style -->", "<style>\n" + std::string(kPageStyle) + "</style>"},
+        Replacement{"<!-- numbers -->", for_script(comparison_json(comparison))},
+        Replacement{"<!-- pixels -->", pixel_blocks(comparison)},
         // The chart library is included only if there is a chart.
-        Part{"<!-- chart -->",
-             with_chart ? "<script>" + std::string(kChartLibrary) + "</script>" : std::string()},
-        Part{"<!-- script -->", "<script>\n" + std::string(kPageScript) + "</script>"},
+        Replacement{"<!-- chart -->", with_chart
+                                          ? "<script>" + std::string(kChartLibrary) + "</script>"
+                                          : std::string()},
+        Replacement{"<!-- script -->", "<script>\n" + std::string(kPageScript) + "</script>"},
     };
-    return filled(kPage, parts);
+    return filled(kPage, replacements);
 }
 
 }  // namespace sunfleck::engine

@@ -48,7 +48,7 @@ PassScene::PassScene(const Scene& of, PassId pass)
 bool PassScene::find_whether_gathers(std::uint32_t material) const {
     const Material& here = scene.materials()[material];
     if (const auto* mix = std::get_if<MixMaterial>(&here))
-        return find_whether_gathers(mix->parts[0]) || find_whether_gathers(mix->parts[1]);
+        return find_whether_gathers(mix->components[0]) || find_whether_gathers(mix->components[1]);
     for (const auto* constant : {&bsdfs[material], &bent_[material]})
         if (*constant) return scattering(**constant) != Scattering::specular;
     return sunfleck::engine::may_gather(here);

@@ -15,14 +15,14 @@ namespace {
 constexpr int kDeepestMix = 32;
 
 /// Looks up the components of mixes.
-class MixParts {
+class MixComponents {
 public:
-    MixParts(MaterialTable& table, ImportLog& log) : table_(table), log_(log) {}
+    MixComponents(MaterialTable& table, ImportLog& log) : table_(table), log_(log) {}
 
     /// Returns the mix with the entries of its components. If one component is an interface, the
     /// other is used everywhere. @throws Error  for cyclic mixes.
     Material complete(MixMaterial mix, const Statement& statement) {
-        const Parameter& names = checked_parts(statement, 0);
+        const Parameter& names = checked_components(statement, 0);
         std::vector<std::string> there;
         for (const std::string& name : names.texts)
             if (!is_interface(name, names.where)) there.push_back(name);
@@ -32,8 +32,9 @@ public:
                 "a mix with \"interface\" is not simulated: the other material is used everywhere");
         if (there.empty()) return InterfaceMaterial{};
         for (std::size_t i = 0; i < 2; ++i) {
-            mix.parts.at(i) = table_.slot_of(there.at(std::min(i, there.size() - 1)), names.where);
-            table_.use(mix.parts.at(i));
+            mix.components.at(i) =
+                table_.slot_of(there.at(std::min(i, there.size() - 1)), names.where);
+            table_.use(mix.components.at(i));
         }
         return mix;
     }
@@ -46,7 +47,7 @@ private:
     }
 
     /// Returns the names of both components. All mixes below are checked, each once.
-    const Parameter& checked_parts(const Statement& statement, int depth) {
+    const Parameter& checked_components(const Statement& statement, int depth) {
         const Parameter* names = statement.find("materials", ParameterType::text);
         if (!names || names->texts.size() != 2)
             throw Error(statement.where, "a mix without two materials",
@@ -60,7 +61,7 @@ private:
             if (is_interface(name, names->where)) continue;
             const Statement& part = table_.named(name, names->where);
             if (part.type != "mix" || sound_.contains(&part)) continue;
-            checked_parts(part, depth + 1);
+            checked_components(part, depth + 1);
             sound_.insert(&part);
         }
         return *names;
@@ -74,8 +75,8 @@ private:
 }  // namespace
 
 void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& scene) {
-    MixParts parts(table, assets.log);
-    // NOLINTNEXTLINE(modernize-loop-convert): mixes add slots of their parts
+    MixComponents components(table, assets.log);
+    // NOLINTNEXTLINE(modernize-loop-convert): mixes add slots of their components
     for (std::size_t i = 0; i < table.slots().size(); ++i) {
         const MaterialTable::Slot slot = table.slots()[i];
         Material& material = scene.materials.emplace_back(DiffuseMaterial{});
@@ -91,7 +92,7 @@ void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& sc
         try {
             material = material_of(statement, assets);
             if (const auto* mix = std::get_if<MixMaterial>(&material))
-                material = parts.complete(*mix, statement);
+                material = components.complete(*mix, statement);
             bump_map = bump_map_of(statement, assets);
             assets.log.warn_unused(statement);
         } catch (const MissingFile& missing) {

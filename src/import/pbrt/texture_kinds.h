@@ -15,27 +15,27 @@ namespace sunfleck::engine {
 std::span<const std::string_view> texture_classes();
 
 /// A parameter of a class that may be a texture, and its default.
-struct TexturePart {
+struct TextureOperand {
     std::string_view name;
     float fallback = 0;
     bool is_number = false;  // a float texture also in spectrum textures
 };
 
 /// Returns the texture parameters of a class. @param word  one of texture_classes().
-std::span<const TexturePart> texture_parts(std::string_view word);
+std::span<const TextureOperand> texture_operands(std::string_view word);
 
 /// The input textures of a texture, by parameter name.
 template <class T>
-struct TextureParts {
+struct TextureOperands {
     std::map<std::string_view, T> own;  // of the same kind as the texture
     std::map<std::string_view, FloatTexture> numbers;
 };
 
 /// @tparam T  FloatTexture or SpectrumTexture.
-/// @param parts  all of texture_parts().
+/// @param operands  all of texture_operands().
 /// @throws Error  for invalid parameters, and for a class that exists for the other kind only.
 template <class T>
-T texture_of(const TextureInput& input, const TextureParts<T>& parts, ImageTable& images,
+T texture_of(const TextureInput& input, const TextureOperands<T>& operands, ImageTable& images,
              ImportLog& log);
 
 }  // namespace sunfleck::engine

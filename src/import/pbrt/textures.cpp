@@ -51,21 +51,21 @@ TextureTable::Entry& TextureTable::entry_of(const std::string& kind, const Param
 
 /// Inputs that are not given have pbrt-v4's defaults.
 template <class T>
-TextureParts<T> TextureTable::parts_of(const Statement& statement, SpectrumUse use) {
-    TextureParts<T> parts;
-    for (const TexturePart& part : texture_parts(statement.type)) {
+TextureOperands<T> TextureTable::operands_of(const Statement& statement, SpectrumUse use) {
+    TextureOperands<T> operands;
+    for (const TextureOperand& operand : texture_operands(statement.type)) {
         const auto number = [&] {
-            return find_number(statement, part.name).value_or(part.fallback);
+            return find_number(statement, operand.name).value_or(operand.fallback);
         };
-        if (part.is_number)
-            parts.numbers.emplace(part.name, number());
+        if (operand.is_number)
+            operands.numbers.emplace(operand.name, number());
         else if constexpr (std::is_same_v<T, FloatTexture>)
-            parts.own.emplace(part.name, number());
+            operands.own.emplace(operand.name, number());
         else
-            parts.own.emplace(part.name, find_spectrum(statement, part.name, use)
-                                             .value_or(Spectrum::constant(part.fallback)));
+            operands.own.emplace(operand.name, find_spectrum(statement, operand.name, use)
+                                                   .value_or(Spectrum::constant(operand.fallback)));
     }
-    return parts;
+    return operands;
 }
 
 /// Converts a texture and records the depth of its tree.
@@ -80,7 +80,7 @@ T TextureTable::make(Entry& entry, SpectrumUse use) {
     const std::size_t limit_above = std::exchange(limit_, entry.order);
     const Tree above = std::exchange(below_, {});
     T texture = texture_of<T>({entry.statement, entry.to_world, use},
-                              parts_of<T>(entry.statement, use), images_, log_);
+                              operands_of<T>(entry.statement, use), images_, log_);
     limit_ = limit_above;
     const Tree below = std::exchange(below_, above);
     entry.tree = {below.depth + 1, below.lookups + 1};

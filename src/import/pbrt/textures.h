@@ -62,7 +62,7 @@ private:
     template <class T>
     T make(Entry& entry, SpectrumUse use);
     template <class T>
-    TextureParts<T> parts_of(const Statement& statement, SpectrumUse use);
+    TextureOperands<T> operands_of(const Statement& statement, SpectrumUse use);
 
     SpectrumReader& spectra_;
     ImageTable& images_;
