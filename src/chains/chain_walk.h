@@ -1,7 +1,7 @@
 // ChainWalk: chains over one level set, by which a pilot adapts mutation scales.
 //
 // In:  a population of the set, initial scales. Out: the population after some thousand steps, and
-// scales with about the target acceptance. They are no part of a picture (chains/pilot.h).
+// scales with about the target acceptance. They are no substream of a picture (chains/pilot.h).
 #pragma once
 
 #include "chains/splitting.h"
@@ -11,13 +11,13 @@ namespace sunfleck::engine {
 /// Names the random streams of a pilot, except for its iterations.
 struct PilotName {
     std::uint64_t seed = 0;
-    std::uint32_t epoch = 0;  // below 2^20
-    std::uint32_t part = 0;   // see PassId::part
+    std::uint32_t epoch = 0;      // below 2^20
+    std::uint32_t substream = 0;  // see PassId::substream
 
     /// Returns the streams of an iteration: passes that no render reaches. @param number  below
     /// 512.
     constexpr PassId iteration(std::uint32_t number) const {
-        return {seed, 0x80000000U + epoch * 512 + number, part};
+        return {seed, 0x80000000U + epoch * 512 + number, substream};
     }
 };
 

@@ -16,7 +16,7 @@ class GuidedPoints {
 public:
     /// @param pass  its own uniform points are independent of these. @param map  must outlive this.
     GuidedPoints(PassId pass, const EmissionGuide& map)
-        : points_(pass.with_part(PassId::kParts / 2)), guide_(map) {}
+        : points_(pass.with_stratum(PassId::kStrata / 2)), guide_(map) {}
 
     class Reader {
     public:

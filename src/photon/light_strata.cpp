@@ -15,7 +15,7 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kMostClusters = 64;
-constexpr std::uint32_t kMeasuring = 1;  // PassId::part of the measurement of clusters
+constexpr std::uint32_t kMeasuring = 1;  // PassId::substream of the measurement of clusters
 
 /// Upper bound of the cost of an importon in photon paths: it hits many surfaces, with a light
 /// sample at each. Measured: 7 in the dark, where photon paths are cheapest; 1 to 2 in lit rooms.

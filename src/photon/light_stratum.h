@@ -26,11 +26,11 @@ inline VisiblePointOctree octree_of(const PhotonContext& view) {
 
 /// Some of the lights, with the plan of their paths. Fixed for an epoch.
 struct LightStratum {
-    LightChoice lights;      // in which paths start
-    SplittingPlan plan;      // without levels: uniform paths only
-    GuidedPlan guided;       // guided paths beside it
-    double power_share = 1;  // fraction of the power of all lights
-    std::uint32_t part = 0;  // names the random numbers: see PassId
+    LightChoice lights;        // in which paths start
+    SplittingPlan plan;        // without levels: uniform paths only
+    GuidedPlan guided;         // guided paths beside it
+    double power_share = 1;    // fraction of the power of all lights
+    std::uint32_t number = 0;  // names the random numbers: see PassId
 
     std::uint64_t paths() const { return plan.paths() + guided.paths; }
 };

@@ -22,7 +22,7 @@ PhotonTotals SplittingSampler::trace(const PhotonPass& pass, const PhotonTarget&
             if (!octree) octree.emplace(octree_of(view));
             const Depositor deposit(view.scene, view.index, target.image, 1, target.taken);
             AdaptivePaths paths = trace_adaptive_paths(
-                view, *octree, pass.id.with_part(stratum.part), stratum, deposit);
+                view, *octree, pass.id.with_stratum(stratum.number), stratum, deposit);
             totals.statistics += paths.statistics;
             counts.splitting = std::move(paths.splitting);
             counts.visible_fraction = counts.splitting.visible_fraction;

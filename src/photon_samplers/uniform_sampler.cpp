@@ -28,7 +28,7 @@ double trace_uniform_stratum(const PhotonPass& pass, UniformKind kind, const Lig
     const std::uint32_t paths = stratum.plan.uniform_paths;
     const Depositor deposit(view.scene, view.index, target.image, paths, target.taken);
     Statistics counts = trace_uniform_paths(
-        tracer, {kind, pass.id.with_part(stratum.part), paths},
+        tracer, {kind, pass.id.with_stratum(stratum.number), paths},
         [&](const Photon& photon) { return view.index.may_accept(photon); }, deposit);
     return count_uniform(counts, totals.statistics);
 }
