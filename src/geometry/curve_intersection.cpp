@@ -77,7 +77,7 @@ public:
         }
         if (piece_.kind == CurveKind::ribbon) {
             for (Vec3d& n : piece_.normal) n = turned(n);
-            turn_ = sin_cos(piece_.turn);
+            normal_angle_ = sin_cos(piece_.normal_angle);
         }
         cubic_ = Cubic(piece_.curve);
     }
@@ -162,9 +162,9 @@ private:
     /// Returns the normal of a ribbon, not normalised: sin((1 - u) t) by the angles t and u t
     /// alone.
     Vec3d normal_at(double u) const {
-        if (!(piece_.turn > 0)) return piece_.normal[0] * (1 - u) + piece_.normal[1] * u;
-        const SinCos part = sin_cos(u * piece_.turn);
-        return piece_.normal[0] * (turn_.sin * part.cos - turn_.cos * part.sin) +
+        if (!(piece_.normal_angle > 0)) return piece_.normal[0] * (1 - u) + piece_.normal[1] * u;
+        const SinCos part = sin_cos(u * piece_.normal_angle);
+        return piece_.normal[0] * (normal_angle_.sin * part.cos - normal_angle_.cos * part.sin) +
                piece_.normal[1] * part.sin;
     }
 
@@ -252,8 +252,8 @@ private:
     }
 
     CurvePiece piece_;
-    Cubic cubic_;        // piece_.curve
-    SinCos turn_{0, 1};  // of the angle between a ribbon's normals
+    Cubic cubic_;                // piece_.curve
+    SinCos normal_angle_{0, 1};  // of the angle between a ribbon's normals
     Hits& found_;
     std::size_t count_ = 0;
     double length_;

@@ -40,7 +40,7 @@ struct CurvePiece {
     Bezier curve;
     std::array<double, 2> width{};                    // at u = 0 and u = 1, linear in between
     std::array<Vec3d, 2> normal{Vec3d(0), Vec3d(0)};  // unit normals of a ribbon at both ends
-    double turn = 0;                                  // angle between the normals, radians
+    double normal_angle = 0;                          // angle between the normals, radians
     double from = 0;                                  // this piece has u in [from, to]
     double to = 1;
 

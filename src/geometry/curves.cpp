@@ -52,7 +52,7 @@ CurvePiece Curves::element(std::uint32_t piece) const {
         result.normal = {unit_or_zero(Vec3d(segment.normal[0])),
                          unit_or_zero(Vec3d(segment.normal[1]))};
         const double cosine = result.normal[0].dot(result.normal[1]);
-        result.turn = cosine < 1 - 1e-6 ? arc_cosine(cosine) : 0;
+        result.normal_angle = cosine < 1 - 1e-6 ? arc_cosine(cosine) : 0;
     }
     return result;
 }
@@ -60,7 +60,9 @@ CurvePiece Curves::element(std::uint32_t piece) const {
 /// Normals rotate uniformly from one end to the other along a great circle (pbrt-v4).
 Vec3d CurvePiece::across_ribbon(const CurvePoint& here, double u) const {
     Vec3d n = normal[0] * (1 - u) + normal[1] * u;
-    if (turn > 0) n = normal[0] * sin_cos((1 - u) * turn).sin + normal[1] * sin_cos(u * turn).sin;
+    if (normal_angle > 0)
+        n = normal[0] * sin_cos((1 - u) * normal_angle).sin +
+            normal[1] * sin_cos(u * normal_angle).sin;
     return unit_or_zero(n.cross(here.first));
 }
 

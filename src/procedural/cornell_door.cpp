@@ -88,10 +88,10 @@ Mesh knobs() {
     return both;
 }
 
-Mesh block(double turns, const Vec3d& foot, double half, double height) {
+Mesh block(double revolutions, const Vec3d& foot, double half, double height) {
     const auto side = static_cast<float>(half);
     const Mesh box = box_mesh({-side, -side, 0}, {side, side, static_cast<float>(height)});
-    return placed(box, turned(turns, foot));
+    return placed(box, turned(revolutions, foot));
 }
 
 /// Slabs end within one another, so that no two faces are coplanar.

@@ -16,7 +16,7 @@ constexpr double kHalfEdge = 1.12;
 /// Centre of a cube and its rotation as a quaternion, w x y z of any length.
 struct Placed {
     Vec3d middle;
-    std::array<double, 4> turn;
+    std::array<double, 4> rotation;
 };
 
 constexpr std::array<Placed, 3> kCubes = {{{{1.72, 0.7, 6.62}, {8, 1, 0.6, 1.5}},
@@ -39,7 +39,7 @@ std::vector<HalfSpace> cube(const Placed& placed) {
         const Vec3d direction(i % 3 - 1, i / 3 % 3 - 1, up - 1);
         const auto axes = static_cast<int>(direction.dot(direction));
         if (axes == 0) continue;
-        const Vec3d normal = turned(placed.turn, direction);
+        const Vec3d normal = turned(placed.rotation, direction);
         half_spaces.push_back(
             {normal, kDistance.at(static_cast<std::size_t>(axes - 1)) + normal.dot(placed.middle)});
     }

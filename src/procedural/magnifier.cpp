@@ -99,8 +99,8 @@ Placement lens_place() {
 Mesh holder() {
     const Profile section = {{4.3, -0.4}, {4.8, -0.4}, {4.8, 0.4}, {4.3, 0.4}, {4.3, -0.4}};
     Mesh holder = placed(revolve(section, 128), lens_place());
-    for (const double turns : {0.03, 0.47, 0.75}) {
-        const SinCos t = sin_cos_2pi(turns);
+    for (const double revolutions : {0.03, 0.47, 0.75}) {
+        const SinCos t = sin_cos_2pi(revolutions);
         const Vec3d top = lens_place()(Vec3d(t.cos, t.sin, 0) * 4.55);
         holder.append(
             placed(extrude(ellipse(0.2, 0.2, 24), {}, 0.061, top.z), at({top.x, top.y, 0})));

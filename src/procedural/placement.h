@@ -19,17 +19,17 @@ struct Placement {
 /// Returns a translation.
 Placement at(const Vec3d& origin);
 
-/// Returns a rotation about the z axis, from x towards y. @param turns  in revolutions.
-Placement turned(double turns, const Vec3d& origin);
+/// Returns a rotation about the z axis, from x towards y. @param revolutions  in revolutions.
+Placement turned(double revolutions, const Vec3d& origin);
 
-/// Returns a rotation about the x axis, from y towards z. @param turns  in revolutions; 1/4 raises
-/// what lies.
-Placement tilted(double turns, const Vec3d& origin);
+/// Returns a rotation about the x axis, from y towards z. @param revolutions  in revolutions; 1/4
+/// raises what lies.
+Placement tilted(double revolutions, const Vec3d& origin);
 
 /// Returns the placement that raises the plane of x and y to that of x and z (local y becomes up,
-/// local z, the front, becomes -y) and then rotates about the vertical. @param turns  in
+/// local z, the front, becomes -y) and then rotates about the vertical. @param revolutions  in
 /// revolutions.
-Placement standing(double turns, const Vec3d& origin);
+Placement standing(double revolutions, const Vec3d& origin);
 
 /// Returns the composition: `inner` first, then `outer`.
 Placement operator*(const Placement& outer, const Placement& inner);

@@ -18,9 +18,10 @@ ProfilePoint bezier_point(const std::array<ProfilePoint, 4>& p, double t) {
 std::size_t append_ring(Mesh& mesh, const ProfilePoint& ring, std::size_t segments) {
     const std::size_t count = ring.radius == 0 ? 1 : segments;
     for (std::size_t i = 0; i < count; ++i) {
-        const SinCos turn = sin_cos_2pi(static_cast<double>(i) / static_cast<double>(segments));
-        mesh.points.push_back({static_cast<float>(ring.radius * turn.cos),
-                               static_cast<float>(ring.radius * turn.sin),
+        const SinCos direction =
+            sin_cos_2pi(static_cast<double>(i) / static_cast<double>(segments));
+        mesh.points.push_back({static_cast<float>(ring.radius * direction.cos),
+                               static_cast<float>(ring.radius * direction.sin),
                                static_cast<float>(ring.height)});
     }
     return count;

@@ -81,7 +81,7 @@ Mesh fluted_knot(std::size_t along, std::size_t around) {
     constexpr double kThick = 5.8;  // radius of the fluted tube
     constexpr int kFlutes = 5;
     constexpr int kTwists = 8;
-    return ring_grid(along, around, [=](double t, double turn) {
+    return ring_grid(along, around, [=](double t, double azimuth) {
         const SinCos two = sin_cos_2pi(2 * t);
         const SinCos three = sin_cos_2pi(3 * t);
         const double r = kRing + kTube * three.cos;
@@ -91,8 +91,8 @@ Mesh fluted_knot(std::size_t along, std::size_t around) {
             Vec3d(-3 * kTube * three.sin * two.cos - 2 * r * two.sin,
                   -3 * kTube * three.sin * two.sin + 2 * r * two.cos, 3 * kTube * three.cos)
                 .normalized();
-        const SinCos flute = sin_cos_2pi(kFlutes * turn + kTwists * t);
-        const SinCos a = sin_cos_2pi(turn);
+        const SinCos flute = sin_cos_2pi(kFlutes * azimuth + kTwists * t);
+        const SinCos a = sin_cos_2pi(azimuth);
         const double thick = kThick * (1 + 0.17 * flute.cos);
         return middle + (out * a.cos + out.cross(way) * a.sin) * thick;
     });

@@ -17,15 +17,15 @@ using SurfacePoint = std::function<Vec3d(double, double)>;
 /// Returns a grid closed in both directions. @return 2 * along * around triangles.
 Mesh ring_grid(std::size_t along, std::size_t around, const SurfacePoint& point);
 
-/// Returns a grid with the topology of a sphere: point(turn, height) with turn in [0, 1) about the
-/// axis, and height from 0 (one pole, evaluated at turn 0 alone) to 1 (the other).
+/// Returns a grid with the topology of a sphere: point(azimuth, height) with azimuth in [0, 1)
+/// about the axis, and height from 0 (one pole, evaluated at azimuth 0 alone) to 1 (the other).
 /// @param rings  steps from pole to pole, at least 2.
 /// @return 2 * around * (rings - 1) triangles.
 Mesh ball_grid(std::size_t around, std::size_t rings, const SurfacePoint& point);
 
-/// Returns the point of the unit sphere at azimuth `turn` in revolutions and `height` as a fraction
-/// of the meridian from the lowest point to the highest.
-Vec3d sphere_point(double turn, double height);
+/// Returns the point of the unit sphere at `azimuth` in revolutions and `height` as a
+/// fraction of the meridian from the lowest point to the highest.
+Vec3d sphere_point(double azimuth, double height);
 
 /// Returns a shape between ellipsoid and box, such as a cushion: |x|^(2/p) ... (Barr, Superquadrics
 /// and Angle-Preserving Transformations, 1981).
