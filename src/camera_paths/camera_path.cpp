@@ -36,8 +36,8 @@ void CameraPath::trace(std::uint32_t pixel, const PathOfPixel& path) {
     pixel_ = pixel;
     of_pixel_ = 1 / static_cast<float>(path.count());
     BatchPoints numbers(pass_.id, pixel, path);
-    const CameraRay view = start(numbers);
-    follow(pass_.scene.scene.first_hit(view), numbers);
+    const CameraRay ray = start(numbers);
+    follow(pass_.scene.scene.first_hit(ray), numbers);
 }
 
 /// @param hit  what the ray hits, if anything.

@@ -36,11 +36,11 @@ struct PhotonSink {
 
 }  // namespace
 
-AdaptivePaths trace_adaptive_paths(const PhotonContext& view, const VisiblePointOctree& octree,
-                                   PassId pass, const LightStratum& stratum,
-                                   const DepositChunks& deposit) {
-    const PhotonTracer tracer(view.scene, view.transport, stratum.lights);
-    const PhotonSpace space(tracer, view.index, octree);
+AdaptivePaths trace_adaptive_paths(const PhotonContext& photon_context,
+                                   const VisiblePointOctree& octree, PassId pass,
+                                   const LightStratum& stratum, const DepositChunks& deposit) {
+    const PhotonTracer tracer(photon_context.scene, photon_context.transport, stratum.lights);
+    const PhotonSpace space(tracer, photon_context.index, octree);
     const EmissionPoints points(pass);
     AdaptivePaths paths;
     auto& [splitting, counts] = paths;

@@ -23,8 +23,8 @@ struct AdaptivePaths {
 /// @param octree  over the visible points.
 /// @param stratum  with a plan of at least one level.
 /// @param pass  with the part of the stratum.
-AdaptivePaths trace_adaptive_paths(const PhotonContext& view, const VisiblePointOctree& octree,
-                                   PassId pass, const LightStratum& stratum,
-                                   const DepositChunks& deposit);
+AdaptivePaths trace_adaptive_paths(const PhotonContext& photon_context,
+                                   const VisiblePointOctree& octree, PassId pass,
+                                   const LightStratum& stratum, const DepositChunks& deposit);
 
 }  // namespace sunfleck::engine

@@ -112,13 +112,13 @@ Vec3 point_by(const Edge& edge, RandomStream& stream) {
 
 }  // namespace
 
-std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
+std::vector<WeightedEmission> emission_past_edges(const PhotonContext& photon_context,
                                                   const LightChoice& lights, PassId pass,
                                                   const PathRange& tries) {
     constexpr std::size_t kBlock = 1024;
-    const Edges edges(view.scene.scene.geometry().input());
+    const Edges edges(photon_context.scene.scene.geometry().input());
     if (edges.empty()) return {};
-    const InitialGuideSamples guide_samples(view.scene, lights);
+    const InitialGuideSamples guide_samples(photon_context.scene, lights);
     std::vector<std::vector<WeightedEmission>> blocks((tries.size() + kBlock - 1) / kBlock);
     parallel_blocks(tries.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {

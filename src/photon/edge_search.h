@@ -18,7 +18,7 @@ namespace sunfleck::engine {
 /// Samples tries begin .. end - 1, each with a point next to an edge.
 /// @param pass  names the random numbers.
 /// @return the emission that arrives, with equal weights; none in a scene without edges.
-std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
+std::vector<WeightedEmission> emission_past_edges(const PhotonContext& photon_context,
                                                   const LightChoice& lights, PassId pass,
                                                   const PathRange& tries);
 

@@ -14,9 +14,12 @@ constexpr std::uint8_t kAllKinds = 0xFF;
 
 class Importon {
 public:
-    Importon(const PhotonContext& view, const LightChoice& lights, RandomStream stream,
+    Importon(const PhotonContext& photon_context, const LightChoice& lights, RandomStream stream,
              WalkedEmission& found)
-        : scene_(view.scene), guide_samples_(view.scene, lights), stream_(stream), found_(found) {}
+        : scene_(photon_context.scene),
+          guide_samples_(photon_context.scene, lights),
+          stream_(stream),
+          found_(found) {}
 
     void start(const Disc& disc) {
         Vec3 normal = disc.normal;
@@ -120,11 +123,11 @@ private:
 };
 
 /// @param kinds  of photons that visible points accept; zero: as each point does.
-WalkedEmission walk(const PhotonContext& view, const LightChoice& lights, PassId pass,
+WalkedEmission walk(const PhotonContext& photon_context, const LightChoice& lights, PassId pass,
                     const PathRange& walks, std::uint8_t kinds) {
     constexpr std::size_t kBlock = 1024;
     const std::size_t count = walks.size();
-    const std::span<const VisiblePoint> points = view.index.points();
+    const std::span<const VisiblePoint> points = photon_context.index.points();
     std::vector<WalkedEmission> blocks((count + kBlock - 1) / kBlock);
     parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -133,7 +136,7 @@ WalkedEmission walk(const PhotonContext& view, const LightChoice& lights, PassId
                 static_cast<std::size_t>(stream.next() * static_cast<double>(points.size()));
             Disc disc = points[point].disc;
             disc.kinds |= kinds;
-            Importon(view, lights, stream, blocks[begin / kBlock]).start(disc);
+            Importon(photon_context, lights, stream, blocks[begin / kBlock]).start(disc);
         }
     });
     WalkedEmission all;
@@ -147,15 +150,15 @@ WalkedEmission walk(const PhotonContext& view, const LightChoice& lights, PassId
 
 }  // namespace
 
-WalkedEmission trace_importons(const PhotonContext& view, const LightChoice& lights, PassId pass,
-                               const PathRange& walks) {
-    return walk(view, lights, pass, walks, 0);
+WalkedEmission trace_importons(const PhotonContext& photon_context, const LightChoice& lights,
+                               PassId pass, const PathRange& walks) {
+    return walk(photon_context, lights, pass, walks, 0);
 }
 
-double flux_seen(const PhotonContext& view, PassId pass) {
+double flux_seen(const PhotonContext& photon_context, PassId pass) {
     constexpr std::uint32_t kWalks = 20'000;
-    const WalkedEmission found =
-        walk(view, view.scene.scene.light_choice(), pass, {0, kWalks}, kAllKinds);
+    const WalkedEmission found = walk(photon_context, photon_context.scene.scene.light_choice(),
+                                      pass, {0, kWalks}, kAllKinds);
     double flux = 0;
     for (const WeightedEmission& guide_sample : found.guide_samples) flux += guide_sample.weight;
     return flux / kWalks;

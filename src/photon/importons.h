@@ -15,13 +15,13 @@
 namespace sunfleck::engine {
 
 /// Traces importons begin .. end - 1.
-/// @param view  with at least one visible point.
+/// @param photon_context  with at least one visible point.
 /// @param pass  names the random numbers.
-WalkedEmission trace_importons(const PhotonContext& view, const LightChoice& lights, PassId pass,
-                               const PathRange& walks);
+WalkedEmission trace_importons(const PhotonContext& photon_context, const LightChoice& lights,
+                               PassId pass, const PathRange& walks);
 
 /// Returns the mean flux that an importon finds of all lights, direct light at the visible points
 /// included, in the unit of the guide samples' weights.
-double flux_seen(const PhotonContext& view, PassId pass);
+double flux_seen(const PhotonContext& photon_context, PassId pass);
 
 }  // namespace sunfleck::engine

@@ -16,11 +16,11 @@ namespace sunfleck::engine {
 /// Explores once, then plans for any number of paths.
 class LightPlanner {
 public:
-    /// @param view, settings  must outlive this.
+    /// @param photon_context, settings  must outlive this.
     /// @param work  camera and photon paths of the planned passes: the limit of a long guide
     /// search.
-    LightPlanner(const PhotonContext& view, const PhotonSettings& settings, const PilotName& name,
-                 std::uint64_t work);
+    LightPlanner(const PhotonContext& photon_context, const PhotonSettings& settings,
+                 const PilotName& name, std::uint64_t work);
     LightPlanner(const LightPlanner&) = delete;
     LightPlanner(LightPlanner&&) = delete;
     LightPlanner& operator=(const LightPlanner&) = delete;

@@ -19,9 +19,9 @@ struct PhotonContext {
 };
 
 /// Returns the octree over the visible points.
-inline VisiblePointOctree octree_of(const PhotonContext& view) {
-    const SceneSphere& sphere = view.scene.scene.sphere();
-    return {view.index.points(), sphere.center, sphere.radius};
+inline VisiblePointOctree octree_of(const PhotonContext& photon_context) {
+    const SceneSphere& sphere = photon_context.scene.scene.sphere();
+    return {photon_context.index.points(), sphere.center, sphere.radius};
 }
 
 /// Some of the lights, with the plan of their paths. Fixed for an epoch.

@@ -32,8 +32,8 @@ public:
     using Path = SeenPath;
     using Tally = Statistics;
 
-    explicit SeenPhotons(const PhotonContext& view)
-        : tracer_(view.scene, view.transport), index_(view.index) {}
+    explicit SeenPhotons(const PhotonContext& photon_context)
+        : tracer_(photon_context.scene, photon_context.transport), index_(photon_context.index) {}
 
     template <PrimarySampleReader Reader>
     void trace(Reader&& read, SeenPath& path, Statistics& counts) const {
@@ -138,9 +138,9 @@ void count_step(Statistics& counts, PaperStep step) {
 
 }  // namespace
 
-Statistics trace_paper_paths(const PhotonContext& view, const PaperPass& pass, PaperState& state,
-                             const DepositChunks& deposit) {
-    const SeenPhotons space(view);
+Statistics trace_paper_paths(const PhotonContext& photon_context, const PaperPass& pass,
+                             PaperState& state, const DepositChunks& deposit) {
+    const SeenPhotons space(photon_context);
     UniformPathsAhead uniform(space, pass.id);
     Statistics counts;
     std::vector<PhotonChunk> chunks(1);

@@ -17,7 +17,7 @@ struct PaperPass {
 
 /// Traces uniform paths on all threads and the chain on one: the result does not depend on the
 /// number of threads. @return statistics.
-Statistics trace_paper_paths(const PhotonContext& view, const PaperPass& pass, PaperState& state,
-                             const DepositChunks& deposit);
+Statistics trace_paper_paths(const PhotonContext& photon_context, const PaperPass& pass,
+                             PaperState& state, const DepositChunks& deposit);
 
 }  // namespace sunfleck::engine

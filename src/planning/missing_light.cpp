@@ -36,8 +36,9 @@ double share_lit_by_photons(const Scene& scene, const RenderSettings& settings) 
         const CameraTrial seen =
             view_of({at_wavelengths, settings.transport, settings.camera, window, id});
         if (seen.index.points().empty()) continue;
-        const PhotonContext view{at_wavelengths, settings.transport, seen.index};
-        const WalkedEmission found = trace_importons(view, scene.light_choice(), id, {0, kWalks});
+        const PhotonContext photon_context{at_wavelengths, settings.transport, seen.index};
+        const WalkedEmission found =
+            trace_importons(photon_context, scene.light_choice(), id, {0, kWalks});
         if (!found.guide_samples.empty()) lit += window.pixels();
     }
     return static_cast<double>(lit) / static_cast<double>(whole.pixels());

@@ -30,13 +30,13 @@ struct Work {
     }
 };
 
-Work work_of(const CameraTrial& view, const PhotonTrials& trials) {
+Work work_of(const CameraTrial& trial, const PhotonTrials& trials) {
     const auto count = [](const Statistics& counts, Count which) {
         return static_cast<double>(counts[which]);
     };
     const double paths = kPhotonSets * trials.pair.paths;
-    return {count(view.counts, Count::camera_rays) +
-                kRaysOfPath * count(view.counts, Count::camera_paths),
+    return {count(trial.counts, Count::camera_rays) +
+                kRaysOfPath * count(trial.counts, Count::camera_paths),
             count(trials.totals.statistics, Count::photon_rays) / paths,
             kRaysOfDeposit * trials.deposits / paths};
 }
@@ -102,7 +102,7 @@ SubpassPlan measured_plan(const CameraPass& first, const CameraTrial& seen,
     if (request.usual < 2 * request.parts) return {{request.usual}, {}};
     const bool shared = request.shares && may_be_shared(window);
     const PixelTrials pixels =
-        shared ? trials_of_pixels(first, name, request.views) : no_trials(window);
+        shared ? trials_of_pixels(first, name, request.trials) : no_trials(window);
     if (!(pixels.have_noise() || request.budget)) return {{request.usual}, {}};
     const std::vector<LightStratum> strata = fraction_of(plan, request.parts);
     CameraPass second = first;

@@ -21,7 +21,7 @@ struct SubpassRequest {
     std::uint32_t usual = 0;  // photon paths of a subpass by default
     bool budget = true;
     bool shares = true;       // adaptive pixel sampling
-    TrialEffort views;        // trials that measure the noise of pixels
+    TrialEffort trials;       // trials that measure the noise of pixels
     std::uint32_t parts = 4;  // a set of photons has 1 / parts of the usual paths
     int cells = 1;            // the second trial has one path per cells x cells pixels
 };

@@ -67,10 +67,11 @@ PhotonTrials photon_trials(const CameraPass& second, const CameraTrial& seen,
     trials.pair.cells = second.cells;
     trials.pair.paths = static_cast<double>(paths_of(strata));
     PhotonCounts taken(2 * pixels);
-    const PhotonContext view{second.scene, second.transport, index};
+    const PhotonContext photon_context{second.scene, second.transport, index};
     for (std::uint32_t set = 0; set < kPhotonSets; ++set) {
         PassImage image(2 * pixels, {});
-        const PhotonPass pass{view, name.iteration(kPhotonSetsIteration + set), strata, {}};
+        const PhotonPass pass{
+            photon_context, name.iteration(kPhotonSetsIteration + set), strata, {}};
         NoState none;
         trials.totals.add(SplittingSampler::trace(pass, {image, &taken}, none), 1.0 / kPhotonSets);
         add_light(image, set, trials.pair);

@@ -28,8 +28,8 @@ PixelValues add_net(CameraPass pass, double share, PixelValues& within) {
     const std::size_t pixels = within.size();
     PixelValues sum(pixels, 0);
     PixelValues squares(pixels, 0);
-    for (std::uint32_t view = 0; view < kNet; ++view) {
-        pass.subpass = {view, kNet};
+    for (std::uint32_t trial = 0; trial < kNet; ++trial) {
+        pass.subpass = {trial, kNet};
         PassImage image(pixels, {});
         Statistics unused;
         trace_camera_paths(pass, image, unused);
@@ -119,22 +119,22 @@ PixelTrials no_trials(const PixelWindow& window) {
 }
 
 PixelTrials trials_of_pixels(const CameraPass& first, const PilotName& name,
-                             const TrialEffort& views) {
+                             const TrialEffort& effort) {
     const PixelWindow& window = first.window;
     std::vector<std::uint64_t> counts(window.pixels(), 0);
     CameraPass pass = first;
     pass.rays = counts;
-    pass.cells = views.cells;
-    Spread spread = spread_of(pass, name, views.pairs_of_nets);
+    pass.cells = effort.cells;
+    Spread spread = spread_of(pass, name, effort.pairs_of_nets);
     const auto of_all = [&](const PixelValues& pixels) {
-        return upsampled(pixels, {window, views.cells});
+        return upsampled(pixels, {window, effort.cells});
     };
     for (PixelValues& half : spread.within) half = of_all(half);
     spread.between = of_all(spread.between);
     PixelValues rays;
     rays.reserve(counts.size());
     for (const std::uint64_t n : counts)
-        rays.push_back(static_cast<double>(n) / (2 * kNet * views.pairs_of_nets));
+        rays.push_back(static_cast<double>(n) / (2 * kNet * effort.pairs_of_nets));
     std::vector<VarianceDecay> nets = laws_of(spread, window);
     return {std::move(spread.within), of_all(rays), std::move(nets)};
 }

@@ -54,6 +54,6 @@ struct TrialEffort {
 };
 
 PixelTrials trials_of_pixels(const CameraPass& first, const PilotName& name,
-                             const TrialEffort& views);
+                             const TrialEffort& effort);
 
 }  // namespace sunfleck::engine

@@ -21,7 +21,7 @@ bool PassMaker::learn(std::uint32_t number, const PassHooks& hooks) {
     const bool is_told = hooks.learning && needs_learning(job_.scene, job_.settings);
     if (is_told) hooks.learning(true);
     const bool is_learned = run_unless(hooks.cuts_learning, [&] {
-        epoch_ = learn_epoch(job_.scene, job_.settings, number, hooks.view_traced);
+        epoch_ = learn_epoch(job_.scene, job_.settings, number, hooks.trial_traced);
     });
     if (is_told) hooks.learning(false);
     if (is_learned) state_.seconds.learn += epoch_->seconds;

@@ -22,7 +22,7 @@ double end_of_grace(double seconds) {
 
 /// Ratio of a pass of the sampler `uniform` to its camera paths; 1.2 to 2.8 were measured (cornell,
 /// cognac-1, window-room, iced-tea, watch, statue-near; 256 and 1024 pixels a side).
-constexpr double kPassOfView = 2;
+constexpr double kPassOfTrial = 2;
 
 /// Returns the fraction of photon paths that contributed light.
 double share_bringing(const Film& film) {
@@ -103,7 +103,7 @@ bool RenderScheduler::is_late() const {
 /// learning: for pictures, but not for checkpoints, which continue later.
 bool RenderScheduler::leaves_no_pass() const {
     const auto& seconds = job_.stop.seconds;
-    return seconds && !hooks_.save && seconds_now() + kPassOfView * view_seconds_ > *seconds;
+    return seconds && !hooks_.save && seconds_now() + kPassOfTrial * trial_seconds_ > *seconds;
 }
 
 bool RenderScheduler::cuts_learning() const {
@@ -115,7 +115,7 @@ bool RenderScheduler::cuts_learning() const {
 bool RenderScheduler::cuts_pass() const {
     if (hooks_.is_cancelled()) return true;
     if (progress_.passes > 0) return is_late();
-    const bool is_learned = view_seconds_ > 0 && !state_.is_unlearned;
+    const bool is_learned = trial_seconds_ > 0 && !state_.is_unlearned;
     return is_learned && leaves_no_pass();
 }
 

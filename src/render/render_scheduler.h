@@ -22,7 +22,7 @@ public:
     /// Reports that learning begins or ends.
     void report_learning(bool begins);
     /// Reports how long the camera paths of a trial took during learning.
-    void view_traced(double seconds) { view_seconds_ = seconds; }
+    void trial_traced(double seconds) { trial_seconds_ = seconds; }
     /// Returns whether learning must be cancelled, or a pass, so that the render ends in time.
     /// Called on any thread during an interval.
     bool cuts_learning() const;
@@ -65,7 +65,7 @@ private:
     double interval_began_ = 0;
     double learned_before_ = 0;  // seconds of learning up to the interval
     double pass_seconds_ = 0;    // per rank, in the last interval
-    double view_seconds_ = 0;    // of a trial's camera paths during learning
+    double trial_seconds_ = 0;   // of a trial's camera paths during learning
     std::uint64_t interval_passes_ = 0;
     double saved_at_;
     bool interrupted_ = false;
