@@ -12,6 +12,7 @@
 // radii: what is compared is noise alone (that of `paper`, whose radii differ, around its own
 // mean). --reference-radius .25 gives the reference discs of a quarter of the radius: then bias
 // counts, for all. Errors are corrected for the reference's own.
+#include "core/named_rows.h"
 #include "core/parallel.h"
 #include "film/film.h"
 #include "film/luminance.h"
@@ -82,12 +83,12 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     RenderJob job{scene, {}, {}, 0};
     job.settings.seed = seed;
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
-    if (const auto integrator = integrator_named(sampler))
-        job.settings.integrator = *integrator;
+    if (const auto* row = row_named(kIntegrators, sampler))
+        job.settings.integrator = row->integrator;
     else if (is_number(sampler))
         job.settings.photon.paths_per_pass = static_cast<std::uint32_t>(std::stoul(sampler));
     else if (!apply_variant(sampler, job.settings))
-        job.settings.photon.sampler = sampler_named(sampler).value();
+        job.settings.photon.sampler = row_named(kPhotonSamplers, sampler)->sampler;
     if (sampler == "paper") use_paper_mode(job.settings);
     CameraPathSettings& camera = job.settings.camera;
     if (settings.indirect_radius) camera.indirect_radius = settings.indirect_radius;
@@ -231,10 +232,11 @@ int main(int count, char** words) {
     app.add_option("SCENE", settings.scene, "Scene file")->required();
     const auto is_sampler = [](const std::string& name) {
         sunfleck::engine::RenderSettings unused;
-        const bool known = sunfleck::engine::sampler_named(name) ||
-                           sunfleck::engine::integrator_named(name) ||
-                           sunfleck::engine::bench::apply_variant(name, unused) ||
-                           sunfleck::engine::bench::is_number(name);
+        const bool known =
+            sunfleck::engine::row_named(sunfleck::engine::kPhotonSamplers, name) != nullptr ||
+            sunfleck::engine::row_named(sunfleck::engine::kIntegrators, name) != nullptr ||
+            sunfleck::engine::bench::apply_variant(name, unused) ||
+            sunfleck::engine::bench::is_number(name);
         return known ? std::string() : "there is no sampler or integrator " + name;
     };
     app.add_option("--samplers", settings.samplers,

@@ -75,6 +75,10 @@ sunfleck_module(experiment NEEDS module_import module_procedural module_report m
 target_sources(module_experiment PRIVATE ${figures})
 sunfleck_module(report NEEDS module_compare)
 
+# The laboratory (see src/layers.txt): what the programs link beside the renderer.
+add_library(sunfleck_lab INTERFACE)
+target_link_libraries(sunfleck_lab INTERFACE module_experiment module_procedural module_report)
+
 # The page's own files and the chart library, inside the program.
 set(page ${PROJECT_SOURCE_DIR}/src/report/page)
 file(GLOB scripts CONFIGURE_DEPENDS ${page}/*.js)

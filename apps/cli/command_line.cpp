@@ -19,8 +19,7 @@ public:
     CommandLine() {
         app_.set_version_flag("--version", "sunfleck " SUNFLECK_VERSION);
         app_.require_subcommand(1);
-        for (CLI::App* app : app_.get_subcommands([](CLI::App*) { return true; }))
-            app->formatter(std::make_shared<WrappedHelp>());
+        app_.formatter(formatter_);
         add_render_flags(*render_app_, render_, flags_);
         add_info_flags(*info_app_, info_);
         add_scene_flags(*scene_app_, scene_);
@@ -45,9 +44,11 @@ public:
             throw Error({"sunfleck"}, "unknown flag or word \"" + rest.front() + "\"", help());
         } catch (const CLI::RequiredError& fault) {
             const std::vector<std::string> rest = app_.remaining();
-            if (app_.get_subcommands().empty() && !rest.empty())
-                throw Error({"sunfleck"}, "unknown command \"" + rest.front() + "\"",
-                            "use " + names_of_commands());
+            if (app_.get_subcommands().empty())
+                throw Error({"sunfleck"},
+                            rest.empty() ? "no command is given"
+                                         : "unknown command \"" + rest.front() + "\"",
+                            "use one of " + names_of_commands());
             throw Error({"sunfleck"}, fault.what(), help());
         } catch (const CLI::ParseError& fault) {
             if (fault.get_exit_code() != 0) throw Error({"sunfleck"}, fault.what(), help());
@@ -109,22 +110,44 @@ private:
         return "see sunfleck " + (given.empty() ? "" : given.front()->get_name() + " ") + "--help";
     }
 
+    /// @param examples  lines of the help and of the man page.
+    CLI::App* add_command(const char* name, const char* what, const char* examples) {
+        CLI::App* const app = app_.add_subcommand(name, what);
+        app->formatter(formatter_);
+        app->group("Commands");
+        app->footer("Examples:\n" + std::string(examples));
+        return app;
+    }
+
+    std::shared_ptr<WrappedHelp> formatter_ = std::make_shared<WrappedHelp>();
     CLI::App app_{"Renderer for caustics, sun through windows and small gaps", "sunfleck"};
-    CLI::App* render_app_ = app_.add_subcommand("render", "Render a scene");
-    CLI::App* info_app_ = app_.add_subcommand("info", "Say what a scene file holds");
+    CLI::App* render_app_ =
+        add_command("render", "Render a scene",
+                    "  sunfleck render scene.pbrt -o scene.exr -o scene.png\n"
+                    "  sunfleck render scene.pbrt --time 8h --checkpoint scene.ckpt\n"
+                    "  sunfleck render scene.pbrt --light-group sun=1 --light-group lamps=2-5");
+    CLI::App* info_app_ =
+        add_command("info", "Say what a scene file holds", "  sunfleck info scene.pbrt --lights");
     CLI::App* scene_app_ =
-        app_.add_subcommand("scene", "Write one of Sunfleck's own scenes; without NAME, list them");
-    CLI::App* merge_app_ = app_.add_subcommand("merge", "Add up pass ranges of one render");
+        add_command("scene", "Write one of Sunfleck's own scenes; without NAME, list them",
+                    "  sunfleck scene cognac-0 -o scenes");
+    CLI::App* merge_app_ =
+        add_command("merge", "Add up pass ranges of one render",
+                    "  sunfleck merge a.film b.film -o scene.exr --stats scene.json");
     CLI::App* relight_app_ =
-        app_.add_subcommand("relight", "Dim or brighten lights of a picture that has them apart");
+        add_command("relight", "Dim or brighten lights of a picture that has them apart",
+                    "  sunfleck relight scene.exr sun=0.3 lamps=1,0.8,0.6 -o dim.png");
     CLI::App* compare_app_ =
-        app_.add_subcommand("compare", "Measure pictures against a reference, and show them");
-    CLI::App* experiment_app_ = app_.add_subcommand(
-        "experiment", "Make the paper's figures and tables; without NAMES, list them");
+        add_command("compare", "Measure pictures against a reference, and show them",
+                    "  sunfleck compare reference.exr a.exr b.exr --report pictures.html");
+    CLI::App* experiment_app_ =
+        add_command("experiment", "Make the paper's figures and tables; without NAMES, list them",
+                    "  sunfleck experiment all --minutes 1 -o run");
     CLI::App* completion_app_ =
-        app_.add_subcommand("completion", "Print what lets a shell complete commands and flags");
-    CLI::App* manual_app_ =
-        app_.add_subcommand("manual", "Write man pages, and completion for all shells");
+        add_command("completion", "Print what lets a shell complete commands and flags",
+                    "  source <(sunfleck completion bash)");
+    CLI::App* manual_app_ = add_command("manual", "Write man pages, and completion for all shells",
+                                        "  sunfleck manual /usr/local/share");
     RenderOptions render_;
     RenderFlags flags_;  // of the command that is given: render, merge or relight
     InfoOptions info_;

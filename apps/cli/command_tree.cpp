@@ -58,8 +58,10 @@ Command command_tree(const CLI::App& app) {
                     .help = app.get_description(),
                     .flags = {},
                     .words = {},
-                    .examples = parts_of(app.get_footer(), '\n'),
+                    .examples = {},
                     .commands = {}};
+    for (const std::string& line : parts_of(app.get_footer(), '\n'))
+        if (line.starts_with("  ")) command.examples.push_back(line.substr(2));
     for (const CLI::Option* option : app.get_options())
         (option->get_positional() ? command.words : command.flags).push_back(flag_of(*option));
     for (const CLI::App* below : app.get_subcommands({}))

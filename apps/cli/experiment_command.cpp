@@ -2,7 +2,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/messages.h"
-#include "apps/cli/progress.h"
+#include "core/duration_text.h"
 #include "core/parallel.h"
 #include "experiment/run.h"
 

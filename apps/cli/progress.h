@@ -16,18 +16,12 @@
 
 namespace sunfleck::engine {
 
-/// In whole seconds: 7 s, 3m12s, 2h05m.
-std::string duration_text(double seconds);
-/// What a picture is, with its error where that is known: 64 passes, 11 s, error 1.9% (95% of
-/// blocks).
-std::string state_text(std::uint64_t passes, double seconds, std::optional<TargetError> error);
-
 class ProgressLine {
 public:
     /// Until show() is called, the scene is being read.
     /// @param wanted  if not, nothing is said, whatever the terminal.
     explicit ProgressLine(bool wanted);
-    /// Accepts the line away, so that what is said next stands on its own.
+    /// Takes the line away, so that what is said next stands on its own.
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;

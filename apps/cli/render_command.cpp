@@ -3,24 +3,22 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/progress_text.h"
 #include "apps/cli/render_answers.h"
+#include "apps/cli/render_notes.h"
 #include "apps/cli/render_setup.h"
 #include "apps/cli/snapshots.h"
 #include "apps/cli/together.h"
 #include "core/parallel.h"
-#include "core/processor.h"
 #include "core/stopwatch.h"
 #include "core/thread_trial.h"
 #include "image/atomic_file.h"
-#include "planning/missing_light.h"
 #include "ranks/shared_interval.h"
 #include "render/progressive.h"
-#include "stats/darkness.h"
-#include "stats/image_stats.h"
+#include "stats/remarks.h"
 #include "stats/stats.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <optional>
 #include <utility>
@@ -31,39 +29,6 @@ namespace {
 void print_lines(const std::vector<std::string>& lines, LogLevel log) {
     if (log == LogLevel::quiet) return;
     for (const std::string& line : lines) say(line);
-}
-
-const char* const kNoAvx2 =
-    "this machine has no AVX2: bytes may differ from those of other machines";
-
-/// What is to be said before the render.
-std::vector<std::string> warnings_of(const RenderOptions& options, const Scene& scene) {
-    std::vector<std::string> lines;
-    for (const auto& entry : scene.warnings().entries()) lines.push_back(entry.line());
-    if (options.request.isa == "avx2" && !cpu_has_avx2()) lines.emplace_back(kNoAvx2);
-    if (options.request.settings.photon.sampler == PhotonSampler::paper)
-        lines.emplace_back(
-            "sampler paper: its counts are pooled while the view and the radii change, so the "
-            "picture is biased until it has converged, and has no error bars; adaptive is not");
-    return lines;
-}
-
-/// Defaults that the user may want to know of.
-std::vector<std::string> notes_of(const RenderSetup& setup) {
-    const RenderOptions& options = setup.options;
-    std::vector<std::string> lines;
-    if (!options.request.max_depth && !setup.scene.hints().max_depth)
-        lines.push_back(fmt::format("maximum depth not given; using {} (--max-depth)",
-                                    setup.job.settings.transport.max_depth));
-    if (options.request.ends_by_default)
-        lines.push_back(setup.job.stop.target_error
-                            ? "no limit given; ending at an error of 2% or after 10 minutes "
-                              "(--target-error, --time)"
-                            : "no limit given; ending after 10 minutes (--time)");
-    if (options.outputs.empty())
-        lines.push_back(
-            fmt::format("no output given; writing {} (-o)", fmt::join(setup.outputs, " ")));
-    return lines;
 }
 
 void set_times(RunFacts& facts, const RenderState& state) {
@@ -115,28 +80,7 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, KeptFiles& ke
     return hooks;
 }
 
-/// What is to be said of a picture that is written.
-std::vector<std::string> doubts_of(const RenderSetup& setup, const RenderResult& result) {
-    const StopSettings& stop = setup.options.request.stop;
-    std::vector<std::string> doubts =
-        extrapolation_warnings(result.film, stop.error_terms.extrapolated);
-    const auto add = [&](const std::vector<std::string>& lines) {
-        doubts.insert(doubts.end(), lines.begin(), lines.end());
-    };
-    if (result.is_unlearned)
-        add({fmt::format(
-            "--time {} is too short to learn where photons are needed and to use it: the picture "
-            "is that of --photon-sampler uniform, noisier; give it more time",
-            duration_text(*stop.seconds))});
-    // A dark scene has a black picture for sure, and that has been said.
-    if (setup.scene.is_dark()) return doubts;
-    add(darkness_warnings(result.film,
-                          [&] { return share_lit_by_photons(setup.scene, setup.job.settings); }));
-    add(reliability_warnings(result.film));
-    return doubts;
-}
-
-/// Pictures, doubts, statistics, and what each picture is.
+/// Pictures, remarks, statistics, and what each picture is.
 /// @param line  is ended when all pictures are written: a terminal may hold it up.
 void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& facts,
                std::optional<ProgressLine>& line) {
@@ -149,9 +93,9 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
                                 {options.request.exposure, facts.error_terms.extrapolated}, faults);
     });
     line.reset();
-    const std::vector<std::string> doubts = doubts_of(setup, result);
-    print_lines(doubts, options.log);
-    facts.warnings.insert(facts.warnings.end(), doubts.begin(), doubts.end());
+    const std::vector<std::string> remarks = remarks_after(setup.job, result);
+    print_lines(remarks, options.log);
+    facts.warnings.insert(facts.warnings.end(), remarks.begin(), remarks.end());
     set_times(facts, result);
     if (!options.stats.empty()) {
         const std::string json = stats_json(result.film, facts);
@@ -168,8 +112,8 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
 
 /// A rank that writes nothing.
 int help_render(const RenderSetup& setup, const Ranks& ranks, LogLevel log) {
-    if (setup.options.request.isa == "avx2" && !cpu_has_avx2())
-        print_lines({fmt::format("rank {}: {}", ranks.rank, kNoAvx2)}, log);
+    for (const std::string& line : machine_warnings(setup.options.request.isa))
+        print_lines({fmt::format("rank {}: {}", ranks.rank, line)}, log);
     RenderHooks hooks;
     hooks.interrupted = &InterruptGuard::interrupted();
     render(setup.job, hooks, {}, ranks);
@@ -199,11 +143,14 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     const auto claims =
         together(ranks, [&] { return std::make_unique<OutputClaims>(written_files(*setup)); });
     if (!ranks.is_first()) return help_render(*setup, ranks, asked.log);
-    RunFacts facts{
-        options.scene, options.command, options.request.isa, thread_count(), 0, 0, 0, {}, 1, {}};
-    facts.ranks = ranks.size;
-    facts.error_terms = options.request.stop.error_terms;
-    facts.warnings = warnings_of(options, setup->scene);
+    RunFacts facts{.scene = options.scene,
+                   .command = options.command,
+                   .isa = options.request.isa,
+                   .threads = thread_count(),
+                   .seconds = {},
+                   .warnings = remarks_before(setup->job, options.request.isa),
+                   .ranks = ranks.size,
+                   .error_terms = options.request.stop.error_terms};
     print_lines(facts.warnings, options.log);
     if (options.log == LogLevel::info) print_lines(notes_of(*setup), options.log);
     facts.load_seconds = clock.seconds();

@@ -9,6 +9,8 @@ namespace sunfleck::engine {
 
 class WrappedHelp : public CLI::Formatter {
 public:
+    WrappedHelp() { label("SUBCOMMAND", "COMMAND"); }
+
     std::string make_help(const CLI::App* app, std::string name,
                           CLI::AppFormatMode mode) const override {
         std::string text = Formatter::make_help(app, std::move(name), mode);

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ public:
     /// Writes .exr with all channels, or .png of R, G, B; whole or not at all.
     /// @param exposure  stops, for .png alone. @throws Error  for another ending, and where the
     /// file cannot be written.
-    void save(const std::string& path, double exposure = 0) const;
+    void save(const std::string& path, std::optional<double> exposure = {}) const;
 
     // For the library alone.
     struct Data;

@@ -37,7 +37,8 @@ public:
     }
     Settings& set(const std::string& name, double value);
     Settings& set(const std::string& name, int value) { return set(name, std::to_string(value)); }
-    Settings& set(const std::string& name, bool value) { return set(name, value ? "on" : "off"); }
+    /// Sets what is on or off, or chosen by the renderer (auto) or off.
+    Settings& set(const std::string& name, bool value);
 
     /// @throws Error  for a value that cannot be used, and for settings that do not go together.
     void validate() const;

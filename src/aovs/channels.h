@@ -1,6 +1,8 @@
 // The table of AOVs that a pass measures per pixel.
 #pragma once
 
+#include "core/named_rows.h"
+
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -52,9 +54,7 @@ constexpr bool is_aov_name(std::string_view name) {
 
 /// Returns whether every picture has another AOV of that name.
 constexpr bool is_taken_aov_name(std::string_view name) {
-    for (const AovRow& row : kAovs)
-        if (row.name == name) return true;
-    return name == "error" || name == "bias";
+    return row_named(kAovs, name) != nullptr || name == "error" || name == "bias";
 }
 
 }  // namespace sunfleck::engine

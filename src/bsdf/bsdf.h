@@ -1,5 +1,4 @@
-// Every BSDF there is, as one value. To add one: write its header, then name it here and give an
-// example in tests/laws/bsdf_examples.h.
+// Every BSDF there is, as one value. To add one: docs/develop/adding.md.
 #pragma once
 
 #include "bsdf/coated_conductor.h"
@@ -53,12 +52,9 @@ inline bool gathers(const Bsdf& bsdf, float z_from, float z_to) {
     return std::visit([&](const auto& b) { return b.gathers(z_from, z_to); }, bsdf);
 }
 
-/// Of a diffuse surface: share of the light of each wavelength that it scatters.
+/// The diffuse albedo of the wide lobe, seen from wo; zero where there is none (bsdf/model.h).
 inline SampledSpectrum spread_share(const Bsdf& bsdf, const Vec3& wo) {
-    if (const auto* base = std::get_if<CoatedBase>(&bsdf)) return base->reflectance(wo);
-    if (const auto* sheet = std::get_if<DiffuseTransmission>(&bsdf))
-        return sheet->reflectance + sheet->transmittance;
-    return std::get<Lambert>(bsdf).albedo;
+    return std::visit([&](const auto& b) { return b.spread_share(wo); }, bsdf);
 }
 
 /// Whether wavelengths part in direction here.
@@ -74,15 +70,10 @@ inline bool is_dispersive(const Bsdf& bsdf) {
 /// The probability with which sample() takes the first of two delta lobes: with draw.u.x below it.
 /// Zero for a surface that has no two.
 inline float mirror_share(const Bsdf& bsdf, const Vec3& wo, const HeroWavelength& hero) {
-    return std::visit(
-        [&]<class B>(const B& b) -> float {
-            if constexpr (TwoLobedModel<B>) return b.mirror_share(wo, hero);
-            return 0;
-        },
-        bsdf);
+    return std::visit([&](const auto& b) { return b.mirror_share(wo, hero); }, bsdf);
 }
 
-/// The same with that wavelength's index in every wavelength: no longer dispersive. @param
+/// The same BSDF with that wavelength's index in every wavelength: no longer dispersive. @param
 /// wavelength  below kWavelengths.
 inline Bsdf at_wavelength(const Bsdf& bsdf, std::size_t wavelength) {
     return std::visit(

@@ -51,6 +51,8 @@ struct CoatReflection {
         return coat->facets() ? Scattering::glossy : Scattering::specular;
     }
     bool gathers(float z_from, float z_to) const { return coat->facets() && z_from * z_to > 0; }
+    static SampledSpectrum spread_share(const Vec3&) { return {}; }
+    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
 }  // namespace sunfleck::engine

@@ -27,6 +27,8 @@ public:
 
     Scattering scattering() const { return is_smooth_ ? Scattering::specular : Scattering::glossy; }
     bool gathers(float z_from, float z_to) const { return !is_smooth_ && z_from * z_to > 0; }
+    static SampledSpectrum spread_share(const Vec3&) { return {}; }
+    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 
 private:
     struct Inner {

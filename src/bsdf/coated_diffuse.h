@@ -34,15 +34,16 @@ struct CoatedBase {
 
     static constexpr Scattering scattering() { return Scattering::diffuse; }
     static bool gathers(float z_from, float z_to) { return Lambert::gathers(z_from, z_to); }
+    /// Share of the light from that side that the base sends back into the air.
+    SampledSpectrum spread_share(const Vec3& wo) const {
+        return scattered() * (entering(wo) * coat->mean_entering());
+    }
+    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 
     /// Returns pi times the radiance towards the air, per unit of light that has entered.
     SampledSpectrum scattered() const {
         const float eta = coat->eta();
         return albedo / ((SampledSpectrum(1) - albedo * coat->returning()) * (eta * eta));
-    }
-    /// Returns the fraction of light from the side of wo that the base sends back into the air.
-    SampledSpectrum reflectance(const Vec3& wo) const {
-        return scattered() * (entering(wo) * coat->mean_entering());
     }
 
 private:
@@ -89,11 +90,13 @@ struct CoatedDiffuse {
 
     static constexpr Scattering scattering() { return Scattering::coated; }
     static bool gathers(float z_from, float z_to) { return CoatedBase::gathers(z_from, z_to); }
+    SampledSpectrum spread_share(const Vec3& wo) const { return base().spread_share(wo); }
+    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 
 private:
     float chance_of_top(const Vec3& wo) const {
         const float above = coat->reflectance(std::min(1.0F, std::abs(wo.z)));
-        return above / (above + base().reflectance(wo).mean() + 1e-6F);
+        return above / (above + base().spread_share(wo).mean() + 1e-6F);
     }
 };
 

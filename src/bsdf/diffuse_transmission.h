@@ -36,6 +36,8 @@ struct DiffuseTransmission {
 
     static constexpr Scattering scattering() { return Scattering::diffuse; }
     static bool gathers(float z_from, float z_to) { return z_from != 0 && z_to != 0; }
+    SampledSpectrum spread_share(const Vec3&) const { return reflectance + transmittance; }
+    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 
 private:
     /// Returns the probability of reflection; never zero or one, because single wavelengths may

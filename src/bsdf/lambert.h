@@ -32,6 +32,8 @@ struct Lambert {
     static constexpr Scattering scattering() { return Scattering::diffuse; }
     /// Returns whether both directions are on the same side.
     static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
+    SampledSpectrum spread_share(const Vec3&) const { return albedo; }
+    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
 }  // namespace sunfleck::engine

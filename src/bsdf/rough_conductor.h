@@ -59,6 +59,8 @@ struct RoughConductor {
 
     static constexpr Scattering scattering() { return Scattering::glossy; }
     static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
+    static SampledSpectrum spread_share(const Vec3&) { return {}; }
+    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 
 private:
     MetalCompensation compensation() const { return {*losses, facets}; }

@@ -39,6 +39,8 @@ public:
 
     static constexpr Scattering scattering() { return Scattering::glossy; }
     static bool gathers(float z_from, float z_to) { return z_from != 0 && z_to != 0; }
+    static SampledSpectrum spread_share(const Vec3&) { return {}; }
+    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 
     const SampledSpectrum& eta() const { return eta_; }
     const Ggx& facets() const { return facets_; }

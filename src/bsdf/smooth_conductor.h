@@ -23,6 +23,8 @@ struct SmoothConductor {
 
     static constexpr Scattering scattering() { return Scattering::specular; }
     static constexpr bool gathers(float, float) { return false; }
+    static SampledSpectrum spread_share(const Vec3&) { return {}; }
+    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
 }  // namespace sunfleck::engine

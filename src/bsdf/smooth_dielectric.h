@@ -40,6 +40,7 @@ public:
 
     static constexpr Scattering scattering() { return Scattering::specular; }
     static constexpr bool gathers(float, float) { return false; }
+    static SampledSpectrum spread_share(const Vec3&) { return {}; }
 
     const SampledSpectrum& eta() const { return eta_; }
     bool is_dispersive() const { return dispersive_; }

@@ -61,6 +61,7 @@ struct ThinDielectric {
 
     static constexpr Scattering scattering() { return Scattering::specular; }
     static constexpr bool gathers(float, float) { return false; }
+    static SampledSpectrum spread_share(const Vec3&) { return {}; }
 };
 
 }  // namespace sunfleck::engine

@@ -28,11 +28,11 @@ struct Division {
 // Guided paths contribute the light of the region. What it does not cover is little but rare:
 // uniform paths and the first sets must find it, so the last set has fewer states than without a
 // guide.
-constexpr Division kOftenSeen{0.35, 0.3, 1, 0.1};
+constexpr Division kOftenSeen{.guided = 0.35, .last = 0.3, .own = 1, .detour = 0.1};
 // No splitting leads to the visible set.
-constexpr Division kAlone{0.75, 0.5, 1, 0.25};
+constexpr Division kAlone{.guided = 0.75, .last = 0.5, .own = 1, .detour = 0.25};
 // Few guided paths are visible, and they are worth less than states of chains: they start chains.
-constexpr Division kForSurvivors{0.1, 0.75, 0.1, {}};
+constexpr Division kForSurvivors{.guided = 0.1, .last = 0.75, .own = 0.1, .detour = {}};
 constexpr double kSeldomSeen = 0.2;      // visible fraction of guided paths
 constexpr double kMostImportance = 0.5;  // of the guided region
 

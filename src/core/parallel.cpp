@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfenv>
 #include <utility>
 
 #if defined(__SANITIZE_THREAD__)
@@ -41,6 +42,23 @@ public:
 
 private:
     unsigned before_ = 0;
+};
+
+/// The modes that a program starts with hold while it lives: rounding to nearest, denormals.
+class DefaultFloats {
+public:
+    DefaultFloats() {
+        std::fegetenv(&before_);
+        std::fesetenv(FE_DFL_ENV);
+    }
+    ~DefaultFloats() { std::fesetenv(&before_); }
+    DefaultFloats(const DefaultFloats&) = delete;
+    DefaultFloats& operator=(const DefaultFloats&) = delete;
+    DefaultFloats(DefaultFloats&&) = delete;
+    DefaultFloats& operator=(DefaultFloats&&) = delete;
+
+private:
+    std::fenv_t before_{};
 };
 
 using IsOver = std::function<bool()>;
@@ -92,6 +110,23 @@ ThreadLimit::ThreadLimit(std::size_t count)
     : control_(count == 0 ? nullptr : std::make_unique<Control>(count)) {}
 
 ThreadLimit::~ThreadLimit() = default;
+
+struct ThreadPool::Arena {
+    explicit Arena(std::size_t count)
+        : arena(count == 0 ? tbb::task_arena::automatic : static_cast<int>(count)) {}
+    tbb::task_arena arena;
+};
+
+ThreadPool::ThreadPool(std::size_t count) : arena_(std::make_unique<Arena>(count)) {}
+
+ThreadPool::~ThreadPool() = default;
+
+void ThreadPool::run(const std::function<void()>& task) {
+    arena_->arena.execute([&] {
+        const DefaultFloats modes;
+        task();
+    });
+}
 
 std::size_t thread_count() {
     const auto limit =

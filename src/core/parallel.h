@@ -28,6 +28,26 @@ private:
     std::unique_ptr<Control> control_;
 };
 
+/// Threads of a library's caller: loops of what run() is given use no others. Thread-safe; several
+/// pools do not limit each other.
+class ThreadPool {
+public:
+    /// @param count  of threads, at most; 0: as many as cores.
+    explicit ThreadPool(std::size_t count);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+    ThreadPool(ThreadPool&&) = delete;
+    ThreadPool& operator=(ThreadPool&&) = delete;
+
+    /// Runs task() with the default floating-point modes, whatever those of the caller are.
+    void run(const std::function<void()>& task);
+
+private:
+    struct Arena;
+    std::unique_ptr<Arena> arena_;
+};
+
 /// Returns the number of threads that parallel_for() may use now.
 std::size_t thread_count();
 

@@ -132,8 +132,8 @@ std::string line_svg(const ChartLine& line, const Axis& x, const Axis& y, const 
 }  // namespace
 
 std::string chart_svg(const Chart& chart) {
-    Axis x{true, 0, 0, kLeft, kRight};
-    Axis y{chart.log_y, 0, 0, kBottom, kTop};
+    Axis x{.from = kLeft, .to = kRight};
+    Axis y{.log = chart.log_y, .from = kBottom, .to = kTop};
     for (const ChartLine& line : chart.lines)
         for (const ChartPoint& p : line.points) {
             if (!x.shows(p.x) || !y.shows(p.y)) continue;

@@ -1,4 +1,5 @@
 // The list of figures.
+#include "core/named_rows.h"
 #include "experiment/figure.h"
 #include "sunfleck/error.h"
 
@@ -11,11 +12,9 @@ const std::vector<Figure>& figures() {
 }
 
 const Figure& figure_named(const std::string& name) {
+    if (const Figure* figure = row_named(figures(), name)) return *figure;
     std::string known;
-    for (const Figure& figure : figures()) {
-        if (figure.name == name) return figure;
-        known += (known.empty() ? "" : ", ") + figure.name;
-    }
+    for (const Figure& figure : figures()) known += (known.empty() ? "" : ", ") + figure.name;
     throw Error({"sunfleck experiment"}, "there is no figure \"" + name + "\"",
                 "use some of: " + known + ", or all");
 }

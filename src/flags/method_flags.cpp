@@ -1,12 +1,15 @@
 // The rows of the flags about the method.
+#include "core/named_rows.h"
 #include "flags/flag_tables.h"
+#include "photon_samplers/samplers.h"
 
 namespace sunfleck::engine {
 namespace {
 
 /// Sets the sampler, and with `paper` all that belongs to it.
 void set_sampler(RenderRequest& request, const std::string& name) {
-    request.settings.photon.sampler = *sampler_named(name);  // one of the choices
+    request.settings.photon.sampler =
+        row_named(kPhotonSamplers, name)->sampler;  // one of the choices
     if (request.settings.photon.sampler == PhotonSampler::paper) use_paper_mode(request.settings);
 }
 
@@ -15,7 +18,8 @@ std::vector<RenderFlag> estimator_flags() {
         {.name = "--integrator",
          .value = one_of(choices_of(kIntegrators),
                          [](auto& r, const auto& name) {
-                             r.settings.integrator = *integrator_named(name);  // a choice
+                             r.settings.integrator =
+                                 row_named(kIntegrators, name)->integrator;  // a choice
                          }),
          .help = "What renders: the photon mapper, or a reference to compare it with"},
         {.name = "--photon-sampler",

@@ -124,12 +124,12 @@ void RenderFlags::check(const RenderFlag& flag, const FlagNeed& need) const {
 }
 
 RenderRequest RenderFlags::finish() const {
-    RenderFlags all = *this;
-    if (all.texts_.contains("--mode")) all.texts_.try_emplace("--photon-sampler", 1, "paper");
+    RenderFlags all = *this;  // with what --mode stands for
+    if (texts_.contains("--mode")) all.texts_.try_emplace("--photon-sampler", 1, "paper");
     RenderRequest request;
     for (const RenderFlag& flag : render_flags()) {
-        const auto given = all.texts_.find(flag.name);
-        if (given == all.texts_.end()) continue;
+        const auto given = texts_.find(flag.name);
+        if (given == texts_.end()) continue;
         for (const FlagNeed& need : flag.needs) all.check(flag, need);
         for (const std::string& text : given->second) flag.value.read(request, text, flag.name);
     }

@@ -6,13 +6,16 @@
 
 namespace sunfleck::engine {
 
-void adjust_scene(SceneDescription& scene, const RenderRequest& request) {
-    if (request.resolution) set_resolution(scene, *request.resolution);
-    if (request.settings.energy_compensation) compensate_energy(scene.materials);
-    if (request.crop) set_crop(scene.film, *request.crop, "--crop");
+void adjust_view(Camera& camera, FilmDescription& film, const RenderRequest& request) {
+    if (request.resolution) set_resolution(camera, film, *request.resolution);
+    if (request.crop) set_crop(film, *request.crop, "--crop");
     if (request.crop_window)
-        set_crop(scene.film, pixels_of_window(*request.crop_window, scene.film.resolution),
-                 "--cropwindow");
+        set_crop(film, pixels_of_window(*request.crop_window, film.resolution), "--cropwindow");
+}
+
+void adjust_scene(SceneDescription& scene, const RenderRequest& request) {
+    adjust_view(scene.camera, scene.film, request);
+    if (request.settings.energy_compensation) compensate_energy(scene.materials);
 }
 
 RenderSettings settings_for(const Scene& scene, const RenderRequest& request) {

@@ -3,6 +3,7 @@
 // Files, threads and what is said belong to the program that renders, and are not here.
 #pragma once
 
+#include "camera/camera.h"
 #include "flags/light_groups.h"
 #include "stages/settings.h"
 
@@ -13,6 +14,7 @@
 
 namespace sunfleck::engine {
 
+struct FilmDescription;
 struct SceneDescription;
 
 struct RenderRequest {
@@ -27,6 +29,10 @@ struct RenderRequest {
     std::string isa = "avx2";
     double exposure = 0;  // stops, for formats of limited range alone
 };
+
+/// Changes the view of a scene as the request says: size and crop.
+/// @throws Error for a crop that is not a part of the picture.
+void adjust_view(Camera& camera, FilmDescription& film, const RenderRequest& request);
 
 /// Changes a scene that is not built yet as the request says: size, crop, energy compensation.
 /// @throws Error for a crop that is not a part of the picture.

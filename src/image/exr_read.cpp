@@ -17,6 +17,8 @@
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfTileDescriptionAttribute.h>
+#include <OpenEXR/ImfVersion.h>
 
 #include <algorithm>
 #include <array>
@@ -62,11 +64,44 @@ private:
     throw Error({name}, what, "convert the picture to a plain EXR, or write it again");
 }
 
+void check_extent(const Imath::Box2i& window, const std::string& name) {
+    const auto most = std::max(std::int64_t{window.max.x} - window.min.x,
+                               std::int64_t{window.max.y} - window.min.y);
+    if (most >= kLibraryMost)
+        refuse(name, "its head claims " + std::to_string(most) + " pixels a side");
+}
+
+/// Checks the heads of all parts before the library allocates tables of their size. (The library's
+/// own limits are global, and those of the whole process.)
+/// @return the bytes.
+std::string_view checked(std::string_view bytes, const std::string& name) {
+    constexpr std::uint64_t kFirstHead = 8;  // after magic number and version
+    MemoryStream stream(bytes, name);
+    stream.seekg(kFirstHead - sizeof(std::int32_t));
+    int version = 0;
+    std::array<char, sizeof version> little{};
+    stream.read(little.data(), static_cast<int>(little.size()));
+    std::memcpy(&version, little.data(), sizeof version);
+    do {
+        Imf::Header head;
+        head.readFrom(stream, version);
+        check_extent(head.dataWindow(), name);
+        check_extent(head.displayWindow(), name);
+        if (!head.hasTileDescription()) continue;
+        const Imf::TileDescription& tile = head.tileDescription();
+        if (std::max(tile.xSize, tile.ySize) > unsigned{kLibraryMost})
+            refuse(name, "its head claims tiles of " + std::to_string(tile.xSize) + " x " +
+                             std::to_string(tile.ySize) + " pixels");
+    } while (Imf::isMultiPart(version) && stream.tellg() < bytes.size() &&
+             bytes[stream.tellg()] != 0);
+    return bytes;
+}
+
 /// An open file whose first part has a plausible size.
 class OpenExr {
 public:
     OpenExr(std::string_view bytes, const std::string& name)
-        : stream_(bytes, name), input_(stream_, 0) {
+        : stream_(checked(bytes, name), name), input_(stream_, 0) {
         const Imf::Header& header = input_.header();
         if (header.hasType() && Imf::isDeepData(header.type())) refuse(name, "holds deep pixels");
         const Imath::Box2i& window = header.dataWindow();
@@ -192,12 +227,6 @@ Image read_image(std::string_view bytes, const std::string& name) {
 /// Runs a task and converts exceptions of the library to Error.
 template <class Task>
 auto guarded(const std::string& name, const Task& task) {
-    static const bool limited = [] {
-        Imf::Header::setMaxImageSize(kLibraryMost, kLibraryMost);
-        Imf::Header::setMaxTileSize(kLibraryMost, kLibraryMost);
-        return true;
-    }();
-    static_cast<void>(limited);
     try {
         return task();
     } catch (const Error&) {

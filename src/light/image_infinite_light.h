@@ -16,6 +16,7 @@
 namespace sunfleck::engine {
 
 struct ImageInfiniteLight {
+    static constexpr bool comes_from_afar = true;
     Spectrum curve;
     std::shared_ptr<const LightImage> image;
     Affine to_world;  // a rotation, perhaps with a reflection

@@ -15,6 +15,7 @@ namespace sunfleck::engine {
 
 /// The image is an octahedral equal-area map of directions (uniform_sphere() in math/warp.h).
 struct GoniometricLight {
+    static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;
     std::shared_ptr<const LightImage> image;
@@ -31,6 +32,7 @@ struct GoniometricLight {
 /// The image lies on the plane z = 1 of the light's frame, x to the right and y down. Within a
 /// texel the factor of the emission is proportional to the third power of the cosine.
 struct ProjectionLight {
+    static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;
     Vec2d half;                               // half of the image's width and height

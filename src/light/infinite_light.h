@@ -9,6 +9,7 @@
 namespace sunfleck::engine {
 
 struct InfiniteLight {
+    static constexpr bool comes_from_afar = true;
     Spectrum curve;
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;

@@ -1,5 +1,4 @@
-// Every light there is. To add one: write its header, then name it here and give an example in
-// tests/laws/light_examples.h.
+// Every light there is. To add one: docs/develop/adding.md.
 #pragma once
 
 #include "light/area_light.h"
@@ -62,7 +61,7 @@ inline bool is_infinite(const Light& light) {
 
 /// Returns whether it is infinitely far away.
 inline bool comes_from_afar(const Light& light) {
-    return is_infinite(light) || std::holds_alternative<DistantLight>(light);
+    return std::visit([](const auto& l) { return l.comes_from_afar; }, light);
 }
 
 /// Returns the unoccluded light at the point `from` from `direction` (unit, to the light); zero for

@@ -76,6 +76,7 @@ struct EnvironmentRadiance {
 ///             (behind a one-sided emitter, outside a spot).
 /// power:      total emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).
 /// curve:      the emission's spectrum.
+/// comes_from_afar: whether it is infinitely far away.
 /// environment_radiance: of infinite lights: the light that a point receives from a direction.
 template <class L>
 concept LightModel = std::copyable<L> &&
@@ -87,6 +88,7 @@ concept LightModel = std::copyable<L> &&
     { light.sample_direct(p, u2, sphere) } -> std::same_as<std::optional<DirectSample>>;
     { light.power(sphere) } -> std::same_as<double>;
     { light.curve } -> std::convertible_to<Spectrum>;
+    { L::comes_from_afar } -> std::convertible_to<bool>;
 };
 
 }  // namespace sunfleck::engine

@@ -16,6 +16,7 @@
 namespace sunfleck::engine {
 
 struct PortalLight {
+    static constexpr bool comes_from_afar = true;
     Spectrum curve;
     std::shared_ptr<const PortalImage> image;
     Affine frame;  // orthonormal; the origin is a corner of the portal, z points out to the

@@ -10,6 +10,7 @@
 namespace sunfleck::engine {
 
 struct SpotLight {
+    static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;
     Vec3d axis;            // unit

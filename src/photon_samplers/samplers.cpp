@@ -23,12 +23,6 @@ std::string_view name_of(PhotonSampler sampler) {
     return visit_sampler(sampler, []<class S>(const S&) { return std::string_view(S::name); });
 }
 
-std::optional<PhotonSampler> sampler_named(std::string_view name) {
-    for (const PhotonSamplerRow& row : kPhotonSamplers)
-        if (row.name == name) return row.sampler;
-    return {};
-}
-
 bool learns(PhotonSampler sampler) {
     return visit_sampler(sampler, []<class S>(const S&) { return S::learns; });
 }

@@ -43,9 +43,6 @@ inline constexpr auto kPhotonSamplers = rows_of(AnyPhotonSampler());
 
 std::string_view name_of(PhotonSampler sampler);
 
-/// Nothing for a name that no sampler has.
-std::optional<PhotonSampler> sampler_named(std::string_view name);
-
 /// Do pilots and trials make its plans?
 bool learns(PhotonSampler sampler);
 

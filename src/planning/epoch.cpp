@@ -50,7 +50,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     Stopwatch watch;
     const PixelWindow window = window_of(scene.film());
     const std::uint32_t paths = usual_paths(settings.photon, window.pixels());
-    Epoch epoch{epoch_of(pass), paths, 1, 1, {}, {}, 0};
+    Epoch epoch{.number = epoch_of(pass), .paths = paths, .log2_samples = {}, .strata = {}};
     if (scene.is_dark() && settings.integrator == Integrator::sppm) {
         epoch.paths = 0;
         return epoch;

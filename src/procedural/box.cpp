@@ -14,11 +14,13 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr SceneHead kHead = {"Unit: about half the width of the box; y is up",
-                             R"(LookAt -0.24178 -0.133496 2.43055  0 -0.05 0.25  0 1 0
+constexpr SceneHead kHead = {.unit = "Unit: about half the width of the box; y is up",
+                             .camera = R"(LookAt -0.24178 -0.133496 2.43055  0 -0.05 0.25  0 1 0
 Camera "perspective" "float fov" 35
 )",
-                             512, 512, 10};
+                             .width = 512,
+                             .height = 512,
+                             .max_depth = 10};
 
 // The original reflectances are sRGB 0.918, (0.098, 0.098, 0.949) and (0.949, 0.949, 0.098).
 constexpr std::string_view kMaterials = R"(

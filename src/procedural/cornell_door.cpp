@@ -10,11 +10,13 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr SceneHead kHead = {"Unit: centimetres; z is up",
-                             R"(LookAt 0 -390 137  0 0 137  0 0 1
+constexpr SceneHead kHead = {.unit = "Unit: centimetres; z is up",
+                             .camera = R"(LookAt 0 -390 137  0 0 137  0 0 1
 Camera "perspective" "float fov" 38
 )",
-                             512, 512, 24};
+                             .width = 512,
+                             .height = 512,
+                             .max_depth = 24};
 
 constexpr std::string_view kMaterials = R"(
 MakeNamedMaterial "white" "string type" "diffuse" "rgb reflectance" [ 0.74 0.73 0.7 ]

@@ -8,11 +8,13 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr SceneHead kHead = {"Unit: metres; z is up",
-                             R"(LookAt 2.4 0 0.5  2.4 0 0  0 1 0
+constexpr SceneHead kHead = {.unit = "Unit: metres; z is up",
+                             .camera = R"(LookAt 2.4 0 0.5  2.4 0 0  0 1 0
 Camera "perspective" "float fov" 45
 )",
-                             256, 256, 8};
+                             .width = 256,
+                             .height = 256,
+                             .max_depth = 8};
 
 constexpr std::string_view kMaterials = R"(
 MakeNamedMaterial "black" "string type" "diffuse" "rgb reflectance" [ 0 0 0 ]

@@ -12,11 +12,13 @@ namespace sunfleck::engine {
 namespace {
 
 // Everything visible is below kLamp, the height from which the lamp emits upwards.
-constexpr SceneHead kHead = {"Unit: metres; z is up",
-                             R"(LookAt -1.9 -1.5 1.7  0.6 0.7 0.43  0 0 1
+constexpr SceneHead kHead = {.unit = "Unit: metres; z is up",
+                             .camera = R"(LookAt -1.9 -1.5 1.7  0.6 0.7 0.43  0 0 1
 Camera "perspective" "float fov" 40
 )",
-                             256, 256, 32};
+                             .width = 256,
+                             .height = 256,
+                             .max_depth = 32};
 
 constexpr std::string_view kSun = R"(
 # The sun, 50 degrees high: perpendicular irradiance 16, on all of the ground.

@@ -15,11 +15,13 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr SceneHead kHead = {"Unit: centimetres; z is up",
-                             R"(LookAt -2 -38 27  -0.5 1.5 5.6  0 0 1
+constexpr SceneHead kHead = {.unit = "Unit: centimetres; z is up",
+                             .camera = R"(LookAt -2 -38 27  -0.5 1.5 5.6  0 0 1
 Camera "perspective" "float fov" 40
 )",
-                             640, 480, 40};
+                             .width = 640,
+                             .height = 480,
+                             .max_depth = 40};
 
 constexpr std::string_view kMaterials = R"(
 MakeNamedMaterial "desk" "string type" "diffuse" "rgb reflectance" [ 0.36 0.2 0.11 ]

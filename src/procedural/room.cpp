@@ -12,11 +12,13 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr SceneHead kHead = {"Unit: metres; z is up",
-                             R"(LookAt -1.6 0.2 1.6  0.25 4.2 0.85  0 0 1
+constexpr SceneHead kHead = {.unit = "Unit: metres; z is up",
+                             .camera = R"(LookAt -1.6 0.2 1.6  0.25 4.2 0.85  0 0 1
 Camera "perspective" "float fov" 64
 )",
-                             512, 512, 32};
+                             .width = 512,
+                             .height = 512,
+                             .max_depth = 32};
 
 constexpr std::string_view kMaterials = R"(
 # The sun, 36 degrees high, the only light: perpendicular irradiance 30.

@@ -102,7 +102,8 @@ std::vector<SceneFile> statue_scene(const ProceduralScene& scene) {
     const bool near = scene.name.ends_with("near");
     const std::string camera = replaced(std::string(near ? kNear : kFar), "@FOV@",
                                         std::to_string(static_cast<int>(kNearFieldOfView)));
-    SceneFolder folder(scene, {"Unit: centimetres; z is up", camera, 512, 512, 16});
+    SceneFolder folder(scene,
+                       {.unit = "Unit: centimetres; z is up", .camera = camera, .max_depth = 16});
     folder.text(kMaterials);
     for (const Lamp& lamp : kLamps) {
         folder.text(

@@ -11,11 +11,13 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr SceneHead kHead = {"Unit: metres; z is up",
-                             R"(LookAt 3.3 0.25 2.4  -0.4 5.6 0.95  0 0 1
+constexpr SceneHead kHead = {.unit = "Unit: metres; z is up",
+                             .camera = R"(LookAt 3.3 0.25 2.4  -0.4 5.6 0.95  0 0 1
 Camera "perspective" "float fov" 62
 )",
-                             512, 512, 24};
+                             .width = 512,
+                             .height = 512,
+                             .max_depth = 24};
 
 constexpr std::string_view kMaterials = R"(
 # The sun, 40 degrees high, the only light: perpendicular irradiance 45.

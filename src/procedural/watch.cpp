@@ -9,11 +9,13 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr SceneHead kHead = {"Unit: millimetres; z is up",
-                             R"(LookAt -8 -112 86  -3 -3 16.5  0 0 1
+constexpr SceneHead kHead = {.unit = "Unit: millimetres; z is up",
+                             .camera = R"(LookAt -8 -112 86  -3 -3 16.5  0 0 1
 Camera "perspective" "float fov" 39 "float lensradius" 1.6 "float focaldistance" 132
 )",
-                             512, 512, 32};
+                             .width = 512,
+                             .height = 512,
+                             .max_depth = 32};
 
 constexpr std::string_view kMaterials = R"(
 # The sun, 44 degrees high, from the front on the right: perpendicular irradiance 3.2; and a sky of

@@ -43,12 +43,11 @@ template <class L>
 void move(L& light, const Vec3d& by) {
     if constexpr (requires { light.position; }) {
         light.position += by;
-    } else if constexpr (std::is_same_v<L, PortalLight>) {
+    } else if constexpr (requires { light.frame.origin; }) {
         light.frame.origin += by;
     } else {
         // These have directions alone; area lights are made from shapes after the translation.
-        static_assert(std::is_same_v<L, DistantLight> || std::is_same_v<L, InfiniteLight> ||
-                      std::is_same_v<L, ImageInfiniteLight> || std::is_same_v<L, AreaLight>);
+        static_assert(L::comes_from_afar || std::is_same_v<L, AreaLight>);
     }
 }
 

@@ -36,13 +36,6 @@ inline std::string_view name_of(Integrator integrator) {
     return kIntegrators.at(static_cast<std::size_t>(integrator)).name;
 }
 
-/// Nothing for a word that names none.
-inline std::optional<Integrator> integrator_named(std::string_view name) {
-    for (const IntegratorRow& row : kIntegrators)
-        if (row.name == name) return row.integrator;
-    return {};
-}
-
 /// What a pass is a function of, beside the scene.
 struct RenderSettings {
     Integrator integrator = Integrator::sppm;

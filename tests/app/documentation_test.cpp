@@ -44,7 +44,7 @@ TEST_F(Documentation, has_each_command) {
     const std::string help = run({"--help"}).out;
     const std::regex row("^  ([a-z]+) ");
     int commands = 0;
-    std::istringstream lines(help.substr(help.find("Subcommands:")));
+    std::istringstream lines(help.substr(help.find("Commands:")));
     for (std::string line; std::getline(lines, line);)
         if (std::smatch match; std::regex_search(line, match, row)) {
             EXPECT_NE(text.find("| `sunfleck " + match[1].str() + "` |"), std::string::npos)

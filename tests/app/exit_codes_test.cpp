@@ -24,7 +24,7 @@ protected:
 };
 
 TEST_F(ExitCodes, no_or_unknown_command) {
-    expect_bad_input({}, "subcommand");
+    expect_bad_input({}, "no command is given; use one of render, info");
     expect_bad_input({"paint"}, "paint");
     expect_bad_input({"render"}, "SCENE");
     expect_bad_input({"info"}, "SCENE");

@@ -87,6 +87,8 @@ TEST_F(Manual, has_each_flag_of_each_command_everywhere) {
         }
     }
     EXPECT_GT(flags_of("render").size(), 50U);
+    const std::string example = "sunfleck render scene.pbrt \\-o scene.exr";
+    EXPECT_NE(man_page("render").find(example), std::string::npos);
 }
 
 TEST_F(Manual, completes_each_choice_of_each_flag) {

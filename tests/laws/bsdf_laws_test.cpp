@@ -87,6 +87,31 @@ TEST_P(BsdfLaws, no_wavelength_gains_energy) {
     }
 }
 
+/// What a wide lobe scatters is the mean weight of its samples; others have none. Of the base of a
+/// coat, whose albedo is a closed form of a table, 0.1% more is allowed.
+TEST_P(BsdfLaws, the_spread_share_is_the_albedo_of_what_is_diffuse) {
+    constexpr std::size_t kSamples = 1U << 14U;
+    const Scattering kind = scattering(bsdf());
+    if (kind == Scattering::coated) return;  // its base is an example of its own
+    for (const Vec3& wo : probe_directions()) {
+        const SampledSpectrum share = spread_share(bsdf(), wo);
+        if (kind != Scattering::diffuse) {
+            EXPECT_TRUE(share.is_zero()) << wo;
+            continue;
+        }
+        std::array<RunningMean, kWavelengths> means;
+        for (std::size_t i = 0; i < kSamples; ++i) {
+            const auto drawn = sample(bsdf(), wo, subpass_number(i, kSamples, stream_));
+            for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength)
+                means.at(wavelength).add(drawn ? drawn->weight[wavelength] : 0);
+        }
+        for (std::size_t wavelength = 0; wavelength < kWavelengths; ++wavelength) {
+            const RunningMean& mean = means.at(wavelength);
+            EXPECT_NEAR(share[wavelength], mean.mean(), 1e-3 + 4 * mean.standard_error()) << wo;
+        }
+    }
+}
+
 /// Weight, pdf, eta and side of a sample are those that eval() and pdf() give for it.
 TEST_P(BsdfLaws, samples_say_what_eval_and_pdf_say) {
     constexpr std::size_t kSamples = 4000;

@@ -16,6 +16,8 @@ struct Muddled {
     std::optional<BsdfSample> sample(const Vec3&, const BsdfDraw&) const { return {}; }
     static Scattering scattering() { return Scattering::diffuse; }
     static bool gathers(float, float) { return false; }
+    static SampledSpectrum spread_share(const Vec3&) { return SampledSpectrum(); }
+    static float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
 using WithMuddled = BsdfVariant<Muddled>;

@@ -20,6 +20,12 @@ struct Incomplete {
     static bool gathers(float, float) {
         return false;
     }
+    static SampledSpectrum spread_share(const Vec3&) {
+        return SampledSpectrum();
+    }
+    static float mirror_share(const Vec3&, const HeroWavelength&) {
+        return 0;
+    }
 };
 
 using WithIncomplete = BsdfVariant<Lambert, Incomplete>;

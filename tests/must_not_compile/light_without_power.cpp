@@ -5,6 +5,7 @@
 namespace sunfleck::engine {
 
 struct Powerless {
+    static constexpr bool comes_from_afar = false;
     Spectrum curve;
 
     Emission sample_emission(const std::array<double, 4>&, const SceneSphere&) const { return {}; }

@@ -5,22 +5,13 @@
 #include "import/pbrt/words.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace sunfleck::engine {
 namespace {
 
 void want(bool right, const Statement& camera, const std::string& fault, const std::string& mend) {
     if (!right) throw Error(camera.where, fault, mend);
-}
-
-[[noreturn]] void refuse(const Statement& camera) {
-    if (camera.type == "realistic")
-        throw Error(camera.where, "camera \"realistic\" is not simulated",
-                    "use \"perspective\" with \"fov\", \"lensradius\" and \"focaldistance\"");
-    static constexpr std::array<std::string_view, 3> kTypes = {"perspective", "orthographic",
-                                                               "spherical"};
-    throw Error(camera.where, "unknown camera " + in_quotes(camera.type),
-                use_one_of(kTypes, camera.type));
 }
 
 std::optional<std::array<double, 4>> screen_of(const Statement& camera) {
@@ -46,7 +37,7 @@ void read_lens(const Statement& camera, ScreenCamera& result) {
          "use the distance of the plane in focus");
 }
 
-PerspectiveCamera perspective(const Statement& camera, const Matrix& to_world, const Vec2i& size) {
+Camera perspective(const Statement& camera, const Matrix& to_world, const Vec2i& size) {
     const double fov = camera.real("fov", 90);
     want(fov > 0 && fov < 180, camera, "\"fov\" is not in (0, 180)", "use 45, for example");
     PerspectiveCamera result =
@@ -55,8 +46,7 @@ PerspectiveCamera perspective(const Statement& camera, const Matrix& to_world, c
     return result;
 }
 
-OrthographicCamera orthographic(const Statement& camera, const Matrix& to_world,
-                                const Vec2i& size) {
+Camera orthographic(const Statement& camera, const Matrix& to_world, const Vec2i& size) {
     OrthographicCamera result;
     result.camera_to_world = to_world;
     result.resolution = size;
@@ -65,22 +55,56 @@ OrthographicCamera orthographic(const Statement& camera, const Matrix& to_world,
     return result;
 }
 
-SphericalCamera spherical(const Statement& camera, const Matrix& to_world, const Vec2i& size) {
+Camera spherical(const Statement& camera, const Matrix& to_world, const Vec2i& size) {
     const std::string map = camera.text("mapping").value_or("equalarea");
     static constexpr std::array<std::string_view, 2> kMaps = {"equalarea", "equirectangular"};
     if (map != kMaps[0] && map != kMaps[1])
         throw Error(camera.where, "unknown mapping " + in_quotes(map), use_one_of(kMaps, map));
-    return {to_world, size, map == kMaps[0] ? SphereMap::equal_area : SphereMap::equirectangular};
+    return SphericalCamera{to_world, size,
+                           map == kMaps[0] ? SphereMap::equal_area : SphereMap::equirectangular};
 }
 
-Camera camera_of(const Statement& camera, const Matrix& to_world, const Vec2i& size) {
-    if (camera.type == "perspective") return perspective(camera, to_world, size);
-    if (camera.type == "orthographic") return orthographic(camera, to_world, size);
-    if (camera.type == "spherical") return spherical(camera, to_world, size);
-    refuse(camera);
+[[noreturn]] Camera realistic(const Statement& camera, const Matrix&, const Vec2i&) {
+    throw Error(camera.where, "camera \"realistic\" is not simulated",
+                "use \"perspective\" with \"fov\", \"lensradius\" and \"focaldistance\"");
 }
+
+struct CameraRow {
+    std::string_view word;
+    Camera (*maker)(const Statement&, const Matrix& to_world, const Vec2i& size);
+    Treatment treatment;
+    std::string_view read_as;  // as in WordRow
+};
+
+constexpr auto kCameras = std::to_array<CameraRow>({
+    {"perspective", perspective, kExact,
+     "`fov` (of the shorter axis, 90), `frameaspectratio`, `screenwindow`, `lensradius`, "
+     "`focaldistance`, `shutteropen`, `shutterclose`"},
+    {"orthographic", orthographic, kExact,
+     "the same but for `fov`. With a lens each film point is seen through a lens around itself "
+     "(pbrt-v4 puts every lens at the camera's origin)"},
+    {"spherical", spherical, kExact,
+     "`mapping` `\"equalarea\"` (the default) or `\"equirectangular\"`; the camera's y axis is up"},
+    {"realistic", realistic, kRefused, "lens files are not read; the message names what to use"},
+});
 
 }  // namespace
+
+Camera camera_of(const Statement& camera, const Matrix& to_world, const Vec2i& size) {
+    const auto* const row = std::find_if(kCameras.begin(), kCameras.end(),
+                                         [&](const CameraRow& r) { return r.word == camera.type; });
+    if (row != kCameras.end()) return row->maker(camera, to_world, size);
+    std::vector<std::string_view> simulated;
+    for (const CameraRow& known : kCameras)
+        if (known.treatment != kRefused) simulated.push_back(known.word);
+    throw Error(camera.where, "unknown camera " + in_quotes(camera.type),
+                use_one_of(simulated, camera.type));
+}
+
+std::span<const WordRow> camera_words() {
+    static constexpr auto kWords = word_rows("Camera", kCameras);
+    return kWords;
+}
 
 void finish_camera(Reading& reading) {
     const Statement none{"Camera", "perspective", {reading.scene.path}, {}, nullptr};

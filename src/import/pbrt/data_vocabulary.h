@@ -1,4 +1,4 @@
-// The rows of vocabulary(): the tables of docs/reference/scenes.md.
+// The rows of vocabulary() for words without a converter: tables of docs/reference/scenes.md.
 #pragma once
 
 #include "import/pbrt/vocabulary_row.h"
@@ -7,12 +7,7 @@
 
 namespace sunfleck::engine {
 
-inline constexpr auto kExact = Treatment::exact;
-inline constexpr auto kApproximated = Treatment::approximated;
-inline constexpr auto kIgnored = Treatment::ignored;
-inline constexpr auto kRefused = Treatment::refused;
-
-inline constexpr auto kVocabulary = std::to_array<WordRow>({
+inline constexpr auto kDirectiveWords = std::to_array<WordRow>({
     {"Directive", "Identity Translate Scale Rotate LookAt Transform ConcatTransform", kExact,
      "matrices in double; a matrix without an inverse is an error"},
     {"Directive", "CoordinateSystem CoordSysTransform", kExact,
@@ -66,29 +61,17 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
      "a "
      "warning; pbrt-v4's others have no say in our pictures; unknown ones get a warning, too"},
     {"Directive", "Accelerator", kExact, "ours is Embree's tree, whatever is asked for"},
+});
 
-    {"Camera", "perspective", kExact,
-     "`fov` (of the shorter axis, 90), `frameaspectratio`, `screenwindow`, `lensradius`, "
-     "`focaldistance`, `shutteropen`, `shutterclose`"},
-    {"Camera", "orthographic", kExact,
-     "the same but for `fov`. With a lens each film point is seen through a lens around itself "
-     "(pbrt-v4 puts every lens at the camera's origin)"},
-    {"Camera", "spherical", kExact,
-     "`mapping` `\"equalarea\"` (the default) or `\"equirectangular\"`; the camera's y axis is up"},
-    {"Camera", "realistic", kRefused, "lens files are not read; the message names what to use"},
-
+inline constexpr auto kFilmWords = std::to_array<WordRow>({
     {"Film", "rgb", kExact,
      "`xresolution` 1280, `yresolution` 720, `cropwindow`, `pixelbounds`, `filename`, `iso`, "
      "`whitebalance`, `sensor`"},
     {"Film", "gbuffer", kApproximated, "as `\"rgb\"`; `--aovs` asks for features"},
     {"Film", "spectral", kApproximated, "as `\"rgb\"`"},
+});
 
-    {"PixelFilter", "box", kExact, "radius 0.5"},
-    {"PixelFilter", "triangle", kExact, "radius 2"},
-    {"PixelFilter", "gaussian", kExact, "radius 1.5, `sigma` 0.5; the default"},
-    {"PixelFilter", "mitchell", kExact, "radius 2, `B` and `C` 1/3"},
-    {"PixelFilter", "sinc", kExact, "radius 4, `tau` 3"},
-
+inline constexpr auto kMethodWords = std::to_array<WordRow>({
     {"Integrator", "sppm", kApproximated,
      "gives `maxdepth` (64 where neither it nor `--max-depth` is given; pbrt-v4's is 5); `radius` "
      "and `photonsperiteration` are ignored with a warning: both are chosen by the program, or "
@@ -99,103 +82,13 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
     {"Sampler", "any", kIgnored,
      "where a render ends is said by the command line ([render.md](render.md)), not by "
      "`pixelsamples`"},
+});
 
-    {"Shape", "trianglemesh", kExact, "`P`, `indices`, `N`, `uv`, `S`"},
-    {"Shape", "plymesh", kExact,
-     "triangles, normals, uv; ASCII and both binary forms; quads become two triangles each, where "
-     "pbrt-v4 has a bilinear patch: one that is not flat has a crease, one without uv has others "
-     "in half of it, and `power` counts both; planar convex faces of more corners are cut "
-     "likewise, with a warning, and others refused; left out, with a warning: faces of fewer than "
-     "three corners, vertices of no face whose numbers are not finite, normals that are no "
-     "numbers, texture coordinates of faces (`texcoord`); texture coordinates that are no numbers "
-     "are (0, 0), with a warning; strips of triangles (`tristrips`) are refused; its "
-     "`displacement` is ignored with a warning"},
-    {"Shape", "sphere", kExact, "`radius zmin zmax phimax`; met exactly, in double"},
-    {"Shape", "disk", kExact, "`height radius innerradius phimax`"},
-    {"Shape", "cylinder", kExact, "`radius zmin zmax phimax`"},
-    {"Shape", "bilinearmesh", kExact,
-     "`P`, `indices`, `N`, `uv`; each patch bilinear, met exactly"},
-    {"Shape", "loopsubdiv", kExact,
-     "`P`, `indices`, `levels` 3; becomes triangles on the limit surface, with its normals"},
-    {"Shape", "curve", kExact,
-     "`P`, `basis` `\"bezier\"` or `\"bspline\"`, `degree` 2 or 3, `type`, `width`, `width0`, "
-     "`width1`, "
-     "`N`; `splitdepth` is ignored; see below"},
-
-    {"Material", "diffuse", kExact, "`reflectance` (0.5)"},
-    {"Material", "dielectric", kExact, "`eta` (1.5; a number or a spectrum), roughness"},
-    {"Material", "thindielectric", kExact, "`eta`"},
-    {"Material", "conductor", kExact, "`eta` and `k` (copper), or `reflectance`; roughness"},
-    {"Material", "interface", kExact, "nothing is there; also `\"none\"` and `\"\"`"},
-    {"Material", "none", kExact, "as `\"interface\"`"},
-    {"Material", "", kExact, "as `\"interface\"`"},
-    {"Material", "coateddiffuse", kExact,
-     "`reflectance`, `eta` (1.5), roughness, `thickness` (0.01): in closed form, all reflections "
-     "between "
-     "coat and base with them (pbrt-v4 walks at random). `albedo`, `g`: ignored, with a warning if "
-     "the "
-     "coat would scatter; a texture of its roughness counts as its mean, a spectrum of its "
-     "index as "
-     "its mean, with warnings"},
-    {"Material", "coatedconductor", kExact,
-     "`conductor.eta`, `conductor.k` or `reflectance`, `conductor.roughness`; `interface.eta`, "
-     "`interface.roughness`, `interface.thickness`: in closed form, exact where both are smooth, "
-     "else "
-     "without spreading of further inner reflections; the rest as for `coateddiffuse`"},
-    {"Material", "mix", kExact,
-     "`materials`, `amount` (0.5, a number or a texture): a ray meets one of them, by a hash of "
-     "the "
-     "place; with `interface` in it, the other part everywhere, with a warning"},
-    {"Material", "diffusetransmission", kExact,
-     "`reflectance`, `transmittance` (0.25 each), `scale`; where both add up to more than 1 they "
-     "are "
-     "scaled down"},
-    {"Material", "hair", kApproximated,
-     "`sigma_a`, `reflectance` or `color`, `eumelanin`, `pheomelanin` (1.3, 0), `eta` (1.55), "
-     "`beta_n`: "
-     "each fibre spreads evenly what it reflects, and through it what it lets through, in the "
-     "shares "
-     "that pbrt-v4's lobes have (of light from everywhere). On `\"cylinder\"` curves light goes "
-     "through "
-     "two walls"},
-    {"Material", "subsurface", kApproximated,
-     "`reflectance`, or `sigma_a` and `sigma_s` with `g`, or `name`; `eta` (1.33), roughness: "
-     "diffuse "
-     "under its surface, with the whole reflectance of pbrt-v4's beam diffusion; light comes out "
-     "where "
-     "it went in (`mfp` and `scale` are ignored)"},
-    {"Material", "measured", kApproximated,
-     "`filename`: metal of its mean reflectance and of the roughness of its facets, or diffuse "
-     "where "
-     "that is above 0.5"},
-
-    {"Texture", "constant", kExact, "`value` (1)"},
-    {"Texture", "scale", kExact, "`tex` (1), `scale` (1, float)"},
-    {"Texture", "mix", kExact, "`tex1` (0), `tex2` (1), `amount` (0.5, float)"},
-    {"Texture", "directionmix", kExact,
-     "`tex1` (0), `tex2` (1), `dir` (0 1 0): `tex1` where the surface faces along it"},
-    {"Texture", "checkerboard", kExact, "`tex1` (1), `tex2` (0), `dimension` (2 or 3)"},
-    {"Texture", "dots", kExact, "`inside` (1), `outside` (0)"},
-    {"Texture", "bilerp", kExact, "`v00` (0), `v01` (1), `v10` (0), `v11` (1)"},
-    {"Texture", "imagemap", kExact,
-     "`filename`, `wrap` (`repeat`, `black`, `clamp`, `octahedralsphere`), `filter`, `scale` (1), "
-     "`invert` (false), `encoding` (`sRGB`, `linear`, `gamma 2.2`; of PNG alone)"},
-    {"Texture", "fbm", kExact, "`octaves` (8), `roughness` (0.5); a float"},
-    {"Texture", "wrinkled", kExact, "`octaves` (8), `roughness` (0.5); a float"},
-    {"Texture", "windy", kExact, "a float"},
-    {"Texture", "marble", kExact,
-     "`octaves` (8), `roughness` (0.5), `scale` (1), `variation` (0.2); a spectrum"},
-    {"Texture", "ptex", kApproximated, "0.5 everywhere"},
-
-    {"LightSource", "point", kExact, "`I`, `from`, `scale`, `power`"},
-    {"LightSource", "spot", kExact,
-     "`I`, `from`, `to`, `coneangle`, `conedeltaangle`, `scale`, `power`"},
-    {"LightSource", "distant", kExact, "`L`, `from`, `to`, `scale`, `illuminance`"},
-    {"LightSource", "infinite", kExact, "`L` or `filename`, `portal`, `scale`, `illuminance`"},
-    {"LightSource", "goniometric", kExact, "`I`, `filename`, `scale`, `power`"},
-    {"LightSource", "projection", kExact, "`filename`, `fov`, `scale`, `power`"},
+inline constexpr auto kAreaLightWords = std::to_array<WordRow>({
     {"AreaLightSource", "diffuse", kExact, "`L` or `filename`, `twosided`, `scale`, `power`"},
+});
 
+inline constexpr auto kMediumWords = std::to_array<WordRow>({
     {"MakeNamedMedium", "homogeneous", kExact,
      "`sigma_a` (1) per unit of the world's length, `scale` (1), or a `preset`: absorbed exactly, "
      "by "

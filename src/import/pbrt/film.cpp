@@ -1,6 +1,7 @@
 // The picture as the scene asks for it, and hints for the renderer.
 #include "import/pbrt/film.h"
 
+#include "import/pbrt/data_vocabulary.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
 #include "scene/adjust.h"
@@ -126,13 +127,29 @@ void read_sampler(const Statement& sampler, Reading& reading) {
     reading.log.warn_unused(sampler);
 }
 
+struct FilterRow {
+    std::string_view word;
+    FilterKind kind;
+    double radius;
+    Treatment treatment;
+    std::string_view read_as;  // as in WordRow
+};
+
+constexpr auto kFilters = std::to_array<FilterRow>({
+    {"box", FilterKind::box, 0.5, kExact, "radius 0.5"},
+    {"triangle", FilterKind::triangle, 2, kExact, "radius 2"},
+    {"gaussian", FilterKind::gaussian, 1.5, kExact, "radius 1.5, `sigma` 0.5; the default"},
+    {"mitchell", FilterKind::mitchell, 2, kExact, "radius 2, `B` and `C` 1/3"},
+    {"sinc", FilterKind::sinc, 4, kExact, "radius 4, `tau` 3"},
+});
+
 }  // namespace
 
 void finish_film(Reading& reading) {
     FilmDescription& result = reading.scene.film;
     const Statement none{"Film", "rgb", {reading.scene.path}, {}, nullptr};
     const Statement& film = reading.options.film ? *reading.options.film : none;
-    static constexpr std::array<std::string_view, 3> kTypes = {"rgb", "gbuffer", "spectral"};
+    static constexpr auto kTypes = words_of(kFilmWords);
     if (std::find(kTypes.begin(), kTypes.end(), film.type) == kTypes.end())
         throw Error(film.where, "unknown film " + in_quotes(film.type),
                     use_one_of(kTypes, film.type));
@@ -148,24 +165,19 @@ void finish_film(Reading& reading) {
     reading.log.warn_unused(film);
 }
 
+std::span<const WordRow> filter_words() {
+    static constexpr auto kWords = word_rows("PixelFilter", kFilters);
+    return kWords;
+}
+
 void finish_filter(Reading& reading) {
     if (!reading.options.filter) return;
-    struct Row {
-        std::string_view word;
-        FilterKind kind;
-        double radius;
-    };
-    static constexpr std::array<Row, 5> kRows = {{{"box", FilterKind::box, 0.5},
-                                                  {"triangle", FilterKind::triangle, 2},
-                                                  {"gaussian", FilterKind::gaussian, 1.5},
-                                                  {"mitchell", FilterKind::mitchell, 2},
-                                                  {"sinc", FilterKind::sinc, 4}}};
     const Statement& filter = *reading.options.filter;
-    const auto* const row = std::find_if(kRows.begin(), kRows.end(),
-                                         [&](const Row& r) { return r.word == filter.type; });
-    if (row == kRows.end()) {
+    const auto* const row = std::find_if(kFilters.begin(), kFilters.end(),
+                                         [&](const FilterRow& r) { return r.word == filter.type; });
+    if (row == kFilters.end()) {
         throw Error(filter.where, "unknown filter " + in_quotes(filter.type),
-                    use_one_of(words_of(kRows), filter.type));
+                    use_one_of(words_of(kFilters), filter.type));
     }
     reading.log.count_word(filter.keyword, filter.type);
     FilterSettings& settings = reading.scene.filter;

@@ -121,14 +121,19 @@ using Maker = Light (*)(const Statement&, Reading&);
 struct Row {
     std::string_view word;
     Maker maker;
+    Treatment treatment;
+    std::string_view read_as;  // as in WordRow
 };
 
-constexpr std::array<Row, 6> kRows = {{{"point", point_light},
-                                       {"spot", spot_light},
-                                       {"distant", distant_light},
-                                       {"infinite", infinite_light},
-                                       {"goniometric", goniometric_light},
-                                       {"projection", projection_light}}};
+constexpr auto kRows = std::to_array<Row>({
+    {"point", point_light, kExact, "`I`, `from`, `scale`, `power`"},
+    {"spot", spot_light, kExact,
+     "`I`, `from`, `to`, `coneangle`, `conedeltaangle`, `scale`, `power`"},
+    {"distant", distant_light, kExact, "`L`, `from`, `to`, `scale`, `illuminance`"},
+    {"infinite", infinite_light, kExact, "`L` or `filename`, `portal`, `scale`, `illuminance`"},
+    {"goniometric", goniometric_light, kExact, "`I`, `filename`, `scale`, `power`"},
+    {"projection", projection_light, kExact, "`filename`, `fov`, `scale`, `power`"},
+});
 
 /// @return index of the statement in the description.
 std::uint32_t note(const Statement& statement, Reading& reading) {
@@ -138,6 +143,11 @@ std::uint32_t note(const Statement& statement, Reading& reading) {
 }
 
 }  // namespace
+
+std::span<const WordRow> light_words() {
+    static constexpr auto kWords = word_rows("LightSource", kRows);
+    return kWords;
+}
 
 void add_light(const Statement& statement, Reading& reading) {
     const auto* const row = std::find_if(kRows.begin(), kRows.end(),

@@ -2,11 +2,17 @@
 #pragma once
 
 #include "import/pbrt/parameters.h"
+#include "import/pbrt/vocabulary_row.h"
 #include "scene/description.h"
+
+#include <span>
 
 namespace sunfleck::engine {
 
 struct Reading;
+
+/// The types of LightSource, and what each means.
+std::span<const WordRow> light_words();
 
 /// Adds the light of a LightSource statement, placed by the current matrix.
 /// @throws Error  for an unknown type, and for invalid parameters.

@@ -121,27 +121,68 @@ using Maker = Material (*)(const Statement&, Assets&);
 struct Row {
     std::string_view word;
     Maker maker;
+    Treatment treatment;
+    std::string_view read_as;  // as in WordRow
 };
 
-constexpr std::array<Row, 14> kRows = {{{"diffuse", diffuse},
-                                        {"dielectric", dielectric},
-                                        {"thindielectric", thin_dielectric},
-                                        {"conductor", conductor},
-                                        {"interface", interface},
-                                        {"none", interface},
-                                        {"", interface},
-                                        {"coateddiffuse", coated_diffuse},
-                                        {"coatedconductor", coated_conductor},
-                                        {"mix", mix},
-                                        {"measured", approximate_measured},
-                                        {"hair", approximate_hair},
-                                        {"subsurface", approximate_subsurface},
-                                        {"diffusetransmission", diffuse_transmission}}};
+constexpr auto kRows = std::to_array<Row>({
+    {"diffuse", diffuse, kExact, "`reflectance` (0.5)"},
+    {"dielectric", dielectric, kExact, "`eta` (1.5; a number or a spectrum), roughness"},
+    {"thindielectric", thin_dielectric, kExact, "`eta`"},
+    {"conductor", conductor, kExact, "`eta` and `k` (copper), or `reflectance`; roughness"},
+    {"interface", interface, kExact, "nothing is there; also `\"none\"` and `\"\"`"},
+    {"none", interface, kExact, "as `\"interface\"`"},
+    {"", interface, kExact, "as `\"interface\"`"},
+    {"coateddiffuse", coated_diffuse, kExact,
+     "`reflectance`, `eta` (1.5), roughness, `thickness` (0.01): in closed form, all reflections "
+     "between "
+     "coat and base with them (pbrt-v4 walks at random). `albedo`, `g`: ignored, with a warning if "
+     "the "
+     "coat would scatter; a texture of its roughness counts as its mean, a spectrum of its "
+     "index as "
+     "its mean, with warnings"},
+    {"coatedconductor", coated_conductor, kExact,
+     "`conductor.eta`, `conductor.k` or `reflectance`, `conductor.roughness`; `interface.eta`, "
+     "`interface.roughness`, `interface.thickness`: in closed form, exact where both are smooth, "
+     "else "
+     "without spreading of further inner reflections; the rest as for `coateddiffuse`"},
+    {"mix", mix, kExact,
+     "`materials`, `amount` (0.5, a number or a texture): a ray meets one of them, by a hash of "
+     "the "
+     "place; with `interface` in it, the other part everywhere, with a warning"},
+    {"diffusetransmission", diffuse_transmission, kExact,
+     "`reflectance`, `transmittance` (0.25 each), `scale`; where both add up to more than 1 they "
+     "are "
+     "scaled down"},
+    {"hair", approximate_hair, kApproximated,
+     "`sigma_a`, `reflectance` or `color`, `eumelanin`, `pheomelanin` (1.3, 0), `eta` (1.55), "
+     "`beta_n`: "
+     "each fibre spreads evenly what it reflects, and through it what it lets through, in the "
+     "shares "
+     "that pbrt-v4's lobes have (of light from everywhere). On `\"cylinder\"` curves light goes "
+     "through "
+     "two walls"},
+    {"subsurface", approximate_subsurface, kApproximated,
+     "`reflectance`, or `sigma_a` and `sigma_s` with `g`, or `name`; `eta` (1.33), roughness: "
+     "diffuse "
+     "under its surface, with the whole reflectance of pbrt-v4's beam diffusion; light comes out "
+     "where "
+     "it went in (`mfp` and `scale` are ignored)"},
+    {"measured", approximate_measured, kApproximated,
+     "`filename`: metal of its mean reflectance and of the roughness of its facets, or diffuse "
+     "where "
+     "that is above 0.5"},
+});
 
 }  // namespace
 
 std::span<const std::string_view> material_types() {
     static constexpr auto kWords = words_of(kRows);
+    return kWords;
+}
+
+std::span<const WordRow> material_words() {
+    static constexpr auto kWords = word_rows("Material", kRows);
     return kWords;
 }
 

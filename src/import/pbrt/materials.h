@@ -3,6 +3,7 @@
 
 #include "import/pbrt/assets.h"
 #include "import/pbrt/parameters.h"
+#include "import/pbrt/vocabulary_row.h"
 #include "material/bump_map.h"
 #include "material/material.h"
 
@@ -12,6 +13,8 @@ namespace sunfleck::engine {
 
 /// Returns all words, with "" (for an interface).
 std::span<const std::string_view> material_types();
+/// The same with what each means.
+std::span<const WordRow> material_words();
 
 /// Converts a statement whose type is one of material_types(). Approximations give a warning. A mix
 /// has only its amount set: its "materials" are names, which scene_materials.h looks up.

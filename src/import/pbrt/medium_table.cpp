@@ -2,17 +2,16 @@
 #include "import/pbrt/medium_table.h"
 
 #include "import/pbrt/data_substances.h"
+#include "import/pbrt/data_vocabulary.h"
 #include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
 #include <algorithm>
-#include <array>
 
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::array<std::string_view, 5> kTypes = {"homogeneous", "uniformgrid", "rgbgrid",
-                                                    "cloud", "nanovdb"};
+constexpr auto kTypes = words_of(kMediumWords);
 
 /// Coefficients per unit of length.
 struct Coefficients {

@@ -25,6 +25,13 @@ std::string number_mend(const Token& token) {
     return "write a number such as 1.5";
 }
 
+/// Of a number out of the range of doubles: is it too close to zero? Else it is too large.
+bool is_near_zero(std::string_view text) {
+    const std::size_t exponent = text.find_first_of("eE");
+    if (exponent != std::string_view::npos) return text.substr(exponent + 1).starts_with('-');
+    return text.find_first_of("123456789") > text.find('.');
+}
+
 }  // namespace
 
 double real_of(const Token& token) {
@@ -35,10 +42,9 @@ double real_of(const Token& token) {
     if (token.kind != TokenKind::word || !whole || code == std::errc::invalid_argument)
         throw Error(token.where(), "expected a number, found " + in_quotes(token.text),
                     number_mend(token));
-    // Out of range: too large, or so small that it becomes zero.
     if (code == std::errc::result_out_of_range) {
-        value = std::strtod(std::string(text).c_str(), nullptr);
-        if (std::abs(value) < 1) return 0;
+        if (is_near_zero(text)) return 0;
+        value = std::numeric_limits<double>::infinity();
     }
     if (!(std::abs(value) <= double{std::numeric_limits<float>::max()}))
         throw Error(token.where(), in_quotes(token.text) + " is not a finite float",

@@ -15,33 +15,6 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Parses "float radius": type, blanks, name.
-Parameter declared(const Token& token) {
-    const std::string whole = unescaped(token);
-    const std::string_view text = trimmed(whole);
-    if (const auto odd = odd_character_in(whole))
-        throw Error(token.where(),
-                    "unexpected " + odd->what + " in the declaration " + in_quotes(whole),
-                    odd->mend);
-    const std::size_t blank = text.find_first_of(" \t");
-    if (blank == std::string_view::npos)
-        throw Error(token.where(), "expected a parameter, found " + in_quotes(whole),
-                    "write its type and name, such as \"float radius\"");
-    const auto type = parameter_type(text.substr(0, blank));
-    const std::string_view name = trimmed(text.substr(blank));
-    if (is_parameter_type_of_v3(text.substr(0, blank)) || is_parameter_of_v3(name))
-        refuse_v3("the parameter " + in_quotes(whole), token.where());
-    if (!type)
-        throw Error(token.where(), "unknown parameter type in " + in_quotes(whole),
-                    "use float, integer, bool, string, point2, point3, vector3, normal, rgb, "
-                    "spectrum, blackbody or texture");
-    Parameter parameter;
-    parameter.type = *type;
-    parameter.name = name;
-    parameter.where = token.where();
-    return parameter;
-}
-
 std::string text_of(const Token& token, const Parameter& parameter) {
     if (token.kind != TokenKind::string)
         throw Error(
@@ -83,15 +56,6 @@ void add_value(Parameter& parameter, const Token& token) {
     }
 }
 
-void check_components(const Parameter& parameter) {
-    const std::size_t components = components_of(parameter.type);
-    if (components == 0 || parameter.numbers.size() % components == 0) return;
-    throw Error(parameter.where,
-                "parameter " + parameter.title() + " has " +
-                    std::to_string(parameter.numbers.size()) + " numbers",
-                "give a multiple of " + std::to_string(components));
-}
-
 void read_values(TokenStream& tokens, Parameter& parameter) {
     const std::string what = "a value of " + parameter.title();
     Token token = tokens.require(what);
@@ -109,11 +73,46 @@ void read_values(TokenStream& tokens, Parameter& parameter) {
 
 }  // namespace
 
+Parameter declared_parameter(const std::string& whole, const SourceLocation& where,
+                             ColourSpace space) {
+    const std::string_view text = trimmed(whole);
+    if (const auto odd = odd_character_in(whole))
+        throw Error(where, "unexpected " + odd->what + " in the declaration " + in_quotes(whole),
+                    odd->mend);
+    const std::size_t blank = text.find_first_of(" \t");
+    if (blank == std::string_view::npos)
+        throw Error(where, "expected a parameter, found " + in_quotes(whole),
+                    "write its type and name, such as \"float radius\"");
+    const auto type = parameter_type(text.substr(0, blank));
+    const std::string_view name = trimmed(text.substr(blank));
+    if (is_parameter_type_of_v3(text.substr(0, blank)) || is_parameter_of_v3(name))
+        refuse_v3("the parameter " + in_quotes(whole), where);
+    if (!type)
+        throw Error(where, "unknown parameter type in " + in_quotes(whole),
+                    "use float, integer, bool, string, point2, point3, vector3, normal, rgb, "
+                    "spectrum, blackbody or texture");
+    Parameter parameter;
+    parameter.type = *type;
+    parameter.name = name;
+    parameter.where = where;
+    parameter.space = space;
+    return parameter;
+}
+
+void check_components(const Parameter& parameter) {
+    const std::size_t components = components_of(parameter.type);
+    if (components == 0 || parameter.numbers.size() % components == 0) return;
+    throw Error(parameter.where,
+                "parameter " + parameter.title() + " has " +
+                    std::to_string(parameter.numbers.size()) + " numbers",
+                "give a multiple of " + std::to_string(components));
+}
+
 Parameters read_parameters(TokenStream& tokens, ColourSpace space) {
     Parameters list;
     while (tokens.peek() && tokens.peek()->kind == TokenKind::string) {
-        Parameter parameter = declared(*tokens.next());
-        parameter.space = space;
+        const Token token = *tokens.next();
+        Parameter parameter = declared_parameter(unescaped(token), token.where(), space);
         read_values(tokens, parameter);
         check_components(parameter);
         list.push_back(std::make_shared<const Parameter>(std::move(parameter)));

@@ -84,16 +84,33 @@ using Maker = LocalShape (*)(const Statement&, Reading&);
 struct Row {
     std::string_view word;
     Maker maker;
+    Treatment treatment;
+    std::string_view read_as;  // as in WordRow
 };
 
-constexpr std::array<Row, 8> kRows = {{{"trianglemesh", triangles},
-                                       {"plymesh", ply},
-                                       {"sphere", sphere},
-                                       {"disk", disk},
-                                       {"cylinder", cylinder},
-                                       {"bilinearmesh", patches},
-                                       {"curve", curves},
-                                       {"loopsubdiv", subdivision}}};
+constexpr auto kRows = std::to_array<Row>({
+    {"trianglemesh", triangles, kExact, "`P`, `indices`, `N`, `uv`, `S`"},
+    {"plymesh", ply, kExact,
+     "triangles, normals, uv; ASCII and both binary forms; quads become two triangles each, where "
+     "pbrt-v4 has a bilinear patch: one that is not flat has a crease, one without uv has others "
+     "in half of it, and `power` counts both; planar convex faces of more corners are cut "
+     "likewise, with a warning, and others refused; left out, with a warning: faces of fewer than "
+     "three corners, vertices of no face whose numbers are not finite, normals that are no "
+     "numbers, texture coordinates of faces (`texcoord`); texture coordinates that are no numbers "
+     "are (0, 0), with a warning; strips of triangles (`tristrips`) are refused; its "
+     "`displacement` is ignored with a warning"},
+    {"sphere", sphere, kExact, "`radius zmin zmax phimax`; met exactly, in double"},
+    {"disk", disk, kExact, "`height radius innerradius phimax`"},
+    {"cylinder", cylinder, kExact, "`radius zmin zmax phimax`"},
+    {"bilinearmesh", patches, kExact,
+     "`P`, `indices`, `N`, `uv`; each patch bilinear, met exactly"},
+    {"loopsubdiv", subdivision, kExact,
+     "`P`, `indices`, `levels` 3; becomes triangles on the limit surface, with its normals"},
+    {"curve", curves, kExact,
+     "`P`, `basis` `\"bezier\"` or `\"bspline\"`, `degree` 2 or 3, `type`, `width`, `width0`, "
+     "`width1`, "
+     "`N`; `splitdepth` is ignored; see below"},
+});
 
 const Row& row_of(const Statement& statement) {
     const auto* const row = std::find_if(kRows.begin(), kRows.end(),
@@ -155,6 +172,11 @@ bool joined(ShapeDescription& before, ShapeDescription& shape) {
 }
 
 }  // namespace
+
+std::span<const WordRow> shape_words() {
+    static constexpr auto kWords = word_rows("Shape", kRows);
+    return kWords;
+}
 
 void add_shape(const Statement& statement, Reading& reading) {
     const Row& row = row_of(statement);

@@ -2,10 +2,16 @@
 #pragma once
 
 #include "import/pbrt/parameters.h"
+#include "import/pbrt/vocabulary_row.h"
+
+#include <span>
 
 namespace sunfleck::engine {
 
 struct Reading;
+
+/// Returns the types of Shape, and what each means.
+std::span<const WordRow> shape_words();
 
 /// Adds the shape to the world, or to the open object.
 /// @throws Error  for an unknown type, and for invalid parameters.

@@ -148,25 +148,45 @@ struct Row {
     std::string_view word;
     FloatTexture (*number)(const MakingNumber&);         // null: no float texture of this class
     SpectrumTexture (*spectrum)(const MakingSpectrum&);  // null: no spectrum texture
-    std::span<const TextureOperand> operands{};
+    std::span<const TextureOperand> operands;
+    Treatment treatment;
+    std::string_view read_as;  // as in WordRow
 };
 
-constexpr std::array<Row, 13> kRows = {
-    {{"constant", constant<FloatTexture>, constant<SpectrumTexture>, kConstantParts},
-     {"imagemap", float_image, spectrum_image},
-     {"scale", scale<FloatTexture>, scale<SpectrumTexture>, kScaleParts},
-     {"mix", mix<FloatTexture>, mix<SpectrumTexture>, kMixParts},
-     {"directionmix", direction_mix<FloatTexture>, direction_mix<SpectrumTexture>,
-      kDirectionMixParts},
-     {"checkerboard", checkerboard<FloatTexture>, checkerboard<SpectrumTexture>,
-      kCheckerboardParts},
-     {"dots", dots<FloatTexture>, dots<SpectrumTexture>, kDotsParts},
-     {"bilerp", bilerp<FloatTexture>, bilerp<SpectrumTexture>, kBilerpParts},
-     {"fbm", fbm_texture, nullptr},
-     {"wrinkled", wrinkled, nullptr},
-     {"windy", windy, nullptr},
-     {"marble", nullptr, marble},
-     {"ptex", ptex<FloatTexture>, ptex<SpectrumTexture>}}};
+constexpr auto kRows = std::to_array<Row>({
+    {"constant", constant<FloatTexture>, constant<SpectrumTexture>, kConstantParts, kExact,
+     "`value` (1)"},
+    {"scale", scale<FloatTexture>, scale<SpectrumTexture>, kScaleParts, kExact,
+     "`tex` (1), `scale` (1, float)"},
+    {"mix", mix<FloatTexture>, mix<SpectrumTexture>, kMixParts, kExact,
+     "`tex1` (0), `tex2` (1), `amount` (0.5, float)"},
+    {"directionmix", direction_mix<FloatTexture>, direction_mix<SpectrumTexture>,
+     kDirectionMixParts, kExact,
+     "`tex1` (0), `tex2` (1), `dir` (0 1 0): `tex1` where the surface faces along it"},
+    {"checkerboard", checkerboard<FloatTexture>, checkerboard<SpectrumTexture>, kCheckerboardParts,
+     kExact, "`tex1` (1), `tex2` (0), `dimension` (2 or 3)"},
+    {"dots", dots<FloatTexture>, dots<SpectrumTexture>, kDotsParts, kExact,
+     "`inside` (1), `outside` (0)"},
+    {"bilerp", bilerp<FloatTexture>, bilerp<SpectrumTexture>, kBilerpParts, kExact,
+     "`v00` (0), `v01` (1), `v10` (0), `v11` (1)"},
+    {"imagemap",
+     float_image,
+     spectrum_image,
+     {},
+     kExact,
+     "`filename`, `wrap` (`repeat`, `black`, `clamp`, `octahedralsphere`), `filter`, `scale` (1), "
+     "`invert` (false), `encoding` (`sRGB`, `linear`, `gamma 2.2`; of PNG alone)"},
+    {"fbm", fbm_texture, nullptr, {}, kExact, "`octaves` (8), `roughness` (0.5); a float"},
+    {"wrinkled", wrinkled, nullptr, {}, kExact, "`octaves` (8), `roughness` (0.5); a float"},
+    {"windy", windy, nullptr, {}, kExact, "a float"},
+    {"marble",
+     nullptr,
+     marble,
+     {},
+     kExact,
+     "`octaves` (8), `roughness` (0.5), `scale` (1), `variation` (0.2); a spectrum"},
+    {"ptex", ptex<FloatTexture>, ptex<SpectrumTexture>, {}, kApproximated, "0.5 everywhere"},
+});
 
 const Row& row_of(std::string_view word) {
     return *std::find_if(kRows.begin(), kRows.end(), [&](const Row& r) { return r.word == word; });
@@ -176,6 +196,11 @@ const Row& row_of(std::string_view word) {
 
 std::span<const std::string_view> texture_classes() {
     static constexpr auto kWords = words_of(kRows);
+    return kWords;
+}
+
+std::span<const WordRow> texture_words() {
+    static constexpr auto kWords = word_rows("Texture", kRows);
     return kWords;
 }
 

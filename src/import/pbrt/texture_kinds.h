@@ -3,6 +3,7 @@
 #pragma once
 
 #include "import/pbrt/texture_parameters.h"
+#include "import/pbrt/vocabulary_row.h"
 #include "texture/texture.h"
 
 #include <map>
@@ -13,6 +14,8 @@ namespace sunfleck::engine {
 
 /// Returns all classes of both kinds.
 std::span<const std::string_view> texture_classes();
+/// The same with what each means.
+std::span<const WordRow> texture_words();
 
 /// A parameter of a class that may be a texture, and its default.
 struct TextureOperand {

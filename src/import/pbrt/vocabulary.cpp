@@ -1,7 +1,13 @@
 // Lookup of words, and the table as Markdown.
 #include "import/pbrt/vocabulary.h"
 
+#include "import/pbrt/camera.h"
 #include "import/pbrt/data_vocabulary.h"
+#include "import/pbrt/film.h"
+#include "import/pbrt/lights.h"
+#include "import/pbrt/materials.h"
+#include "import/pbrt/shapes.h"
+#include "import/pbrt/texture_kinds.h"
 
 #include <fmt/format.h>
 
@@ -39,12 +45,23 @@ std::string_view name_of(Treatment treatment) {
 }
 
 std::span<const WordRow> vocabulary() {
-    return kVocabulary;
+    static const std::vector<WordRow> kAll = [] {
+        std::vector<WordRow> all;
+        for (const std::span<const WordRow> words :
+             {std::span<const WordRow>(kDirectiveWords), camera_words(),
+              std::span<const WordRow>(kFilmWords), filter_words(),
+              std::span<const WordRow>(kMethodWords), shape_words(), material_words(),
+              texture_words(), light_words(), std::span<const WordRow>(kAreaLightWords),
+              std::span<const WordRow>(kMediumWords)})
+            all.insert(all.end(), words.begin(), words.end());
+        return all;
+    }();
+    return kAll;
 }
 
 const WordRow* find_word(std::string_view directive, std::string_view word) {
     const WordRow* any = nullptr;
-    for (const WordRow& row : kVocabulary) {
+    for (const WordRow& row : vocabulary()) {
         if (row.directive != directive) continue;
         if (names(row, word)) return &row;
         if (row.word.starts_with("any")) any = &row;
@@ -54,7 +71,7 @@ const WordRow* find_word(std::string_view directive, std::string_view word) {
 
 std::string vocabulary_table(std::string_view directive) {
     std::string text = fmt::format("| {} | | Read as |\n|---|---|---|\n", directive);
-    for (const WordRow& row : kVocabulary) {
+    for (const WordRow& row : vocabulary()) {
         if (row.directive != directive) continue;
         const bool is_plain = row.word.starts_with("any");
         const std::string word = is_plain           ? std::string(row.word)
@@ -67,7 +84,7 @@ std::string vocabulary_table(std::string_view directive) {
 
 std::vector<std::string_view> vocabulary_directives() {
     std::vector<std::string_view> all;
-    for (const WordRow& row : kVocabulary)
+    for (const WordRow& row : vocabulary())
         if (all.empty() || all.back() != row.directive) all.push_back(row.directive);
     return all;
 }

@@ -1,0 +1,56 @@
+// Access to the channels of a picture.
+#include "sunfleck/picture.h"
+
+#include "image/exr.h"
+#include "image/picture_file.h"
+#include "library/guarded.h"
+#include "library/picture_data.h"
+
+#include <utility>
+
+namespace sunfleck {
+
+Picture Picture::load(const std::string& path) {
+    return guarded([&] {
+        return Picture(std::make_shared<const Data>(Data{engine::read_exr(path), 0}));
+    });
+}
+
+Picture::Picture(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+int Picture::width() const {
+    return data_->picture.width;
+}
+
+int Picture::height() const {
+    return data_->picture.height;
+}
+
+std::vector<std::string> Picture::channels() const {
+    std::vector<std::string> names;
+    for (const engine::Channel& channel : data_->picture.channels) names.push_back(channel.name);
+    return names;
+}
+
+bool Picture::has(const std::string& channel) const {
+    return data_->picture.find(channel) != nullptr;
+}
+
+std::span<const float> Picture::channel(const std::string& name) const {
+    const engine::Channel* const found = data_->picture.find(name);
+    if (found == nullptr)
+        throw Error({"Picture"}, "there is no channel \"" + name + "\"",
+                    "ask channels() for those that there are");
+    return found->values;
+}
+
+const std::map<std::string, std::string>& Picture::metadata() const {
+    return data_->picture.metadata;
+}
+
+void Picture::save(const std::string& path, std::optional<double> exposure) const {
+    const auto stops = static_cast<float>(exposure.value_or(data_->exposure));
+    guarded([&] { engine::write_picture(path, data_->picture, {stops, false}); });
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,134 @@
+// Views, passes, and what is told of them.
+#include "library/render_session.h"
+
+#include "film/film_picture.h"
+#include "library/guarded.h"
+#include "library/picture_data.h"
+#include "stats/remarks.h"
+#include "stats/stats.h"
+
+#include <utility>
+
+namespace sunfleck {
+namespace {
+
+void check_isa(const Settings& settings, const std::string& isa) {
+    const auto& texts = settings.data().texts;
+    if (!texts.contains("--isa") || texts.at("--isa").front() == isa) return;
+    throw Error({"isa"}, "the scene has been built for \"" + isa + "\"",
+                "give it to Scene::load() or SceneBuilder::build()");
+}
+
+Progress progress_of(const engine::Progress& p) {
+    Progress progress;
+    progress.passes = p.passes;
+    progress.of = p.of;
+    progress.seconds = p.seconds;
+    progress.cpu_seconds = p.cpu_seconds;
+    if (p.error) progress.error = p.error->value();
+    progress.target_error = p.target;
+    progress.seconds_left = p.seconds_left;
+    progress.is_learning = p.is_learning;
+    return progress;
+}
+
+}  // namespace
+
+RenderSession::RenderSession(const Scene& scene, const Settings& settings,
+                             const RendererOptions& options)
+    : options_(options),
+      request_(settings.data().request()),
+      scene_(scene.data().scene),
+      camera_(scene.data().camera_in_world),
+      isa_(scene.data().isa),
+      settings_(engine::settings_for(scene_, request_)),
+      threads_(options.threads) {
+    check_isa(settings, isa_);
+    if (request_.settings.energy_compensation) scene_.compensate_energy();
+    change_view([&](engine::Camera& camera, engine::FilmDescription& film) {
+        engine::adjust_view(camera, film, request_);
+    });
+    say(engine::remarks_before(job(), isa_));
+}
+
+void RenderSession::change_view(
+    const std::function<void(engine::Camera&, engine::FilmDescription&)>& change) {
+    engine::Camera camera = camera_;
+    engine::FilmDescription film = scene_.film();
+    change(camera, film);
+    const std::lock_guard lock(guard_);
+    camera_ = camera;
+    scene_.set_view(std::move(camera), std::move(film));
+    loop_.emplace(job(), std::nullopt);
+    progress_ = {};
+    remarks_.clear();
+}
+
+Outcome RenderSession::render(std::optional<std::uint32_t> passes, const Renderer::Report& report) {
+    engine::StopSettings stop = request_.stop;
+    if (passes) {
+        const auto done = static_cast<std::uint32_t>(loop_->result().film.pass_count());
+        stop.end_pass = stop.first_pass + done + *passes;
+        stop.seconds = stop.cpu_seconds = stop.target_error = std::nullopt;
+    }
+    threads_.run([&] { loop_->run(stop, hooks(report)); });
+    if (loop_->result().interrupted) return Outcome::cancelled;
+    if (!passes) say(engine::remarks_after(job(), loop_->result()));
+    return Outcome::finished;
+}
+
+engine::RenderHooks RenderSession::hooks(const Renderer::Report& report) {
+    engine::RenderHooks hooks;
+    hooks.report = [this, &report](const engine::Progress& now) {
+        take(now);
+        if (report) report(progress());
+    };
+    hooks.cancelled = &is_cancelled_;
+    hooks.change = [this](const std::function<void()>& change) {
+        const std::lock_guard lock(guard_);
+        change();
+    };
+    return hooks;
+}
+
+void RenderSession::take(const engine::Progress& progress) {
+    const std::lock_guard lock(guard_);
+    progress_ = progress_of(progress);
+}
+
+Progress RenderSession::progress() const {
+    const std::lock_guard lock(guard_);
+    return progress_;
+}
+
+Picture RenderSession::picture() const {
+    const engine::FilmPictureOptions options{request_.stop.error_terms.extrapolated};
+    return guarded([&] {
+        const std::lock_guard lock(guard_);
+        return Picture(std::make_shared<const Picture::Data>(
+            Picture::Data{engine::film_picture(loop_->result().film, options), request_.exposure}));
+    });
+}
+
+std::string RenderSession::statistics() const {
+    const engine::RenderResult& result = loop_->result();
+    engine::RunFacts facts;
+    facts.scene = scene_.path();
+    facts.isa = isa_;
+    facts.threads = options_.threads;
+    facts.total_seconds = result.total_seconds;
+    facts.cpu_seconds = result.cpu_seconds;
+    facts.seconds = result.seconds;
+    facts.radius_factor = result.radius_factor;
+    facts.warnings = remarks_;
+    facts.error_terms = request_.stop.error_terms;
+    return engine::stats_json(result.film, facts);
+}
+
+void RenderSession::say(const std::vector<std::string>& lines) {
+    remarks_.insert(remarks_.end(), lines.begin(), lines.end());
+    if (!options_.log) return;
+    for (const std::string& line : lines) options_.log(Severity::warning, line);
+}
+
+}  // namespace sunfleck

@@ -1,0 +1,60 @@
+// A render of the library: the loop, and what other threads may ask of it meanwhile.
+#pragma once
+
+#include "core/parallel.h"
+#include "library/scene_data.h"
+#include "library/settings_data.h"
+#include "render/render_loop.h"
+#include "sunfleck/renderer.h"
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace sunfleck {
+
+class RenderSession {
+public:
+    /// @throws Error  for settings that cannot be used with the scene.
+    RenderSession(const Scene& scene, const Settings& settings, const RendererOptions& options);
+
+    /// Renders until a limit. @param passes  more; nothing: the limits are those of the settings.
+    Outcome render(std::optional<std::uint32_t> passes, const Renderer::Report& report);
+
+    // Any thread.
+    void cancel() { is_cancelled_ = true; }
+    Progress progress() const;
+    Picture picture() const;
+
+    // Not while it renders.
+    void allow() { is_cancelled_ = false; }
+    /// Begins anew with what `change` makes of the view.
+    void change_view(const std::function<void(engine::Camera&, engine::FilmDescription&)>& change);
+    const engine::FilmDescription& film() const { return scene_.film(); }
+    std::string statistics() const;
+
+private:
+    void begin();
+    engine::RenderHooks hooks(const Renderer::Report& report);
+    void take(const engine::Progress& progress);
+    void say(const std::vector<std::string>& lines);
+    engine::RenderJob job() const { return {scene_, settings_, request_.stop, 0}; }
+
+    RendererOptions options_;
+    engine::RenderRequest request_;
+    engine::Scene scene_;
+    engine::Camera camera_;  // in the world
+    std::string isa_;
+    engine::RenderSettings settings_;
+    engine::ThreadPool threads_;
+    std::atomic<bool> is_cancelled_{false};
+
+    mutable std::mutex guard_;  // of the film and what is told of it
+    std::optional<engine::RenderLoop> loop_;
+    Progress progress_;
+    std::vector<std::string> remarks_;
+};
+
+}  // namespace sunfleck

@@ -1,0 +1,75 @@
+// Settings by the table of flags that the command line reads.
+#include "sunfleck/settings.h"
+
+#include "library/settings_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sunfleck {
+namespace {
+
+bool takes(const engine::RenderFlag& flag, const std::string& word) {
+    const auto& choices = flag.value.choices;
+    return std::any_of(choices.begin(), choices.end(),
+                       [&](const engine::FlagChoice& choice) { return choice.name == word; });
+}
+
+}  // namespace
+
+engine::RenderRequest Settings::Data::request() const {
+    engine::RenderFlags flags;
+    for (const auto& [name, given] : texts)
+        for (const std::string& text : given) flags.set(name, text);
+    return flags.finish();
+}
+
+Settings::Settings() : data_(std::make_unique<Data>()) {}
+Settings::~Settings() = default;
+Settings::Settings(const Settings& other) : data_(std::make_unique<Data>(*other.data_)) {}
+Settings& Settings::operator=(const Settings& other) {
+    data_ = std::make_unique<Data>(*other.data_);
+    return *this;
+}
+Settings::Settings(Settings&&) noexcept = default;
+Settings& Settings::operator=(Settings&&) noexcept = default;
+
+Settings& Settings::set(const std::string& name, const std::string& value) {
+    const engine::RenderFlag& flag = engine::render_flag(name);
+    engine::RenderFlags().set(flag.name, value);  // throws for a word that the flag does not take
+    std::vector<std::string>& texts = data_->texts[flag.name];
+    if (!flag.value.repeats) texts.clear();
+    texts.push_back(value);
+    return *this;
+}
+
+Settings& Settings::set(const std::string& name, double value) {
+    return set(name, fmt::format("{}", value));
+}
+
+Settings& Settings::set(const std::string& name, bool value) {
+    const engine::RenderFlag& flag = engine::render_flag(name);
+    const std::string yes = takes(flag, "on") ? "on" : "auto";
+    return set(name, value ? yes : "off");
+}
+
+void Settings::validate() const {
+    data_->request();
+}
+
+std::vector<SettingInfo> Settings::list() {
+    std::vector<SettingInfo> all;
+    for (const engine::RenderFlag& flag : engine::render_flags()) {
+        SettingInfo& info = all.emplace_back();
+        info.name = flag.name.substr(2);
+        info.form = flag.value.form;
+        for (const engine::FlagChoice& choice : flag.value.choices)
+            info.choices.push_back(choice.name);
+        info.standard = flag.standard;
+        info.help = engine::help_text(flag);
+    }
+    return all;
+}
+
+}  // namespace sunfleck

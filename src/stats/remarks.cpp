@@ -1,0 +1,50 @@
+// Remarks from the scene, the film, and what the render had to leave out.
+#include "stats/remarks.h"
+
+#include "core/duration_text.h"
+#include "core/processor.h"
+#include "planning/missing_light.h"
+#include "stats/darkness.h"
+#include "stats/image_stats.h"
+#include "stats/stats.h"
+
+#include <fmt/format.h>
+
+namespace sunfleck::engine {
+
+std::vector<std::string> machine_warnings(const std::string& isa) {
+    if (isa != "avx2" || cpu_has_avx2()) return {};
+    return {"this machine has no AVX2: bytes may differ from those of other machines"};
+}
+
+std::vector<std::string> remarks_before(const RenderJob& job, const std::string& isa) {
+    std::vector<std::string> remarks = machine_warnings(isa);
+    for (const auto& entry : job.scene.warnings().entries()) remarks.push_back(entry.line());
+    if (job.settings.photon.sampler == PhotonSampler::paper)
+        remarks.emplace_back(
+            "sampler paper: its counts are pooled while the view and the radii change, so the "
+            "picture is biased until it has converged, and has no error bars; adaptive is not");
+    return remarks;
+}
+
+std::vector<std::string> remarks_after(const RenderJob& job, const RenderResult& result) {
+    std::vector<std::string> remarks =
+        extrapolation_warnings(result.film, job.stop.error_terms.extrapolated);
+    const auto add = [&](const std::vector<std::string>& lines) {
+        remarks.insert(remarks.end(), lines.begin(), lines.end());
+    };
+    if (result.is_unlearned)
+        add(
+            {fmt::format("--time {} is too short to learn where photons are needed and to use it: "
+                         "the picture is that of --photon-sampler uniform, noisier; give it more "
+                         "time",
+                         duration_text(*job.stop.seconds))});
+    // A dark scene has a black picture for sure, and that has been said.
+    if (job.scene.is_dark()) return remarks;
+    add(darkness_warnings(result.film,
+                          [&] { return share_lit_by_photons(job.scene, job.settings); }));
+    add(reliability_warnings(result.film));
+    return remarks;
+}
+
+}  // namespace sunfleck::engine
