@@ -77,8 +77,7 @@ void set_setting(Settings& settings, const std::string& name, const py::handle& 
 
 Settings settings_of(const py::kwargs& values) {
     Settings settings;
-    for (const auto& [name, value] : values)
-        set_setting(settings, name.cast<std::string>(), value);
+    for (const auto& [name, value] : values) set_setting(settings, name.cast<std::string>(), value);
     return settings;
 }
 

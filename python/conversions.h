@@ -1,9 +1,8 @@
 // Python's values as those of the library.
 #pragma once
 
-#include <sunfleck/sunfleck.h>
-
 #include <pybind11/pybind11.h>
+#include <sunfleck/sunfleck.h>
 
 #include <string>
 
@@ -11,8 +10,8 @@ namespace sunfleck::python {
 
 namespace py = pybind11;
 
-/// {"float roughness": 0.1, "rgb L": [1, 2, 3]}: numbers, strings, truth values, lists of these, and
-/// arrays. @throws py::type_error  for other values.
+/// {"float roughness": 0.1, "rgb L": [1, 2, 3]}: numbers, strings, truth values, lists of these,
+/// and arrays. @throws py::type_error  for other values.
 Parameters parameters_of(const py::dict& values);
 
 /// Sets a setting to a number, a string, a truth value, or a list of these.

@@ -170,9 +170,7 @@ void add_builder(py::module_& module) {
         .def(
             "medium",
             [](SceneBuilder& self, const std::string& name, const std::string& type,
-               const py::dict& parameters) {
-                self.medium(name, type, parameters_of(parameters));
-            },
+               const py::dict& parameters) { self.medium(name, type, parameters_of(parameters)); },
             py::arg("name"), py::arg("type"), py::arg("parameters") = py::dict())
         .def(
             "light",
@@ -248,10 +246,10 @@ void add_renderer(py::module_& module) {
         .def("start", &PythonRenderer::start, py::arg("report") = py::none())
         .def("wait", &PythonRenderer::wait)
         .def("cancel", [](PythonRenderer& self) { self.renderer().cancel(); })
-        .def_property_readonly(
-            "is_running", [](PythonRenderer& self) { return self.renderer().is_running(); })
-        .def_property_readonly(
-            "progress", [](PythonRenderer& self) { return self.renderer().progress(); })
+        .def_property_readonly("is_running",
+                               [](PythonRenderer& self) { return self.renderer().is_running(); })
+        .def_property_readonly("progress",
+                               [](PythonRenderer& self) { return self.renderer().progress(); })
         .def("picture",
              [](PythonRenderer& self) {
                  const py::gil_scoped_release unlocked;
@@ -279,13 +277,9 @@ void add_renderer(py::module_& module) {
             py::arg("x0_x1_y0_y1"));
 }
 
-}  // namespace
-}  // namespace sunfleck::python
-
-PYBIND11_MODULE(_sunfleck, module) {
-    using namespace sunfleck::python;  // NOLINT(google-build-using-namespace): inside a function
+void add_all(py::module_& module) {
     module.doc() = "Sunfleck's library; see the package sunfleck.";
-    module.attr("__version__") = sunfleck::version();
+    module.attr("__version__") = version();
     add_error(module);
     add_transform(module);
     add_scene(module);
@@ -293,4 +287,11 @@ PYBIND11_MODULE(_sunfleck, module) {
     add_picture(module);
     add_settings(module);
     add_renderer(module);
+}
+
+}  // namespace
+}  // namespace sunfleck::python
+
+PYBIND11_MODULE(_sunfleck, module) {
+    sunfleck::python::add_all(module);
 }

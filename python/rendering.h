@@ -1,9 +1,8 @@
 // Renders that Python waits for, with the lock of the interpreter released.
 #pragma once
 
-#include <sunfleck/sunfleck.h>
-
 #include <pybind11/pybind11.h>
+#include <sunfleck/sunfleck.h>
 
 #include <exception>
 #include <memory>

@@ -1,15 +1,15 @@
-// This process as one of a job of ranks: job_alone.cpp, or with -DSUNFLECK_MPI=ON job_mpi.cpp.
+// Job: this process as one of several ranks, by job_alone.cpp or, with -DSUNFLECK_MPI=ON,
+// job_mpi.cpp.
 #pragma once
 
 #include "ranks/ranks.h"
 
 namespace sunfleck::engine {
 
-/// While it lives, the process belongs to the job; its end waits for all others. One a process.
+/// The process belongs to the job while this lives; its end waits for all others. One per process.
 class Job {
 public:
-    /// @param shared  what is done can be shared; if not, this rank is alone whatever the others
-    /// do.
+    /// @param shared  whether the work can be shared; if not, this rank is alone.
     explicit Job(bool shared);
     ~Job();
     Job(const Job&) = delete;
@@ -19,8 +19,7 @@ public:
 
     const Ranks& ranks() const { return ranks_; }
 
-    /// After a fault that other ranks do not know of: ends them all with this exit code, where
-    /// there are others.
+    /// Ends all ranks with this exit code, after a fault that the others do not know of.
     void abort(int code) const;
 
 private:

@@ -1,4 +1,4 @@
-// Without MPI there is one rank.
+// Without MPI there is a single rank.
 #include "apps/mpi/job.h"
 
 namespace sunfleck::engine {

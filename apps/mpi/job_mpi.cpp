@@ -1,6 +1,7 @@
-// Ranks by MPI, which is called by the main thread alone.
+// Ranks by MPI, which the main thread alone calls.
 //
-// MPI's own waiting keeps a core busy. So a receiver says that it is ready, and until both are
+// A waiting MPI call keeps a core busy. So a receiver announces that it is ready, and until both
+// are, each polls and sleeps in between.
 // there each looks once in a while and sleeps in between.
 #include "apps/mpi/job.h"
 
@@ -13,10 +14,10 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr int kReady = 1;  // tags
+constexpr int kReady = 1;  // message tags
 constexpr int kBytes = 2;
 
-/// MPI counts in int.
+/// The limit of a message, because MPI counts in int.
 constexpr std::size_t kBytesAtOnce = std::size_t{1} << 30U;
 
 void wait_for(int from, int tag) {

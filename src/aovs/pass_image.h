@@ -36,13 +36,13 @@ public:
         : pixels_(pixels), share_(1 / static_cast<double>(subpasses)) {
         for (std::size_t i = 0; i < kAovCount; ++i)
             if (i == 0 || wanted.at(i)) aovs_.at(i) = std::vector<Pixel>(pixels);
-        if (photons_apart) eye_ = std::vector<Pixel>(pixels);
+        if (photons_apart) by_camera_ = std::vector<Pixel>(pixels);
         for (std::size_t i = 0; i < light_groups; ++i) lights_.emplace_back(pixels);
     }
 
     std::size_t pixels() const { return pixels_; }
     bool has(Aov aov) const { return !at(aov).empty(); }
-    bool photons_apart() const { return !eye_.empty(); }
+    bool photons_apart() const { return !by_camera_.empty(); }
     std::size_t light_groups() const { return lights_.size(); }
 
     /// Adds to the total and, if measured, to the AOV of this light. A value that is not finite is
@@ -58,7 +58,8 @@ public:
     void add_camera_light(std::size_t pixel, const Vec3& rgb, Aov owner) {
         add_light(pixel, rgb, owner);
         if (!photons_apart() || !finite(rgb)) return;
-        for (unsigned c = 0; c < 3; ++c) eye_[pixel][c].add(term_of(rgb[static_cast<int>(c)]));
+        for (unsigned c = 0; c < 3; ++c)
+            by_camera_[pixel][c].add(term_of(rgb[static_cast<int>(c)]));
     }
 
     /// Adds a value that add_light() has added before to the group of its light; it is clamped or
@@ -107,7 +108,7 @@ public:
     /// Returns the total minus the light of camera paths. @param channel  of RGB.
     FixedPoint by_photons(std::size_t pixel, std::size_t channel) const {
         FixedPoint sum = aovs_[0][pixel][channel].value();
-        sum += -eye_[pixel][channel].value();
+        sum += -by_camera_[pixel][channel].value();
         return sum;
     }
 
@@ -151,7 +152,7 @@ private:
     std::size_t pixels_;
     double share_;  // weight of a subpass
     std::array<std::vector<Pixel>, kAovCount> aovs_;
-    std::vector<Pixel> eye_;  // part of the total
+    std::vector<Pixel> by_camera_;  // part of the total
     std::vector<std::vector<Pixel>> lights_;
     std::vector<std::atomic<std::uint64_t>> counts_ = std::vector<std::atomic<std::uint64_t>>(2);
 };

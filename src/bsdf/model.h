@@ -12,7 +12,7 @@
 
 namespace sunfleck::engine {
 
-/// What the path being sampled carries: radiance from the eye, flux from a light. The two differ
+/// What the path being sampled carries: radiance from the camera, flux from a light. The two differ
 /// by the squared ratio of refractive indices at a refraction (Veach 1997, section 5.2).
 enum class Transport { radiance, flux };
 

@@ -36,8 +36,8 @@ void CameraPath::trace(std::uint32_t pixel, const PathOfPixel& path) {
     pixel_ = pixel;
     of_pixel_ = 1 / static_cast<float>(path.count());
     BatchPoints numbers(pass_.id, pixel, path);
-    const CameraRay view = start(numbers);
-    follow(pass_.scene.scene.first_hit(view), numbers);
+    const CameraRay ray = start(numbers);
+    follow(pass_.scene.scene.first_hit(ray), numbers);
 }
 
 /// @param hit  what the ray hits, if anything.
@@ -48,17 +48,18 @@ void CameraPath::follow(std::optional<Hit> hit, BatchPoints& numbers) {
         if (scene.has_media())
             throughput_ *= pass_.scene.transmittance(medium_, hit ? hit->distance : kInfinity);
         if (!hit) {
-            add_emission(emitter_beyond(pass_.scene, position_, direction_, wanted_parts()));
+            add_emission(
+                environment_along(pass_.scene, position_, direction_, wanted_contributions()));
             return;
         }
         grow_footprint(*hit);
         const bool weighted = emitters_ == Emitters::weighted;
         add_emission(emitter_at(pass_.scene, *hit, weighted ? &glossy_ : nullptr, direction_,
-                                wanted_parts()));
+                                wanted_contributions()));
         if (!scene.is_null_interface(*hit)) {
-            if (!has_met_) first_footprint_ = footprint_;
-            has_met_ = true;
-            if (!meet(*hit, numbers)) return;
+            if (!has_hit_) first_footprint_ = footprint_;
+            has_hit_ = true;
+            if (!interact(*hit, numbers)) return;
         }
         hit = scene.geometry().intersect(ray_beyond(*hit));
     }
@@ -85,7 +86,7 @@ CameraRay CameraPath::start(BatchPoints& numbers) {
 }
 
 /// @return whether the path continues, in the new direction.
-bool CameraPath::meet(Hit& hit, BatchPoints& numbers) {
+bool CameraPath::interact(Hit& hit, BatchPoints& numbers) {
     const TransportSettings& transport = pass_.transport;
     std::optional<Bsdf> room;
     const Bsdf& at_surface = pass_.scene.bsdf_at(hit, room);
@@ -103,18 +104,18 @@ bool CameraPath::meet(Hit& hit, BatchPoints& numbers) {
     if (const auto* coated = std::get_if<CoatedDiffuse>(&at_surface)) {
         const Bsdf base = coated->base();
         const Bsdf top = coated->top();
-        meet_base({hit, frame, vertex.wo, base, medium_, several}, numbers);
+        gather_at_base({hit, frame, vertex.wo, base, medium_, several}, numbers);
         return go_on({hit, frame, vertex.wo, top, medium_, several}, numbers);
     }
     if (kind == Scattering::diffuse) {
-        meet_base(vertex, numbers);
+        gather_at_base(vertex, numbers);
         return false;
     }
     return go_on(vertex, numbers);
 }
 
 /// Ends the path at a diffuse lobe.
-void CameraPath::meet_base(const CameraVertex& vertex, BatchPoints& numbers) {
+void CameraPath::gather_at_base(const CameraVertex& vertex, BatchPoints& numbers) {
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
     gather(vertex.hit, vertex.bsdf, sampled ? kScattered : kEverything);
     if (sampled) add_direct_light(vertex, numbers, true);
@@ -132,9 +133,9 @@ bool CameraPath::go_on(const CameraVertex& vertex, BatchPoints& numbers) {
     return scatter(vertex, numbers);
 }
 
-void CameraPath::add_emission(const EmitterMet& met) {
+void CameraPath::add_emission(const EmitterHit& met) {
     if (met.radiance.is_zero() || emitters_ == Emitters::none) {
-        parts_.clear();
+        contributions_.clear();
         return;
     }
     const float weight = emitters_ == Emitters::all ? 1 : mis_weight(bsdf_pdf_, met.pdf);
@@ -175,10 +176,10 @@ void CameraPath::add_light(const SampledSpectrum& radiance, float weight, Aov ow
         return pass_.scene.wavelengths.to_rgb(throughput_ * arriving * weight * weight_);
     };
     image_.add_camera_light(pixel_, rgb(radiance), owner);
-    for (const LightPart& part : parts_)
+    for (const LightContribution& part : contributions_)
         image_.add_to_light_group(pixel_, rgb(part.radiance),
                                   pass_.transport.light_groups.of(part.light));
-    parts_.clear();
+    contributions_.clear();
 }
 
 /// @param follow  trace a bsdf sample for MIS (a path that continues needs none).
@@ -186,15 +187,15 @@ void CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbe
     const PassScene& pass = pass_.scene;
     const Vec2d choices = numbers.next_2d();
     SampledSpectrum light = sample_lights(pass, vertex, {choices.x, numbers.next_2d(), choices.y},
-                                          statistics_, wanted_parts());
-    if (follow && pass.scene.has_lights_to_meet()) {
+                                          statistics_, wanted_contributions());
+    if (follow && pass.scene.has_lights_to_hit()) {
         const Vec2d u = numbers.next_2d();
         const BsdfDraw draw{
             {static_cast<float>(numbers.next()), static_cast<float>(u.x), static_cast<float>(u.y)},
             Transport::radiance,
             hero_};
         if (const auto drawn = sample(vertex.bsdf, vertex.wo, draw))
-            light += follow_bsdf_sample(pass, vertex, *drawn, statistics_, wanted_parts());
+            light += follow_bsdf_sample(pass, vertex, *drawn, statistics_, wanted_contributions());
     }
     if (light.is_zero()) return;
     add_light(light, 1, rough_ > 0 ? Aov::indirect : Aov::direct);

@@ -38,13 +38,15 @@ private:
     void follow(std::optional<Hit> hit, BatchPoints& numbers);
     /// Returns the next ray from a hit, in the new direction.
     Ray ray_beyond(const Hit& hit);
-    bool meet(Hit& hit, BatchPoints& numbers);
-    void meet_base(const CameraVertex& vertex, BatchPoints& numbers);
+    bool interact(Hit& hit, BatchPoints& numbers);
+    void gather_at_base(const CameraVertex& vertex, BatchPoints& numbers);
     bool go_on(const CameraVertex& vertex, BatchPoints& numbers);
-    void add_emission(const EmitterMet& met);
-    /// @param radiance  incident radiance, of which parts_ are the parts.
+    void add_emission(const EmitterHit& met);
+    /// @param radiance  incident radiance, the sum of contributions_.
     void add_light(const SampledSpectrum& radiance, float weight, Aov owner);
-    LightParts* wanted_parts() { return image_.light_groups() > 0 ? &parts_ : nullptr; }
+    LightContributions* wanted_contributions() {
+        return image_.light_groups() > 0 ? &contributions_ : nullptr;
+    }
     void add_features(const Hit& hit, const SampledSpectrum& reflectance);
     void gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds);
     void add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow);
@@ -63,7 +65,7 @@ private:
     Statistics& statistics_;
 
     std::uint32_t pixel_ = 0;
-    bool has_met_ = false;  // the path has hit a surface
+    bool has_hit_ = false;  // the path has hit a surface
     bool has_features_ = false;
     float of_pixel_ = 1;  // weight of this path in the pixel
     float weight_ = 1;    // of the pixel filter, the exposure and of_pixel_
@@ -82,10 +84,10 @@ private:
     float share_ = 1;            // product of the branch weights
     std::uint16_t bounces_ = 0;
     Emitters emitters_ = Emitters::all;
-    float bsdf_pdf_ = 0;     // of the last glossy sample, over the RIS candidates there
-    Receiver glossy_;        // the vertex of that sample
-    std::size_t rough_ = 0;  // count of glossy vertices
-    LightParts parts_;       // parts of the light that is added next
+    float bsdf_pdf_ = 0;                // of the last glossy sample, over the RIS candidates there
+    Receiver glossy_;                   // the vertex of that sample
+    std::size_t rough_ = 0;             // count of glossy vertices
+    LightContributions contributions_;  // of the light that is added next
 };
 
 }  // namespace sunfleck::engine

@@ -14,7 +14,7 @@ namespace {
 float density(const PassScene& pass, const Vec3& from, const LightChoice::Chosen& light,
               const DirectSample& drawn) {
     if (is_infinite(pass.scene.lights()[light.index]))
-        return emitter_beyond(pass, from, drawn.direction).pdf;
+        return environment_along(pass, from, drawn.direction).pdf;
     return *drawn.pdf * static_cast<float>(light.probability);
 }
 
@@ -48,15 +48,15 @@ RisCandidate candidate(const PassScene& pass, const CameraVertex& vertex,
         weight *= mis_weight(many * density(pass, vertex.hit.position, choice, *light),
                              pdf(vertex.bsdf, vertex.wo, wi, Transport::radiance));
     return {choice.index, light->direction, light->distance,
-            f * pass.tinted(pass.emission[choice.index], light->tint) * weight};
+            f * pass.coloured(pass.emission[choice.index], light->rgb) * weight};
 }
 
 /// Shadow rays to the candidates of a vertex.
 class ShadowRays {
 public:
     ShadowRays(const PassScene& pass, const CameraVertex& vertex, Statistics& statistics,
-               LightParts* parts)
-        : pass_(pass), vertex_(vertex), statistics_(statistics), parts_(parts) {}
+               LightContributions* contributions)
+        : pass_(pass), vertex_(vertex), statistics_(statistics), contributions_(contributions) {}
 
     /// Returns the visible contribution of a candidate.
     /// @param by  one over the probability of its choice.
@@ -67,7 +67,7 @@ public:
         const SampledSpectrum found =
             light.arriving * by *
             pass_.seen_from(vertex_.hit, light.direction, light.distance, medium);
-        note(parts_, light.light, found);
+        note(contributions_, light.light, found);
         return found;
     }
 
@@ -75,7 +75,7 @@ private:
     const PassScene& pass_;
     const CameraVertex& vertex_;
     Statistics& statistics_;
-    LightParts* parts_;
+    LightContributions* contributions_;
 };
 
 SampledSpectrum seen_of_each(const RisCandidates& candidates, ShadowRays rays) {
@@ -136,16 +136,17 @@ RisCandidates candidates_at(const PassScene& pass, const CameraVertex& vertex,
 }
 
 SampledSpectrum sample_lights(const PassScene& pass, const CameraVertex& vertex,
-                              const LightNumbers& u, Statistics& statistics, LightParts* parts) {
+                              const LightNumbers& u, Statistics& statistics,
+                              LightContributions* contributions) {
     const RisCandidates candidates = candidates_at(pass, vertex, u);
-    const ShadowRays rays(pass, vertex, statistics, parts);
+    const ShadowRays rays(pass, vertex, statistics, contributions);
     return scattering(vertex.bsdf) == Scattering::diffuse ? seen_of_each(candidates, rays)
                                                           : seen_of_one(candidates, u.pick, rays);
 }
 
 SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& vertex,
                                    const BsdfSample& drawn, Statistics& statistics,
-                                   LightParts* parts) {
+                                   LightContributions* contributions) {
     const Vec3 direction = vertex.frame.to_world(drawn.wi);
     const Scene& scene = pass.scene;
     const Receiver from = receiver_at(scene, vertex);
@@ -153,13 +154,14 @@ SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& ve
     SampledSpectrum weight = drawn.weight;
     const float density_over_lights =
         drawn.pdf.value_or(1) / static_cast<float>(ris_candidates(vertex));
-    std::size_t added = parts != nullptr ? parts->size() : 0;
-    const auto add = [&](const EmitterMet& met) {
+    std::size_t added = contributions != nullptr ? contributions->size() : 0;
+    const auto add = [&](const EmitterHit& met) {
         if (met.radiance.is_zero()) return;
         const float mis = mis_weight(density_over_lights, met.pdf);
         sum += weight * met.radiance * mis;
-        if (parts == nullptr) return;
-        for (; added < parts->size(); ++added) (*parts)[added].radiance *= weight * mis;
+        if (contributions == nullptr) return;
+        for (; added < contributions->size(); ++added)
+            (*contributions)[added].radiance *= weight * mis;
     };
     Ray ray = ray_from(vertex.hit, direction);
     MediumNumber medium = scene.medium_beyond(vertex.hit, direction, vertex.medium);
@@ -169,10 +171,10 @@ SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& ve
         if (scene.has_media())
             weight *= pass.transmittance(medium, hit ? hit->distance : kInfinity);
         if (!hit) {
-            add(emitter_beyond(pass, vertex.hit.position, direction, parts));
+            add(environment_along(pass, vertex.hit.position, direction, contributions));
             return sum;
         }
-        add(emitter_at(pass, *hit, &from, direction, parts));
+        add(emitter_at(pass, *hit, &from, direction, contributions));
         if (!scene.is_null_interface(*hit)) return sum;
         ray = ray_from(*hit, direction);
         medium = scene.medium_beyond(*hit, direction, medium);

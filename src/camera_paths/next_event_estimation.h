@@ -59,13 +59,13 @@ RisCandidates candidates_at(const PassScene& pass, const CameraVertex& vertex,
 /// Returns the visible contribution of all candidates, or of one picked over its probability.
 SampledSpectrum sample_lights(const PassScene& pass, const CameraVertex& vertex,
                               const LightNumbers& u, Statistics& statistics,
-                              LightParts* parts = nullptr);
+                              LightContributions* contributions = nullptr);
 
 /// Returns the light found by tracing one bsdf sample from a vertex to its first hit, with MIS
 /// weights against the RIS candidates; the weight of the sample is included.
 SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& vertex,
                                    const BsdfSample& drawn, Statistics& statistics,
-                                   LightParts* parts = nullptr);
+                                   LightContributions* contributions = nullptr);
 
 /// Returns the MIS weight (power heuristic) of the strategy with density `mine` against one with
 /// density `other`, not both zero. It uses their ratio, because squared densities may overflow.

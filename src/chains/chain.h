@@ -1,9 +1,9 @@
-// A Markov chain over primary samples: uniform on the set of those whose paths are high enough, or
-// less often where others sample, too.
+// Chain: a Markov chain over primary samples, uniform on a level set, or less dense where guided
+// paths sample, too.
 //
-// In:  a survivor in the set, the set's least height, the scales of mutations. Out: states, each
-// with its path. A proposal outside the set is rejected, so the state counts once more. Source:
-// Metropolis et al. 1953 for a target of zero and one: paper, section 4.2, eq. 10.
+// In:  a survivor in the set, the least height of the set, mutation scales. Out: states with their
+// paths. A proposal outside the set is rejected, so that the state counts once more.
+// Source: Metropolis et al. 1953 for a target of zero and one: paper, section 4.2, eq. 10.
 #pragma once
 
 #include "chains/path_space.h"
@@ -20,8 +20,8 @@ public:
     using Path = typename Space::Path;
     using Tally = typename Space::Tally;
 
-    /// @param survivor  a sample whose path has the target's height. @param stream  this chain's
-    /// own.
+    /// @param survivor  a sample whose path has the target's height.
+    /// @param stream  this chain's own.
     Chain(const Space& space, const Target& target, StoredSample survivor, RandomStream stream,
           Tally& tally)
         : space_(space), target_(target), stream_(stream), sample_(std::move(survivor)) {
@@ -30,7 +30,7 @@ public:
         is_covered_ = target_.cover.contains(sample_);
     }
 
-    /// Proposes once. @return what follows if it was accepted: then accept() must be called.
+    /// Proposes a mutation. @return the path if it was accepted; the caller then calls accept().
     bool propose(const MutationScales& scales, Acceptances& counts, Tally& tally) {
         const auto kind = static_cast<std::size_t>(stream_.next_word() >> 31U);
         proposed_sample_.clear();
@@ -44,7 +44,7 @@ public:
         return accepted;
     }
 
-    /// Moves to what was proposed last.
+    /// Moves to the last proposal.
     void accept() {
         std::swap(sample_, proposed_sample_);
         std::swap(path_, proposed_path_);
@@ -58,7 +58,7 @@ public:
     bool is_covered() const { return is_covered_; }
 
 private:
-    /// A step onto what is covered is accepted as seldom as that is important.
+    /// Accepts a step into the guided region with the probability of its importance.
     bool is_important() {
         proposed_is_covered_ = target_.cover.contains(proposed_sample_);
         return is_covered_ || !proposed_is_covered_ || stream_.next() < target_.cover.importance;

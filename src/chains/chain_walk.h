@@ -1,38 +1,39 @@
-// Walking one set of paths to learn how far its mutations should go.
+// ChainWalk: chains over one level set, by which a pilot adapts mutation scales.
 //
-// In:  a population of the set, scales to begin with. Out: the population after some thousand
-// steps, and scales that accept about as often as asked. No part of a picture (chains/pilot.h).
+// In:  a population of the set, initial scales. Out: the population after some thousand steps, and
+// scales with about the target acceptance. They are no substream of a picture (chains/pilot.h).
 #pragma once
 
 #include "chains/splitting.h"
 
 namespace sunfleck::engine {
 
-/// What a pilot's random numbers are named by, but for its iterations.
+/// Names the random streams of a pilot, except for its iterations.
 struct PilotName {
     std::uint64_t seed = 0;
-    std::uint32_t epoch = 0;  // below 2^20
-    std::uint32_t part = 0;   // see PassId
+    std::uint32_t epoch = 0;      // below 2^20
+    std::uint32_t substream = 0;  // see PassId::substream
 
-    /// Streams of an iteration: passes that no render reaches. @param number  below 512.
+    /// Returns the streams of an iteration: passes that no render reaches. @param number  below
+    /// 512.
     constexpr PassId iteration(std::uint32_t number) const {
-        return {seed, 0x80000000U + epoch * 512 + number, part};
+        return {seed, 0x80000000U + epoch * 512 + number, substream};
     }
 };
 
-/// A pilot's iterations so far, and the walks among them.
+/// Iterations of a pilot, with the walks among them.
 template <PathSpace Space>
 class ChainWalk {
 public:
     using Tally = typename Space::Tally;
 
-    /// @param space  must outlive it.
+    /// @param space  must outlive this.
     ChainWalk(const Space& space, const PilotName& name) : space_(space), name_(name) {}
 
-    /// The streams of the next iteration.
+    /// Returns the streams of the next iteration.
     PassId next_iteration() { return name_.iteration(round_++); }
 
-    /// One iteration: the population becomes its states, the scales adapt.
+    /// Runs one iteration: its states replace the population, and the scales adapt.
     LevelCounts once(int height, float target, MutationScales& scales, Population& population,
                      Tally& tally) {
         const LevelPlan plan{height, kStates, kChains, scales};
@@ -44,7 +45,7 @@ public:
         return counts;
     }
 
-    /// Iterations until the scales hardly change. @return counts of the last one.
+    /// Iterates until the scales hardly change. @return counts of the last iteration.
     LevelCounts until_settled(int height, float target, MutationScales& scales,
                               Population& population, Tally& tally) {
         for (int i = 1;; ++i) {
@@ -55,12 +56,12 @@ public:
         }
     }
 
-    /// Counts what the pilot traced in iterations of other kinds.
+    /// Adds paths that the pilot traced in other iterations.
     void add_paths(std::uint64_t paths) { paths_ += paths; }
-    /// Traced so far, in all iterations.
+    /// Returns the number of paths traced in all iterations.
     std::uint64_t paths() const { return paths_; }
 
-    static constexpr std::uint32_t kStates = 4'000;  // of an iteration
+    static constexpr std::uint32_t kStates = 4'000;  // per iteration
     static constexpr std::uint32_t kChains = 64;
 
 private:

@@ -1,7 +1,7 @@
-// Guided paths beside splitting: they bring light, and survivors of the last level set.
+// Guided paths beside splitting: they contribute light, and survivors of the last level set.
 //
-// In:  a guide fixed before the pass. Out: visible paths with weights, the sum of which is an
-// estimate of what is visible in the guided region; the same paths as survivors with these weights.
+// In:  a guide fixed before the pass. Out: visible paths with weights whose sum estimates the
+// visible measure of the guided region; the same paths as survivors with these weights.
 // Equations: docs/method/sampling.md, eq. (16).
 #pragma once
 
@@ -12,20 +12,20 @@
 
 namespace sunfleck::engine {
 
-/// Guided paths, and how the light of the guided region is shared: these paths bring some of it
-/// themselves; the last chains of splitting, which start from the visible ones, bring the rest.
+/// Counts and weights of guided paths. They contribute a fraction of the guided region's light; the
+/// last chains of splitting, which start from visible guided paths, contribute the rest.
 struct GuidedPlan {
     EmissionGuide map;
-    std::uint32_t paths = 0;  // none: there is no guide
-    double importance = 1;    // of the guided region to the chains, in (0,1]
-    double own_share = 1;     // of the light, in [0,1]
+    std::uint32_t paths = 0;  // zero if there is no guide
+    double importance = 1;    // of the guided region for the chains, in (0,1]
+    double own_share = 1;     // fraction of the light, in [0,1]
 
     GuidedRegion cover() const {
         return paths == 0 ? GuidedRegion{} : GuidedRegion{&map, importance};
     }
 };
 
-/// Keeps what is visible of a block's paths: its share of the light, and a survivor.
+/// Keeps visible paths of a block: contribution and survivor.
 template <PathSpace Space, class Collector>
 struct GuidedBlock {
     const GuidedPlan& plan;
@@ -41,8 +41,9 @@ struct GuidedBlock {
     }
 };
 
-/// @param pass  of the splitting. @param sink  gets visible paths with their share of their weight.
-/// @return the visible paths as survivors, with their weights times the importance.
+/// @param pass  the pass of the splitting.
+/// @param sink  receives visible paths with their fraction of the weight.
+/// @return the visible paths as survivors, with weights times the importance.
 template <PathSpace Space, PathSink<Space> Sink>
 UniformLevel guided_level(const Space& space, PassId pass, const GuidedPlan& plan, Sink& sink,
                           typename Space::Tally& tally) {

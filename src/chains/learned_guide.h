@@ -1,8 +1,9 @@
-// Learning an emission guide that covers most of what is visible.
+// GuideLearner: learns an emission guide that covers most visible paths.
 //
-// In:  where visible paths start, roughly. Out: a guide, and how much it leaves out. Trials are
-// never part of a picture, so what they teach may depend on their own random numbers in any way.
-// Source: the constants are measured ones (docs/develop/decisions.md).
+// In:  approximate starts of visible paths. Out: a guide, and the fraction that it does not cover.
+// Trials are no part of a picture, so what is learned may depend on their random numbers in any
+// way.
+// Source: constants are measured (docs/develop/decisions.md).
 #pragma once
 
 #include "chains/splitting.h"
@@ -12,28 +13,28 @@
 
 namespace sunfleck::engine {
 
-/// What a guide covers.
+/// Which boxes a guide covers.
 enum class GuideCoverage {
-    often_visible,  // boxes in which one path in 20 is visible: chains find the others
-    all_known       // every box that is worth more than uniform paths: chains would find nothing
+    often_visible,  // boxes in which one path in 20 is visible; chains find the others
+    all_known  // every box with more visible paths than uniform sampling finds; chains find none
 };
 
 struct LearnedGuide {
-    EmissionGuide map;            // the identity: covers nothing
-    double rest = 1;              // share of visible paths that it leaves out, about
-    double visible_fraction = 0;  // of uniform paths
+    EmissionGuide map;            // the identity if it covers nothing
+    double rest = 1;              // estimated fraction of visible paths outside
+    double visible_fraction = 0;  // by uniform sampling
     GuideCoverage covering = GuideCoverage::often_visible;
-    double visible_share = 0;  // of paths through it
+    double visible_share = 0;  // fraction of guided paths that are visible
 };
 
-/// How guide samples are asked for visible paths.
+/// Limits of the search for visible paths from guide samples.
 struct GuideSampleBudget {
-    std::size_t most = 2048;  // guide samples, evenly spread over all
-    int tries = 256;          // of one
+    std::size_t most = 2048;  // guide samples, evenly selected from all
+    int tries = 256;          // per guide sample
 };
 
-/// Visible paths whose emission is as hinted and whose other numbers are drawn: at most one a guide
-/// sample.
+/// Traces visible paths with the emission of guide samples and other dimensions at random: at most
+/// one per guide sample.
 template <PathSpace Space>
 Population visible_from(const Space& space, const std::vector<WeightedEmission>& guide_samples,
                         PassId pass, typename Space::Tally& tally,
@@ -61,8 +62,8 @@ Population visible_from(const Space& space, const std::vector<WeightedEmission>&
     return population;
 }
 
-/// Each survivor with every number of its emission drawn anew, one after the other, where it stays
-/// visible: numbers that matter little are then spread as they should be, however chains move them.
+/// Redraws every emission dimension of each survivor in turn, where the path stays visible (Gibbs
+/// sampling): dimensions with little effect are then uniform, however chains move them.
 template <PathSpace Space>
 void resample_emission(const Space& space, std::vector<Survivor>& survivors, PassId pass,
                        typename Space::Tally& tally) {
@@ -84,18 +85,19 @@ template <PathSpace Space>
 class GuideLearner {
 public:
     using Tally = typename Space::Tally;
-    static constexpr std::uint32_t kTrials = 20'000;  // an iteration
+    static constexpr std::uint32_t kTrials = 20'000;  // per iteration
 
     GuideLearner(const Space& space, Tally& tally) : space_(space), tally_(tally) {}
 
-    /// @param starts  emission of visible paths, weighted. @param iterations  name the trials, at
-    /// least two: all but the last correct the guide, the last one says where it is of use.
+    /// @param starts  emission of visible paths, weighted.
+    /// @param iterations  names of the trials, at least two: all but the last correct the guide,
+    /// the last one decides where it is used.
     LearnedGuide learn(const std::vector<WeightedEmission>& starts, GuideCoverage covering,
                        std::span<const PassId> iterations) const {
         constexpr double kUniformAtFirst = 0.5;
         constexpr double kUniform = 0.25;
         constexpr double kKept = 0.1;
-        // Where trials say which boxes are of use, these may be small and some cut by chance.
+        // Trials decide which boxes are used, so boxes may be small, and some cuts by chance.
         const double least_gain = covering == GuideCoverage::often_visible ? 3 : 8;
         EmissionGuide map = EmissionGuide::learned(starts, {kUniformAtFirst, least_gain});
         Trials before;
@@ -117,7 +119,7 @@ private:
     struct Trials {
         std::vector<EmissionGuide::Trial> trials;
         std::vector<double> weights;  // 1 / density
-        double visible = 0;           // weights of visible ones
+        double visible = 0;           // sum of weights of visible ones
 
         void add(const Trials& more) {
             trials.insert(trials.end(), more.trials.begin(), more.trials.end());
@@ -141,7 +143,7 @@ private:
         return result;
     }
 
-    /// Starts, and as much of visible trials; no one of these may hide the others.
+    /// Combines starts and visible trials with equal weight, so that neither dominates.
     static std::vector<WeightedEmission> joined(std::vector<WeightedEmission> starts,
                                                 const Trials& trials) {
         constexpr double kMostOfAll = 0.002;
@@ -155,8 +157,8 @@ private:
         return starts;
     }
 
-    /// Of trials where the guide covers. These had its densities but for what where_visible()
-    /// changed.
+    /// Returns the visible fraction of trials in the guided region; their densities differ by what
+    /// where_visible() changed.
     static double visible_share(const EmissionGuide& map, const Trials& trials) {
         std::size_t covered = 0;
         std::size_t visible = 0;
@@ -168,7 +170,8 @@ private:
         return covered == 0 ? 0 : static_cast<double>(visible) / static_cast<double>(covered);
     }
 
-    /// What is not covered: by trials, of which few count much, and by starts, half and half.
+    /// Returns the fraction that is not covered: the mean of estimates by trials, of which few have
+    /// large weights, and by starts.
     static double rest(const EmissionGuide& map, const std::vector<WeightedEmission>& starts,
                        const Trials& trials) {
         constexpr double kLeast = 1e-4;

@@ -1,8 +1,9 @@
-// One level of multilevel splitting: chains that start from a population and walk one level set.
+// Level: one level of multilevel splitting, whose chains start from a population and stay in one
+// level set.
 //
-// In:  a population of the set; how many states, how many chains. Out: every state with the number
-// of steps it stood, chain by chain, for collectors; integer counts.
-// Source: waste-free sequential Monte Carlo, Dau and Chopin 2022.
+// In:  a population of the set; numbers of states and chains. Out: every state with its number of
+// steps, chain by chain, for collectors; integer counts.
+// Source: waste-free sequential Monte Carlo, Dau and Chopin 2022; docs/method/method.md.
 // Equations: docs/method/sampling.md, eq. (13).
 #pragma once
 
@@ -19,11 +20,11 @@
 
 namespace sunfleck::engine {
 
-/// What is fixed for a level before the pass.
+/// Parameters of a level, fixed before the pass.
 struct LevelPlan {
-    int height = kVisible;     // of its set: that of paths at least so high
+    int height = kVisible;     // of the level set: paths of at least this height
     std::uint32_t states = 0;  // of all chains together, at least `chains`
-    std::uint32_t chains = 0;  // always so many, of copies or of some of the survivors: see Level
+    std::uint32_t chains = 0;  // exact number, by copies or a subset of the survivors: see Level
     MutationScales scales;
 
     friend bool operator==(const LevelPlan&, const LevelPlan&) = default;
@@ -31,13 +32,13 @@ struct LevelPlan {
 
 using HeightCounts = std::array<std::uint64_t, kHeights>;
 
-/// What a level counts: the same for any number of threads.
+/// Counts of a level, the same for any number of threads.
 struct LevelCounts {
     std::uint64_t states = 0;    // with repeats
     std::uint64_t distinct = 0;  // survivors and accepted mutations
     Acceptances acceptances;
     HeightCounts heights{};     // of states, with repeats
-    std::uint64_t covered = 0;  // of states, with repeats: where a guide covers
+    std::uint64_t covered = 0;  // states in the guided region, with repeats
     std::uint64_t distinct_covered = 0;
 
     LevelCounts& operator+=(const LevelCounts& other) {
@@ -49,7 +50,7 @@ struct LevelCounts {
         for (std::size_t h = 0; h < heights.size(); ++h) heights[h] += other.heights[h];
         return *this;
     }
-    /// Of both kinds.
+    /// Returns the sum over both kinds of mutations.
     Acceptance mutations() const {
         Acceptance sum;
         for (const Acceptance& kind : acceptances) sum += kind;
@@ -62,17 +63,17 @@ struct LevelCounts {
     }
 };
 
-/// A state of a chain as a collector sees it.
+/// A state of a chain, for collectors.
 template <PathSpace Space>
 struct ChainState {
     const StoredSample& sample;
     const typename Space::Path& path;
     int height;
-    std::uint32_t steps;  // that it stood, at least 1
+    std::uint32_t steps;  // steps in this state, at least 1
     bool is_covered = false;
 };
 
-/// Accepts the states of one chain, in their order.
+/// Receives the states of one chain in order.
 template <class C, class Space>
 concept StateCollector = requires(C& collect, const ChainState<Space>& state) {
     collect(state);
@@ -96,8 +97,9 @@ public:
 
     std::uint64_t states() const { return states_; }
 
-    /// Runs all chains. @param make  makes a collector for one chain. @param take  is given the
-    /// collectors of consecutive chains, in order, some at a time.
+    /// Runs all chains.
+    /// @param make  makes a collector for one chain.
+    /// @param take  receives the collectors of consecutive chains, in order, several at a time.
     template <class Make, class Take>
     void run(const Make& make, const Take& take, LevelCounts& counts, Tally& tally) const {
         using Collector = std::invoke_result_t<Make>;
@@ -129,7 +131,7 @@ public:
 private:
     struct One {
         std::uint64_t number;
-        double survivor;  // its place in the population
+        double survivor;  // its position in the population
         std::uint64_t states;
     };
 

@@ -1,11 +1,12 @@
-// How far a mutation moves a dimension, and how that is learned.
+// Mutations of primary samples, and the adaptation of their scale.
 //
-// A mutation draws its magnitude first, log-uniform over three decades around the scale of its
-// kind, then every dimension moves by about that, log-uniform over one decade. So there are small
-// mutations for chains in narrow places, and large ones (docs/develop/decisions.md has the
-// evidence). Two kinds, chosen at random: all dimensions alike, and bounce dimensions 16 times
-// farther than emission dimensions. Source: adaptive scale towards a target acceptance: paper,
-// section 4.4 (its own law: paper_step of photon/paper_chain.h).
+// A mutation first draws its magnitude, log-uniform over three decades around the scale of its
+// kind. Then every dimension moves by about that, log-uniform over one decade. So there are small
+// mutations for narrow level sets, and large ones (docs/develop/decisions.md has the evidence). Two
+// kinds are selected at random: all dimensions alike, or bounce dimensions 16 times as far as
+// emission dimensions.
+// Source: adaptive scale towards a target acceptance: paper, section 4.4 (its own rule: paper_step
+// of photon/paper_chain.h).
 // Equations: docs/method/sampling.md, eq. (14).
 #pragma once
 
@@ -19,17 +20,17 @@
 namespace sunfleck::engine {
 
 inline constexpr std::size_t kMutationKinds = 2;
-/// Of bounce dimensions over emission dimensions, by kind.
+/// Scale of bounce dimensions over that of emission dimensions, by kind.
 inline constexpr std::array<float, kMutationKinds> kBounceStretch = {1, 16};
-/// Of mutations, in sets that few survivors lead to: chains must get around.
+/// Target acceptance in sets with few survivors, where chains must explore.
 inline constexpr float kTargetAcceptance = 0.5F;
-/// In a set that independent paths find often enough: chains stay nearer to their survivors.
+/// Target acceptance in a set that independent paths find often: chains stay near their survivors.
 inline constexpr float kTargetOfOneSet = 0.65F;
-/// Over which the magnitudes of mutations spread, and the steps of one mutation.
+/// Decades over which magnitudes spread, and the steps of one mutation.
 inline constexpr float kDecadesOfMagnitudes = 3;
 inline constexpr float kDecadesOfSteps = 1;
 
-/// Proposals of one kind, and those that were accepted.
+/// Counts of proposals of one kind, and of accepted ones.
 struct Acceptance {
     std::uint64_t proposed = 0;
     std::uint64_t accepted = 0;
@@ -39,7 +40,7 @@ struct Acceptance {
         accepted += other.accepted;
         return *this;
     }
-    /// Zero where nothing was proposed.
+    /// Returns the acceptance; zero without proposals.
     double share() const {
         return proposed == 0 ? 0 : static_cast<double>(accepted) / static_cast<double>(proposed);
     }
@@ -47,15 +48,15 @@ struct Acceptance {
 };
 using Acceptances = std::array<Acceptance, kMutationKinds>;
 
-/// The scale of each kind, in turns, for emission dimensions.
+/// The scale of each kind for emission dimensions, in units of the interval.
 struct MutationScales {
     std::array<float, kMutationKinds> scale = {0.05F, 0.05F};
 
     friend bool operator==(const MutationScales&, const MutationScales&) = default;
 };
 
-/// 2^x, off by 1.1e-4 of itself at most, continuous and rising; the same on every machine, and
-/// without a call.
+/// Returns 2^x with a relative error of at most 1.1e-4, continuous and increasing. It has the same
+/// bits on every machine, and calls no function.
 /// @param x  from -100 to 100.
 inline float approximate_exp2(float x) {
     const float whole = std::floor(x);
@@ -65,14 +66,14 @@ inline float approximate_exp2(float x) {
     return power * std::bit_cast<float>(exponent << 23U);
 }
 
-/// 10^(decades (xi - 1/2)). @param random  uniform: its highest bits are xi.
+/// Returns 10^(decades (xi - 1/2)). @param random  uniform: its highest bits are xi.
 inline float log_uniform(float decades, std::uint32_t random) {
     constexpr float kDoublingsOfADecade = 3.3219281F;  // ln(10) / ln(2)
     return approximate_exp2(decades * kDoublingsOfADecade * (word_to_unit_float(random) - 0.5F));
 }
 
-/// A step of scale * 10^(xi - 1/2) turns to either side, wrapped: symmetric to the last bit.
-/// @param random  uniform: its lowest bit is the side, its highest bits are xi.
+/// Moves by scale * 10^(xi - 1/2) to either side with wrap-around, symmetric to the last bit.
+/// @param random  uniform: its lowest bit selects the side, its highest bits are xi.
 inline std::uint64_t moved(std::uint64_t dimension, float scale, std::uint32_t random) {
     const double turns =
         static_cast<double>(scale) * static_cast<double>(log_uniform(kDecadesOfSteps, random));
@@ -81,10 +82,10 @@ inline std::uint64_t moved(std::uint64_t dimension, float scale, std::uint32_t r
     return (random & 1U) != 0 ? dimension + step : dimension - step;
 }
 
-/// One mutation of a kind, dimension by dimension.
+/// A mutation of one kind, dimension by dimension.
 class LogUniformMove {
 public:
-    /// Draws the magnitude, the same for all dimensions.
+    /// Draws the magnitude, which all dimensions share.
     LogUniformMove(const MutationScales& scales, std::size_t kind, RandomStream& stream)
         : emission_(scales.scale.at(kind) * log_uniform(kDecadesOfMagnitudes, stream.next_word())),
           bounce_(emission_ * kBounceStretch.at(kind)),
@@ -100,8 +101,8 @@ private:
     RandomStream& stream_;
 };
 
-/// The scale that should accept about the target's share, from what was counted with `scale`. Left
-/// as it is below 30 proposals; at most halved or doubled at once, and at most half a turn.
+/// Returns the scale for the target acceptance, from counts with `scale`. It is unchanged below 30
+/// proposals, changes at most by a factor of two, and is at most one half.
 inline float adapted(float scale, const Acceptance& counted, float target) {
     if (counted.proposed < 30) return scale;
     const float ratio =

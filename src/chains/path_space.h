@@ -1,5 +1,5 @@
-// What a Markov chain must know of paths: how to make one from numbers, and how near it comes to
-// being seen. Photon paths are one such space; tests have others, of known measure.
+// PathSpace: what Markov chains require of paths: a path from a primary sample, and its height
+// (importance function). Photon paths are one such space; tests have others of known measure.
 #pragma once
 
 #include "random_numbers/primary_sample.h"
@@ -9,15 +9,15 @@
 
 namespace sunfleck::engine {
 
-/// Heights rank paths: the higher, the nearer to what is seen. Sets { height >= h } are nested.
+/// Heights rank paths by proximity to the visible points. Level sets { height >= h } are nested.
 inline constexpr int kHeights = 27;
 /// The greatest height: visible, V = 1 of the paper.
 inline constexpr int kVisible = kHeights - 1;
 
-/// trace:  makes the path of a primary sample in `path` (whatever that held before); counts rays
-///         and the like in `tally`. The same numbers give the same path.
-/// height: of a path, 0 to kVisible. May look at the pass's frozen state, never at other paths.
-/// Both may be called by many threads at once.
+/// trace:  makes the path of a primary sample in `path` (whatever that contained); counts rays and
+/// others in `tally`. Equal numbers give equal paths.
+/// height: of a path, 0 to kVisible. It may depend on frozen state of the pass, never on other
+/// paths. Both are thread-safe.
 template <class S>
 concept PathSpace = requires(const S& space, typename S::Path& path, typename S::Tally& tally,
                              IndependentReader& read) {
@@ -28,8 +28,8 @@ concept PathSpace = requires(const S& space, typename S::Path& path, typename S:
     { space.height(path) } -> std::same_as<int>;
 };
 
-/// Where visible paths go. make() gives a collector for some of them, called as
-/// collect(path, weight); take(collectors) gets them in the order of the paths.
+/// Receiver of visible paths. make() returns a collector for some of them, called as collect(path,
+/// weight); take(collectors) receives collectors in the order of the paths.
 template <class S, class Space>
 concept PathSink = requires(S& sink, typename S::Collector& collect,
                             const typename Space::Path& path, double weight) {

@@ -1,9 +1,9 @@
-// Pilots: they learn, before any pass, how rare visible paths are, which level sets lead to them,
-// and how far mutations should go.
+// Pilot: learns before any pass how rare visible paths are, which level sets lead to them, and the
+// mutation scales.
 //
-// In:  a space of paths, a budget. Out: a plan. Pilots are never part of a picture, so what they
-// learn may depend on their own random numbers in any way.
-// Source: the rules and constants are measured ones (docs/develop/decisions.md).
+// In:  a path space, a budget. Out: a plan. Pilots are no part of a picture, so what they learn may
+// depend on their random numbers in any way.
+// Source: rules and constants are measured (docs/develop/decisions.md).
 #pragma once
 
 #include "chains/chain_walk.h"
@@ -16,13 +16,13 @@
 
 namespace sunfleck::engine {
 
-/// What a pilot found.
+/// Results of a pilot.
 struct PilotResult {
     SplittingPlan plan;
-    GuidedPlan guided;        // besides, where that pays
+    GuidedPlan guided;        // used in addition, where it pays
     HeightTail tail{};        // its last entry is the visible fraction
     SplittingCounts last;     // of the last trial of the plan's levels, if it has several
-    std::uint64_t paths = 0;  // traced by pilots' iterations, without the search for a guide
+    std::uint64_t paths = 0;  // traced by iterations, without the guide search
 };
 
 template <PathSpace Space, class Points>
@@ -32,8 +32,8 @@ public:
           Sets sets = Sets::as_needed)
         : space_(space), source_(std::move(maps)), sets_(sets), walk_(space, name) {}
 
-    /// Climbs from uniform paths to visible ones, set by set, or starts from guide samples where
-    /// that leads nowhere, or was luck: the first thing to ask of a pilot.
+    /// Climbs from uniform paths to visible ones, level set by level set; or starts from guide
+    /// samples if that fails or succeeded by luck. It is the first call.
     const HeightTail& explore() {
         climb();
         has_climbed_ = result_.tail[kVisible] > 0;
@@ -46,7 +46,8 @@ public:
         return result_.tail;
     }
 
-    /// What was found, and the plan for passes of that many paths. May be asked again for others.
+    /// Returns results and the plan for passes of that many paths. It may be called again for other
+    /// numbers.
     PilotResult plan(std::uint32_t paths) {
         const HeightTail& tail = result_.tail;
         if (source_.is_on && has_climbed_ && is_rare(tail) && !guide_)
@@ -69,7 +70,7 @@ public:
         return result_;
     }
 
-    /// Both. @param paths  of the passes that the plan is for.
+    /// Calls explore() and plan(). @param paths  per pass of the plan.
     PilotResult run(std::uint32_t paths) {
         explore();
         return plan(paths);
@@ -80,23 +81,24 @@ private:
 
     static constexpr std::uint32_t kUniformPaths = 20'000;
     static constexpr int kRefiningIterations = 3;
-    static constexpr int kRefiningRest = 6;  // what a guide leaves out is narrower than its set
+    static constexpr int kRefiningRest = 6;  // the part outside a guide is narrow
     static constexpr int kStartingIterations = 4;
-    static constexpr std::size_t kIterations = 2;       // of trials of a guide
-    static constexpr std::size_t kIterationsAlone = 6;  // of one that chains do not help
-    static constexpr double kMostRest = 0.5;            // of a guide that is of use
-    static constexpr std::uint64_t kLucky = 10;  // so few states or fewer led to the next set
-    // Walks for guide samples: until many are found, and if need be for a few.
+    static constexpr std::size_t kIterations = 2;       // of a guide's trials
+    static constexpr std::size_t kIterationsAlone = 6;  // of a guide that chains do not help
+    static constexpr double kMostRest = 0.5;            // of a useful guide
+    static constexpr std::uint64_t kLucky = 10;  // at most so many states led to the next level set
+    // Importons for guide samples: until many are found, or else a few.
     static constexpr std::uint32_t kWalks = 100'000;  // at once
     static constexpr std::uint32_t kFewWalks = 500'000;
     static constexpr std::uint32_t kMostWalks = 8'000'000;
-    // Points by edges: few where no walk's light would be seen as a whole, but may be as a spot.
+    // Edge search: few tries if light that no importon reached would be spread out, but may be a
+    // spot.
     static constexpr std::size_t kManyTries = 200'000;
     static constexpr std::size_t kSomeTries = 20'000;
     static constexpr int kTriesPastEdges = 2;
     static constexpr std::size_t kFewGuideSamples = 8;
     static constexpr std::size_t kManyGuideSamples = 2048;
-    static constexpr double kNegligible = 0.01;  // of all that is seen: not worth looking for
+    static constexpr double kNegligible = 0.01;  // of all visible light: not worth a search
 
     struct Explored {
         int height;
@@ -109,7 +111,7 @@ private:
         if (height == kVisible) visible_ = population;
     }
 
-    /// Scales of the visible set where uniform paths are its survivors.
+    /// Returns scales of the visible set if uniform paths are its survivors.
     const MutationScales& scales_of_one_set() {
         if (!one_set_) {
             one_set_ = scales_near(kVisible);
@@ -127,13 +129,12 @@ private:
                 {emission_of(survivor.sample), weight * survivor.total() / population.weight()});
     }
 
-    /// @param seen  flux that walks find of all lights.
-    /// @return whether more walks may find what matters: no, once enough guide samples are there,
-    /// or if the
-    ///         light that no walk has reached yet would not be seen.
+    /// @param seen  flux that importons find of all lights.
+    /// @return whether more importons may find what matters: false once there are enough guide
+    /// samples, or if light that no importon has reached would be negligible.
     bool walk_for_guide_samples(PassId pass, const PathRange& walks, std::size_t enough,
                                 double seen, WalkedEmission& found) const {
-        constexpr double kEventsMissed = 3;  // at most, with 95% confidence, where none was seen
+        constexpr double kEventsMissed = 3;  // upper bound with 95% confidence if none was seen
         for (std::size_t i = walks.begin; i < walks.end; i += kWalks) {
             if (found.guide_samples.size() >= enough) return false;
             const auto so_far = static_cast<double>(i);
@@ -147,12 +148,12 @@ private:
         return true;
     }
 
-    /// Where a long search ends: not beyond what the picture is worth.
+    /// Returns the limit of a long search: no more than the picture is worth.
     std::size_t long_search() const {
         return std::clamp<std::size_t>(source_.most_walks / kWalks * kWalks, kFewWalks, kMostWalks);
     }
 
-    /// Visible paths of light that passes close to edges. @param tries  points by edges.
+    /// Finds visible paths of light close to edges. @param tries  number of edge samples.
     Population visible_past_edges(std::size_t tries) {
         const std::vector<WeightedEmission> past =
             source_.edges(walk_.next_iteration(), {0, tries});
@@ -183,7 +184,7 @@ private:
         return true;
     }
 
-    /// From where chains start whose scales are settled.
+    /// Learns a guide from the starts of chains with adapted scales.
     void learn_guide(GuideCoverage covering) {
         MutationScales scales = scales_near(kVisible);
         for (int i = 0; i < kStartingIterations; ++i) {
@@ -198,7 +199,7 @@ private:
         walk_.add_paths(iterations.size() * GuideLearner<Space>::kTrials);
     }
 
-    /// The scales of the highest explored set that is not above `height`.
+    /// Returns the scales of the highest explored level set that is not above `height`.
     MutationScales scales_near(int height) const {
         MutationScales scales;
         for (const Explored& e : explored_)
@@ -206,7 +207,7 @@ private:
         return scales;
     }
 
-    /// Small splittings over the plan's own sets, for their scales.
+    /// Runs small splittings over the plan's own level sets, to adapt their scales.
     void refine() {
         struct Nowhere {
             struct Collector {
@@ -247,9 +248,9 @@ private:
     Walk walk_;
     LevelCounts counts_;  // of the last iteration
     std::vector<Explored> explored_;
-    bool has_climbed_ = false;               // to the visible set
-    bool was_lucky_ = false;                 // on the way: what it leads to may be little of all
-    Population visible_;                     // states of that
+    bool has_climbed_ = false;               // reached the visible set
+    bool was_lucky_ = false;                 // by few survivors, which may represent little of all
+    Population visible_;                     // states of the visible set
     std::vector<WeightedEmission> starts_;   // of visible paths
     std::optional<LearnedGuide> guide_;      // if it was learned
     std::optional<MutationScales> one_set_;  // of the visible set alone

@@ -1,4 +1,4 @@
-// The survivors of a level: states of its chains that lie in the next level set.
+// Population: the survivors of a level, states of its chains that lie in the next level set.
 #pragma once
 
 #include "chains/target.h"
@@ -9,19 +9,19 @@
 
 namespace sunfleck::engine {
 
-/// A state with the number of steps that it stood.
+/// A state with the number of its steps.
 struct Survivor {
     StoredSample sample;
     std::uint32_t units = 1;
     int height = 0;     // of its path
-    double weight = 1;  // of a unit
+    double weight = 1;  // of one step
 
     double total() const { return units * weight; }
 };
 
-/// Survivors in a fixed order, side by side on a line: each as long as its weight. A survivor of m
-/// units counts as m survivors, or chain lengths would depend on how long the state stood, and with
-/// that on where it is.
+/// Survivors in a fixed order, as adjacent intervals of a line whose lengths are their weights. A
+/// survivor of m steps counts m times; otherwise chain lengths would depend on how long a state was
+/// kept, and thus on its position.
 class Population {
 public:
     void add(Survivor survivor) {
@@ -35,7 +35,7 @@ public:
     }
     void add(Population&& other) { add(std::move(other.survivors_)); }
 
-    /// Those of at least that height.
+    /// Returns the survivors of at least that height.
     Population at_least(int height) const {
         Population some;
         for (const Survivor& survivor : survivors_)
@@ -43,7 +43,8 @@ public:
         return some;
     }
 
-    /// The same survivors, each unit of that weight times its own, but those that are covered.
+    /// Returns the survivors outside the guided region, with the weight of each step times
+    /// `weight`.
     Population uncovered(const GuidedRegion& cover, double weight) && {
         Population some;
         for (Survivor& survivor : survivors_) {
@@ -58,7 +59,7 @@ public:
     double weight() const { return weight_; }
     const std::vector<Survivor>& survivors() const { return survivors_; }
 
-    /// The survivor at a place of the line. @param place  in [0, weight()].
+    /// Returns the survivor at a position of the line. @param place  in [0, weight()].
     const StoredSample& at(double place) const {
         const auto end = std::upper_bound(ends_.begin(), ends_.end() - 1, place);
         return survivors_[static_cast<std::size_t>(end - ends_.begin())].sample;
@@ -66,7 +67,7 @@ public:
 
 private:
     std::vector<Survivor> survivors_;
-    std::vector<double> ends_;  // of the survivors on the line
+    std::vector<double> ends_;  // ends of the survivors' intervals
     std::uint64_t units_ = 0;
     double weight_ = 0;
 };

@@ -1,12 +1,13 @@
-// Multilevel splitting by visibility: uniform paths, then chains through nested sets, the last
-// of which is "the path is visible". Every estimate of a pass is exactly unbiased, however few
-// survivors there are.
+// Multilevel splitting by visibility: uniform paths, then chains through nested level sets, the
+// last of which is "the path is visible".
 //
-// In:  a space of paths, a plan that was fixed before the pass. Out: visible paths with weights:
-// the sum of weight * f(path) has the expectation of f over uniform primary samples, for any f
-// that vanishes on paths that are not visible.
-// Source: the paper's replica exchange made one pass and nested; waste-free sequential Monte Carlo:
-// Dau and Chopin 2022.
+// Every estimate of a pass is exactly unbiased, however few survivors there are.
+// In:  a path space, a plan that was fixed before the pass. Out: visible paths with weights: the
+// sum of weight * f(path) has the expectation of f over uniform primary samples, for any f that is
+// zero on paths that are not visible.
+// Source: the paper's replica exchange, within one pass and nested (docs/method/method.md);
+// multilevel splitting: Botev and Kroese 2012; waste-free sequential Monte Carlo: Dau and Chopin
+// 2022.
 // Equations: docs/method/sampling.md, eq. (12).
 #pragma once
 
@@ -16,7 +17,8 @@ namespace sunfleck::engine {
 
 struct SplittingPlan {
     std::uint32_t uniform_paths = 0;  // level 0
-    std::vector<LevelPlan> levels;    // heights ascending, the last kVisible; none: uniform only
+    std::vector<LevelPlan>
+        levels;  // heights ascend, the last is kVisible; empty for uniform paths only
 
     std::uint64_t paths() const {
         std::uint64_t sum = uniform_paths;
@@ -26,23 +28,23 @@ struct SplittingPlan {
     friend bool operator==(const SplittingPlan&, const SplittingPlan&) = default;
 };
 
-/// Counts of one splitting. Level 0 is the uniform paths, whose `distinct` equals `states`.
+/// Counts of one splitting. Level 0 is the uniform paths, with `distinct` equal to `states`.
 struct SplittingCounts {
     std::vector<LevelCounts> levels;
-    std::vector<std::uint64_t> survivors;  // states of level k that are in the set of level k + 1
-    LevelCounts guided;                    // paths through a guide, beside the levels
-    double visible_fraction = 0;           // sum of the weights handed out: unbiased
+    std::vector<std::uint64_t> survivors;  // states of level k in the set of level k + 1
+    LevelCounts guided;                    // guided paths beside the levels
+    double visible_fraction = 0;           // sum of all weights: unbiased
 
-    /// Another run of the same plan: counts add up, fractions by their share in the mean.
+    /// Adds another run of the same plan: counts add up, fractions are weighted by `share`.
     void add(const SplittingCounts& other, double share) {
-        levels.resize(std::max(levels.size(), other.levels.size()));  // fewer where it starved
+        levels.resize(std::max(levels.size(), other.levels.size()));  // fewer if it starved
         survivors.resize(std::max(survivors.size(), other.survivors.size()));
         for (std::size_t k = 0; k < other.levels.size(); ++k) levels[k] += other.levels[k];
         for (std::size_t k = 0; k < other.survivors.size(); ++k) survivors[k] += other.survivors[k];
         guided += other.guided;
         visible_fraction += other.visible_fraction * share;
     }
-    /// Of all levels.
+    /// Returns the sum over all levels.
     Acceptance mutations() const {
         Acceptance sum;
         for (const LevelCounts& level : levels) sum += level.mutations();
@@ -64,15 +66,15 @@ struct SurvivorCollector {
     }
 };
 
-/// What a state of the last set weighs for each step it stood.
+/// Weight of a step in the last level set.
 struct StateWeight {
     double elsewhere = 0;
-    double covered = 0;  // where a guide covers
+    double covered = 0;  // in the guided region
 
     double of(bool is_covered) const { return is_covered ? covered : elsewhere; }
 };
 
-/// Hands the states of a chain on with their weight.
+/// Passes the states of a chain on with their weights.
 template <PathSpace Space, class Collector>
 struct WeightedCollector {
     Collector collect;
@@ -86,7 +88,7 @@ struct WeightedCollector {
 
 }  // namespace splitting_detail
 
-/// Runs a level that is not the last. @return its states of at least that height.
+/// Runs a level before the last. @return its states of at least that height.
 template <PathSpace Space>
 Population surviving_states(const Level<Space>& level, int least_height, LevelCounts& counts,
                             typename Space::Tally& tally) {
@@ -103,7 +105,7 @@ Population surviving_states(const Level<Space>& level, int least_height, LevelCo
     return population;
 }
 
-/// All levels of a plan that has any, and what goes through a guide besides.
+/// All levels of a plan that has any, and guided paths.
 template <PathSpace Space, class Points>
 class Splitting {
 public:
@@ -114,8 +116,8 @@ public:
               const GuidedPlan& guided)
         : space_(space), points_(points), pass_(pass), plan_(plan), guided_(guided) {}
 
-    /// @return counts; levels after one without survivors are not run, and if no survivor of the
-    /// last set came by the guide, either, the pass is zero ("starved").
+    /// Runs the levels; those after a level without survivors are skipped. If the last set has no
+    /// survivor, not even by the guide, the pass is zero ("starved"). @return counts.
     template <PathSink<Space> Sink>
     SplittingCounts run(Sink& sink, Tally& tally) const {
         SplittingCounts counts;
@@ -134,14 +136,14 @@ public:
 private:
     static std::uint32_t number(std::size_t level) { return static_cast<std::uint32_t>(level + 1); }
 
-    /// All levels but the last. @return survivors of that with their weights, but what a guide
-    /// covers.
+    /// Runs all levels but the last. @return the survivors of the last set outside the guided
+    /// region, with their weights.
     Population climbed(SplittingCounts& counts, Tally& tally) const {
         UniformLevel first =
             uniform_level(space_, points_, plan_.uniform_paths, plan_.levels.front().height, tally);
         counts.levels.push_back(first.counts);
         counts.survivors.push_back(first.population.units());
-        double weight = 1.0 / plan_.uniform_paths;  // of a unit
+        double weight = 1.0 / plan_.uniform_paths;  // of one step
         Population population = std::move(first.population);
         for (std::size_t k = 0; k + 1 < plan_.levels.size(); ++k) {
             counts.levels.emplace_back();
@@ -156,8 +158,7 @@ private:
         return std::move(population).uncovered(guided_.cover(), weight);
     }
 
-    /// @param survivors  of the last set with their weights: their sum is an estimate of its
-    /// measure.
+    /// @param survivors  of the last set, with weights whose sum estimates its measure.
     template <class Sink>
     void run_last(Population& survivors, Sink& sink, SplittingCounts& counts, Tally& tally) const {
         using Weighted = splitting_detail::WeightedCollector<Space, typename Sink::Collector>;

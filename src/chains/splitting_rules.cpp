@@ -12,37 +12,37 @@ constexpr double kUniformOnly = 0.05;
 constexpr double kSurvivorsForOneSet = 64;
 constexpr double kConditionalFraction = 0.05;
 constexpr std::uint32_t kChains = 256;
-constexpr std::uint32_t kLastChains = 1024;  // no chain stays long in one place of the picture
+constexpr std::uint32_t kLastChains = 1024;  // so that chains cover the picture
 constexpr std::uint32_t kStatesOfAChain = 64;
-constexpr double kLastShare = 0.5;  // of paths: states of the last set
+constexpr double kLastShare = 0.5;  // fraction of paths: states of the last set
 
-/// How guided paths and splitting beside them share the work.
+/// Division of the work between guided paths and splitting.
 struct Division {
-    double guided;  // of all paths
-    double last;    // of the paths of splitting: states of the last set
-    double own;     // of the light of the guided region: what guided paths bring
-    // Of the last set's states: those in the guided region; none: as many as come, for they
-    // bring light.
+    double guided;  // fraction of all paths
+    double last;    // fraction of the splitting paths: states of the last set
+    double own;     // fraction of the guided region's light from guided paths
+    // Fraction of the last set's states in the guided region; none for as many as occur, since they
+    // contribute light.
     std::optional<double> detour;
 };
-// Guided paths bring the light from there. What it leaves out is little, but rare: the
-// uniform paths and the first sets must find it, so the last one has fewer states than without.
+// Guided paths contribute the light of the region. What it does not cover is little but rare:
+// uniform paths and the first sets must find it, so the last set has fewer states than without a
+// guide.
 constexpr Division kOftenSeen{.guided = 0.35, .last = 0.3, .own = 1, .detour = 0.1};
-// No splitting leads to what is visible.
+// No splitting leads to the visible set.
 constexpr Division kAlone{.guided = 0.75, .last = 0.5, .own = 1, .detour = 0.25};
-// Few paths through the guide are visible, fewer than are worth as much as states of chains: they
-// start these.
+// Few guided paths are visible, and they are worth less than states of chains: they start chains.
 constexpr Division kForSurvivors{.guided = 0.1, .last = 0.75, .own = 0.1, .detour = {}};
-constexpr double kSeldomSeen = 0.2;      // of paths through such a guide
-constexpr double kMostImportance = 0.5;  // of detours
+constexpr double kSeldomSeen = 0.2;      // visible fraction of guided paths
+constexpr double kMostImportance = 0.5;  // of the guided region
 
-/// In float: the same bits on every machine.
+/// Uses the float function, whose bits are the same on every machine.
 float log_of(double x) {
     return std::log(static_cast<float>(x));
 }
 
-/// The least number of sets of conditional fractions of kConditionalFraction or less on average.
-/// @param visible  fraction, positive.
+/// Returns the smallest number of sets with a mean conditional fraction of at most
+/// kConditionalFraction. @param visible  fraction, positive.
 int sets_for(double visible) {
     return static_cast<int>(std::ceil(log_of(visible) / log_of(kConditionalFraction)));
 }
@@ -52,19 +52,20 @@ const Division& division(const LearnedGuide& map) {
     return map.visible_share < kSeldomSeen ? kForSurvivors : kOftenSeen;
 }
 
-/// Of what a guide covers, so that chains have that share of their states there.
-/// @param rest  of the visible paths: what the guide leaves out.
+/// Returns the importance of the guided region such that chains have a fraction `share` of their
+/// states there. @param rest  fraction of visible paths outside.
 double importance_of(double share, double rest) {
     return std::min(kMostImportance, rest / (1 - rest) * share / (1 - share));
 }
 
-/// Chains of at least kStatesOfAChain states, so that copies of one survivor part.
+/// Returns the number of chains, of at least kStatesOfAChain states so that copies of a survivor
+/// diverge.
 std::uint32_t chains_for(std::uint32_t states, std::uint32_t most) {
     return std::clamp(states / kStatesOfAChain, 1U, most);
 }
 
-/// Heights of the sets before the last: tails nearest to fraction^(k/sets). Sets that would hold
-/// nearly the same paths as their neighbours are left out.
+/// Returns the heights of the sets before the last: tails nearest to fraction^(k/sets). Sets nearly
+/// equal to their neighbours are left out.
 std::vector<int> even_heights(const HeightTail& tail, int sets) {
     constexpr double kNearlyTheSame = 0.5;
     const double step = double{log_of(tail[kVisible])} / sets;
@@ -90,7 +91,7 @@ std::vector<int> even_heights(const HeightTail& tail, int sets) {
     return heights;
 }
 
-/// Heights at which the tail falls, as far as it was reached.
+/// Returns the heights at which the tail decreases, as far as it was reached.
 std::vector<int> reached_heights(const HeightTail& tail) {
     constexpr double kLessThanTheLast = 0.2;  // steps that chains of few states still take
     std::vector<int> heights;
@@ -104,13 +105,13 @@ std::vector<int> reached_heights(const HeightTail& tail) {
     return heights;
 }
 
-/// @param last_share  of the paths, states of the last set.
+/// @param last_share  fraction of the paths that are states of the last set.
 SplittingPlan planned(const HeightTail& tail, std::uint32_t paths, double last_share, Sets sets) {
     if (!is_rare(tail)) return {paths, {}};
     const double visible = tail[kVisible];
     const auto last = std::max(1U, static_cast<std::uint32_t>(last_share * paths));
     const double survivors = visible * (paths - last);
-    if (survivors >= kSurvivorsForOneSet) {  // hardly a survivor is left out
+    if (survivors >= kSurvivorsForOneSet) {  // hardly any survivor is left out
         const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * survivors));
         return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
     }
@@ -118,7 +119,8 @@ SplittingPlan planned(const HeightTail& tail, std::uint32_t paths, double last_s
     std::vector<int> heights;
     if (sets == Sets::as_needed)
         heights = visible > 0 ? even_heights(tail, sets_for(visible)) : reached_heights(tail);
-    heights.resize(std::min<std::size_t>(heights.size(), paths - last - 1));  // tiny budgets
+    heights.resize(
+        std::min<std::size_t>(heights.size(), paths - last - 1));  // for very small budgets
     const auto shares = static_cast<std::uint32_t>(heights.size() + 1);
     const std::uint32_t share = (paths - last) / shares;
     SplittingPlan plan{paths - last - share * (shares - 1), {}};

@@ -1,4 +1,4 @@
-// Chooses the levels of multilevel splitting by how rare visible paths are: the rules, without the
+// Rules that choose the levels of multilevel splitting by the rarity of visible paths, without the
 // sampling.
 #pragma once
 
@@ -11,22 +11,23 @@ namespace sunfleck::engine {
 /// P(height >= h) of a uniform path, by h; zero where none was found.
 using HeightTail = std::array<double, kHeights>;
 
-/// True if visible paths are so rare that splitting pays: less than one in 20.
+/// Returns whether splitting pays: fewer than one path in 20 is visible.
 bool is_rare(const HeightTail& tail);
 
-/// How many level sets there may be.
+/// Number of level sets allowed.
 enum class Sets { as_needed, one };
 
-/// The plan of a pass, its scales left as they start.
-/// - Where they are not rare: uniform paths alone.
-/// - Else half of the paths are states of the last set. If the other half, uniform, would find 64
-///   visible paths or more: one set.
-/// - Else the least number of sets whose conditional fractions are 0.05 or less on average; the
-///   heights are those whose tail is nearest to even steps.
-/// - No visible path found: a set at each height that was reached by a fifth or less of the paths
-///   of the set before.
-/// @param paths  of a pass, all levels together; at least 2. @param sets  one: where there would be
-/// several, only the last, whose chains start at what visible paths there are.
+/// Returns the plan of a pass, with initial scales.
+/// - If visible paths are not rare: uniform paths alone.
+/// - Otherwise half of the paths are states of the last set. If the other half, uniform, would find
+/// 64 visible paths or more: one set.
+/// - Otherwise the smallest number of sets with a mean conditional fraction of at most 0.05;
+/// heights are those with tails nearest to even steps.
+/// - If no visible path was found: a set at each height that at most a fifth of the paths of the
+/// previous set reached.
+/// @param paths  of a pass, all levels together; at least 2.
+/// @param sets  one: of several sets only the last, whose chains start at the visible paths there
+/// are.
 SplittingPlan splitting_plan(const HeightTail& tail, std::uint32_t paths,
                              Sets sets = Sets::as_needed);
 
@@ -36,18 +37,19 @@ struct SharedPlan {
     GuidedPlan guided;
 };
 
-/// The plan where there is a guide. The light of the guided region is brought
-/// - by guided paths, and the chains of splitting bring what the guide leaves out;
-/// - by those chains, too, started from guided paths, where less than a fifth of these is visible.
-/// A guide of places that splitting does not reach gets most of the paths.
-/// @param tail  of all paths. @param map  of which the rest is less than one. @param paths  at
-/// least 2.
+/// Returns the plan with a guide. Light of the guided region is computed by
+/// - guided paths; chains of splitting contribute what the guide does not cover;
+/// - those chains as well, started from guided paths, if less than a fifth of these is visible.
+/// A guide for regions that splitting does not reach gets most of the paths.
+/// @param tail  of all paths.
+/// @param map  with a rest below one.
+/// @param paths  at least 2.
 SharedPlan shared_plan(HeightTail tail, const LearnedGuide& map, std::uint32_t paths,
                        Sets sets = Sets::as_needed);
 
-/// The height that exploration climbs to next: the greatest with at least 2% of the states; if no
-/// height above the set's has so many, the lowest above it that has any; kHeights if none has.
-/// @param from  the height of the set that the states are of.
+/// Returns the next height of exploration: the greatest with at least 2% of the states; else the
+/// lowest above `from` that has any; else kHeights.
+/// @param from  height of the set of the states.
 int next_height(const HeightCounts& heights, int from);
 
 }  // namespace sunfleck::engine

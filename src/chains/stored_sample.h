@@ -1,8 +1,9 @@
-// A primary sample whose dimensions exist once they were read, and the readers that fill it.
+// StoredSample: a primary sample whose dimensions are drawn when they are first read, with its
+// readers.
 //
-// In:  the numbers that a path asks for. Out: the same numbers again, and copies of the sample
-// in which the dimensions that were read have moved a little. A dimension that no path has read is
-// never drawn: whether a path is visible does not depend on it (docs/method/sampling.md).
+// In:  dimensions that a path reads. Out: the same values again, and mutated copies of the sample.
+// A dimension that no path has read is never drawn, because visibility does not depend on it
+// (docs/method/sampling.md).
 #pragma once
 
 #include "chains/mutation.h"
@@ -18,7 +19,7 @@ public:
         return dimension < values_.size() &&
                ((read_[dimension / 64] >> (dimension % 64)) & 1U) != 0;
     }
-    /// @param dimension  one that it has.
+    /// @param dimension  one that was read.
     std::uint64_t operator[](std::uint32_t dimension) const { return values_[dimension]; }
 
     void set(std::uint32_t dimension, std::uint64_t value) {
@@ -26,7 +27,7 @@ public:
         values_[dimension] = value;
         read_[dimension / 64] |= std::uint64_t{1} << (dimension % 64);
     }
-    /// No dimensions; the memory is kept.
+    /// Removes all dimensions and keeps the memory.
     void clear() {
         values_.clear();
         read_.clear();
@@ -34,17 +35,16 @@ public:
 
     friend bool operator==(const StoredSample&, const StoredSample&) = default;
 
-    /// Hands all that it holds to archive(...), to be written or to be filled
-    /// (render/checkpoint.h).
+    /// Passes all data to archive(...), for writing or reading (render/checkpoint.h).
     template <class Self, class Archive>
     static void visit(Self& self, Archive& archive) {
         archive(self.values_, self.read_);
     }
-    /// Is what an archive filled in a sample?
+    /// Returns whether the data that an archive filled in are consistent.
     bool is_sound() const { return read_.size() == (values_.size() + 63) / 64; }
 
 private:
-    /// Room for the dimension, and for the next ones, which paths read soon.
+    /// Allocates the dimension and the next ones, which paths read soon.
     [[gnu::noinline]] void grow(std::uint32_t dimension) {
         constexpr std::uint32_t kAtOnce = 16;  // divides 64
         values_.resize((dimension / kAtOnce + 1) * kAtOnce);
@@ -52,14 +52,14 @@ private:
     }
 
     std::vector<std::uint64_t> values_;
-    std::vector<std::uint64_t> read_;  // one bit a dimension
+    std::vector<std::uint64_t> read_;  // one bit per dimension
 };
 
-/// Keeps what another reader gives.
+/// Records what another reader returns.
 template <PrimarySampleReader Source>
 class RecordingReader {
 public:
-    /// @param to  where to; empty.
+    /// @param to  target; empty.
     RecordingReader(Source source, StoredSample& to) : source_(source), to_(to) {}
 
     std::uint64_t operator()(std::uint32_t dimension) {
@@ -72,7 +72,8 @@ private:
     StoredSample& to_;
 };
 
-/// Reads a sample again. What it lacks is drawn; a path that was traced from it before lacks none.
+/// Reads a sample again. Missing dimensions are drawn; a path that was traced from it before has
+/// none.
 class RepeatingReader {
 public:
     RepeatingReader(StoredSample& sample, RandomStream& stream)
@@ -88,8 +89,8 @@ private:
     RandomStream& stream_;
 };
 
-/// Dimensions that the parent has read move; the others are drawn. What the parent has read and the
-/// new path does not is forgotten.
+/// Mutates dimensions that the parent has read; others are drawn. Dimensions that only the parent
+/// has read are dropped.
 /// @tparam Move  move(dimension number, value) -> new value, symmetric.
 template <class Move>
 class MutatingReader {

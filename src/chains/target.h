@@ -1,6 +1,6 @@
-// What a chain's states are spread over: a set of paths, and less of it where others sample, too.
+// Target: the distribution of a chain, a level set with lower density in the guided region.
 //
-// In:  a primary sample. Out: its importance, the density of the chain's target but for a factor.
+// In:  a primary sample. Out: its importance, the target density up to a factor.
 // Equations: docs/method/sampling.md, eq. (16).
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace sunfleck::engine {
 
-/// A sample's emission. Where guides are used, every path reads all of these numbers: whether it is
-/// in the guided region must not depend on chance.
+/// Returns the emission of a sample. With guides, every path reads all of these dimensions, because
+/// membership in the guided region must not depend on chance.
 inline EmissionPoint emission_of(const StoredSample& sample) {
     EmissionPoint point;
     for (std::uint32_t s = 0; s < kGuidedDimensions; ++s)
@@ -19,10 +19,10 @@ inline EmissionPoint emission_of(const StoredSample& sample) {
     return point;
 }
 
-/// Places where paths through a guide start, too: chains need not be there as often as elsewhere.
+/// The guided region, where chains need less density because guided paths sample it.
 struct GuidedRegion {
-    const EmissionGuide* map = nullptr;  // none: nothing is covered
-    double importance = 1;               // of what is covered, in (0,1]
+    const EmissionGuide* map = nullptr;  // null if nothing is covered
+    double importance = 1;               // in the region, in (0,1]
 
     bool contains(const StoredSample& sample) const {
         return map != nullptr && map->covers(emission_of(sample));
@@ -30,7 +30,7 @@ struct GuidedRegion {
 };
 
 struct Target {
-    int height = kVisible;  // of paths in the set, at least
+    int height = kVisible;  // least height of paths in the set
     GuidedRegion cover = {};
 };
 

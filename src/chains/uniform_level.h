@@ -1,4 +1,4 @@
-// Level 0 of splitting: uniform paths of a pass, of which those high enough are kept as survivors.
+// Level 0 of splitting: uniform paths of a pass, of which high ones are kept as survivors.
 #pragma once
 
 #include "chains/level.h"
@@ -10,7 +10,7 @@ namespace sunfleck::engine {
 template <PathSpace Space>
 struct PathBlock {
     static constexpr std::size_t kPaths = 512;
-    /// How many hold so many paths.
+    /// Returns the number of blocks for so many paths.
     static constexpr std::size_t needed(std::size_t paths) { return (paths + kPaths - 1) / kPaths; }
 
     std::vector<Survivor> survivors;
@@ -22,7 +22,7 @@ struct UniformLevel {
     Population population;
     LevelCounts counts;  // `distinct` equals `states`
 
-    /// Joins blocks, in their order.
+    /// Appends blocks in order.
     template <PathSpace Space>
     void take(std::vector<PathBlock<Space>>&& blocks, typename Space::Tally& tally) {
         for (PathBlock<Space>& block : blocks) {
@@ -33,7 +33,7 @@ struct UniformLevel {
     }
 };
 
-/// Traces paths of some numbers. @param keep  called with each: keep(reader, sample, path, height).
+/// Traces a range of paths. @param keep  called as keep(reader, sample, path, height).
 template <PathSpace Space, class Points, class Keep>
 LevelCounts trace_range(const Space& space, const Points& points, const PathRange& range,
                         const Keep& keep, typename Space::Tally& tally) {
@@ -52,7 +52,7 @@ LevelCounts trace_range(const Space& space, const Points& points, const PathRang
     return counts;
 }
 
-/// @tparam Points  path(number) -> a dimension reader, uniform in its marginal distribution.
+/// @tparam Points  path(number) -> a primary-sample reader, uniform in its marginal distribution.
 /// @param least_height  of the paths that are kept.
 template <PathSpace Space, class Points>
 UniformLevel uniform_level(const Space& space, const Points& points, std::uint32_t count,

@@ -1,4 +1,4 @@
-// Reads the pictures, checks that they can be compared, and measures them.
+// Reads pictures, checks that they are comparable, and measures them.
 #include "compare/comparison.h"
 
 #include "sunfleck/error.h"
@@ -22,9 +22,9 @@ RgbImage read_like(const std::string& path, const Compared& reference) {
         return image;
     throw Error({path},
                 "has " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                    " pixels, and the reference " + std::to_string(reference.image.width) + " x " +
+                    " pixels, but the reference " + std::to_string(reference.image.width) + " x " +
                     std::to_string(reference.image.height),
-                "render both in one size");
+                "render both at the same size");
 }
 
 void measure_series(const std::vector<Snapshots>& seeds, const Compared& reference,
@@ -64,7 +64,7 @@ CompareInput compare_input(const std::string& text) {
     if (equals != std::string::npos && !fs::exists(text, code)) {
         CompareInput input{text.substr(0, equals), text.substr(equals + 1)};
         if (input.label.empty() || input.path.empty())
-            throw Error({text}, "is no LABEL=PATH", "write both, as in uniform=u.exr");
+            throw Error({text}, "is not LABEL=PATH", "write both, as in uniform=u.exr");
         return input;
     }
     if (!is_folder(text)) return {fs::path(text).stem().string(), text};
@@ -87,10 +87,11 @@ Comparison compare(const CompareInput& reference, const std::vector<CompareInput
     std::set<std::string> labels;
     for (const CompareInput& input : inputs)
         if (!labels.insert(input.label).second)
-            throw Error({input.path}, "is the second picture called \"" + input.label + "\"",
-                        "name them, as in LABEL=" + input.path);
+            throw Error({input.path},
+                        "is the second picture with the label \"" + input.label + "\"",
+                        "give labels, as in LABEL=" + input.path);
     if (is_folder(reference.path))
-        throw Error({reference.path}, "is a folder, and the reference is one picture",
+        throw Error({reference.path}, "is a folder, but the reference must be a picture",
                     "name a file in it");
     Comparison comparison;
     comparison.reference.input = reference;

@@ -1,4 +1,4 @@
-// A comparison as a table for a terminal and as JSON.
+// The comparison as a table for the terminal and as JSON.
 #include "compare/comparison.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// NaN is null.
+/// NaN becomes null.
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json();
 }
@@ -65,7 +65,7 @@ std::string comparison_table(const Comparison& comparison) {
     }
     const auto tell = [&](const Compared& picture) {
         if (picture.broken > 0)
-            text += fmt::format("{}: {} of {} pixels are NaN or infinite, and left out\n",
+            text += fmt::format("{}: {} of {} pixels are not finite and were left out\n",
                                 picture.input.label, picture.broken, picture.image.pixels.size());
     };
     tell(comparison.reference);
@@ -90,7 +90,7 @@ std::string comparison_json(const Comparison& comparison) {
         }
         json["pictures"].push_back(one);
     }
-    // Names of files may be any bytes.
+    // File names may be any bytes.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,4 +1,4 @@
-// FLIP from its parts: filtered colours, features, and how both make one number.
+// FLIP from its parts: filtered colours, features, and their combination.
 #include "compare/flip.h"
 
 #include "compare/flip_colour.h"
@@ -13,13 +13,13 @@ namespace {
 
 using flip::Plane;
 
-// Names as in the paper: q_c, p_c, p_t, q_f.
+// Names of the paper: q_c, p_c, p_t, q_f.
 constexpr float kColourExponent = 0.7F;
 constexpr float kSmallShare = 0.4F;
 constexpr float kSmallRange = 0.95F;
 constexpr float kFeatureExponent = 0.5F;
 
-/// The ACES curve: (a x^2 + b x) / (c x^2 + d x + e), with its pre-exposure of 0.6 taken out.
+/// The ACES curve (a x^2 + b x) / (c x^2 + d x + e), without its pre-exposure of 0.6.
 struct Aces {
     static constexpr float kA = 0.6F * 0.6F * 2.51F;
     static constexpr float kB = 0.6F * 0.03F;
@@ -29,24 +29,24 @@ struct Aces {
 
     static float curve(float x) {
         x = std::max(x, 0.0F);
-        if (x > 1e9F) return 1;  // and its squares do not overflow
+        if (x > 1e9F) return 1;  // squares would overflow
         return std::min((kA * x * x + kB * x) / (kC * x * x + kD * x + kE), 1.0F);
     }
-    /// Where the curve is y; y below its limit.
+    /// Inverts the curve; y is below its limit.
     static float inverse(float y) {
         const float half = -0.5F * (kB - y * kD) / (kA - y * kC);
         return half + std::sqrt(half * half + y * kE / (kA - y * kC));
     }
 };
 
-/// What of one picture goes into the difference.
+/// The features of one picture.
 struct Seen {
-    std::vector<Vec3> lab;     // filtered as the eye does
-    std::vector<Vec2> edges;   // gradient of the unfiltered luminance
-    std::vector<Vec2> points;  // its second derivatives
+    std::vector<Vec3> lab;     // after contrast sensitivity filtering
+    std::vector<Vec2> edges;   // gradient of unfiltered luminance
+    std::vector<Vec2> points;  // second derivatives of it
 };
 
-/// The opponent channels, each a plane.
+/// Returns the opponent channels as planes.
 std::array<Plane, 3> opponent_planes(const RgbImage& image) {
     std::array<Plane, 3> planes;
     for (Plane& plane : planes)
@@ -76,7 +76,7 @@ std::vector<Vec2> derivatives(const Plane& plane, const flip::Kernel& derivative
     return both;
 }
 
-/// @param image  within [0,1].
+/// @param image  in [0,1].
 Seen seen(const RgbImage& image, float pixels_per_degree) {
     std::array<Plane, 3> planes = opponent_planes(image);
     Plane luminance = planes[0];
@@ -94,7 +94,7 @@ Seen seen(const RgbImage& image, float pixels_per_degree) {
     return result;
 }
 
-/// Section 4.2: small differences get most of [0,1], large ones the rest.
+/// Section 4.2: small differences take most of [0,1], large ones the rest.
 float colour_difference(const Vec3& a, const Vec3& b) {
     static const float largest =
         std::pow(flip::hyab(flip::hunt_lab({0, 1, 0}), flip::hunt_lab({0, 0, 1})), kColourExponent);
@@ -104,14 +104,14 @@ float colour_difference(const Vec3& a, const Vec3& b) {
     return kSmallRange + (difference - knee) / (largest - knee) * (1 - kSmallRange);
 }
 
-/// Section 4.3.
+/// Section 4.3: edges and points.
 float feature_difference(const Seen& a, const Seen& b, std::size_t i) {
     const float edges = std::abs(a.edges[i].length() - b.edges[i].length());
     const float points = std::abs(a.points[i].length() - b.points[i].length());
     return std::pow(std::sqrt(0.5F) * std::max(edges, points), kFeatureExponent);
 }
 
-/// @param reference, test  within [0,1].
+/// @param reference, test  in [0,1].
 std::vector<float> flip_of(const RgbImage& reference, const RgbImage& test,
                            float pixels_per_degree) {
     const Seen a = seen(reference, pixels_per_degree);

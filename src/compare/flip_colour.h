@@ -1,9 +1,9 @@
-// The colour spaces of FLIP: linear RGB to the opponent space YCxCz and back, and to CIELAB with
-// Hunt's effect.
+// Colour spaces of FLIP: linear RGB to and from the opponent space YCxCz, and CIELAB with the Hunt
+// effect.
 //
 // Source: Andersson et al., FLIP: A Difference Evaluator for Alternating Images (HPG 2020),
-// sections 4.1 and 4.2; matrix of linear sRGB from the primaries and D65 as its authors' program
-// rounds them.
+// sections 4.1 and 4.2; the matrix of linear sRGB from primaries and D65, rounded as in the
+// authors' program.
 #pragma once
 
 #include "math/vector.h"
@@ -27,17 +27,17 @@ inline Vec3 times(const Rows& rows, const Vec3& v) {
     return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)};
 }
 
-/// XYZ of R = G = B = 1.
+/// Returns XYZ of R = G = B = 1.
 inline Vec3 white() {
     return times(kXyzOfRgb, Vec3(1));
 }
 
-/// XYZ relative to white.
+/// Returns XYZ relative to white.
 inline Vec3 relative_xyz(const Vec3& rgb) {
     return times(kXyzOfRgb, rgb) / white();
 }
 
-/// YCxCz of linear RGB: CIELAB without its cube root.
+/// Converts linear RGB to YCxCz, which is CIELAB without the cube root.
 inline Vec3 opponent_of_rgb(const Vec3& rgb) {
     const Vec3 r = relative_xyz(rgb);
     return {116 * r.y - 16, 500 * (r.x - r.y), 200 * (r.y - r.z)};
@@ -48,7 +48,7 @@ inline Vec3 rgb_of_opponent(const Vec3& ycc) {
     return times(kRgbOfXyz, Vec3(y + ycc.y / 500, y, y - ycc.z / 200) * white());
 }
 
-/// CIELAB of linear RGB within [0,1], a and b weighed by lightness (Hunt's effect).
+/// Converts linear RGB in [0,1] to CIELAB with a and b scaled by lightness (Hunt effect).
 inline Vec3 hunt_lab(const Vec3& rgb) {
     const auto curve = [](float t) {
         constexpr float kDelta = 6.0F / 29;
@@ -60,7 +60,7 @@ inline Vec3 hunt_lab(const Vec3& rgb) {
     return {l, weight * 500 * (curve(r.x) - curve(r.y)), weight * 200 * (curve(r.y) - curve(r.z))};
 }
 
-/// HyAB, a distance for large differences: steps of lightness plus those of hue and chroma.
+/// Returns HyAB, a metric for large differences: lightness difference plus chroma distance.
 inline float hyab(const Vec3& a, const Vec3& b) {
     const Vec3 d = a - b;
     return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);

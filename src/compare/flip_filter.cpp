@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kRowsOfTask = 16;
 constexpr float kFeatureWidth = 0.082F;  // degrees
 
-/// a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees: table 1 of the paper.
+/// The Gaussian a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees: table 1 of the paper.
 struct Gaussian {
     float a;
     float b;
@@ -42,7 +42,7 @@ void for_rows(int height, const std::function<void(int)>& task) {
                     });
 }
 
-/// The positive weights shall sum to 1, and the negative ones to -1.
+/// Scales positive weights to the sum 1, negative ones to -1.
 void balance(Kernel& kernel) {
     float positive = 0;
     float negative = 0;
@@ -87,14 +87,14 @@ Plane convolve(const Plane& plane, const Kernel& across, const Kernel& down) {
 }
 
 std::vector<Kernel> contrast_kernels(std::size_t channel, float pixels_per_degree) {
-    // Three standard deviations of the widest Gaussian of all channels.
+    // Three standard deviations of the widest Gaussian over all channels.
     const int radius =
         static_cast<int>(std::ceil(3 * std::sqrt(kWidest / (2 * kPi * kPi)) * pixels_per_degree));
     std::vector<Kernel> kernels;
     float volume = 0;
     for (const Gaussian& g : kContrast.at(channel)) {
         if (g.a == 0) continue;
-        const float height = std::sqrt(g.a * std::sqrt(kPi / g.b));  // its square in the product
+        const float height = std::sqrt(g.a * std::sqrt(kPi / g.b));  // squared in the product
         Kernel& kernel = kernels.emplace_back();
         for (int i = -radius; i <= radius; ++i) {
             const float x = static_cast<float>(i) / pixels_per_degree;

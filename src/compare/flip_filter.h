@@ -1,7 +1,7 @@
-// The filters of FLIP: what an eye at normal distance resolves, and what it sees as edge or point.
+// Filters of FLIP: contrast sensitivity of the eye, and detection of edges and points.
 //
-// Source: Andersson et al. 2020, sections 4.1.1 and 4.3. All are products of a filter across and
-// one down, or sums of two such.
+// Source: Andersson et al. 2020, sections 4.1.1 and 4.3. All filters are separable, or sums of two
+// separable ones.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace sunfleck::engine::flip {
 
-/// One number a pixel.
+/// One number per pixel.
 struct Plane {
     int width = 0;
     int height = 0;
@@ -25,19 +25,20 @@ private:
     }
 };
 
-/// 2 r + 1 weights around a pixel.
+/// The 2 r + 1 weights around a pixel.
 using Kernel = std::vector<float>;
 
-/// Convolves across with one kernel, then down with the other; beyond the edges the edge goes on.
+/// Convolves rows with one kernel, then columns with the other; edge pixels extend beyond the
+/// picture.
 Plane convolve(const Plane& plane, const Kernel& across, const Kernel& down);
 
-/// Contrast sensitivity of one opponent channel, as a sum of at most two Gaussians (each to be
-/// applied across and down). They sum to one in two dimensions.
+/// Returns the contrast sensitivity of an opponent channel as a sum of at most two Gaussians (each
+/// applied to rows and columns), normalised in two dimensions.
 /// @param channel  0 luminance, 1 red-green, 2 blue-yellow.
 std::vector<Kernel> contrast_kernels(std::size_t channel, float pixels_per_degree);
 
-/// Detectors of features as wide as half of an edge's 0.082 degrees: a Gaussian, and its first and
-/// second derivative, each with positive weights that sum to 1 and negative ones to -1.
+/// Feature detectors of half the width of an edge of 0.082 degrees: a Gaussian with its first and
+/// second derivative, whose positive weights sum to 1 and negative ones to -1.
 struct FeatureKernels {
     Kernel gaussian;
     Kernel first;

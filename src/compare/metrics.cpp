@@ -1,4 +1,4 @@
-// The metrics, pixel by pixel in one fixed order.
+// The metrics, pixel by pixel in a fixed order.
 #include "compare/metrics.h"
 
 #include "compare/flip.h"
@@ -6,11 +6,11 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Both pictures, with zero in place of what is not finite in one of them.
+/// Both pictures, with zero where one of them is not finite.
 struct Pair {
     RgbImage reference;
     RgbImage test;
-    std::vector<bool> counts;  // is finite in both
+    std::vector<bool> counts;  // finite in both
     std::size_t counted = 0;
 };
 
@@ -26,7 +26,7 @@ Pair finite_pair(const RgbImage& reference, const RgbImage& test) {
     return pair;
 }
 
-/// What is left out is zero, and adds nothing.
+/// Returns the mean; pixels left out are zero and add nothing.
 double mean_of(const std::vector<float>& map, std::size_t counted) {
     if (map.empty()) return Metrics::kNone;
     double sum = 0;
@@ -71,7 +71,7 @@ Measured measure(const RgbImage& reference, const RgbImage& test, bool with_hdr)
     }
     add_sums(pair, result.metrics);
     result.flip_map = ldr_flip(pair.reference, pair.test);
-    // Filters bring their neighbours' light to pixels that are left out.
+    // Filters spread light to pixels that are left out.
     const auto leave_out = [&](std::vector<float>& map) {
         for (std::size_t i = 0; i < map.size(); ++i)
             if (!pair.counts[i]) map[i] = 0;

@@ -1,4 +1,4 @@
-// How far a picture is from its reference, in numbers: docs/guide/compare.md has the formulas.
+// Metrics: the error of a picture against its reference; docs/guide/compare.md has the formulas.
 #pragma once
 
 #include "compare/rgb_image.h"
@@ -11,7 +11,7 @@
 
 namespace sunfleck::engine {
 
-/// What has no value is NaN. Means are over pixels that are finite in both pictures, and over R, G
+/// Missing values are NaN. Means are over pixels that are finite in both pictures, and over R, G
 /// and B.
 struct Metrics {
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -20,16 +20,16 @@ struct Metrics {
     double rel_mse = kNone;
     double smape = kNone;
     double flip = kNone;
-    double hdr_flip = kNone;         // also none of a black reference, or when not asked for
-    double luminance_ratio = kNone;  // also none of a black reference
+    double hdr_flip = kNone;         // missing for a black reference, or if not requested
+    double luminance_ratio = kNone;  // missing for a black reference
 };
 
-/// One row a metric: in tables, in JSON and on the page.
+/// One row per metric: in tables, in JSON and on the page.
 struct MetricRow {
     std::string_view name;   // in JSON
     std::string_view title;  // in tables
     double Metrics::*value;
-    double best;  // what equal pictures give
+    double best;  // value for equal pictures
 };
 inline constexpr std::array kMetrics = {
     MetricRow{"mse", "MSE", &Metrics::mse, 0},
@@ -42,14 +42,15 @@ inline constexpr std::array kMetrics = {
 
 struct Measured {
     Metrics metrics;
-    std::size_t left_out = 0;     // pixels that are not finite in one of the two
-    std::vector<float> flip_map;  // of LDR-FLIP, each pixel in [0,1]; zero where left out
+    std::size_t left_out = 0;     // pixels that are not finite in one of both
+    std::vector<float> flip_map;  // LDR-FLIP per pixel in [0,1]; zero where left out
 };
 
-/// What keeps the denominators of relMSE and SMAPE off zero: dark pixels count less.
+/// Added to the denominators of relMSE and SMAPE, so that dark pixels count less.
 inline constexpr double kEpsilon = 0.01;
 
-/// @param test  of the reference's size. @param with_hdr  computes HDR-FLIP, the slowest, too.
+/// @param test  has the size of the reference. @param with_hdr  also computes HDR-FLIP, the
+/// slowest.
 Measured measure(const RgbImage& reference, const RgbImage& test, bool with_hdr = true);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Any image file as linear RGB.
+// Conversion of images to linear RGB.
 #include "compare/rgb_image.h"
 
 #include "image/read_file.h"

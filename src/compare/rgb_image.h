@@ -1,4 +1,4 @@
-// A picture to be compared: linear RGB in floats, from any file that we read.
+// RgbImage: a picture to compare, in linear RGB floats.
 #pragma once
 
 #include "math/colour.h"
@@ -13,18 +13,18 @@ namespace sunfleck::engine {
 struct RgbImage {
     int width = 0;
     int height = 0;
-    std::vector<Vec3> pixels;  // linear sRGB, row after row from the top
+    std::vector<Vec3> pixels;  // linear sRGB, row by row from the top
 };
 
-/// Reads a picture. A grey one counts as R = G = B; alpha is ignored.
-/// @throws Error for what cannot be read (parse_image).
+/// Reads a picture of any supported format. Grey becomes R = G = B; alpha is ignored.
+/// @throws Error  for what cannot be read (parse_image).
 RgbImage read_rgb(const std::string& path);
 
 inline bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Pixels of which a channel is NaN or infinite.
+/// Returns the number of pixels with a NaN or infinite channel.
 std::size_t broken_pixels(const RgbImage& image);
 
 inline float luminance(const Vec3& rgb) {

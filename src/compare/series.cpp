@@ -1,4 +1,4 @@
-// Snapshots from a folder, and their bands over seeds.
+// Snapshots of a folder, and their quartiles over seeds.
 #include "compare/series.h"
 
 #include "core/statistics_file.h"
@@ -20,7 +20,7 @@ Snapshot read_snapshot(const fs::path& picture) {
     std::error_code code;
     if (!fs::is_regular_file(stats, code))
         throw Error({picture.string()},
-                    "has no " + fs::path(stats).filename().string() + " beside it",
+                    "there is no " + fs::path(stats).filename().string() + " beside it",
                     "write both by sunfleck render --snapshots");
     const std::string text = read_statistics_file(stats);
     try {
@@ -29,11 +29,11 @@ Snapshot read_snapshot(const fs::path& picture) {
                           json.at("seconds").at("total").get<double>(),
                           json.value("cpu_seconds", 0.0)};
         if (!(snapshot.seconds > 0))
-            throw Error({stats}, "says that the render took no time",
-                        "give the stats of sunfleck render");
+            throw Error({stats}, "has a render time of zero",
+                        "give the statistics of sunfleck render");
         return snapshot;
     } catch (const nlohmann::json::exception&) {
-        throw Error({stats}, "holds no statistics of a render",
+        throw Error({stats}, "is not a statistics file of a render",
                     "write it by sunfleck render --snapshots or --stats");
     }
 }
@@ -54,7 +54,7 @@ Snapshots snapshots_in(const fs::path& folder) {
     return found;
 }
 
-/// The samples of one point, one a seed.
+/// The samples of one point, one per seed.
 using Column = std::vector<const SeriesSample*>;
 
 Column column_at(const std::vector<std::vector<SeriesSample>>& seeds, std::uint64_t passes) {
@@ -102,12 +102,12 @@ std::vector<Snapshots> read_series(const std::string& folder) {
         if (Snapshots found = snapshots_in(seed); !found.empty()) seeds.push_back(std::move(found));
     if (Snapshots here = snapshots_in(folder); !here.empty()) {
         if (!seeds.empty())
-            throw Error({folder}, "holds pictures, and so do its subfolders",
-                        "put each seed into a subfolder of its own");
+            throw Error({folder}, "contains pictures, and so do its subfolders",
+                        "use one subfolder per seed");
         seeds.push_back(std::move(here));
     }
     if (seeds.empty())
-        throw Error({folder}, "holds no .exr", "fill it by sunfleck render --snapshots");
+        throw Error({folder}, "contains no .exr", "create it with sunfleck render --snapshots");
     return seeds;
 }
 

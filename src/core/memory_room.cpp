@@ -80,7 +80,7 @@ std::optional<fs::path> group_of(const fs::path& root, const std::string& contro
 }
 
 /// Returns the smallest remainder of all control groups around this process.
-std::uint64_t left_by_strata(const fs::path& root) {
+std::uint64_t left_by_groups(const fs::path& root) {
     std::uint64_t left = kNoLimit;
     for (const GroupFiles& files : kGroupFiles) {
         auto group = group_of(root, files.controller);
@@ -125,7 +125,7 @@ MemoryRoom memory_room(const std::string& root) {
     };
     if (const auto kibibytes = number_after(top / "proc/meminfo", "MemAvailable:"))
         bound(sum(*kibibytes * 1024, memory), "the machine's free memory");
-    bound(sum(left_by_strata(top), memory), "the limit of the control group");
+    bound(sum(left_by_groups(top), memory), "the limit of the control group");
     rlimit address{};
     if (::getrlimit(RLIMIT_AS, &address) == 0 && address.rlim_cur != RLIM_INFINITY) {
         const std::uint64_t beside = space - std::min(space, memory);

@@ -42,13 +42,13 @@ enum class Purpose : std::uint32_t {
     test,
     splitting,
     light_path,
-    pair_eye,
+    pair_camera,
     pair_light,
     pair_joints,
     metropolis_bootstrap,
     metropolis_step,
     metropolis_choice,
-    view_walk,
+    importon,
     edge_search
 };
 
@@ -75,10 +75,11 @@ constexpr float to_unit_float(std::uint64_t fraction) {
 /// A random stream with random access: number i is available in any order.
 class RandomStream {
 public:
-    /// @param part  see PassId::part.
+    /// @param substream  see PassId::substream.
     constexpr RandomStream(std::uint64_t seed, Purpose purpose, std::uint32_t pass,
-                           std::uint32_t index, std::uint32_t part = 0)
-        : seed_(seed), name_{0, index, pass, static_cast<std::uint32_t>(purpose) | part << 16U} {}
+                           std::uint32_t index, std::uint32_t substream = 0)
+        : seed_(seed),
+          name_{0, index, pass, static_cast<std::uint32_t>(purpose) | substream << 16U} {}
 
     /// Returns number i as a 64-bit fraction. Numbers i and i ^ 1 share one Philox block.
     constexpr std::uint64_t at(std::uint32_t i) {
@@ -123,20 +124,22 @@ private:
 /// Identifies a pass of a render; all randomness of the pass depends on it alone.
 struct PassId {
     std::uint64_t seed = 0;
-    std::uint32_t number = 0;  // from 0
-    std::uint32_t part = 0;    // subpass and stratum: see subpass() and with_part(); below 2^16
+    std::uint32_t number = 0;     // from 0
+    std::uint32_t substream = 0;  // of subpass() and with_stratum(); below 2^16
 
     /// Returns the stream of one pixel, uniform path or chain of this pass. @param index  below
     /// 2^32.
     constexpr RandomStream stream(Purpose purpose, std::size_t index) const {
-        return {seed, purpose, number, static_cast<std::uint32_t>(index), part};
+        return {seed, purpose, number, static_cast<std::uint32_t>(index), substream};
     }
     /// Returns the id of one subpass. @param which  below 128.
-    constexpr PassId subpass(std::uint32_t which) const { return {seed, number, which * kParts}; }
-    /// Returns the id of one light stratum of the subpass. @param which  below kParts.
-    constexpr PassId with_part(std::uint32_t which) const { return {seed, number, part + which}; }
+    constexpr PassId subpass(std::uint32_t which) const { return {seed, number, which * kStrata}; }
+    /// Returns the id of one light stratum of the subpass. @param which  below kStrata.
+    constexpr PassId with_stratum(std::uint32_t which) const {
+        return {seed, number, substream + which};
+    }
 
-    static constexpr std::uint32_t kParts = 512;  // strata of a subpass
+    static constexpr std::uint32_t kStrata = 512;  // strata of a subpass
 };
 
 }  // namespace sunfleck::engine

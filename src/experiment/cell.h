@@ -1,7 +1,7 @@
-// A cell of an experiment: one render, named by what it is.
+// Cell: one render of an experiment, identified by scene, method and seed.
 //
-// Cells are run by `sunfleck render`, as its user would: each can be repeated by hand from the
-// command that its statistics hold.
+// Cells run as `sunfleck render`, so that each can be repeated by hand with the command that its
+// statistics contain.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace sunfleck::engine {
 
-/// A way of rendering: its name in tables and folders, and the flags of `sunfleck render`.
+/// A rendering method: its name in tables and folders, and its flags for `sunfleck render`.
 struct Method {
     std::string name;
     std::vector<std::string> flags;
 };
 
 struct Cell {
-    std::string scene;  // one of our own (procedural/scenes.h)
+    std::string scene;  // a procedural scene (procedural/scenes.h)
     Method method;
     std::uint64_t seed = 1;
-    double budget = 1;  // of the unit of the run
+    double budget = 1;  // in units of the run's budget
 
-    /// Its folder below that of all cells: cells of one name are one render.
+    /// Returns the folder relative to that of all cells: cells with one key are one render.
     std::string key() const { return scene + "/" + method.name + "/seed-" + std::to_string(seed); }
 };
 
@@ -33,16 +33,16 @@ struct OtherPicture {
     std::string file;
 };
 
-/// What the user chose about a run of experiments.
+/// The user's settings of an experiment.
 struct RunSettings {
     std::string folder = "experiment";
-    double cpu_seconds = 60;       // of a cell, all threads together; or
-    std::uint32_t passes = 0;      // if not zero: passes of a cell instead
+    double cpu_seconds = 60;       // per cell, all threads together; or
+    std::uint32_t passes = 0;      // if not zero: passes per cell instead
     double reference_budget = 10;  // of a reference, in cells
     std::uint64_t seeds = 5;
-    double scale = 1;         // of the sides of all pictures, in (0,1]
-    std::size_t threads = 0;  // all
-    std::string program;      // this one
+    double scale = 1;         // factor of the sides of all pictures, in (0,1]
+    std::size_t threads = 0;  // zero for all
+    std::string program;      // path of this program
     std::vector<OtherPicture> others;
 };
 

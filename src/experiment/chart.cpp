@@ -15,19 +15,19 @@ namespace {
 constexpr double kWidth = 640;
 constexpr double kHeight = 400;
 constexpr double kLeft = 76;
-constexpr double kRight = 492;  // the legend stands beyond
+constexpr double kRight = 492;  // the legend is to the right
 constexpr double kTop = 34;
 constexpr double kBottom = 346;
 
 constexpr std::array<const char*, 8> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                  "#E69F00", "#56B4E9", "#000000", "#8C8C00"};
 
-/// One axis: from values to the picture.
+/// One axis: maps values to the picture.
 struct Axis {
     bool log = true;
     double low = 0;
     double high = 0;
-    double from = 0;  // where low lies in the picture
+    double from = 0;  // position of `low` in the picture
     double to = 0;
 
     bool shows(double value) const { return std::isfinite(value) && (!log || value > 0); }
@@ -41,7 +41,7 @@ struct Axis {
         high = empty ? value : std::max(high, value);
         empty = false;
     }
-    /// Some room beyond the ends; never of no length.
+    /// Adds a margin at both ends; the length is never zero.
     void widen() {
         if (empty) low = high = 1;
         if (log) {

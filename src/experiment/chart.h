@@ -1,4 +1,4 @@
-// Line charts as SVG, on logarithmic axes, with bands.
+// Line charts as SVG, with logarithmic axes and bands.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ namespace sunfleck::engine {
 struct ChartPoint {
     double x = 0;
     double y = 0;
-    double low = 0;  // of the band
+    double low = 0;  // lower end of the band
     double high = 0;
 };
 
 struct ChartLine {
     std::string label;
-    std::vector<ChartPoint> points;  // x ascending
+    std::vector<ChartPoint> points;  // ascending x
 };
 
 struct Chart {
@@ -27,9 +27,9 @@ struct Chart {
     bool log_y = true;  // x is always logarithmic
 };
 
-/// A whole SVG file, 640 x 400. Points that an axis cannot show (not positive on a logarithmic
-/// one, not finite) are left out. Up to eight lines have colours of their own, from Okabe and Ito,
-/// Color Universal Design (2008): told apart by all eyes.
+/// Returns a complete SVG file of 640 x 400. Points that an axis cannot show (not positive on a
+/// logarithmic one, not finite) are left out. Up to eight lines have the colours of Okabe and Ito,
+/// Color Universal Design (2008), which colour-blind viewers can distinguish.
 std::string chart_svg(const Chart& chart);
 
 }  // namespace sunfleck::engine

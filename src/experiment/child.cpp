@@ -1,4 +1,4 @@
-// posix_spawn, and waiting with an eye on interruptions.
+// posix_spawn, and waiting with polls for interruptions.
 #include "experiment/child.h"
 
 #include "sunfleck/error.h"

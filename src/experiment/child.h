@@ -1,4 +1,4 @@
-// A program as a child process: run to its end, its words kept in a file.
+// Runs a program as a child process to its end, with its output in a file.
 #pragma once
 
 #include <atomic>
@@ -7,11 +7,11 @@
 
 namespace sunfleck::engine {
 
-/// Runs words[0] with the other words, standard output and error going to the file `log`.
-/// @param interrupted  asked some times a second: when set, the child is told (SIGINT) and waited
-///                     for all the same. May be null.
-/// @return its exit code; 128 + the signal's number when one ended it.
-/// @throws Error if it cannot be started.
+/// Runs words[0] with the other words as arguments; standard output and error go to the file `log`.
+/// @param interrupted  polled several times per second; when set, the child receives SIGINT, and
+/// its end is still waited for. May be null.
+/// @return its exit code; 128 + the signal's number if a signal ended it.
+/// @throws Error  if it cannot be started.
 int run_child(const std::vector<std::string>& words, const std::string& log,
               const std::atomic<bool>* interrupted);
 

@@ -1,4 +1,4 @@
-// A figure or table of the paper: its cells, and what is made of them.
+// Figure: a figure or table of the paper, with its cells and how its results are shown.
 #pragma once
 
 #include "experiment/chart.h"
@@ -11,30 +11,30 @@
 
 namespace sunfleck::engine {
 
-/// A picture of a cell on the page, with what stands below it.
+/// A picture of a cell on the page, with its caption.
 struct ShownPicture {
     std::string file;  // .exr
     std::string name;  // of the .png, without ending
     std::string caption;
 };
 
-/// Pictures of one scene side by side; on a page of their own they lie over its reference.
+/// Pictures of one scene side by side, with a page that compares them with its reference.
 struct PictureRow {
     std::string name;   // of that page, without ending
-    std::string scene;  // gives them one exposure
+    std::string scene;  // which sets one exposure
     std::vector<ShownPicture> pictures;
 };
 
-/// What the page shows of a figure, in this order.
+/// The parts of a figure on the page, in this order.
 struct Section {
-    std::vector<std::string> findings;  // paragraphs: our figures, in words
+    std::vector<std::string> findings;  // paragraphs: our results in words
     std::vector<Table> tables;
     std::vector<Chart> charts;
     std::vector<PictureRow> rows;
 };
 
 struct Figure {
-    std::string name;  // as the user writes it: "fig6"
+    std::string name;  // in flags: "fig6"
     std::string title;
     std::string claim;                // what the paper says
     std::vector<std::string> scenes;  // those that need a reference
@@ -42,13 +42,13 @@ struct Figure {
     std::function<Section(const Results&)> section;
 };
 
-/// All of them, in the paper's order.
+/// Returns all figures in the paper's order.
 const std::vector<Figure>& figures();
 
-/// @throws Error naming all figures for a name that none has.
+/// @throws Error  for an unknown name; the message lists all names.
 const Figure& figure_named(const std::string& name);
 
-// One a file of figures/.
+// One function per file of figures/.
 Figure table1();
 Figure fig1();
 Figure fig5();

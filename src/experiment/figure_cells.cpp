@@ -1,4 +1,4 @@
-// References first, then the figure's own cells.
+// References first, then the cells of the figure.
 #include "experiment/figure_cells.h"
 
 #include "experiment/methods.h"

@@ -7,10 +7,10 @@
 
 namespace sunfleck::engine {
 
-/// Cells of a figure and references of its scenes, in the order of rendering.
+/// Returns the cells of a figure and the references of its scenes, in rendering order.
 std::vector<Cell> cells_of(const Figure& figure, const RunSettings& settings);
 
-/// The same of several figures, each cell once.
+/// Returns the cells of several figures, each once.
 std::vector<Cell> cells_of(const std::vector<Figure>& figures, const RunSettings& settings);
 
 }  // namespace sunfleck::engine

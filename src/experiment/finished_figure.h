@@ -1,4 +1,4 @@
-// A figure whose cells are rendered, with what the page shows of it.
+// A figure whose cells are rendered, with its parts of the page.
 #pragma once
 
 #include "experiment/figure.h"

@@ -1,4 +1,4 @@
-// Linux tells the processor's name in /proc/cpuinfo.
+// The processor's name from Linux's /proc/cpuinfo.
 #include "experiment/machine.h"
 
 #include "core/parallel.h"

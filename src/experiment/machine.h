@@ -1,11 +1,11 @@
-// What the figures were measured on.
+// Description of the machine on which figures were measured.
 #pragma once
 
 #include <string>
 
 namespace sunfleck::engine {
 
-/// The processor's name and how many of its threads this process may use.
+/// Returns the processor's name and the number of threads that this process may use.
 std::string machine_text();
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Flags of each method, and the choice of references.
+// Flags of each method, and the selection of references.
 #include "experiment/methods.h"
 
 #include <array>
@@ -12,8 +12,8 @@ struct ReferenceRow {
     std::string_view method;
 };
 
-// Path tracing where it finds all light, uniform photons where enough of them are seen; the rest
-// has none but the sampler under test, many times longer.
+// Path tracing if it finds all light, uniform photons if enough of them are visible; otherwise
+// there is only the sampler under test, with many times the budget.
 constexpr std::array<ReferenceRow, 9> kReferences = {{
     {"cornell", "path"},
     {"statue-far", "path"},
@@ -63,7 +63,7 @@ Cell reference_cell(const std::string& scene, const RunSettings& settings) {
             name == "path" ? integrator_method(name) : Method{name, {"--photon-sampler", name}};
     }
     method.name = "reference-" + (method.flags.empty() ? "adaptive" : method.flags.back());
-    if (method.name != "reference-path")  // no more bias than samplers under test
+    if (method.name != "reference-path")  // the same bias as the samplers under test
         method.flags.insert(method.flags.end(), {"--indirect-radius", "1"});
     return {scene, method, 1000, settings.reference_budget};
 }

@@ -1,30 +1,31 @@
-// The ways of rendering that the paper compares, and those that it is compared with.
+// The rendering methods that the paper compares, and others to compare with.
 //
-// The four samplers take all light by photons, 200,000 paths a pass, alpha 0.7 and a first radius
-// of two pixels for all photons, as the paper's section 7 has it: what differs is where photon
-// paths come from.
+// All four samplers compute all light by photons, with 200,000 paths per pass, alpha 0.7 and an
+// initial radius of two pixels for all photons, as in section 7 of the paper; they differ in the
+// source of photon paths alone.
 #pragma once
 
 #include "experiment/cell.h"
 
 namespace sunfleck::engine {
 
-/// One of the photon samplers "random", "uniform", "adaptive", "paper".
+/// Returns one of the photon samplers "random", "uniform", "adaptive", "paper".
 Method sampler_method(const std::string& name);
 
-/// All four, in the order of tables: random, uniform, paper, adaptive.
+/// Returns all four in table order: random, uniform, paper, adaptive.
 std::vector<Method> sampler_methods();
 
-/// Sunfleck as it comes, without any flag.
+/// Returns Sunfleck without any flag.
 Method default_method();
 
-/// "path", "bdpt", "mlt" or "light".
+/// Returns an integrator: "path", "bdpt", "mlt" or "light".
 Method integrator_method(const std::string& name);
 
-/// The sampler `paper` with flags of its own.
+/// Returns the sampler `paper` with additional flags.
 Method paper_method(const std::string& name, const std::vector<std::string>& flags);
 
-/// How a scene's reference is made: by a method that is not under test there, where one converges.
+/// Returns how the reference of a scene is rendered: by a method that is not under test there, if
+/// one converges.
 Cell reference_cell(const std::string& scene, const RunSettings& settings);
 
 }  // namespace sunfleck::engine

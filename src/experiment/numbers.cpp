@@ -1,4 +1,4 @@
-// Welch's ratio, Spearman's ranks.
+// Welch's interval of ratios, Spearman's ranks.
 #include "experiment/numbers.h"
 
 #include "math/statistics.h"

@@ -43,7 +43,7 @@ void write_text(const fs::path& path, const std::string& text) {
     write_file(path.string(), text);
 }
 
-/// Stops that bring the light that 97% of the pixels stay below to 0.85.
+/// Returns the stops that map the 97% quantile of the pixels to 0.85.
 float exposure_of(const Reference& reference) {
     std::vector<double> sorted = reference.picture.luminance;
     std::sort(sorted.begin(), sorted.end());
@@ -51,13 +51,13 @@ float exposure_of(const Reference& reference) {
     return bright > 0 ? static_cast<float>(std::log2(0.85 / bright)) : 0;
 }
 
-/// Its caption without the scene.
+/// Returns the caption without the scene.
 std::string label_of(const ShownPicture& shown, const PictureRow& row) {
     const std::string scene = row.scene + ", ";
     return shown.caption.starts_with(scene) ? shown.caption.substr(scene.size()) : shown.caption;
 }
 
-/// Writes the page of a row over the reference of its scene. @return a link to it.
+/// Writes the page that compares a row with the reference. @return a link to it.
 std::string comparison_html(const Results& results, const PictureRow& row) {
     const RunSettings& settings = results.settings();
     const std::string reference = results.facts(reference_cell(row.scene, settings)).picture;
@@ -92,7 +92,7 @@ std::string pictures_html(const Results& results, const Section& section) {
     return html;
 }
 
-/// Writes tables, charts and pictures, too.
+/// Also writes tables, charts and pictures.
 std::string section_html(const Results& results, const Figure& figure, const Section& section) {
     const fs::path folder = results.settings().folder;
     std::string html =

@@ -1,4 +1,4 @@
-// The record of a run as JSON.
+// The record of an experiment as JSON.
 #include "experiment/record.h"
 
 #include "experiment/figure_cells.h"

@@ -1,4 +1,4 @@
-// results.json: everything that the page shows, and every cell, for programs.
+// results.json: everything on the page, and every cell, for programs.
 #pragma once
 
 #include "experiment/finished_figure.h"

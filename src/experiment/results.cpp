@@ -28,8 +28,8 @@ CellFacts read_facts(const fs::path& picture) {
     const auto path = fs::path(picture).replace_extension(".json").string();
     const auto json = nlohmann::json::parse(read_statistics_file(path), nullptr, false);
     if (!json.is_object())
-        throw Error({path}, "holds no statistics of a render",
-                    "remove its folder, to render again");
+        throw Error({path}, "is not a statistics file of a render",
+                    "remove its folder to render it again");
     CellFacts facts;
     facts.picture = picture.string();
     facts.passes = number(json, "passes");
@@ -44,8 +44,8 @@ CellFacts read_facts(const fs::path& picture) {
     return facts;
 }
 
-/// The mean without the hundredth of the largest, whatever their sign: where the reference is
-/// noisy, a square less its variance may be far below zero.
+/// Returns the mean without the hundredth of largest magnitude: if the reference is noisy, a square
+/// minus its variance may be far below zero.
 double trimmed_mean(std::vector<double> values) {
     const std::size_t left_out = values.size() / 100;
     std::nth_element(values.begin(), values.end() - static_cast<std::ptrdiff_t>(left_out),
@@ -119,7 +119,7 @@ std::vector<CellFacts> Results::snapshots(const Cell& cell) const {
         if (entry.path().extension() == ".exr") pictures.push_back(entry.path());
     std::sort(pictures.begin(), pictures.end());
     if (pictures.empty())
-        throw Error({store_.folder(cell)}, "holds no picture", "remove it, to render again");
+        throw Error({store_.folder(cell)}, "contains no picture", "remove it to render it again");
     std::vector<CellFacts> all;
     all.reserve(pictures.size());
     for (const fs::path& picture : pictures) all.push_back(read_facts(picture));
@@ -152,8 +152,8 @@ PictureError Results::measured(const std::string& scene, const std::string& pict
     const Reference& r = reference(scene);
     const MeasuredPicture measured = read_measured(picture);
     if (measured.luminance.size() != r.picture.luminance.size())
-        throw Error({picture}, "has another size than the reference of " + scene,
-                    "render it at the size of this run");
+        throw Error({picture}, "differs in size from the reference of " + scene,
+                    "render it at the size of this experiment");
     std::vector<double> squares;
     double rel_mse = 0;
     for (std::size_t i = 0; i < measured.luminance.size(); ++i) {

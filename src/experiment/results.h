@@ -1,11 +1,11 @@
-// What finished cells say: their statistics, and how far their pictures are from the reference.
+// Results: statistics of finished cells, and errors of their pictures against the reference.
 //
-// Errors are of luminance, by pixel: MSE is the mean square over the reference's mean squared,
-// relMSE the mean of squares over (reference^2 + 0.01 mean^2). The reference's own variance, where
-// its error is known (layer error.Y), is taken out of both: an error below it can come out
-// negative. Trimmed MSE leaves out the worst hundredth of each picture's pixels: where a few bright
-// ones are nearly all of the MSE, it tells methods apart. Where a picture has the layer emission,
-// pixels that see a lamp are left out.
+// Errors are of luminance per pixel: MSE is the mean square over the squared mean of the reference,
+// relMSE the mean of squares over (reference^2 + 0.01 mean^2). The variance of the reference, if
+// known (channel error.Y), is subtracted from both, so an error below it can be negative. Trimmed
+// MSE leaves out the worst hundredth of each picture's pixels: it distinguishes methods if few
+// bright pixels dominate the MSE. If a picture has the AOV emission, pixels that see a lamp are
+// left out.
 #pragma once
 
 #include "experiment/store.h"
@@ -18,17 +18,17 @@
 
 namespace sunfleck::engine {
 
-/// A render as it stood after some passes. What its statistics do not say is not a number.
+/// A render after some passes. Missing statistics are NaN.
 struct CellFacts {
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-    std::string picture;  // file
+    std::string picture;  // file name
     double passes = 0;
     double seconds = 0;
     double cpu_seconds = 0;
     double visible_fraction = kNone;
-    double visible_ratio = kNone;               // distinct visible paths, over uniform sampling's
-    double visible_ratio_with_repeats = kNone;  // deposited ones: the paper's reading
+    double visible_ratio = kNone;  // distinct visible paths, over that of uniform sampling
+    double visible_ratio_with_repeats = kNone;  // with repeats: the definition of the paper
     double mutation_size = kNone;
     double acceptance = kNone;
     double mean = kNone;  // luminance
@@ -42,17 +42,17 @@ struct PictureError {
 
 using ErrorKind = double PictureError::*;
 
-/// What errors are measured on.
+/// The data on which errors are measured.
 struct MeasuredPicture {
-    std::vector<double> luminance;  // by pixel
-    std::vector<bool> sees_lamp;    // empty: nothing is known of that
+    std::vector<double> luminance;  // per pixel
+    std::vector<bool> sees_lamp;    // empty if unknown
 };
 
-/// What a scene's errors are measured by.
+/// The reference of a scene.
 struct Reference {
     std::string method;
     MeasuredPicture picture;
-    std::vector<double> variance;  // of that, by pixel; empty where it is not known
+    std::vector<double> variance;  // of the luminance, per pixel; empty if unknown
     double mean = 0;
     double own_rel_mse = CellFacts::kNone;
 };
@@ -63,23 +63,24 @@ public:
 
     const CellStore& store() const { return store_; }
     const RunSettings& settings() const { return store_.settings(); }
-    /// As the cell ended.
+    /// Returns the state at the end of a cell.
     CellFacts facts(const Cell& cell) const { return snapshots(cell).back(); }
-    /// In the order of passes, at least one; more than one for scenes whose series is kept.
+    /// Returns the snapshots in order of passes, at least one; more for scenes whose series is
+    /// kept.
     std::vector<CellFacts> snapshots(const Cell& cell) const;
 
     PictureError error(const Cell& cell) const { return error(cell.scene, facts(cell).picture); }
     PictureError error(const std::string& scene, const std::string& picture) const;
-    /// @throws Error if the reference is not finished.
+    /// @throws Error  if the reference is not finished.
     const Reference& reference(const std::string& scene) const;
     bool has_reference(const std::string& scene) const;
 
-    /// The errors of one method over all seeds, and its errors times processor seconds.
+    /// Returns the errors of a method over all seeds, and the products of error and processor time.
     std::vector<double> errors(const std::string& scene, const Method& method,
                                ErrorKind kind = &PictureError::rel_mse) const;
     std::vector<double> costs(const std::string& scene, const Method& method,
                               ErrorKind kind = &PictureError::rel_mse) const;
-    /// Of a scene and a method, one a seed.
+    /// Returns the cells of a scene and a method, one per seed.
     std::vector<Cell> cells(const std::string& scene, const Method& method) const;
 
 private:
@@ -90,7 +91,7 @@ private:
     mutable std::map<std::string, PictureError> errors_;  // by file
 };
 
-/// @throws Error for what is no picture of R, G and B.
+/// @throws Error  if the file has no R, G and B.
 MeasuredPicture read_measured(const std::string& exr);
 
 }  // namespace sunfleck::engine

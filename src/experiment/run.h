@@ -1,4 +1,4 @@
-// A run of experiments: renders what is missing, then writes tables, charts and the page.
+// Runs an experiment: renders missing cells, then writes tables, charts and the page.
 #pragma once
 
 #include "experiment/figure.h"
@@ -10,17 +10,17 @@
 
 namespace sunfleck::engine {
 
-/// What is about to be rendered.
+/// The progress before a render.
 struct RunProgress {
-    std::size_t done = 0;  // cells, of
+    std::size_t done = 0;  // finished cells, of
     std::size_t of = 0;
-    std::string cell;             // empty: all are done
-    double cpu_seconds_left = 0;  // of those that are not; zero when the budget is in passes
+    std::string cell;             // empty if all are done
+    double cpu_seconds_left = 0;  // of unfinished cells; zero if the budget is in passes
 };
 
-/// Renders the cells that are missing, and after each figure the page of all figures so far.
-/// @param say  before the first cell, with its name empty, and then before each.
-/// @throws Error; Interrupted: what was finished is kept.
+/// Renders the missing cells, and writes the page of all figures so far after each figure.
+/// @param say  called before the first cell, with an empty name, and then before each.
+/// @throws Error; Interrupted: finished cells are kept.
 void run_figures(const CellStore& store, const std::vector<Figure>& figures,
                  const std::atomic<bool>* interrupted,
                  const std::function<void(const RunProgress&)>& say);

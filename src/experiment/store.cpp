@@ -21,28 +21,28 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Processor seconds of a cell from which on it is kept while it runs.
+/// Processor seconds of a cell from which checkpoints are written.
 constexpr double kWorthKeeping = 120;
 constexpr const char* kCheckpoint = "/render.ckpt";
 
-/// Of these scenes errors are shown over time, so the pictures on the way are kept.
+/// Returns whether the scene's errors are shown over time, so that its snapshots are kept.
 bool keeps_series(const std::string& scene) {
     return scene == "room" || scene == "two-windows" || scene == "magnifier";
 }
 
-/// Of these scenes errors leave out the pixels that see a lamp (results.h).
+/// Returns whether errors of the scene leave out pixels that see a lamp (results.h).
 bool marks_lamps(const std::string& scene) {
     return scene == "box";
 }
 
-/// Pictures of scenes that have a size of their own in the paper.
+/// Returns the resolution of scenes whose size the paper gives.
 std::string resolution(const std::string& scene, double scale) {
     const auto side = [&](double pixels) { return std::max(1L, std::lround(pixels * scale)); };
     return scene == "magnifier" ? fmt::format("{}x{}", side(640), side(480))
                                 : fmt::format("{0}x{0}", side(512));
 }
 
-/// What must be the same when a run goes on. Seeds and figures may be added.
+/// Returns the settings that must be equal to continue. Seeds and figures may be added.
 Json record(const RunSettings& s) {
     return {{"version", SUNFLECK_VERSION},
             {"cpu_seconds", s.passes > 0 ? 0.0 : s.cpu_seconds},
@@ -56,16 +56,17 @@ void make_folder(const fs::path& folder) {
     std::error_code fault;
     fs::create_directories(folder, fault);
     if (fault)
-        throw Error({folder.string()}, "cannot make this folder: " + fault.message(),
+        throw Error({folder.string()}, "cannot create this folder: " + fault.message(),
                     "give another folder with -o");
 }
 
-/// passes-000064.exr and other powers of two; elsewhere a part of the render ended.
+/// Returns whether the snapshot has a power of two of passes (passes-000064.exr); others are ends
+/// of partial renders.
 bool is_on_the_way(const fs::path& picture) {
     return std::has_single_bit(std::stoul(picture.stem().string().substr(7)));
 }
 
-/// Of the pictures the last stays, and those on the way if they are kept.
+/// Removes snapshots except the last one, and except those of the series if it is kept.
 void drop_pictures(const fs::path& folder, bool keep_series) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder))
@@ -98,10 +99,10 @@ CellStore::CellStore(RunSettings settings) : settings_(std::move(settings)) {
     for (const auto& [name, value] : wanted.items()) {
         const Json before = found.is_object() && found.contains(name) ? found[name] : Json();
         if (before != value)
-            throw Error({path},
-                        fmt::format("was begun with {} {}, and is asked to go on with {}", name,
-                                    before.dump(), value.dump()),
-                        "give the same, or another folder with -o");
+            throw Error(
+                {path},
+                fmt::format("was begun with {} {}, not {}", name, before.dump(), value.dump()),
+                "use the same value, or another folder with -o");
     }
 }
 
@@ -122,7 +123,8 @@ std::string CellStore::scene_file(const std::string& scene) const {
     const fs::path main = base / (scene + ".pbrt");
     if (fs::exists(main)) return main.string();
     const std::vector<SceneFile> files = make_scene(scene);
-    for (std::size_t i = files.size(); i-- > 0;) {  // the main file last: then all are there
+    for (std::size_t i = files.size();
+         i-- > 0;) {  // the main file last, so that its existence means that all exist
         const fs::path path = base / files[i].name;
         make_folder(path.parent_path());
         write_file(path.string(), files[i].bytes);
@@ -167,7 +169,7 @@ void CellStore::run(const Cell& cell, const std::atomic<bool>* interrupted) cons
     }
     if (code != 0)
         throw Error({log}, fmt::format("the render ended with code {}: {}", code, last_line(log)),
-                    "run its command by hand to see more");
+                    "run its command by hand for details");
     drop_pictures(part, keeps_series(cell.scene));
     fs::remove(checkpoint);
     fs::rename(part, done);

@@ -1,12 +1,12 @@
-// The folder of a run of experiments: scenes, finished cells, what they were made with.
+// CellStore: the folder of an experiment, with scenes, finished cells, and the settings.
 //
-//     run.json                          what the run was asked for
-//     scenes/NAME/NAME.pbrt             our own scenes
-//     cells/SCENE/METHOD/seed-N/        passes-*.exr and .json (sunfleck render --snapshots),
-//     log.txt
+// run.json                          the settings
+// scenes/NAME/NAME.pbrt             procedural scenes
+// cells/SCENE/METHOD/seed-N/        passes-*.exr and .json (sunfleck render --snapshots),
+// log.txt
 //
-// A cell's folder gets its name when the cell is finished: what has its name is never rendered
-// again. Before it is called seed-N.part; a long cell has a checkpoint there, and goes on from it.
+// The folder of a cell gets its name when the cell is finished, and is never rendered again. Before
+// that it is called seed-N.part; a long cell has a checkpoint there, and continues from it.
 #pragma once
 
 #include "experiment/cell.h"
@@ -16,26 +16,27 @@
 
 namespace sunfleck::engine {
 
-/// Thrown when the user has asked to stop; finished cells stay.
+/// Thrown if the user asks to stop; finished cells are kept.
 struct Interrupted {};
 
 class CellStore {
 public:
-    /// Makes the folder, or goes on with one.
-    /// @throws Error if the folder holds a run of other settings, naming the first that differs.
+    /// Creates the folder, or continues with an existing one.
+    /// @throws Error  if the folder holds an experiment with other settings; it names the first
+    /// difference.
     explicit CellStore(RunSettings settings);
 
     const RunSettings& settings() const { return settings_; }
     bool has(const Cell& cell) const;
-    /// Processor seconds that a cell takes, about; zero when the budget is in passes.
+    /// Returns the expected processor time of a cell in seconds; zero if the budget is in passes.
     double expected_seconds(const Cell& cell) const;
     /// Renders the cell.
-    /// @throws Error with the renderer's own last words if that fails; Interrupted.
+    /// @throws Error  with the renderer's last message if that fails; Interrupted.
     void run(const Cell& cell, const std::atomic<bool>* interrupted) const;
 
-    /// Of a finished cell.
+    /// Returns the folder of a finished cell.
     std::string folder(const Cell& cell) const;
-    /// The scene's file, written at the first call.
+    /// Returns the scene file, which the first call writes.
     std::string scene_file(const std::string& scene) const;
 
 private:

@@ -26,8 +26,8 @@ bool is_number(const std::string& field) {
     return field.find_first_of("0123456789-") == 0;
 }
 
-/// Numbers stand to the right, and so do the names of their columns.
-/// @param like  the row that says which columns hold numbers.
+/// Numbers and the names of their columns are right-aligned.
+/// @param like  the row that shows which columns hold numbers.
 std::string html_row(const std::vector<std::string>& fields, const std::vector<std::string>& like,
                      const char* tag) {
     std::string row = "<tr>";

@@ -33,13 +33,13 @@ bool is_inside(double x) {
 }
 
 /// t and (u, v) of one intersection: P(u, v) = origin + t direction.
-struct Meeting3 {
+struct PatchHit {
     double t = 0;
     Vec2d uv{0};
 };
 
 /// One step of Newton's method in all three unknowns, which removes the rounding of the quadratic.
-void refine(const Bilinear& patch, const Vec3d& origin, const Vec3d& direction, Meeting3& m) {
+void refine(const Bilinear& patch, const Vec3d& origin, const Vec3d& direction, PatchHit& m) {
     const Vec3d du = patch.du(m.uv.y);
     const Vec3d dv = patch.dv(m.uv.x);
     const Vec3d area = du.cross(dv);
@@ -57,7 +57,7 @@ void refine(const Bilinear& patch, const Vec3d& origin, const Vec3d& direction, 
 
 /// Rulings of constant u run from A(u) on the side v = 0 along E(u). The line crosses one where (A
 /// - origin) . (E x direction) = 0, a quadratic equation in u.
-Bilinear::Meetings Bilinear::meet(const Vec3d& origin, const Vec3d& direction) const {
+Bilinear::Hits Bilinear::intersect(const Vec3d& origin, const Vec3d& direction) const {
     const Vec3d a0 = corner[0] - origin;
     const Vec3d a1 = corner[1] - corner[0];
     const Vec3d e0 = corner[2] - corner[0];
@@ -65,14 +65,14 @@ Bilinear::Meetings Bilinear::meet(const Vec3d& origin, const Vec3d& direction) c
     const Vec3d n0 = e0.cross(direction);
     const Vec3d n1 = e1.cross(direction);
     const Roots roots = roots_of(a1.dot(n1), a0.dot(n1) + a1.dot(n0), a0.dot(n0));
-    Meetings result{};
+    Hits result{};
     for (int i = 0; i < roots.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const double u = roots.x.at(k);
         if (!(u >= -1e-6 && u <= 1 + 1e-6)) continue;
         const Vec3d n = n0 + n1 * u;
         const Vec3d from = -a0 - a1 * u;  // origin - A
-        Meeting3 m{from.cross(e0 + e1 * u).dot(n) / n.dot(n),
+        PatchHit m{from.cross(e0 + e1 * u).dot(n) / n.dot(n),
                    {u, from.cross(direction).dot(n) / n.dot(n)}};
         refine(*this, origin, direction, m);
         if (!is_inside(m.uv.x) || !is_inside(m.uv.y) || !std::isfinite(m.t)) continue;
@@ -91,7 +91,7 @@ Bilinear::Meetings Bilinear::meet(const Vec3d& origin, const Vec3d& direction) c
 /// If the line misses by a rounding error (near the border, or where the patch has no normal),
 /// Gauss-Newton iterates from the best point of a grid.
 Vec2d Bilinear::locate(const Vec3d& on, const Vec3d& direction) const {
-    const Meetings met = meet(on, direction);
+    const Hits met = intersect(on, direction);
     const bool second =
         met.line.on[1] && (!met.line.on[0] || std::abs(met.line.t[1]) < std::abs(met.line.t[0]));
     if (second) return met.uv[1];

@@ -36,14 +36,14 @@ struct Bilinear {
     }
 
     /// Intersections of a line with the patch; `uv` of each one on the patch.
-    struct Meetings {
+    struct Hits {
         Crossings line;
         std::array<Vec2d, 2> uv;
     };
     /// Intersects a line with the patch.
     /// Source for the quadratic equation: Reshetov, Cool Patches: A Geometric Approach to
     /// Ray/Bilinear Patch Intersections (Ray Tracing Gems, 2019).
-    Meetings meet(const Vec3d& origin, const Vec3d& direction) const;
+    Hits intersect(const Vec3d& origin, const Vec3d& direction) const;
     /// Returns (u, v) of the patch point nearest to `on`, which is a rounding error away along a
     /// direction that is not tangent to the patch.
     Vec2d locate(const Vec3d& on, const Vec3d& direction) const;

@@ -17,7 +17,7 @@ struct BilinearPatch {
     bool has_uvs = false;
 
     Crossings crossings(const Vec3d& origin, const Vec3d& direction) const {
-        return surface.meet(origin, direction).line;
+        return surface.intersect(origin, direction).line;
     }
     LocalSurface at(const Vec3d& near, const Vec3d& direction) const;
     /// Returns tight bounds of the patch's image.

@@ -59,7 +59,7 @@ void texture(const BuiltShape& shape, const BuiltShape::Corners& c, const Vec3d&
     patch.tangent = tangent_from_uvs(triangle, uv);
 }
 
-Patch on_mesh(const Found& found, const Line& line) {
+Patch on_mesh(const Intersection& found, const Line& line) {
     const BuiltShape& shape = *found.shape;
     const BuiltShape::Corners& c = shape.corners(found.primitive);
     const Triangle triangle = shape.triangle(found.primitive);
@@ -98,7 +98,7 @@ double stretch_across(const Placement& placement, const Vec3d& image) {
     return std::abs(placement.to_world.determinant()) / std::sqrt(image.dot(image));
 }
 
-Patch on_exact_shape(const Found& found, const Line& line) {
+Patch on_exact_shape(const Intersection& found, const Line& line) {
     const Placement& placement = found.shape->placement();
     const Line local = line.through(placement.to_object);
     const Vec3d near = local.origin + local.direction * found.t;
@@ -150,7 +150,7 @@ float distance_along(const Line& line, const Vec3d& position) {
 
 /// Completes the most frequent hits: on a world mesh that has positions alone. The result equals
 /// that of a Patch to the last bits, with one square root and three divisions.
-void complete_plain(const Found& found, const Line& line, Hit& hit) {
+void complete_plain(const Intersection& found, const Line& line, Hit& hit) {
     const BuiltShape& shape = *found.shape;
     const Triangle triangle = shape.triangle(found.primitive);
     const TriangleEdges edges(triangle);
@@ -172,7 +172,7 @@ void complete_plain(const Found& found, const Line& line, Hit& hit) {
 
 }  // namespace
 
-void complete_hit(const Found& found, const Line& line, Hit& hit) {
+void complete_hit(const Intersection& found, const Line& line, Hit& hit) {
     const BuiltInstance* instance = found.instance;
     if (instance == nullptr && found.shape->is_plain()) return complete_plain(found, line, hit);
     const bool is_mesh = found.shape->mesh() != nullptr;

@@ -14,7 +14,7 @@
 namespace sunfleck::engine {
 
 /// An intersection found by Embree, in terms of the input's indices.
-struct Found {
+struct Intersection {
     const BuiltShape* shape = nullptr;
     const BuiltInstance* instance = nullptr;  // or null
     std::uint32_t primitive = 0;
@@ -24,6 +24,6 @@ struct Found {
 
 /// Sets all fields of the hit except the indices of shape and instance.
 /// @param line  in the world, with a unit direction.
-void complete_hit(const Found& found, const Line& line, Hit& hit);
+void complete_hit(const Intersection& found, const Line& line, Hit& hit);
 
 }  // namespace sunfleck::engine

@@ -10,7 +10,7 @@ void filter(const RTCFilterFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     const auto& query = *static_cast<const Query*>(args->context);
     const auto& hit = *static_cast<const RTCHit*>(static_cast<void*>(args->hit));
-    Found found;
+    Intersection found;
     found.shape = static_cast<const BuiltShape*>(args->geometryUserPtr);
     found.instance = query.instance_of(hit.instID[0]);
     found.primitive = hit.primID;
@@ -20,7 +20,7 @@ void filter(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
-bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
+bool is_there(const Intersection& found, const Query& query, std::uint32_t geometry,
               std::uint32_t crossing) {
     if (query.alpha_test == AlphaTest::off) return true;
     Hit hit;

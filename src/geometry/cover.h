@@ -10,7 +10,7 @@ namespace sunfleck::engine {
 
 /// Returns whether the alpha test passes; always true if the query has none.
 /// @param crossing  index among several hits of a ray with one primitive.
-bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
+bool is_there(const Intersection& found, const Query& query, std::uint32_t geometry,
               std::uint32_t crossing);
 
 /// Makes Embree call is_there() for each hit on the mesh, whose address must not change.

@@ -24,10 +24,10 @@ using Bezier = std::array<Vec3d, 4>;
 
 CurvePoint evaluate(const Bezier& p, double u);
 /// Returns the control points of the part with u in [from, to] (blossoming).
-Bezier part_of(const Bezier& curve, double from, double to);
+Bezier subcurve(const Bezier& curve, double from, double to);
 
 /// An intersection of a line with a piece.
-struct CurveMeeting {
+struct CurveHit {
     double t = 0;
     double u = 0;
     double across = 0;  // signed distance from the curve along +v; of a tube, seen along the line
@@ -40,7 +40,7 @@ struct CurvePiece {
     Bezier curve;
     std::array<double, 2> width{};                    // at u = 0 and u = 1, linear in between
     std::array<Vec3d, 2> normal{Vec3d(0), Vec3d(0)};  // unit normals of a ribbon at both ends
-    double turn = 0;                                  // angle between the normals, radians
+    double normal_angle = 0;                          // angle between the normals, radians
     double from = 0;                                  // this piece has u in [from, to]
     double to = 1;
 
@@ -60,7 +60,7 @@ static_assert(ExactShape<CurvePiece>);
 /// Finds all intersections of a line with a piece from the line's start on, and some before it, in
 /// any order.
 /// @return their count.
-std::size_t meet(const CurvePiece& piece, const Vec3d& origin, const Vec3d& direction,
-                 std::array<CurveMeeting, CurvePiece::kMostCrossings>& found);
+std::size_t intersect(const CurvePiece& piece, const Vec3d& origin, const Vec3d& direction,
+                      std::array<CurveHit, CurvePiece::kMostCrossings>& found);
 
 }  // namespace sunfleck::engine

@@ -13,15 +13,15 @@ Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
 }
 
 /// Returns the intersection found before or, if rounding lost it, the nearest point of the curve.
-CurveMeeting nearest_meeting(const CurvePiece& piece, const Vec3d& near, const Vec3d& direction) {
-    std::array<CurveMeeting, CurvePiece::kMostCrossings> found;
-    const std::size_t count = meet(piece, near, direction, found);
-    const auto nearer = [](const CurveMeeting& a, const CurveMeeting& b) {
+CurveHit nearest_hit(const CurvePiece& piece, const Vec3d& near, const Vec3d& direction) {
+    std::array<CurveHit, CurvePiece::kMostCrossings> found;
+    const std::size_t count = intersect(piece, near, direction, found);
+    const auto nearer = [](const CurveHit& a, const CurveHit& b) {
         return std::abs(a.t) < std::abs(b.t);
     };
     if (count > 0) return *std::min_element(found.begin(), found.begin() + count, nearer);
     constexpr int kSteps = 64;
-    CurveMeeting best;
+    CurveHit best;
     double least = 1e300;
     for (int i = 0; i <= kSteps; ++i) {
         const double u = piece.from + (piece.to - piece.from) * i / kSteps;
@@ -55,7 +55,7 @@ void tube(const CurvePiece& piece, const CurvePoint& c, double u, LocalSurface& 
 }
 
 /// The tangent of a ribbon is dP/du at constant v, with finite differences of the direction across.
-void ribbon(const CurvePiece& piece, const CurvePoint& c, const CurveMeeting& met,
+void ribbon(const CurvePiece& piece, const CurvePoint& c, const CurveHit& met,
             LocalSurface& surface) {
     constexpr double kStep = 1e-5;
     const auto across_at = [&](double u) {
@@ -72,7 +72,7 @@ void ribbon(const CurvePiece& piece, const CurvePoint& c, const CurveMeeting& me
 }  // namespace
 
 LocalSurface CurvePiece::at(const Vec3d& near, const Vec3d& direction) const {
-    const CurveMeeting met = nearest_meeting(*this, near, direction);
+    const CurveHit met = nearest_hit(*this, near, direction);
     const CurvePoint c = evaluate(curve, met.u);
     const double v = 0.5 + met.across / width_at(met.u);
     LocalSurface surface;

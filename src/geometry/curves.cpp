@@ -35,7 +35,7 @@ CurvePoint evaluate(const Bezier& p, double u) {
             ((d1 - d0) * w + (d2 - d1) * u) * 6};
 }
 
-Bezier part_of(const Bezier& curve, double from, double to) {
+Bezier subcurve(const Bezier& curve, double from, double to) {
     return {blossom(curve, from, from, from), blossom(curve, from, from, to),
             blossom(curve, from, to, to), blossom(curve, to, to, to)};
 }
@@ -52,7 +52,7 @@ CurvePiece Curves::element(std::uint32_t piece) const {
         result.normal = {unit_or_zero(Vec3d(segment.normal[0])),
                          unit_or_zero(Vec3d(segment.normal[1]))};
         const double cosine = result.normal[0].dot(result.normal[1]);
-        result.turn = cosine < 1 - 1e-6 ? arc_cosine(cosine) : 0;
+        result.normal_angle = cosine < 1 - 1e-6 ? arc_cosine(cosine) : 0;
     }
     return result;
 }
@@ -60,7 +60,9 @@ CurvePiece Curves::element(std::uint32_t piece) const {
 /// Normals rotate uniformly from one end to the other along a great circle (pbrt-v4).
 Vec3d CurvePiece::across_ribbon(const CurvePoint& here, double u) const {
     Vec3d n = normal[0] * (1 - u) + normal[1] * u;
-    if (turn > 0) n = normal[0] * sin_cos((1 - u) * turn).sin + normal[1] * sin_cos(u * turn).sin;
+    if (normal_angle > 0)
+        n = normal[0] * sin_cos((1 - u) * normal_angle).sin +
+            normal[1] * sin_cos(u * normal_angle).sin;
     return unit_or_zero(n.cross(here.first));
 }
 
@@ -69,7 +71,7 @@ Bounds CurvePiece::bounds(const Affine& map) const {
     Vec3d half;
     for (int i = 0; i < 3; ++i) half[i] = reach * Vec3d(map.x[i], map.y[i], map.z[i]).length();
     Bounds box;
-    for (const Vec3d& p : part_of(curve, from, to)) {
+    for (const Vec3d& p : subcurve(curve, from, to)) {
         box.extend(map.point(p) - half);
         box.extend(map.point(p) + half);
     }
@@ -78,8 +80,8 @@ Bounds CurvePiece::bounds(const Affine& map) const {
 
 CrossingsOf<CurvePiece::kMostCrossings> CurvePiece::crossings(const Vec3d& origin,
                                                               const Vec3d& direction) const {
-    std::array<CurveMeeting, kMostCrossings> found;
-    const std::size_t count = meet(*this, origin, direction, found);
+    std::array<CurveHit, kMostCrossings> found;
+    const std::size_t count = intersect(*this, origin, direction, found);
     CrossingsOf<kMostCrossings> result;
     for (std::size_t i = 0; i < count; ++i) {
         result.t.at(i) = found.at(i).t;

@@ -33,13 +33,13 @@ LocalSurface Cylinder::at(const Vec3d& near, const Vec3d&) const {
     const double distance = std::sqrt(near.x * near.x + near.y * near.y);
     const Vec3d normal =
         distance > 0 ? Vec3d(near.x / distance, near.y / distance, 0) : Vec3d(1, 0, 0);
-    const double turn = Sweep(phi_max).angle();
-    const double u = turn > 0 ? azimuth(normal.x, normal.y) / turn : 0;
+    const double phi_range = Sweep(phi_max).angle();
+    const double u = phi_range > 0 ? azimuth(normal.x, normal.y) / phi_range : 0;
     const double v = z_max > z_min ? (near.z - z_min) / (z_max - z_min) : 0;
     const double size = std::abs(radius);
     return {{normal.x * size, normal.y * size, near.z},
             normal,
-            Vec3d(-normal.y, normal.x, 0) * (size * (turn > 0 ? turn : 1)),
+            Vec3d(-normal.y, normal.x, 0) * (size * (phi_range > 0 ? phi_range : 1)),
             {static_cast<float>(std::min(u, 1.0)), static_cast<float>(v)}};
 }
 
@@ -59,8 +59,8 @@ Bounds Cylinder::bounds(const Affine& map) const {
 /// A strip along the axis is scaled by the length of the image of (tangent x axis), which is
 /// constant around the axis if the map takes circles to circles perpendicular to the axis.
 double Cylinder::area(const Affine& map) const {
-    const double turn = Sweep(phi_max).angle();
-    const double flat = std::abs(radius) * turn * std::abs(z_max - z_min);
+    const double phi_range = Sweep(phi_max).angle();
+    const double flat = std::abs(radius) * phi_range * std::abs(z_max - z_min);
     const double xx = map.x.dot(map.x);
     const double zz = map.z.dot(map.z);
     const double skew =
@@ -72,7 +72,7 @@ double Cylinder::area(const Affine& map) const {
         const SinCos p = sin_cos(phi);
         return (map.y * p.cos - map.x * p.sin).cross(map.z).length();
     };
-    return flat / turn * integrate_rectangle(stretch, {0, turn}, {0, 1}, 1e-8);
+    return flat / phi_range * integrate_rectangle(stretch, {0, phi_range}, {0, 1}, 1e-8);
 }
 
 }  // namespace sunfleck::engine

@@ -19,11 +19,11 @@ Crossings Disk::crossings(const Vec3d& origin, const Vec3d& direction) const {
 
 /// Parametrisation of pbrt-v4: u is the azimuth, v is one at the inner rim and zero at the outer.
 LocalSurface Disk::at(const Vec3d& near, const Vec3d&) const {
-    const double turn = Sweep(phi_max).angle();
+    const double phi_range = Sweep(phi_max).angle();
     const double distance = std::sqrt(near.x * near.x + near.y * near.y);
-    const double u = turn > 0 ? azimuth(near.x, near.y) / turn : 0;
+    const double u = phi_range > 0 ? azimuth(near.x, near.y) / phi_range : 0;
     const double v = (radius - distance) / (radius - inner_radius);
-    Vec3d tangent = Vec3d(-near.y, near.x, 0) * turn;
+    Vec3d tangent = Vec3d(-near.y, near.x, 0) * phi_range;
     if (tangent == Vec3d(0)) tangent = {0, radius, 0};
     const Vec3d outwards = distance > 0 ? Vec3d(near.x, near.y, 0) / distance : Vec3d(1, 0, 0);
     const Vec3d cotangent = outwards * (inner_radius - radius);

@@ -59,7 +59,7 @@ std::optional<double> nearest(const BuiltShape& shape, std::uint32_t element, co
             const std::uint32_t which = next_after(met, after, ray.tfar);
             if (which == kNone) return {};
             after = met.t[which];
-            const Found found{&shape, instance, element, {}, after};
+            const Intersection found{&shape, instance, element, {}, after};
             if (!shape.cover() || is_there(found, query, number, which)) return after;
         }
     };

@@ -67,8 +67,8 @@ struct Geometry::Impl {
     void build_world();
     std::uint32_t first_instance() const { return static_cast<std::uint32_t>(world.shapes.size()); }
     std::size_t triangles_of(const std::vector<std::uint32_t>& list) const;
-    Meeting meet(const Line& ray, double walked, float length, AlphaTest alpha_test) const;
-    void complete(const Meeting& meeting, Hit& hit) const;
+    RayHit trace(const Line& ray, double walked, float length, AlphaTest alpha_test) const;
+    void complete(const RayHit& ray_hit, Hit& hit) const;
     double empty_way(const Line& ray) const;
     bool is_far(double distance, const Vec3& position) const;
 };
@@ -138,14 +138,14 @@ std::size_t Geometry::Impl::triangles_of(const std::vector<std::uint32_t>& list)
 }
 
 /// @param walked  ray parameter at which the trace begins. @param length  from there.
-Meeting Geometry::Impl::meet(const Line& ray, double walked, float length,
+RayHit Geometry::Impl::trace(const Line& ray, double walked, float length,
                              AlphaTest alpha_test) const {
-    Meeting meeting;
-    meeting.alpha_test = alpha_test;
-    meeting.origin = ray.origin;
-    meeting.direction = ray.direction;
-    meeting.walked = walked;
-    if (!is_traceable(ray, length)) return meeting;
+    RayHit ray_hit;
+    ray_hit.alpha_test = alpha_test;
+    ray_hit.origin = ray.origin;
+    ray_hit.direction = ray.direction;
+    ray_hit.walked = walked;
+    if (!is_traceable(ray, length)) return ray_hit;
     Query query(ray, walked, instances, first_instance());
     query.alpha_test = alpha_test;
     RTCRayHit met;
@@ -153,26 +153,26 @@ Meeting Geometry::Impl::meet(const Line& ray, double walked, float length,
     met.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     met.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(world.scene.get(), &query, &met);
-    if (met.hit.geomID == RTC_INVALID_GEOMETRY_ID) return meeting;
+    if (met.hit.geomID == RTC_INVALID_GEOMETRY_ID) return ray_hit;
 
     const bool in_world = met.hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
-    meeting.instance = in_world ? kNone : met.hit.instID[0] - first_instance();
-    const ShapeGroup& group = in_world ? world : *instances[meeting.instance].group;
+    ray_hit.instance = in_world ? kNone : met.hit.instID[0] - first_instance();
+    const ShapeGroup& group = in_world ? world : *instances[ray_hit.instance].group;
     const ExactPrimitive named = group.named(met.hit.geomID, met.hit.primID);
-    meeting.shape = named.shape;
-    meeting.primitive = named.element;
-    meeting.weights = {met.hit.u, met.hit.v};
-    meeting.t = query.t;
-    const BuiltShape& met_shape = shapes[meeting.shape];
+    ray_hit.shape = named.shape;
+    ray_hit.primitive = named.element;
+    ray_hit.weights = {met.hit.u, met.hit.v};
+    ray_hit.t = query.t;
+    const BuiltShape& met_shape = shapes[ray_hit.shape];
     if (met_shape.is_plain() || met_shape.mesh() != nullptr) {
-        __builtin_prefetch(met_shape.corner_floats(meeting.primitive));
-        __builtin_prefetch(met_shape.corner_floats(meeting.primitive) + 8);
-        if (!met_shape.is_plain()) __builtin_prefetch(&met_shape.corners(meeting.primitive));
+        __builtin_prefetch(met_shape.corner_floats(ray_hit.primitive));
+        __builtin_prefetch(met_shape.corner_floats(ray_hit.primitive) + 8);
+        if (!met_shape.is_plain()) __builtin_prefetch(&met_shape.corners(ray_hit.primitive));
     }
-    return meeting;
+    return ray_hit;
 }
 
-void Geometry::Impl::complete(const Meeting& m, Hit& hit) const {
+void Geometry::Impl::complete(const RayHit& m, Hit& hit) const {
     const BuiltInstance* instance = m.instance == kNone ? nullptr : &instances[m.instance];
     complete_hit({&shapes[m.shape], instance, m.primitive, Vec2d(m.weights), m.t},
                  Line{m.origin, m.direction}.from(m.walked), hit);
@@ -200,16 +200,16 @@ bool Geometry::Impl::is_far(double distance, const Vec3& p) const {
 Geometry::Geometry(GeometryInput input, const std::string& isa)
     : impl_(std::make_shared<const Impl>(std::move(input), isa)) {}
 
-Meeting Geometry::meet(const Ray& ray, AlphaTest alpha_test) const {
-    return impl_->meet({Vec3d(ray.origin), Vec3d(ray.direction)}, 0, ray.length, alpha_test);
+RayHit Geometry::trace(const Ray& ray, AlphaTest alpha_test) const {
+    return impl_->trace({Vec3d(ray.origin), Vec3d(ray.direction)}, 0, ray.length, alpha_test);
 }
 
-Meeting Geometry::meet_precise(const Vec3d& origin, const Vec3d& direction,
+RayHit Geometry::trace_precise(const Vec3d& origin, const Vec3d& direction,
                                AlphaTest alpha_test) const {
     const Line ray{origin, direction};
-    Meeting meeting = impl_->meet(ray, impl_->empty_way(ray), kInfinity, alpha_test);
-    meeting.precise = true;
-    return meeting;
+    RayHit ray_hit = impl_->trace(ray, impl_->empty_way(ray), kInfinity, alpha_test);
+    ray_hit.precise = true;
+    return ray_hit;
 }
 
 /// A float ray from 10 km away misses its target by half a millimetre: its origin lies on a grid of
@@ -219,20 +219,20 @@ Meeting Geometry::meet_precise(const Vec3d& origin, const Vec3d& direction,
 /// line in double anyway; the repetition corrects which primitive is hit. If that hit is far again
 /// (the first one was spurious), the trace is repeated, at most three times. A thin object more
 /// than a thousandth of the distance before the hit is lost.
-bool Geometry::hit_of(const Meeting& meeting, Hit& hit) const {
+bool Geometry::complete(const RayHit& ray_hit, Hit& hit) const {
     constexpr int kMostRepetitions = 3;
     constexpr double kWalk = 1 - 0x1p-10;
-    if (meeting.shape == kNone) return false;
-    impl_->complete(meeting, hit);
-    if (!meeting.precise) return true;
-    const Line ray{meeting.origin, meeting.direction};
-    double walked = meeting.walked;
+    if (ray_hit.shape == kNone) return false;
+    impl_->complete(ray_hit, hit);
+    if (!ray_hit.precise) return true;
+    const Line ray{ray_hit.origin, ray_hit.direction};
+    double walked = ray_hit.walked;
     for (int repetition = 0; repetition < kMostRepetitions; ++repetition) {
         const double left = hit.distance;
         hit.distance = static_cast<float>(walked + left);
         if (!impl_->is_far(left, hit.position)) return true;
         walked += left * kWalk;
-        const Meeting again = impl_->meet(ray, walked, kInfinity, meeting.alpha_test);
+        const RayHit again = impl_->trace(ray, walked, kInfinity, ray_hit.alpha_test);
         if (again.shape == kNone) return false;
         impl_->complete(again, hit);
     }
@@ -248,13 +248,13 @@ bool Geometry::is_there(const Hit& hit, const Vec3d& origin, const Vec3& directi
 
 std::optional<Hit> Geometry::intersect(const Ray& ray) const {
     std::optional<Hit> hit(std::in_place);
-    if (!hit_of(meet(ray), *hit)) hit.reset();
+    if (!complete(trace(ray), *hit)) hit.reset();
     return hit;
 }
 
 std::optional<Hit> Geometry::intersect_precise(const Vec3d& origin, const Vec3d& direction) const {
     std::optional<Hit> hit(std::in_place);
-    if (!hit_of(meet_precise(origin, direction), *hit)) hit.reset();
+    if (!complete(trace_precise(origin, direction), *hit)) hit.reset();
     return hit;
 }
 

@@ -20,15 +20,15 @@
 
 namespace sunfleck::engine {
 
-/// The primitive that a ray hits; the hit itself is computed later by hit_of().
-struct Meeting {
+/// The primitive that a ray hits; the hit itself is computed later by complete().
+struct RayHit {
     Vec3d origin{0};  // of the ray
     Vec3d direction{0};
     double walked = 0;            // distance from the origin to the start of the trace
     std::uint32_t shape = kNone;  // kNone if the ray hits nothing
     std::uint32_t primitive = 0;
     std::uint32_t instance = kNone;
-    bool precise = false;  // true if found by meet_precise()
+    bool precise = false;  // true if found by trace_precise()
     AlphaTest alpha_test = AlphaTest::by_chance;
     Vec2 weights{0};  // barycentric weights from Embree, of corners 1 and 2
     double t = 0;     // for exact shapes: ray parameter from the start of the trace
@@ -55,11 +55,11 @@ public:
     /// intersect() and intersect_precise() in two steps: the first traces the ray and prefetches
     /// the primitive, the second computes the hit. A caller that interleaves several paths waits
     /// for neither step.
-    Meeting meet(const Ray& ray, AlphaTest alpha_test = AlphaTest::by_chance) const;
-    Meeting meet_precise(const Vec3d& origin, const Vec3d& direction,
+    RayHit trace(const Ray& ray, AlphaTest alpha_test = AlphaTest::by_chance) const;
+    RayHit trace_precise(const Vec3d& origin, const Vec3d& direction,
                          AlphaTest alpha_test = AlphaTest::by_chance) const;
     /// @return whether the ray hits anything; if not, the value of `hit` is unspecified.
-    bool hit_of(const Meeting& meeting, Hit& hit) const;
+    bool complete(const RayHit& ray_hit, Hit& hit) const;
 
     /// Applies the alpha test to a hit of a trace without it: a hash of ray and primitive decides
     /// whether the surface stops this ray.

@@ -106,9 +106,9 @@ Vec3d limit_normal(const Mesh& mesh, const HalfEdges& edges, std::uint32_t verte
     Vec3d first(0);
     Vec3d second(0);
     for (std::size_t k = 0; k < ring.size(); ++k) {
-        const SinCos turn = sin_cos_2pi(double(k) / double(ring.size()));
-        first += mesh.points[ring[k]] * turn.cos;
-        second += mesh.points[ring[k]] * turn.sin;
+        const SinCos direction = sin_cos_2pi(double(k) / double(ring.size()));
+        first += mesh.points[ring[k]] * direction.cos;
+        second += mesh.points[ring[k]] * direction.sin;
     }
     return second.cross(first);
 }

@@ -49,16 +49,16 @@ LocalSurface Sphere::at(const Vec3d& near, const Vec3d&) const {
     const double length = near.length();
     const Vec3d normal = length > 0 ? near / length : Vec3d(0, 0, 1);
     const Heights heights(*this);
-    const double turn = Sweep(phi_max).angle();
+    const double phi_range = Sweep(phi_max).angle();
     const auto from_pole = [](double z) {
         return std::acos(static_cast<float>(std::clamp(z, -1.0, 1.0)));
     };
     const float at_low = from_pole(heights.low);
     const float at_high = from_pole(heights.high);
-    const double u = turn > 0 ? azimuth(normal.x, normal.y) / turn : 0;
+    const double u = phi_range > 0 ? azimuth(normal.x, normal.y) / phi_range : 0;
     const float v = at_high == at_low ? 0 : (from_pole(normal.z) - at_low) / (at_high - at_low);
     const Vec3d position = normal * std::abs(radius);
-    Vec3d tangent = Vec3d(-position.y, position.x, 0) * turn;
+    Vec3d tangent = Vec3d(-position.y, position.x, 0) * phi_range;
     if (tangent == Vec3d(0)) tangent = {0, std::abs(radius), 0};
     // v decreases towards the pole: dp/dv is along the meridian, scaled by the range of angles.
     const double across = std::sqrt(position.x * position.x + position.y * position.y);
@@ -81,8 +81,8 @@ Bounds Sphere::bounds(const Affine& map) const {
 /// the length of its cofactor matrix times n.
 double Sphere::area(const Affine& map) const {
     const Heights heights(*this);
-    const double turn = Sweep(phi_max).angle();
-    const double flat = radius * radius * turn * (heights.high - heights.low);
+    const double phi_range = Sweep(phi_max).angle();
+    const double flat = radius * radius * phi_range * (heights.high - heights.low);
     const Placement placement(map);
     const std::array<Vec3d, 3> axes{map.x, map.y, map.z};
     const double scale2 = map.x.dot(map.x);
@@ -100,7 +100,7 @@ double Sphere::area(const Affine& map) const {
     };
     const double from = arc_cosine(heights.high);
     const double to = arc_cosine(heights.low);
-    return radius * radius * integrate_rectangle(stretch, {from, to}, {0, turn}, 1e-8);
+    return radius * radius * integrate_rectangle(stretch, {from, to}, {0, phi_range}, 1e-8);
 }
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// What a grown tree says of points: images, densities; and the same boxes with other masses.
+// Evaluation of the tree: images and densities; changed masses of its boxes.
 #include "guide/emission_guide.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace sunfleck::engine {
 EmissionGuide::Image EmissionGuide::operator()(const EmissionPoint& uniform) const {
     Image image{uniform, 1};
     if (is_identity()) return image;
-    EmissionPoint& u = image.point;  // within the box, until it is whole
+    EmissionPoint& u = image.point;  // within the box, until it is a leaf
     EmissionBox box;
     std::array<const EmissionShear*, kMostShears> sheared{};
     std::size_t shears = 0;

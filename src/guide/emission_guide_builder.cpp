@@ -1,5 +1,5 @@
-// The tree is grown from the points box by box; then a share of its mass is spread evenly. Where a
-// shear tells more than any cut, as in a slanted tube, the box is sheared before it is cut.
+// Growth of the tree from points, box by box; then a fraction of its mass is spread uniformly.
+// Where a shear gains more likelihood than any cut, as in a slanted tube, the box is sheared first.
 #include "guide/emission_guide.h"
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::size_t kBins = 8;         // places where a box may be cut, by dimension
+constexpr std::size_t kBins = 8;         // positions of cuts, per dimension
 constexpr double kLeastWidth = 0x1p-32;  // of a box that is cut: dimensions have 52 bits
 constexpr double kLeastEffective = 12;   // points in a box that is cut
 constexpr double kLeastToShear = 40;     // points in a box that is sheared: four slopes are fitted
-constexpr double kLeastShear = 0.35;     // of log likelihood a point: half of the variance
+constexpr double kLeastShear = 0.35;     // log likelihood per point: half of the variance
 
-/// Weights of points, and how many of equal weight they are worth.
+/// Weights of points, and their effective number.
 struct Mass {
     double sum = 0;
     double squares = 0;
@@ -36,12 +36,13 @@ struct Cut {
     double at = 0;
 };
 
-/// x ln(x / expected), 0 where there is nothing. In float: the same bits on every machine.
+/// Returns x ln(x / expected), 0 for zero. It uses the float function, whose bits are the same on
+/// every machine.
 double surprise(double share, double expected) {
     return share > 0 ? share * std::log(static_cast<float>(share / expected)) : 0;
 }
 
-/// The cut that tells most, in nats a point.
+/// Returns the cut with the largest gain, in nats per point.
 Cut best_cut(std::span<const WeightedEmission> points, const EmissionBox& box, const Mass& all) {
     Cut best;
     for (std::uint32_t s = 0; s < kGuidedDimensions; ++s) {
@@ -56,9 +57,9 @@ Cut best_cut(std::span<const WeightedEmission> points, const EmissionBox& box, c
         double left = 0;
         for (std::size_t k = 1; k < kBins; ++k) {
             left += bins.at(k - 1) / all.sum;
-            const double part = static_cast<double>(k) / kBins;
-            const double gain = surprise(left, part) + surprise(1 - left, 1 - part);
-            if (gain > best.gain) best = {gain, s, box.low[s] + width * part};
+            const double fraction = static_cast<double>(k) / kBins;
+            const double gain = surprise(left, fraction) + surprise(1 - left, 1 - fraction);
+            if (gain > best.gain) best = {gain, s, box.low[s] + width * fraction};
         }
     }
     return best;
@@ -88,7 +89,7 @@ private:
         std::size_t end;
     };
 
-    struct Part {
+    struct Region {
         EmissionBox box;
         Range range;         // of its points
         double share;        // of the points' mass, by the model
@@ -96,22 +97,22 @@ private:
         std::size_t shears;  // on the way to it
     };
 
-    /// @return the box's mass, the uniform share in it.
-    double grow(std::uint32_t node, const Part& part) {
+    /// @return the mass of the box, uniform part included.
+    double grow(std::uint32_t node, const Region& region) {
         const double even = growth_.uniform_share;
-        const double mass = (1 - even) * part.share + even * part.volume;
-        guide_.nodes_[node].density = mass / part.volume;
-        guide_.nodes_[node].volume = part.volume;
-        const std::span<WeightedEmission> points(points_.data() + part.range.begin,
-                                                 part.range.end - part.range.begin);
+        const double mass = (1 - even) * region.share + even * region.volume;
+        guide_.nodes_[node].density = mass / region.volume;
+        guide_.nodes_[node].volume = region.volume;
+        const std::span<WeightedEmission> points(points_.data() + region.range.begin,
+                                                 region.range.end - region.range.begin);
         Mass all;
         for (const WeightedEmission& p : points) all.add(p.weight);
         guide_.nodes_[node].found = all.sum / all_points_;
         if (all.effective() < kLeastEffective) return mass;
-        Cut cut = best_cut(points, part.box, all);
-        const std::size_t shears = part.shears + shear(node, points, part, all, cut);
+        Cut cut = best_cut(points, region.box, all);
+        const std::size_t shears = region.shears + shear(node, points, region, all, cut);
         if (cut.gain * all.effective() < growth_.least_gain) {
-            guide_.shears_.resize(guide_.nodes_[node].first_shear);  // they were for nothing
+            guide_.shears_.resize(guide_.nodes_[node].first_shear);  // they had no use
             guide_.nodes_[node].shears = 0;
             return mass;
         }
@@ -121,27 +122,28 @@ private:
         Mass left;
         for (auto p = points.begin(); p != middle; ++p) left.add(p->weight);
         const std::size_t split =
-            part.range.begin + static_cast<std::size_t>(middle - points.begin());
-        return divide(node, part, cut, {split, shears, left.sum / all.sum, all.effective(), mass});
+            region.range.begin + static_cast<std::size_t>(middle - points.begin());
+        return divide(node, region, cut,
+                      {split, shears, left.sum / all.sum, all.effective(), mass});
     }
 
     struct Division {
-        std::size_t split;   // the first point of the right half
+        std::size_t split;   // index of the first point of the right half
         std::size_t shears;  // on the way to both
-        double in_left;      // share of the points' weight
-        double points;       // that all of them are worth
+        double in_left;      // of the points' weight
+        double points;       // effective number of all
         double mass;         // of both
     };
 
-    double divide(std::uint32_t node, const Part& part, const Cut& cut, const Division& d) {
-        Part left = part;
-        Part right = part;
+    double divide(std::uint32_t node, const Region& region, const Cut& cut, const Division& d) {
+        Region left = region;
+        Region right = region;
         left.shears = right.shears = d.shears;
         left.box.high[cut.dimension] = right.box.low[cut.dimension] = cut.at;
         left.range.end = right.range.begin = d.split;
-        const double volume = (cut.at - part.box.low[cut.dimension]) /
-                              (part.box.high[cut.dimension] - part.box.low[cut.dimension]);
-        // Two points more, spread evenly: no part of a box is empty for certain.
+        const double volume = (cut.at - region.box.low[cut.dimension]) /
+                              (region.box.high[cut.dimension] - region.box.low[cut.dimension]);
+        // Two more points, spread uniformly, so that no part of a box is certainly empty.
         const double to_left = (d.in_left * d.points + 2 * volume) / (d.points + 2);
         left.share *= to_left;
         right.share *= 1 - to_left;
@@ -160,18 +162,18 @@ private:
         return d.mass;
     }
 
-    /// Shears the box, and the points with it, while that tells more than a cut. @return how often.
-    /// @param cut  the best one, before and after.
-    std::size_t shear(std::uint32_t node, std::span<WeightedEmission> points, const Part& part,
+    /// Shears the box and its points while that gains more than a cut. @return number of shears.
+    /// @param cut  the best cut, before and after.
+    std::size_t shear(std::uint32_t node, std::span<WeightedEmission> points, const Region& region,
                       const Mass& all, Cut& cut) {
         guide_.nodes_[node].first_shear = static_cast<std::uint32_t>(guide_.shears_.size());
         if (all.effective() < kLeastToShear) return 0;
         std::size_t count = 0;
-        while (part.shears + count < EmissionGuide::kMostShears) {
-            const FoundShear found = best_shear(points, part.box);
+        while (region.shears + count < EmissionGuide::kMostShears) {
+            const FoundShear found = best_shear(points, region.box);
             if (found.gain < kLeastShear || found.gain < cut.gain) break;
             for (WeightedEmission& p : points) found.shear.apply(p.point);
-            cut = best_cut(points, part.box, all);
+            cut = best_cut(points, region.box, all);
             guide_.shears_.push_back(found.shear);
             ++count;
         }
@@ -181,7 +183,7 @@ private:
 
     std::vector<WeightedEmission> points_;
     EmissionGuide::Growth growth_;
-    double all_points_ = 0;  // their weights
+    double all_points_ = 0;  // sum of weights
     EmissionGuide guide_;
 };
 

@@ -1,5 +1,6 @@
-// Regression: with P the inverse of the dimensions' correlations, 1 / P_ss is the share of
-// dimension s's variance that the other dimensions do not explain, and -P_st / P_ss its slopes.
+// Linear regression: with P the inverse of the correlation matrix, 1 / P_ss is the fraction of the
+// variance of dimension s that the other dimensions do not explain, and -P_st / P_ss are its
+// slopes.
 #include "guide/emission_shear.h"
 
 #include <algorithm>
@@ -11,12 +12,12 @@ using Matrix = std::array<EmissionPoint, kGuidedDimensions>;
 
 struct Moments {
     EmissionPoint mean{};
-    EmissionPoint deviation{};  // standard; zero where a dimension hardly varies
+    EmissionPoint deviation{};  // standard deviation; zero where a dimension hardly varies
     Matrix correlation{};
 };
 
 Moments moments_of(std::span<const WeightedEmission> points, const EmissionBox& box) {
-    constexpr double kLeastDeviation = 1e-9;  // of the box's width
+    constexpr double kLeastDeviation = 1e-9;  // relative to the width of the box
     Moments m;
     double sum = 0;
     for (const WeightedEmission& p : points) sum += p.weight;
@@ -41,7 +42,7 @@ Moments moments_of(std::span<const WeightedEmission> points, const EmissionBox& 
     return m;
 }
 
-/// Accepts so much of row k of both from row s that a[s][k] becomes zero.
+/// Subtracts a multiple of row s from row k in both matrices, so that a[s][k] becomes zero.
 void clear(Matrix& a, Matrix& b, std::size_t s, std::size_t k) {
     const double factor = a[s][k];
     for (std::size_t t = 0; t < kGuidedDimensions; ++t) {
@@ -50,7 +51,7 @@ void clear(Matrix& a, Matrix& b, std::size_t s, std::size_t k) {
     }
 }
 
-/// The inverse of a matrix of correlations, by elimination; a little is added to its diagonal.
+/// Inverts a correlation matrix by elimination; a small value is added to its diagonal.
 Matrix inverse(Matrix a) {
     constexpr double kRidge = 1e-10;
     Matrix b{};
@@ -59,7 +60,7 @@ Matrix inverse(Matrix a) {
         b[s][s] = 1;
     }
     for (std::size_t k = 0; k < kGuidedDimensions; ++k) {
-        const double pivot = a[k][k];  // positive: the matrix is
+        const double pivot = a[k][k];  // positive: the matrix is positive definite
         for (std::size_t t = 0; t < kGuidedDimensions; ++t) {
             a[k][t] /= pivot;
             b[k][t] /= pivot;

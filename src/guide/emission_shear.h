@@ -1,7 +1,9 @@
-// A shear of a box of emission points: one dimension moves by a linear function of the others, so
-// that a slanted tube of points stands upright and boxes fit it.
+// EmissionShear: a shear of a box of emission points, which makes a slanted tube of points upright
+// so that boxes fit it.
 //
-// In:  points of a box [low, high)^5. Out: points of the same box; what leaves it at one side comes
+// In:  points of a box [low, high)^5. Out: points of the same box, with wrap-around. A dimension
+// moves by a linear function of the others. Volumes and densities are unchanged. Only + - * / and
+// floor are used.
 // in at the other. Volumes stay as they are, so densities do, too. Only + - * /, and floor.
 #pragma once
 
@@ -19,14 +21,14 @@ struct EmissionBox {
 };
 
 struct EmissionShear {
-    std::size_t dimension = 0;  // that moves
+    std::size_t dimension = 0;  // the dimension that moves
     double low = 0;             // of the box in that dimension
     double width = 1;
-    EmissionPoint slope{};   // of the dimension's mean in each of the others; its own is zero
-    EmissionPoint centre{};  // where it moves by nothing
+    EmissionPoint slope{};   // of the dimension's mean in each other dimension; its own is zero
+    EmissionPoint centre{};  // point without displacement
 
     void apply(EmissionPoint& p) const { p[dimension] = wrapped(p[dimension] - shift(p)); }
-    /// The inverse of apply(), but for the last bit.
+    /// Inverts apply(), up to the last bit.
     void undo(EmissionPoint& p) const { p[dimension] = wrapped(p[dimension] + shift(p)); }
 
 private:
@@ -40,11 +42,11 @@ private:
 
 struct FoundShear {
     EmissionShear shear;
-    double gain = 0;  // in nats a point, were the points normally distributed
+    double gain = 0;  // in nats per point, if points were normally distributed
 };
 
-/// The shear that makes a dimension vary least, by linear regression on all others. Nothing where
-/// the points do not vary.
+/// Returns the shear that minimises the variance of a dimension, by linear regression on all
+/// others. Nothing if the points do not vary.
 /// @param points  of the box.
 FoundShear best_shear(std::span<const WeightedEmission> points, const EmissionBox& box);
 

@@ -1,5 +1,5 @@
-// Guide search: where a pilot looks for emission that splitting does not find, by importons and at
-// edges of surfaces.
+// GuideSource: the guide search, by which a pilot finds emission that splitting does not:
+// importons, and edges of surfaces.
 #pragma once
 
 #include "core/random.h"
@@ -13,26 +13,26 @@
 
 namespace sunfleck::engine {
 
-/// What importons found.
+/// Results of importons.
 struct WalkedEmission {
-    std::vector<WeightedEmission>
-        guide_samples;    // emission that may be visible, and the flux it brings
-    double possible = 0;  // the flux of all samples of light, were nothing in the way
+    std::vector<WeightedEmission> guide_samples;  // emission that may be visible, with its flux
+    double possible = 0;                          // unoccluded flux of all light samples
 };
 
-/// Sources of first guide samples, where splitting may fail and a guide helps.
+/// Sources of initial guide samples, for where splitting may fail and a guide helps.
 struct GuideSource {
-    /// Importons of a pass, by their numbers.
+    /// Traces importons of a pass by number.
     using Walks = std::function<WalkedEmission(PassId, PathRange)>;
 
-    bool is_on = true;  // off: no guide at all
-    Walks walks = {};   // none: splitting alone
-    /// Emission that passes close to an edge, wherever it goes, by the numbers of tries.
+    bool is_on = true;  // false: no guide at all
+    Walks walks = {};   // empty: splitting alone
+    /// Samples emission close to edges, wherever it goes, by number.
     using Edges = std::function<std::vector<WeightedEmission>(PassId, PathRange)>;
     Edges edges = {};
-    /// Flux that an importon finds of all lights together, about: the picture's brightness.
+    /// Returns the approximate flux that an importon finds of all lights: the brightness of the
+    /// picture.
     std::function<double(PassId)> seen = {};
-    /// Importons that a long search is worth, where a short one has found nothing.
+    /// Limit of importons in a long search, after a short one has found nothing.
     std::size_t most_walks = std::numeric_limits<std::size_t>::max();
 };
 

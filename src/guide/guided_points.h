@@ -1,7 +1,8 @@
-// Uniform points whose emission dimensions went through a guide: each counts one over its density.
+// GuidedPoints: primary samples whose emission dimensions are mapped by a guide, weighted by one
+// over its density.
 //
-// In:  a pass, a guide fixed before it, the number of a path. Out: a dimension reader, and the
-// weight of what is read.
+// In:  a pass, a guide fixed before it, the index of a path. Out: a primary-sample reader, and the
+// weight of the sample.
 #pragma once
 
 #include "guide/emission_guide.h"
@@ -13,9 +14,9 @@ namespace sunfleck::engine {
 
 class GuidedPoints {
 public:
-    /// @param pass  its own uniform points are others than these. @param map  must outlive this.
+    /// @param pass  its own uniform points are independent of these. @param map  must outlive this.
     GuidedPoints(PassId pass, const EmissionGuide& map)
-        : points_(pass.with_part(PassId::kParts / 2)), guide_(map) {}
+        : points_(pass.with_stratum(PassId::kStrata / 2)), guide_(map) {}
 
     class Reader {
     public:

@@ -130,8 +130,8 @@ void Renderer::set_resolution(int width, int height) {
     impl_->claim();
     const Impl::Release release{impl_->is_running};
     guarded([&] {
-        const engine::Vec2i size = engine::read_size(
-            std::to_string(width) + "x" + std::to_string(height), "resolution");
+        const engine::Vec2i size =
+            engine::read_size(std::to_string(width) + "x" + std::to_string(height), "resolution");
         impl_->session.change_view([&](engine::Camera& camera, engine::FilmDescription& film) {
             engine::set_resolution(camera, film, size);
         });

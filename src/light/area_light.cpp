@@ -3,7 +3,7 @@
 
 #include "light/emitting_surface.h"
 #include "light/partial_emitter.h"
-#include "light/surface_picture.h"
+#include "light/surface_image.h"
 #include "math/warp.h"
 
 namespace sunfleck::engine {
@@ -49,9 +49,9 @@ std::optional<DirectSample> sample_by_area(const SurfaceSample& on, const Vec3d&
 }  // namespace
 
 Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneSphere&) const {
-    LaidPicture::Drawn from;
-    if (picture) {
-        from = picture->draw(surface, {u[0], u[1]});
+    PlacedImage::Drawn from;
+    if (image) {
+        from = image->draw(surface, {u[0], u[1]});
     } else {
         from = {sample_surface(surface, {u[0], u[1]}), {1, Vec3(1)}, 1};
     }
@@ -66,16 +66,16 @@ Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneS
     Emission emission{on.position, rotate_z_to(on.normal, local), sides * kPiDouble * on.spread,
                       Vec3(on.normal), std::visit(bound, surface)};
     if (alpha) emission.factor *= alpha->at(surface, on.position, on.normal);
-    if (!picture) return emission;
+    if (!image) return emission;
     emission.factor *= from.light.luminance / from.density;
-    emission.tint = from.light.tint;
+    emission.rgb = from.light.rgb;
     return emission;
 }
 
 EmissionDimensions AreaLight::emission_dimensions(const LightRay& ray, const SceneSphere&) const {
     const Vec3d normal(ray.normal);
-    const Vec2d place = picture ? picture->numbers(surface, ray.origin, normal)
-                                : surface_square(surface, ray.origin, normal);
+    const Vec2d place = image ? image->numbers(surface, ray.origin, normal)
+                              : surface_square(surface, ray.origin, normal);
     const Vec3d local = rotate_to_z(normal, ray.direction);
     const Vec2d way = disc_to_square({local.x, local.y});
     const double folded = two_sided ? way.x / 2 : way.x;
@@ -88,7 +88,7 @@ double AreaLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
     if (!(two_sided ? cosine != 0 : cosine > 0)) return 0;
     const auto spread_of = [&](const auto& s) { return surface_spread(s, ray.origin, n); };
     const double spread = std::visit(spread_of, surface);
-    const double by_area = picture ? picture->density(surface, ray.origin, n, spread) : 1 / spread;
+    const double by_area = image ? image->density(surface, ray.origin, n, spread) : 1 / spread;
     return by_area * std::abs(cosine) / (kPiDouble * (two_sided ? 2 : 1));
 }
 
@@ -106,26 +106,26 @@ std::optional<DirectSample> AreaLight::sample_direct(const Vec3& point, const Ve
     };
     std::optional<DirectSample> drawn = std::visit(sample, surface);
     if (drawn && unseen) drawn->pdf.reset();
-    if (!drawn || !(picture || alpha)) return drawn;
+    if (!drawn || !(image || alpha)) return drawn;
     const Vec3d towards(drawn->direction);
     const Vec3d on = from + towards * static_cast<double>(drawn->distance);
     if (alpha) drawn->factor *= alpha->at(surface, on, towards);
     if (!(drawn->factor > 0)) return {};
-    if (!picture) return drawn;
-    const TexelLight light = picture->at(surface, on, towards);
+    if (!image) return drawn;
+    const TexelLight light = image->at(surface, on, towards);
     if (!(light.luminance > 0)) return {};
     drawn->factor *= static_cast<float>(light.luminance);
-    drawn->tint = light.tint;
+    drawn->rgb = light.rgb;
     return drawn;
 }
 
 double AreaLight::power(const SceneSphere&) const {
-    return (two_sided ? 2 : 1) * kPiDouble * (picture ? picture->flux() : area()) *
+    return (two_sided ? 2 : 1) * kPiDouble * (image ? image->flux() : area()) *
            (alpha ? alpha->mean() : 1);
 }
 
 TexelLight AreaLight::light_at(const Vec2& uv) const {
-    return picture ? picture->at(uv) : TexelLight{1, Vec3(1)};
+    return image ? image->at(uv) : TexelLight{1, Vec3(1)};
 }
 
 double AreaLight::area() const {

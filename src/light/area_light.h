@@ -12,14 +12,14 @@
 #pragma once
 
 #include "light/emitting_surface.h"
-#include "light/light_picture.h"
+#include "light/light_image.h"
 #include "light/model.h"
 
 #include <memory>
 
 namespace sunfleck::engine {
 
-class LaidPicture;     // light/surface_picture.h
+class PlacedImage;     // light/surface_image.h
 class PartialEmitter;  // light/partial_emitter.h
 
 struct AreaLight {
@@ -33,7 +33,7 @@ struct AreaLight {
     /// light.
     bool unseen = false;
     /// Image that multiplies the radiance over the surface; null for none.
-    std::shared_ptr<const LaidPicture> picture = nullptr;
+    std::shared_ptr<const PlacedImage> image = nullptr;
     /// Alpha of the surface; null if opaque.
     std::shared_ptr<const PartialEmitter> alpha = nullptr;
 

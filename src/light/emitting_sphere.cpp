@@ -14,24 +14,26 @@ namespace {
 struct Zone {
     double low;
     double high;
-    double turns;  // phi_max / (2 pi)
+    double circle_fraction;  // phi_max / (2 pi)
 
     explicit Zone(const Sphere& s)
         : low(std::clamp(std::min(s.z_min, s.z_max) / std::abs(s.radius), -1.0, 1.0)),
           high(std::clamp(std::max(s.z_min, s.z_max) / std::abs(s.radius), -1.0, 1.0)),
-          turns(std::clamp(s.phi_max / (2 * kPiDouble), 0.0, 1.0)) {}
+          circle_fraction(std::clamp(s.phi_max / (2 * kPiDouble), 0.0, 1.0)) {}
 
-    bool is_whole() const { return low <= -1 && high >= 1 && turns > 1 - 1e-9; }
+    bool is_whole() const { return low <= -1 && high >= 1 && circle_fraction > 1 - 1e-9; }
 };
 
 double own_area(const Sphere& sphere) {
     const Zone zone(sphere);
-    return sphere.radius * sphere.radius * (zone.high - zone.low) * zone.turns * 2 * kPiDouble;
+    return sphere.radius * sphere.radius * (zone.high - zone.low) * zone.circle_fraction * 2 *
+           kPiDouble;
 }
 
 double own_area(const Cylinder& cylinder) {
-    const double turns = std::clamp(cylinder.phi_max / (2 * kPiDouble), 0.0, 1.0);
-    return std::abs(cylinder.radius * (cylinder.z_max - cylinder.z_min)) * turns * 2 * kPiDouble;
+    const double circle_fraction = std::clamp(cylinder.phi_max / (2 * kPiDouble), 0.0, 1.0);
+    return std::abs(cylinder.radius * (cylinder.z_max - cylinder.z_min)) * circle_fraction * 2 *
+           kPiDouble;
 }
 
 /// Returns the sample at a surface point with unit normal `own` in the shape's frame.
@@ -56,7 +58,7 @@ Vec3d own_normal(const Sphere& sphere, const Vec2d& u) {
     if (zone.is_whole()) return uniform_sphere(u);
     const double z = zone.low + u.x * (zone.high - zone.low);
     const double r = std::sqrt(std::max(0.0, 1 - z * z));
-    const SinCos phi = sin_cos_2pi(u.y * zone.turns);
+    const SinCos phi = sin_cos_2pi(u.y * zone.circle_fraction);
     return {r * phi.cos, r * phi.sin, z};
 }
 
@@ -80,14 +82,15 @@ Vec2d surface_square(const EmittingQuadric<Sphere>& sphere, const Vec3d& on, con
     const Vec3d own = Affine(sphere.to_world).inverse().point(on).normalized();
     if (zone.is_whole()) return sphere_to_square(own);
     return {(own.z - zone.low) / (zone.high - zone.low),
-            azimuth(own.x, own.y) / (kFullCircle * zone.turns)};
+            azimuth(own.x, own.y) / (kFullCircle * zone.circle_fraction)};
 }
 
 Vec2d surface_square(const EmittingQuadric<Cylinder>& cylinder, const Vec3d& on, const Vec3d&) {
     const Cylinder& c = cylinder.shape;
     const Vec3d own = Affine(cylinder.to_world).inverse().point(on);
-    const double turns = std::clamp(c.phi_max / (2 * kPiDouble), 0.0, 1.0);
-    return {(own.z - c.z_min) / (c.z_max - c.z_min), azimuth(own.x, own.y) / (kFullCircle * turns)};
+    const double circle_fraction = std::clamp(c.phi_max / (2 * kPiDouble), 0.0, 1.0);
+    return {(own.z - c.z_min) / (c.z_max - c.z_min),
+            azimuth(own.x, own.y) / (kFullCircle * circle_fraction)};
 }
 
 double surface_spread(const EmittingQuadric<Sphere>& sphere, const Vec3d&, const Vec3d& normal) {

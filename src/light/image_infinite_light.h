@@ -8,7 +8,7 @@
 #pragma once
 
 #include "geometry/affine.h"
-#include "light/light_picture.h"
+#include "light/light_image.h"
 #include "light/model.h"
 
 #include <memory>
@@ -18,7 +18,7 @@ namespace sunfleck::engine {
 struct ImageInfiniteLight {
     static constexpr bool comes_from_afar = true;
     Spectrum curve;
-    std::shared_ptr<const LightPicture> picture;
+    std::shared_ptr<const LightImage> image;
     Affine to_world;  // a rotation, perhaps with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
@@ -27,10 +27,10 @@ struct ImageInfiniteLight {
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;
     double power(const SceneSphere& sphere) const;
-    Beyond beyond(const Vec3& from, const Vec3& direction) const;
+    EnvironmentRadiance environment_radiance(const Vec3& from, const Vec3& direction) const;
 };
 
 /// Returns the illuminance on the plane z = 0 from above: in lumens per m^2 if texels are in nits.
-double illuminance_from_above(const LightPicture& picture);
+double illuminance_from_above(const LightImage& image);
 
 }  // namespace sunfleck::engine

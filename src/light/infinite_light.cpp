@@ -26,14 +26,14 @@ double InfiniteLight::emission_pdf(const LightRay&, const SceneSphere& sphere) c
 std::optional<DirectSample> InfiniteLight::sample_direct(const Vec3& point, const Vec2& u,
                                                          const SceneSphere&) const {
     const Vec3 direction(uniform_sphere(Vec2d(u)));
-    return DirectSample{direction, kInfinity, 4 * kPi, beyond(point, direction).pdf};
+    return DirectSample{direction, kInfinity, 4 * kPi, environment_radiance(point, direction).pdf};
 }
 
 double InfiniteLight::power(const SceneSphere& sphere) const {
     return 4 * kPiDouble * scene_disc_area(sphere);
 }
 
-Beyond InfiniteLight::beyond(const Vec3&, const Vec3&) const {
+EnvironmentRadiance InfiniteLight::environment_radiance(const Vec3&, const Vec3&) const {
     return {1, 1 / (4 * kPi)};
 }
 

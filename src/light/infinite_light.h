@@ -18,7 +18,7 @@ struct InfiniteLight {
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;
     double power(const SceneSphere& sphere) const;
-    Beyond beyond(const Vec3& from, const Vec3& direction) const;
+    EnvironmentRadiance environment_radiance(const Vec3& from, const Vec3& direction) const;
 };
 
 }  // namespace sunfleck::engine

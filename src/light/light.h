@@ -4,8 +4,8 @@
 #include "light/area_light.h"
 #include "light/distant_light.h"
 #include "light/image_infinite_light.h"
+#include "light/image_point_lights.h"
 #include "light/infinite_light.h"
-#include "light/picture_point_lights.h"
 #include "light/point_light.h"
 #include "light/portal_light.h"
 #include "light/spot_light.h"
@@ -49,27 +49,29 @@ inline const Spectrum& curve(const Light& light) {
     return std::visit([](const auto& l) -> const Spectrum& { return l.curve; }, light);
 }
 
-/// Do rays that leave the scene meet it?
+/// Returns whether rays that leave the scene hit it.
 inline bool is_infinite(const Light& light) {
-    const auto has_beyond = [](const auto& l) {
+    const auto has_environment = [](const auto& l) {
         return requires(Vec3 w) {
-            l.beyond(w, w);
+            l.environment_radiance(w, w);
         };
     };
-    return std::visit(has_beyond, light);
+    return std::visit(has_environment, light);
 }
 
-/// Is its way to the scene without end?
+/// Returns whether it is infinitely far away.
 inline bool comes_from_afar(const Light& light) {
     return std::visit([](const auto& l) { return l.comes_from_afar; }, light);
 }
 
-/// What comes to the point `from` from `direction` (unit, to the light), were nothing else there;
-/// nothing from lights that are not infinite.
-inline Beyond beyond(const Light& light, const Vec3& from, const Vec3& direction) {
+/// Returns the unoccluded light at the point `from` from `direction` (unit, to the light); zero for
+/// lights that are not infinite.
+inline EnvironmentRadiance environment_radiance(const Light& light, const Vec3& from,
+                                                const Vec3& direction) {
     const auto ask = [&](const auto& l) {
-        if constexpr (requires { l.beyond(from, direction); }) return l.beyond(from, direction);
-        return Beyond{};
+        if constexpr (requires { l.environment_radiance(from, direction); })
+            return l.environment_radiance(from, direction);
+        return EnvironmentRadiance{};
     };
     return std::visit(ask, light);
 }

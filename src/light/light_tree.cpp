@@ -140,9 +140,9 @@ void LightTree::build(std::span<Item> items, Way way) {
     nodes_[index].cluster = LightCluster(merged(parts));
     parts = {};
     const std::size_t left = split(items, way.length);
-    build(items.first(left), {way.turns, way.length + 1});
+    build(items.first(left), {way.branches, way.length + 1});
     nodes_[index].right = static_cast<std::uint32_t>(nodes_.size());
-    build(items.subspan(left), {way.turns | std::uint64_t{1} << way.length, way.length + 1});
+    build(items.subspan(left), {way.branches | std::uint64_t{1} << way.length, way.length + 1});
 }
 
 std::optional<double> LightTree::left_share(std::uint32_t node, const Receiver& at) const {
@@ -199,7 +199,7 @@ double LightTree::probability(const Receiver& at, std::size_t index) const {
     for (std::uint32_t i = 0; i < way.length; ++i) {
         const auto share = left_share(node, at);
         if (!share) return 0;
-        const bool right = (way.turns >> i & 1) != 0;
+        const bool right = (way.branches >> i & 1) != 0;
         probability *= right ? 1 - *share : *share;
         node = right ? nodes_[node].right : node + 1;
     }

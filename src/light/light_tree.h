@@ -46,7 +46,7 @@ private:
     };
     /// The branches from the root to a light, the first in the lowest bit; a one means right.
     struct Way {
-        std::uint64_t turns = 0;
+        std::uint64_t branches = 0;
         std::uint32_t length = kNone;  // kNone if the light is not in the tree
     };
     struct Item {

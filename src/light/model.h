@@ -3,8 +3,8 @@
 // Two users: photon paths start with sample_emission(); camera paths ask sample_direct() and, when
 // a ray meets an emitter or leaves the scene, radiance() and direct_pdf() for the other half of
 // MIS. Curves are evaluated once a pass: a light's functions return a unitless or geometric factor
-// and `LightSpectra` holds each light's emission at the pass's wavelengths. A light with a picture
-// adds a tint: linear sRGB of luminance one, whose smooth spectrum multiplies the curve.
+// and `LightSpectra` holds each light's emission at the pass's wavelengths. A light with an image
+// adds an RGB factor: linear sRGB of luminance one, whose smooth spectrum multiplies the curve.
 #pragma once
 
 #include "geometry/ray.h"
@@ -30,9 +30,9 @@ struct Emission {
     /// Flux per unit of the light's curve: factor * curve = Le |cos| / (pdf position * pdf
     /// direction). The choice of the light is not in it.
     double factor = 0;
-    Vec3 normal;                 // geometric, of an area light's surface; zero for others
-    float error = 0;             // bound of the origin's error on an area light
-    std::optional<Vec3> tint{};  // of lights with pictures: multiplies the curve
+    Vec3 normal;                // geometric, of an area light's surface; zero for others
+    float error = 0;            // bound of the origin's error on an area light
+    std::optional<Vec3> rgb{};  // of lights with images: multiplies the curve
     /// What the photon meets nearer than this stops it unlit: it is not yet through the portal.
     double unlit = 0;
 };
@@ -54,15 +54,15 @@ struct DirectSample {
     float distance = kInfinity;
     float factor = 0;  // radiance (or irradiance, for delta lights) per unit of the curve, / pdf
     std::optional<float> pdf;  // per steradian at the point; none for delta lights
-    std::optional<Vec3> tint{};
+    std::optional<Vec3> rgb{};
     Vec3 normal{0};  // as Emission::normal: of the place on an area light
 };
 
 /// What an infinite light sends to a point from one direction.
-struct Beyond {
+struct EnvironmentRadiance {
     float factor = 0;  // radiance per unit of the curve
     float pdf = 0;     // per steradian, of sample_direct(): the other half of MIS
-    std::optional<Vec3> tint{};
+    std::optional<Vec3> rgb{};
 };
 
 /// emission:   u in (0,1)^4: position (2), direction (2). Continuous and gentle in u.
@@ -71,13 +71,13 @@ struct Beyond {
 ///             that it cannot give, anything.
 /// emission_pdf: density of sample_emission() at a ray that it may give, per m^2 and sr (m^2 across
 ///             the ray for lights from afar); per sr alone for points, per m^2 for distant lights.
-///             Exact, but for pictures on surfaces: there as if their table had no cells.
+///             Exact, but for images on surfaces: there as if their table had no cells.
 /// direct:     a direction to the light from `point`, u in (0,1)^2; nothing if it cannot be seen
 ///             (behind a one-sided emitter, outside a spot).
 /// power:      total emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).
 /// curve:      the emission's spectrum.
-/// comes_from_afar: whether its way to the scene is without end.
-/// beyond:     of infinite lights alone: what a point gets from a direction.
+/// comes_from_afar: whether it is infinitely far away.
+/// environment_radiance: of infinite lights: the light that a point receives from a direction.
 template <class L>
 concept LightModel = std::copyable<L> &&
     requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,

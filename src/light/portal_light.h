@@ -9,7 +9,7 @@
 
 #include "geometry/affine.h"
 #include "light/model.h"
-#include "light/portal_picture.h"
+#include "light/portal_image.h"
 
 #include <memory>
 
@@ -18,7 +18,7 @@ namespace sunfleck::engine {
 struct PortalLight {
     static constexpr bool comes_from_afar = true;
     Spectrum curve;
-    std::shared_ptr<const PortalPicture> picture;
+    std::shared_ptr<const PortalImage> image;
     Affine frame;  // orthonormal; the origin is a corner of the portal, z points out to the
                    // environment
     Vec2d extent;  // of the portal from the corner along x and y; positive
@@ -29,7 +29,7 @@ struct PortalLight {
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,
                                               const SceneSphere&) const;
     double power(const SceneSphere&) const;
-    Beyond beyond(const Vec3& from, const Vec3& direction) const;
+    EnvironmentRadiance environment_radiance(const Vec3& from, const Vec3& direction) const;
 
 private:
     std::optional<PortalWindow> window(const Vec3& from) const;

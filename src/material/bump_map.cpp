@@ -13,14 +13,14 @@ struct Tangents {
     Vec3 v{0};
 };
 
-struct BentBy {
+struct PerturbedBy {
     const SurfaceDerivatives& surface;
     const Vec3d& origin;
     const Hit& hit;
 
     Tangents operator()(const std::monostate&) const { return {surface.dp_du, surface.dp_dv}; }
 
-    Tangents operator()(const Bumps& bumps) const {
+    Tangents operator()(const DisplacementMap& bumps) const {
         constexpr float kStep = 0.0005F;  // in u and v; pbrt-v4's value without a known footprint
         const TexturePoint here(hit, origin);
         const float height = bumps.displacement.at(here);
@@ -47,8 +47,9 @@ struct BentBy {
 
 }  // namespace
 
-void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit, const Vec3d& origin) {
-    const Tangents bent = std::visit(BentBy{surface, origin, hit}, relief);
+void perturb_shading(const BumpMap& bump_map, const SurfaceDerivatives& surface, Hit& hit,
+                     const Vec3d& origin) {
+    const Tangents bent = std::visit(PerturbedBy{surface, origin, hit}, bump_map);
     const Vec3 normal = bent.u.cross(bent.v);
     const float length2 = normal.length2();
     if (!(length2 > 0) || !std::isfinite(length2)) return;

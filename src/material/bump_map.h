@@ -14,7 +14,7 @@
 namespace sunfleck::engine {
 
 /// Displacement along the normal, in world units.
-struct Bumps {
+struct DisplacementMap {
     FloatTexture displacement;
 };
 
@@ -24,16 +24,16 @@ struct NormalMap {
     std::shared_ptr<const Image> image;
 };
 
-using Relief = std::variant<std::monostate, Bumps, NormalMap>;
+using BumpMap = std::variant<std::monostate, DisplacementMap, NormalMap>;
 
-inline bool is_flat(const Relief& relief) {
-    return std::holds_alternative<std::monostate>(relief);
+inline bool is_flat(const BumpMap& bump_map) {
+    return std::holds_alternative<std::monostate>(bump_map);
 }
 
 /// Perturbs the shading normal and the tangent of a hit. The shading normal stays on the side of
 /// the geometric one; if the map gives no valid normal, the hit is unchanged.
 /// @param origin  of rendering space, in the world.
-void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit,
-          const Vec3d& origin = Vec3d(0));
+void perturb_shading(const BumpMap& bump_map, const SurfaceDerivatives& surface, Hit& hit,
+                     const Vec3d& origin = Vec3d(0));
 
 }  // namespace sunfleck::engine

@@ -159,10 +159,10 @@ Vec2 Roughness::alphas(const TexturePoint& point) const {
 
 std::uint32_t MixMaterial::chosen(const TexturePoint& point) const {
     const float second = amount.at(point);
-    std::uint64_t hash = hash_joined(parts[0], parts[1]);
+    std::uint64_t hash = hash_joined(components[0], components[1]);
     for (int i = 0; i < 3; ++i)
         hash = hash_joined(hash, std::bit_cast<std::uint32_t>(point.position[i]));
-    return parts.at(hash_to_unit(hash) < second ? 1 : 0);
+    return components.at(hash_to_unit(hash) < second ? 1 : 0);
 }
 
 bool is_textured(const Material& material) {

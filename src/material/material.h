@@ -80,8 +80,8 @@ struct DiffuseTransmissionMaterial {
 
 /// A mix of two materials, one of which is selected at each point.
 struct MixMaterial {
-    std::array<std::uint32_t, 2> parts{};  // indices of materials; never interfaces
-    FloatTexture amount = 0.5F;            // probability of the second
+    std::array<std::uint32_t, 2> components{};  // indices of materials; never interfaces
+    FloatTexture amount = 0.5F;                 // probability of the second
 
     /// Selects a material by a hash of the position: the same for all paths that hit that point.
     std::uint32_t chosen(const TexturePoint& point) const;

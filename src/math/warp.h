@@ -33,8 +33,8 @@ inline DiscPoint concentric_disc_point(const Vec2d& u) {
     const bool wide = std::abs(a) > std::abs(b);
     const double radius = wide ? a : b;
     const double other = wide ? b : a;
-    const SinCos turn = sin_cos_small(other / radius * (kPiDouble / 4));
-    const Vec2d unit(wide ? turn.cos : turn.sin, wide ? turn.sin : turn.cos);
+    const SinCos angle = sin_cos_small(other / radius * (kPiDouble / 4));
+    const Vec2d unit(wide ? angle.cos : angle.sin, wide ? angle.sin : angle.cos);
     return {unit * radius, radius * radius};
 }
 
@@ -49,8 +49,8 @@ inline Vec2d disc_to_square(const Vec2d& p) {
     if (!(radius > 0)) return Vec2d(0.5);
     const bool wide = std::abs(p.x) > std::abs(p.y);
     const double along = std::copysign(radius, wide ? p.x : p.y);
-    const double turn = std::atan(static_cast<float>(wide ? p.y / p.x : p.x / p.y));
-    const double across = along * std::clamp(turn / (kPiDouble / 4), -1.0, 1.0);
+    const double angle = std::atan(static_cast<float>(wide ? p.y / p.x : p.x / p.y));
+    const double across = along * std::clamp(angle / (kPiDouble / 4), -1.0, 1.0);
     return (Vec2d(wide ? along : across, wide ? across : along) + Vec2d(1)) / 2;
 }
 

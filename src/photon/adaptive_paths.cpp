@@ -1,4 +1,4 @@
-// The splitting's paths become photons.
+// Conversion of the splitting's paths to photons.
 #include "photon/adaptive_paths.h"
 
 #include "photon/photon_space.h"
@@ -7,7 +7,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// One chunk a chain, or a block of paths through a guide.
+/// One chunk per chain, or per block of guided paths.
 struct PhotonSink {
     struct Collector {
         PhotonChunk chunk;
@@ -36,11 +36,11 @@ struct PhotonSink {
 
 }  // namespace
 
-AdaptivePaths trace_adaptive_paths(const PhotonContext& view, const VisiblePointOctree& octree,
-                                   PassId pass, const LightStratum& stratum,
-                                   const DepositChunks& deposit) {
-    const PhotonTracer tracer(view.scene, view.transport, stratum.lights);
-    const PhotonSpace space(tracer, view.index, octree);
+AdaptivePaths trace_adaptive_paths(const PhotonContext& photon_context,
+                                   const VisiblePointOctree& octree, PassId pass,
+                                   const LightStratum& stratum, const DepositChunks& deposit) {
+    const PhotonTracer tracer(photon_context.scene, photon_context.transport, stratum.lights);
+    const PhotonSpace space(tracer, photon_context.index, octree);
     const EmissionPoints points(pass);
     AdaptivePaths paths;
     auto& [splitting, counts] = paths;
@@ -60,8 +60,8 @@ AdaptivePaths trace_adaptive_paths(const PhotonContext& view, const VisiblePoint
     counts[Count::visible_states] += guided_visible;
     if (splitting.levels.size() <= stratum.plan.levels.size()) return paths;  // starved
     const LevelCounts& last = splitting.levels.back();
-    const bool brings_all =
-        stratum.guided.own_share < 1;  // else the guide's paths bring what it covers
+    const bool brings_all = stratum.guided.own_share <
+                            1;  // otherwise guided paths contribute the light of their region
     counts[Count::distinct_visible] += last.distinct - (brings_all ? 0 : last.distinct_covered);
     counts[Count::visible_states] += last.states - (brings_all ? 0 : last.covered);
     return paths;

@@ -1,7 +1,7 @@
 // Photon paths by multilevel splitting on visibility: the sampler `adaptive`.
 //
-// In:  what is seen in a pass, a stratum of lights with its plan. Out: photons in chunks, weighted
-// so that their sum is the stratum's light in this pass: the estimate's N is one.
+// In:  the visible points of a pass, a light stratum with its plan. Out: photons in chunks,
+// weighted so that their sum is the light of the stratum in this pass: the estimate's N is one.
 #pragma once
 
 #include "photon/light_stratum.h"
@@ -12,7 +12,7 @@
 
 namespace sunfleck::engine {
 
-/// Called with chunks of whole paths: marks the photons that were taken. @return counts.
+/// Deposits chunks of whole paths and marks accepted photons. @return statistics.
 using DepositChunks = std::function<Statistics(std::vector<PhotonChunk>&)>;
 
 struct AdaptivePaths {
@@ -20,10 +20,11 @@ struct AdaptivePaths {
     Statistics statistics;
 };
 
-/// @param octree  over the view. @param stratum  its plan with at least one level.
-/// @param pass  with the stratum's part.
-AdaptivePaths trace_adaptive_paths(const PhotonContext& view, const VisiblePointOctree& octree,
-                                   PassId pass, const LightStratum& stratum,
-                                   const DepositChunks& deposit);
+/// @param octree  over the visible points.
+/// @param stratum  with a plan of at least one level.
+/// @param pass  with the part of the stratum.
+AdaptivePaths trace_adaptive_paths(const PhotonContext& photon_context,
+                                   const VisiblePointOctree& octree, PassId pass,
+                                   const LightStratum& stratum, const DepositChunks& deposit);
 
 }  // namespace sunfleck::engine

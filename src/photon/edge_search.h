@@ -1,9 +1,10 @@
-// Search for gaps: emission that passes close to an edge of a surface.
+// Edge search: samples emission that passes close to edges of surfaces, to find narrow gaps.
 //
-// In:  the scene's surfaces, some lights. Out: emission of light that arrives at points by edges of
-// triangles and patches, and goes on from there. A hole in a wall has edges, and so have a door
-// that is ajar and the slats of a blind: however narrow a gap is, and however far from what is
-// seen, points by its edges find it. Which of it is visible, paths must tell (chains/pilot.h).
+// In:  the surfaces of the scene, some lights. Out: emission of light that arrives at points next
+// to edges of triangles and patches, and continues from there. A hole in a wall has edges, and so
+// have a door that is ajar and the slats of a blind: points next to edges find a gap, however
+// narrow it is and however far from the visible points. Photon paths decide which emission is
+// visible (chains/pilot.h).
 #pragma once
 
 #include "photon/light_stratum.h"
@@ -14,9 +15,10 @@
 
 namespace sunfleck::engine {
 
-/// Tries begin .. end - 1, a point by an edge each. @param pass  names their random numbers.
-/// @return what arrives, all of the same weight: none in a scene without edges.
-std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
+/// Samples tries begin .. end - 1, each with a point next to an edge.
+/// @param pass  names the random numbers.
+/// @return the emission that arrives, with equal weights; none in a scene without edges.
+std::vector<WeightedEmission> emission_past_edges(const PhotonContext& photon_context,
                                                   const LightChoice& lights, PassId pass,
                                                   const PathRange& tries);
 

@@ -1,4 +1,4 @@
-// Random walks over surfaces, a light sample at each.
+// Random walks over surfaces, with a light sample at each vertex.
 #include "photon/importons.h"
 
 #include "core/parallel.h"
@@ -14,9 +14,12 @@ constexpr std::uint8_t kAllKinds = 0xFF;
 
 class Importon {
 public:
-    Importon(const PhotonContext& view, const LightChoice& lights, RandomStream stream,
+    Importon(const PhotonContext& photon_context, const LightChoice& lights, RandomStream stream,
              WalkedEmission& found)
-        : scene_(view.scene), guide_samples_(view.scene, lights), stream_(stream), found_(found) {}
+        : scene_(photon_context.scene),
+          guide_samples_(photon_context.scene, lights),
+          stream_(stream),
+          found_(found) {}
 
     void start(const Disc& disc) {
         Vec3 normal = disc.normal;
@@ -28,7 +31,7 @@ public:
     }
 
 private:
-    /// At the walk's first point, which may leave direct light to the camera paths.
+    /// Samples light at the first vertex of a walk, where camera paths may compute direct light.
     void look_for_light(const Vec3& at, const Disc& disc, const Vec3& normal) {
         const auto sample = guide_samples_.sample(at, stream_);
         if (!sample) return;
@@ -85,7 +88,7 @@ private:
         add(sample, hit.position, weight);
     }
 
-    /// What a sample brings if nothing is in the way.
+    /// Returns the unoccluded contribution of a sample.
     double weight_of(const LightAtPoint& sample, const SampledSpectrum& scattered) {
         const SampledSpectrum flux = throughput_ * scattered * emitted_by(sample.light);
         const double weight = static_cast<double>(flux.sum()) *
@@ -94,8 +97,9 @@ private:
         return weight;
     }
 
-    /// Of a light that is dark at the pass's wavelengths as if it were grey: what is found of it
-    /// holds for other passes, too. Its luminance is what it is weighed by, over its power.
+    /// Returns the emission of a light; a light that is dark at the wavelengths of the pass counts
+    /// as grey, because guide samples are used in other passes, too. It is weighted by luminance
+    /// over power.
     SampledSpectrum emitted_by(std::size_t light) const {
         const SampledSpectrum& emission = scene_.emission[light];
         if (!emission.is_zero()) return emission;
@@ -118,21 +122,21 @@ private:
     SampledSpectrum throughput_{1};
 };
 
-/// @param kinds  of photons that visible points take; none: what each does.
-WalkedEmission walk(const PhotonContext& view, const LightChoice& lights, PassId pass,
+/// @param kinds  of photons that visible points accept; zero: as each point does.
+WalkedEmission walk(const PhotonContext& photon_context, const LightChoice& lights, PassId pass,
                     const PathRange& walks, std::uint8_t kinds) {
     constexpr std::size_t kBlock = 1024;
     const std::size_t count = walks.size();
-    const std::span<const VisiblePoint> points = view.index.points();
+    const std::span<const VisiblePoint> points = photon_context.index.points();
     std::vector<WalkedEmission> blocks((count + kBlock - 1) / kBlock);
     parallel_blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            RandomStream stream = pass.stream(Purpose::view_walk, walks.begin + i);
+            RandomStream stream = pass.stream(Purpose::importon, walks.begin + i);
             const auto point =
                 static_cast<std::size_t>(stream.next() * static_cast<double>(points.size()));
             Disc disc = points[point].disc;
             disc.kinds |= kinds;
-            Importon(view, lights, stream, blocks[begin / kBlock]).start(disc);
+            Importon(photon_context, lights, stream, blocks[begin / kBlock]).start(disc);
         }
     });
     WalkedEmission all;
@@ -146,15 +150,15 @@ WalkedEmission walk(const PhotonContext& view, const LightChoice& lights, PassId
 
 }  // namespace
 
-WalkedEmission trace_importons(const PhotonContext& view, const LightChoice& lights, PassId pass,
-                               const PathRange& walks) {
-    return walk(view, lights, pass, walks, 0);
+WalkedEmission trace_importons(const PhotonContext& photon_context, const LightChoice& lights,
+                               PassId pass, const PathRange& walks) {
+    return walk(photon_context, lights, pass, walks, 0);
 }
 
-double flux_seen(const PhotonContext& view, PassId pass) {
+double flux_seen(const PhotonContext& photon_context, PassId pass) {
     constexpr std::uint32_t kWalks = 20'000;
-    const WalkedEmission found =
-        walk(view, view.scene.scene.light_choice(), pass, {0, kWalks}, kAllKinds);
+    const WalkedEmission found = walk(photon_context, photon_context.scene.scene.light_choice(),
+                                      pass, {0, kWalks}, kAllKinds);
     double flux = 0;
     for (const WeightedEmission& guide_sample : found.guide_samples) flux += guide_sample.weight;
     return flux / kWalks;

@@ -1,4 +1,4 @@
-// Samples of lights, ways to them, and the inverse of their emission.
+// Light samples, their visibility, and the inverse of their emission.
 #include "photon/initial_guide_samples.h"
 
 #include <algorithm>
@@ -30,13 +30,13 @@ int InitialGuideSamples::panes_to(Ray ray, float distance) const {
     return -1;
 }
 
-/// Does a smooth surface let light through?
+/// Returns whether a specular surface transmits light.
 bool InitialGuideSamples::is_clear(Hit& hit, const Vec3& direction) const {
     std::optional<Bsdf> room;
     const Bsdf& bsdf = scene_.bsdf_at(hit, room);
     if (scattering(bsdf) != Scattering::specular) return false;
     const Vec3 wo = Frame(hit.shading_normal, hit.tangent).to_local(-direction);
-    constexpr float kLast = 1 - 0x1p-20F;  // of the lobes: transmission
+    constexpr float kLast = 1 - 0x1p-20F;  // the last lobe: transmission
     const auto through =
         sunfleck::engine::sample(bsdf, wo, {{kLast, 0.5F, 0.5F}, Transport::radiance, {}});
     return through && through->wi.z * wo.z < 0;

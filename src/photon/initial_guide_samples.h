@@ -1,9 +1,9 @@
-// Hints at emission that may be visible: light that reaches a point, as the numbers that emit it.
+// InitialGuideSamples: emission whose light reaches a given point, as primary samples.
 //
-// In:  a point of the scene, random numbers. Out: a sample of a light, whether it arrives, and the
-// primary sample of a photon that would take its way. Glass is passed straight on the way to a
-// light: what is found is a guide sample for emission guide (guide/emission_guide.h) and no part of
-// a picture.
+// In:  a point of the scene, random numbers. Out: a light sample, whether it arrives, and the
+// primary sample of a photon that takes its way. Glass is passed straight on the way to a light:
+// the result is a guide sample for the emission guide (guide/emission_guide.h) and no part of a
+// picture.
 #pragma once
 
 #include "core/random.h"
@@ -16,10 +16,10 @@ namespace sunfleck::engine {
 
 inline constexpr int kMostPanes = 32;  // surfaces passed on one way
 
-/// What of a light's sample would arrive at a point, were nothing in the way.
+/// The unoccluded contribution of a light sample at a point.
 struct LightAtPoint {
     std::size_t light;
-    double probability;  // of choosing that light
+    double probability;  // of selecting that light
     DirectSample direct;
 };
 
@@ -28,13 +28,14 @@ public:
     InitialGuideSamples(const PassScene& scene, const LightChoice& lights)
         : scene_(scene), lights_(lights) {}
 
-    /// A light, chosen by power, and a point or direction of it.
+    /// Selects a light by power, and a point or direction of it.
     std::optional<LightAtPoint> sample(const Vec3& at, RandomStream& stream) const;
-    /// Surfaces that light passes along the ray, straight as if glass were flat.
-    /// @param distance  to the light. @return -1: it is stopped.
+    /// Returns the number of surfaces that light passes along the ray, straight as if glass were
+    /// flat.
+    /// @param distance  to the light. @return -1 if it is blocked.
     int panes_to(Ray ray, float distance) const;
-    /// The emission that arrives so. @param weight  of the guide sample.
-    /// @return nothing where no numbers lead there, or the weight is not positive.
+    /// Returns the emission of light that arrives so. @param weight  of the guide sample.
+    /// @return nothing if no primary sample leads there, or if the weight is not positive.
     std::optional<WeightedEmission> guide_sample(const LightAtPoint& sample, const Vec3& at,
                                                  double weight, RandomStream& stream) const;
 

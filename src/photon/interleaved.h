@@ -1,8 +1,7 @@
-// Several photon paths side by side: all go one step, then all the next.
+// InterleavedPaths: several photon paths traced in lockstep, to hide memory latency.
 //
-// The steps of different paths do not wait for each other: while a triangle that one path met is
-// on its way from memory, other rays are traced. Which paths stand side by side depends on their
-// numbers alone.
+// All paths advance one step, then all the next. While the triangle that one path hit is loaded
+// from memory, other rays are traced. Which paths run together depends on their indices alone.
 #pragma once
 
 #include "photon/tracer.h"
@@ -15,9 +14,9 @@
 
 namespace sunfleck::engine {
 
-/// @param Points  path(number) gives a dimension reader.
-/// @param Visit   called with each photon and the number of its path.
-/// @param Ended   called with the PathEnd of each path.
+/// @tparam Points  path(number) returns a primary-sample reader.
+/// @tparam Visit   called with each photon and the index of its path.
+/// @tparam Ended   called with the PathEnd of each path.
 template <class Points, class Visit, class Ended>
 class InterleavedPaths {
 public:
@@ -48,17 +47,17 @@ private:
 
     struct Walk {
         std::uint32_t number = 0;
-        std::optional<Reader> read;  // none: no path here
+        std::optional<Reader> read;  // empty: no path here
         PhotonState state;
-        Meeting ahead;
-        bool arrived = false;  // at `hit`
+        RayHit ahead;
+        bool arrived = false;  // the ray hit something: `hit`
         Hit hit;
-        const Lambert* surface = nullptr;  // where it takes its event together with others
+        const Lambert* surface = nullptr;  // surface whose event is computed together with others
         ScatteringEvent event;
         std::optional<PathEnd> end;
     };
 
-    /// A path at its light.
+    /// The start of a path at its light.
     struct Start {
         std::uint32_t number;
         Reader read;
@@ -68,7 +67,7 @@ private:
         Start(std::uint32_t path, const Reader& reader) : number(path), read(reader) {}
     };
 
-    /// Makes the next paths ready, as many as walk: what one waits for, another computes.
+    /// Prepares the next paths, as many as run together: one computes while another waits.
     void make_ready() {
         ready_.clear();
         begun_ = 0;
@@ -79,7 +78,7 @@ private:
         for (Start& ready : ready_) ready.emits = tracer_.start(ready.read, ready.state);
     }
 
-    /// The next path that starts, if one is left.
+    /// Starts the next path, if one is left.
     void start(Walk& walk) {
         walk.read.reset();
         walk.surface = nullptr;
@@ -99,29 +98,29 @@ private:
         walk.state = from.state;
     }
 
-    /// Asks for the next surface of every path, and works out where it is a few paths later: late
-    /// enough for its corners to be there, not so late that they are gone again.
+    /// Traces the next ray of every path, and computes each hit a few paths later: late enough for
+    /// its corners to be in the cache, early enough for them to be there still.
     /// @return the number of rays.
     std::uint64_t arrive() {
         std::uint64_t rays = 0;
         for (std::size_t i = 0; i < kSideBySide + kLate; ++i) {
             if (i < kSideBySide && walks_[i].read) {
-                // Made in place: a copy would wait for what was written in pieces.
-                new (&walks_[i].ahead) Meeting(tracer_.send(walks_[i].state));
+                // Constructed in place, because a copy would wait for partial stores.
+                new (&walks_[i].ahead) RayHit(tracer_.send(walks_[i].state));
                 ++rays;
             }
             if (i < kLate) continue;
             Walk& late = walks_[i - kLate];
-            if (late.read) late.arrived = tracer_.hit_of(late.ahead, late.hit);
+            if (late.read) late.arrived = tracer_.complete(late.ahead, late.hit);
         }
         return rays;
     }
 
-    /// One event of every path. All of its kind, the most frequent one, are worked out before any
-    /// is decided.
+    /// Computes one event of every path. The events of the most frequent kind are computed before
+    /// any is applied.
     void go_on() {
         for (Walk& walk : walks_)
-            if (walk.read) meet(walk);
+            if (walk.read) interact(walk);
         for (Walk& walk : walks_)
             if (walk.surface != nullptr)
                 walk.event = sample_scattering(*walk.read, *walk.surface, walk.hit, walk.state);
@@ -134,7 +133,7 @@ private:
         }
     }
 
-    void meet(Walk& walk) {
+    void interact(Walk& walk) {
         walk.surface = nullptr;
         walk.end = PathEnd::escaped;
         if (!walk.arrived) return;
@@ -152,10 +151,10 @@ private:
     const Points& points_;
     const Visit& visit_;
     const Ended& ended_;
-    std::size_t next_ = 0;  // to be made ready
+    std::size_t next_ = 0;  // index of the next path to prepare
     std::size_t end_ = 0;
     std::vector<Start> ready_;
-    std::size_t begun_ = 0;  // of these
+    std::size_t begun_ = 0;  // index of the next prepared path
     std::array<Walk, kSideBySide> walks_;
 };
 

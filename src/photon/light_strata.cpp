@@ -1,4 +1,4 @@
-// Pilots: a short one for each light, then one for each stratum.
+// Pilots: a short one per light, then one per stratum.
 #include "photon/light_strata.h"
 
 #include "photon/edge_search.h"
@@ -15,25 +15,25 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kMostClusters = 64;
-constexpr std::uint32_t kMeasuring = 1;  // part of the pilots' numbers that measure clusters
+constexpr std::uint32_t kMeasuring = 1;  // PassId::substream of the measurement of clusters
 
-/// What a walk from the view costs at most, in paths of a picture: it meets many surfaces, and asks
-/// for a light at each. Measured: 7 in the dark, where photon paths cost least; 1 to 2 in lit
-/// rooms.
+/// Upper bound of the cost of an importon in photon paths: it hits many surfaces, with a light
+/// sample at each. Measured: 7 in the dark, where photon paths are cheapest; 1 to 2 in lit rooms.
 constexpr std::uint64_t kPathsOfAWalk = 8;
 
 using Lights = std::vector<std::uint32_t>;
 
-/// The paths of some lights, and what is seen of them.
+/// The paths of some lights, with the visibility of their photons.
 struct SamplingContext {
     LightChoice lights;
     PhotonTracer tracer;
     PhotonSpace space;
 
-    SamplingContext(const PhotonContext& view, const VisiblePointOctree& octree, LightChoice some)
+    SamplingContext(const PhotonContext& photon_context, const VisiblePointOctree& octree,
+                    LightChoice some)
         : lights(std::move(some)),
-          tracer(view.scene, view.transport, lights),
-          space(tracer, view.index, octree) {}
+          tracer(photon_context.scene, photon_context.transport, lights),
+          space(tracer, photon_context.index, octree) {}
     SamplingContext(const SamplingContext&) = delete;
     SamplingContext(SamplingContext&&) = delete;
     SamplingContext& operator=(const SamplingContext&) = delete;
@@ -43,18 +43,22 @@ struct SamplingContext {
 
 using PhotonPilot = Pilot<PhotonSpace, EmissionPoints>;
 
-/// The view, and all lights.
+/// The visible points, and all lights.
 class LightSurvey {
 public:
     /// @param work  see LightPlanner.
-    LightSurvey(const PhotonContext& view, const PhotonSettings& settings, const PilotName& name,
-                std::uint64_t work)
-        : view_(view), settings_(settings), name_(name), work_(work), octree_(octree_of(view)) {}
+    LightSurvey(const PhotonContext& photon_context, const PhotonSettings& settings,
+                const PilotName& name, std::uint64_t work)
+        : photon_context_(photon_context),
+          settings_(settings),
+          name_(name),
+          work_(work),
+          octree_(octree_of(photon_context)) {}
 
-    /// Lights by stratum.
+    /// Returns the lights by stratum.
     std::vector<Lights> strata() const {
         std::vector<Lights> clusters =
-            light_clusters(view_.scene.scene.light_sources(), weights(), kMostClusters);
+            light_clusters(photon_context_.scene.scene.light_sources(), weights(), kMostClusters);
         if (clusters.size() < 2) return clusters;
         std::vector<Lights> strata;
         for (const std::vector<std::size_t>& stratum : stratified(measured(clusters))) {
@@ -65,32 +69,32 @@ public:
         return strata;
     }
 
-    const PhotonContext& view() const { return view_; }
+    const PhotonContext& photon_context() const { return photon_context_; }
     const PilotName& name() const { return name_; }
     const VisiblePointOctree& octree() const { return octree_; }
-    const LightChoice& weights() const { return view_.scene.scene.light_choice(); }
+    const LightChoice& weights() const { return photon_context_.scene.scene.light_choice(); }
 
     Sets sets() const { return settings_.splitting ? Sets::as_needed : Sets::one; }
 
-    /// @param context  must outlive what is returned. @param strata  of lights: each is searched
-    /// for.
+    /// @param context  must outlive the result.
+    /// @param strata  number of strata: each is searched for.
     GuideSource maps(const SamplingContext& context, std::size_t strata) const {
-        if (!settings_.emission_guide || !settings_.guide_search || view_.index.points().empty() ||
-            context.lights.empty())
+        if (!settings_.emission_guide || !settings_.guide_search ||
+            photon_context_.index.points().empty() || context.lights.empty())
             return {settings_.emission_guide};
         return {true,
                 [this, &context](PassId pass, const PathRange& walks) {
-                    return trace_importons(view_, context.lights, pass, walks);
+                    return trace_importons(photon_context_, context.lights, pass, walks);
                 },
                 [this, &context](PassId pass, const PathRange& tries) {
-                    return emission_past_edges(view_, context.lights, pass, tries);
+                    return emission_past_edges(photon_context_, context.lights, pass, tries);
                 },
-                [this](PassId pass) { return flux_seen(view_, pass); },
+                [this](PassId pass) { return flux_seen(photon_context_, pass); },
                 static_cast<std::size_t>(work_ / (kPathsOfAWalk * strata))};
     }
 
 private:
-    /// A few paths of each cluster; more where these are too few to tell fractions apart.
+    /// Measures visible fractions by a few paths per cluster, and more where these are too few.
     std::vector<MeasuredLight> measured(const std::vector<Lights>& clusters) const {
         constexpr std::size_t kLeast = 1000;
         constexpr std::size_t kMost = 4000;
@@ -110,7 +114,7 @@ private:
                                         std::uint32_t iteration) const {
         std::vector<MeasuredLight> lights;
         for (const Lights& cluster : clusters) {
-            const SamplingContext context(view_, octree_, weights().among(cluster));
+            const SamplingContext context(photon_context_, octree_, weights().among(cluster));
             const PilotName name{name_.seed, name_.epoch, kMeasuring};
             Statistics unused;
             const LevelCounts counts =
@@ -122,21 +126,21 @@ private:
         return lights;
     }
 
-    const PhotonContext& view_;
+    const PhotonContext& photon_context_;
     const PhotonSettings& settings_;
     PilotName name_;
     std::uint64_t work_;
     VisiblePointOctree octree_;
 };
 
-/// Lights by stratum, each explored by a pilot of its own.
+/// The lights by stratum, each explored by a pilot of its own.
 class Pilots {
 public:
     Pilots(const LightSurvey& survey, std::vector<LightChoice> strata)
         : power_(survey.weights().total()) {
         for (LightChoice& lights : strata) {
-            contexts_.push_back(std::make_unique<SamplingContext>(survey.view(), survey.octree(),
-                                                                  std::move(lights)));
+            contexts_.push_back(std::make_unique<SamplingContext>(
+                survey.photon_context(), survey.octree(), std::move(lights)));
             const SamplingContext& context = *contexts_.back();
             pilots_.emplace_back(context.space, survey.name(), survey.maps(context, strata.size()),
                                  survey.sets());
@@ -166,7 +170,7 @@ private:
 
 }  // namespace
 
-/// Pilots are sent out when a plan asks for them.
+/// Pilots run when a plan needs them.
 struct LightPlanner::State {
     LightSurvey survey;
     std::vector<Lights> strata;
@@ -176,9 +180,9 @@ struct LightPlanner::State {
     explicit State(LightSurvey all) : survey(std::move(all)) {}
 };
 
-LightPlanner::LightPlanner(const PhotonContext& view, const PhotonSettings& settings,
+LightPlanner::LightPlanner(const PhotonContext& photon_context, const PhotonSettings& settings,
                            const PilotName& name, std::uint64_t work)
-    : state_(std::make_unique<State>(LightSurvey(view, settings, name, work))) {
+    : state_(std::make_unique<State>(LightSurvey(photon_context, settings, name, work))) {
     if (settings.light_strata) state_->strata = state_->survey.strata();
 }
 

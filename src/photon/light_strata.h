@@ -1,7 +1,7 @@
-// Learning which lights are sampled together, and how.
+// LightPlanner: learns which lights are sampled together in strata, and how.
 //
-// In:  a view like that of an epoch's first pass. Out: strata of lights with their plans. Pilots
-// are never part of a picture (chains/pilot.h).
+// In:  visible points like those of an epoch's first pass. Out: light strata with their plans.
+// Pilots are no part of a picture (chains/pilot.h).
 #pragma once
 
 #include "chains/pilot.h"
@@ -13,21 +13,22 @@
 
 namespace sunfleck::engine {
 
-/// Explores once, plans for any number of paths.
+/// Explores once, then plans for any number of paths.
 class LightPlanner {
 public:
-    /// @param view, settings  must outlive it. @param work  camera and photon paths of the passes
-    ///                        that plans are for: a long search for light costs no more.
-    LightPlanner(const PhotonContext& view, const PhotonSettings& settings, const PilotName& name,
-                 std::uint64_t work);
+    /// @param photon_context, settings  must outlive this.
+    /// @param work  camera and photon paths of the planned passes: the limit of a long guide
+    /// search.
+    LightPlanner(const PhotonContext& photon_context, const PhotonSettings& settings,
+                 const PilotName& name, std::uint64_t work);
     LightPlanner(const LightPlanner&) = delete;
     LightPlanner(LightPlanner&&) = delete;
     LightPlanner& operator=(const LightPlanner&) = delete;
     LightPlanner& operator=(LightPlanner&&) = delete;
     ~LightPlanner();
 
-    /// As many strata as the lights' visible fractions ask for (photon/stratum_rules.h), at least
-    /// one. @param paths  of a pass, at least 2.
+    /// Returns as many strata as the visible fractions require (photon/stratum_rules.h), at least
+    /// one. @param paths  per pass, at least 2.
     std::vector<LightStratum> plan(std::uint32_t paths);
 
 private:

@@ -1,4 +1,4 @@
-// Lights in strata: each stratum's photon paths are sampled by themselves, and all add up.
+// LightStratum: lights whose photon paths are sampled together; the light of all strata adds up.
 #pragma once
 
 #include "aovs/transport.h"
@@ -11,45 +11,45 @@
 
 namespace sunfleck::engine {
 
-/// What photons of a pass go through and towards.
+/// The scene and the visible points of a pass, for its photons.
 struct PhotonContext {
     const PassScene& scene;
     const TransportSettings& transport;
     const VisiblePointIndex& index;
 };
 
-/// The octree over what is seen.
-inline VisiblePointOctree octree_of(const PhotonContext& view) {
-    const SceneSphere& sphere = view.scene.scene.sphere();
-    return {view.index.points(), sphere.center, sphere.radius};
+/// Returns the octree over the visible points.
+inline VisiblePointOctree octree_of(const PhotonContext& photon_context) {
+    const SceneSphere& sphere = photon_context.scene.scene.sphere();
+    return {photon_context.index.points(), sphere.center, sphere.radius};
 }
 
-/// Some of the lights, and how paths from them are sampled. Fixed for an epoch.
+/// Some of the lights, with the plan of their paths. Fixed for an epoch.
 struct LightStratum {
-    LightChoice lights;      // where its paths start
-    SplittingPlan plan;      // without levels: uniform paths alone
-    GuidedPlan guided;       // uniform paths besides
-    double power_share = 1;  // of all lights' power
-    std::uint32_t part = 0;  // names its random numbers: see PassId
+    LightChoice lights;        // in which paths start
+    SplittingPlan plan;        // without levels: uniform paths only
+    GuidedPlan guided;         // guided paths beside it
+    double power_share = 1;    // fraction of the power of all lights
+    std::uint32_t number = 0;  // names the random numbers: see PassId
 
     std::uint64_t paths() const { return plan.paths() + guided.paths; }
 };
 
-/// Of all strata.
+/// Returns the paths of all strata.
 inline std::uint64_t paths_of(const std::vector<LightStratum>& strata) {
     std::uint64_t paths = 0;
     for (const LightStratum& stratum : strata) paths += stratum.paths();
     return paths;
 }
 
-/// What a stratum's paths brought to one pass.
+/// Counts of a stratum in one pass.
 struct StratumCounts {
     std::uint64_t paths = 0;  // planned
     double power_share = 1;
     double visible_fraction = 0;  // of uniform paths from its lights, estimated
     SplittingCounts splitting;    // of a plan with levels
 
-    /// Another subpass of the same pass, with its share in the mean over subpasses.
+    /// Adds another subpass of the same pass, weighted by `share`.
     void add(const StratumCounts& subpass, double share) {
         paths += subpass.paths;
         power_share = subpass.power_share;

@@ -1,9 +1,10 @@
-// The chain of "Robust Adaptive Photon Tracing using Photon Path Visibility" (Hachisuka and Jensen
-// 2011): replica exchange with uniform paths (eq. 4), adaptive mutation (eqs 9 to 11), Fig. 3.
+// PaperChain: the Markov chain of "Robust Adaptive Photon Tracing using Photon Path Visibility"
+// (Hachisuka and Jensen 2011): replica exchange with uniform paths (eq. 4), adaptive mutation (eqs
+// 9 to 11), Fig. 3.
 //
-// In:  a space of paths, uniform paths with the knowledge whether they are visible. Out: the path
-// that Fig. 3 splats in each iteration, and the counts that normalise it (eq. 5). The view may
-// change between passes: counts, theta and the current path stay, as printed. That is biased.
+// In:  a path space, uniform paths with their visibility. Out: the path that Fig. 3 splats in each
+// iteration, and the counts that normalise it (eq. 5). The visible points may change between
+// passes, while counts, theta and the current path are kept, as in the paper. That is biased.
 // Equations: docs/method/references.md, eq. (35).
 #pragma once
 
@@ -16,16 +17,16 @@
 
 namespace sunfleck::engine {
 
-/// Eq. 9: a step of xi^exponent events to either side, wrapped: symmetric to the last bit.
+/// Moves by xi^exponent to either side with wrap-around (eq. 9), symmetric to the last bit.
 /// @param exponent  1/theta + 1, at least 1.
-/// @param random    uniform: its lowest bit is the side, its highest bits are xi.
+/// @param random    uniform: its lowest bit selects the side, its highest bits are xi.
 inline std::uint64_t paper_step(std::uint64_t dimension, float exponent, std::uint64_t random) {
     const float events = std::pow(to_unit_float(random), exponent);
     const auto step = static_cast<std::uint64_t>(static_cast<double>(events) * 0x1p64);
     return (random & 1U) != 0 ? dimension + step : dimension - step;
 }
 
-/// Eq. 9 for one dimension after the other.
+/// Applies eq. 9 to one dimension after the other.
 class PaperMove {
 public:
     /// @param theta  positive.
@@ -41,14 +42,15 @@ private:
     RandomStream& stream_;
 };
 
-/// theta, by eq. 11: theta_1 = 1, theta_{i+1} = theta_i + (A_i - A*) / i after mutation i, where
-/// A_i is the accepted share of all mutations so far (section 5.2). Fig. 3 counts the first path,
-/// which no mutation made, as accepted; theta then starts by rising, and in close-ups is still far
+/// theta by eq. 11: theta_1 = 1, theta_{i+1} = theta_i + (A_i - A*) / i after mutation i, where A_i
+/// is the accepted fraction of all mutations so far (section 5.2). Fig. 3 counts the first path,
+/// which is not a mutation, as accepted; theta then begins to rise, and in close-ups is still far
 /// from A* after 10^6 mutations (docs/method/references.md).
 class MutationSize {
 public:
-    /// As printed theta can fall below zero. Here 4% of all steps are as large as the last bit of a
-    /// dimension, so of the dimensions of most paths none or one moves (docs/develop/decisions.md).
+    /// Lower bound of theta, which the paper's rule can make negative. At this bound 4% of all
+    /// steps are as large as the last bit of a dimension, so in most paths one dimension or none
+    /// moves (docs/develop/decisions.md).
     static constexpr double kFloor = 1.0 / 1024;
 
     explicit MutationSize(const PaperSettings& settings)
@@ -57,7 +59,7 @@ public:
           theta_(settings.mutation_size.value_or(1)) {}
 
     double theta() const { return theta_; }
-    /// How often eq. 11 gave less than kFloor.
+    /// Returns how often eq. 11 gave less than kFloor.
     std::uint64_t floor_held() const { return floor_held_; }
 
     void count_mutation(bool accepted) {
@@ -71,7 +73,7 @@ public:
         ++floor_held_;
     }
 
-    /// As StoredSample::visit().
+    /// Archives the data; see StoredSample::visit().
     template <class Self, class Archive>
     static void visit(Self& self, Archive& archive) {
         archive(self.fixed_, self.target_, self.theta_, self.mutated_, self.accepted_,
@@ -88,11 +90,11 @@ private:
     std::uint64_t floor_held_ = 0;
 };
 
-/// What Fig. 3 carries from pass to pass.
+/// The state that Fig. 3 keeps from pass to pass.
 struct PaperState {
     explicit PaperState(const PaperSettings& settings) : size(settings) {}
 
-    /// Vc of eq. 5: UniformCount / i. Zero before the first path.
+    /// Returns Vc of eq. 5: UniformCount / i; zero before the first path.
     double visible_fraction() const {
         return uniform == 0 ? 0
                             : static_cast<double>(uniform_visible) / static_cast<double>(uniform);
@@ -106,10 +108,10 @@ struct PaperState {
     }
     bool is_sound() const { return current.is_sound() && size.is_sound(); }
 
-    bool found = false;    // a first visible path
-    StoredSample current;  // of CurrentPath, once found
+    bool found = false;    // a first visible path was found
+    StoredSample current;  // CurrentPath, once found
     MutationSize size;
-    std::uint64_t uniform = 0;          // paths, those of the search for the first included
+    std::uint64_t uniform = 0;          // uniform paths, including the search for the first
     std::uint64_t uniform_visible = 0;  // UniformCount; the first one found is its initial 1
     std::uint64_t splatted = 0;         // iterations since then
 };
@@ -122,21 +124,20 @@ public:
     using Path = typename Space::Path;
     using Tally = typename Space::Tally;
 
-    /// Goes on from the state; its current path is traced anew, as this space sees it.
-    /// @param stream  for mutations, of these iterations alone.
+    /// Continues from the state; its current path is traced again for the present visible points.
+    /// @param stream  for the mutations of these iterations.
     PaperChain(const Space& space, bool replica_exchange, PaperState& state, RandomStream stream,
                Tally& tally)
         : space_(space), replica_exchange_(replica_exchange), state_(state), stream_(stream) {
         if (state_.found) space_.trace(RepeatingReader(state_.current, stream_), path_, tally);
     }
 
-    /// One iteration of Fig. 3. Without replica exchange a uniform path is taken over only as the
-    /// first path of the chain; all of them are counted.
+    /// Runs one iteration of Fig. 3. Without replica exchange, a uniform path is taken over only as
+    /// the first path of the chain; all of them are counted.
     /// @param visible  V of a uniform path.
-    /// @param take     take(sample, path) puts that path there, and the dimensions that it has
-    /// read:
-    ///                 called if the chain takes it over.
-    /// @param splat    called with a path that is left and the number of iterations it stood.
+    /// @param take     take(sample, path) stores that path and the dimensions that it has read:
+    /// called if the chain takes it over.
+    /// @param splat    called with a path that is left and its number of iterations.
     template <class Take, class Splat>
     PaperStep step(bool visible, const Take& take, const Splat& splat, Tally& tally) {
         ++state_.uniform;
@@ -157,7 +158,7 @@ public:
         return moves ? PaperStep::accepted : PaperStep::rejected;
     }
 
-    /// Splats the current path for the iterations that it has stood.
+    /// Splats the current path for its iterations so far.
     template <class Splat>
     void finish(const Splat& splat) {
         if (steps_ > 0) splat(std::as_const(path_), steps_);
@@ -165,7 +166,7 @@ public:
     }
 
 private:
-    /// Eq. 10: accepted if visible.
+    /// Proposes a mutation, which is accepted if it is visible (eq. 10).
     bool mutate(Tally& tally) {
         candidate_.clear();
         space_.trace(MutatingReader(state_.current, candidate_, stream_,

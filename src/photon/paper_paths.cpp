@@ -1,4 +1,4 @@
-// The paper's chain walks through photon paths.
+// The paper's chain on photon paths.
 #include "photon/paper_paths.h"
 
 #include "core/parallel.h"
@@ -9,17 +9,17 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Iterations whose photons are splatted together.
+/// Iterations whose photons are deposited together.
 constexpr std::uint32_t kAtOnce = 1U << 16U;
-/// Uniform paths that are traced before the chain asks for them, and in one task of these: few
-/// enough to be in the cache when it does.
+/// Uniform paths traced ahead of the chain, and per task: few enough to be in the cache when the
+/// chain uses them.
 constexpr std::uint32_t kAhead = 1024;
 constexpr std::uint32_t kBlock = 256;
 
-/// The photons of a path that a visible point may take.
+/// The photons of a path that a visible point may accept.
 struct SeenPath {
     std::vector<Photon> photons;
-    bool visible = false;  // V: one is taken
+    bool visible = false;  // V: one is accepted
 
     void clear() {
         photons.clear();
@@ -32,8 +32,8 @@ public:
     using Path = SeenPath;
     using Tally = Statistics;
 
-    explicit SeenPhotons(const PhotonContext& view)
-        : tracer_(view.scene, view.transport), index_(view.index) {}
+    explicit SeenPhotons(const PhotonContext& photon_context)
+        : tracer_(photon_context.scene, photon_context.transport), index_(photon_context.index) {}
 
     template <PrimarySampleReader Reader>
     void trace(Reader&& read, SeenPath& path, Statistics& counts) const {
@@ -47,8 +47,9 @@ public:
 
     int height(const SeenPath& path) const { return path.visible ? kVisible : 0; }
 
-    /// trace(), of many paths side by side.
-    /// @param points  of paths of these numbers. @param path_of  where path i goes to.
+    /// Traces many paths in lockstep.
+    /// @param points  of paths with these indices.
+    /// @param path_of  returns where path i is stored.
     template <class Points, class PathOf>
     void trace(const Points& points, const PathRange& range, const PathOf& path_of,
                Statistics& counts) const {
@@ -75,7 +76,7 @@ class UniformPathsAhead {
 public:
     UniformPathsAhead(const SeenPhotons& space, PassId pass) : space_(space), points_(pass) {}
 
-    /// Traces paths first .. first + count - 1, on all threads, in place of those before.
+    /// Traces paths first .. first + count - 1 on all threads, in place of the previous ones.
     void trace(std::uint32_t first, std::uint32_t count, Statistics& counts) {
         first_ = first;
         if (places_.size() < count) places_.resize(count);
@@ -94,7 +95,7 @@ public:
 
     bool visible(std::uint32_t i) const { return places_[i - first_].path.visible; }
 
-    /// Gives path i away when it is called.
+    /// Moves path i out when it is called.
     auto taking(std::uint32_t i) {
         return [&place = at(i)](StoredSample& sample, SeenPath& path) {
             std::swap(sample, place.sample);
@@ -107,7 +108,7 @@ private:
         StoredSample sample;
         SeenPath path;
     };
-    /// Points that keep what is read of them.
+    /// Points that record the dimensions read.
     struct Recorded {
         UniformPathsAhead& paths;
         RecordingReader<IndependentReader> path(std::uint32_t i) const {
@@ -137,9 +138,9 @@ void count_step(Statistics& counts, PaperStep step) {
 
 }  // namespace
 
-Statistics trace_paper_paths(const PhotonContext& view, const PaperPass& pass, PaperState& state,
-                             const DepositChunks& deposit) {
-    const SeenPhotons space(view);
+Statistics trace_paper_paths(const PhotonContext& photon_context, const PaperPass& pass,
+                             PaperState& state, const DepositChunks& deposit) {
+    const SeenPhotons space(photon_context);
     UniformPathsAhead uniform(space, pass.id);
     Statistics counts;
     std::vector<PhotonChunk> chunks(1);

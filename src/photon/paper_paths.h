@@ -1,7 +1,7 @@
 // Photon paths by the paper's own algorithm: the sampler `paper`.
 //
-// In:  what is seen in a pass, the chain as the passes before left it. Out: photons, as many copies
-// of each as iterations that its path was splatted in; the chain as this pass leaves it.
+// In:  the visible points of a pass, the chain's state after the passes before. Out: photons, with
+// as many copies as iterations in which their path was splatted; the new state.
 #pragma once
 
 #include "photon/adaptive_paths.h"
@@ -15,9 +15,9 @@ struct PaperPass {
     bool replica_exchange = true;
 };
 
-/// Uniform paths are traced on all threads, the chain runs on one: the result does not depend on
-/// the number of threads. @return counts.
-Statistics trace_paper_paths(const PhotonContext& view, const PaperPass& pass, PaperState& state,
-                             const DepositChunks& deposit);
+/// Traces uniform paths on all threads and the chain on one: the result does not depend on the
+/// number of threads. @return statistics.
+Statistics trace_paper_paths(const PhotonContext& photon_context, const PaperPass& pass,
+                             PaperState& state, const DepositChunks& deposit);
 
 }  // namespace sunfleck::engine

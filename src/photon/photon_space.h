@@ -1,7 +1,7 @@
-// Photon paths as a space that Markov chains walk in: a path is what can be seen of it.
+// PhotonSpace: photon paths as a path space for Markov chains.
 //
-// In:  primary samples. Out: the photons of a path that a disc may take, and its height: how near
-// to the view any of its photons came, or that one of them is taken.
+// In:  primary samples. Out: the photons of a path that a gather disc may accept, and its height:
+// how near any of its photons came to the visible points, or that one is accepted.
 #pragma once
 
 #include "chains/path_space.h"
@@ -14,10 +14,10 @@
 
 namespace sunfleck::engine {
 
-/// What a photon path leaves behind. Photons that no disc can reach are not kept.
+/// The data kept of a photon path. Photons that no disc can accept are not kept.
 struct PhotonPath {
     std::vector<Photon> photons;
-    int near = 0;  // greatest height of any photon's place in the octree
+    int near = 0;  // greatest height of a photon in the octree
 };
 
 class PhotonSpace {
@@ -38,7 +38,7 @@ public:
         count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
     }
 
-    /// Adds the next photon of a path to what is left of it.
+    /// Adds the next photon of a path.
     void see(const Photon& photon, PhotonPath& path) const {
         if (!index_.accepts_kind(photon.kind)) return;
         const int height = octree_.height(photon.position);

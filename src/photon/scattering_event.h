@@ -1,8 +1,8 @@
-// A photon on its way, and how it goes on from a surface.
+// Scattering events of photons: sampling of the bsdf, shading-normal correction, Russian roulette.
 //
-// A scattering event is worked out first and taken then: whoever has several photons at surfaces
-// works out all their events, which do not wait for each other, before any of them is decided.
-// Source: as photon/tracer.h.
+// An event is first computed and then applied. A caller with several photons computes all their
+// events, which do not depend on each other, before it applies any.
+// Source: see photon/tracer.h.
 // Equations: docs/method/method.md, eq. (9).
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace sunfleck::engine {
 
-/// A photon on its way: what the next event needs to know.
+/// A photon path in progress: the data that the next event needs.
 struct PhotonState {
     SampledSpectrum flux;
     Vec3 direction{0};
@@ -27,37 +27,37 @@ struct PhotonState {
     std::uint16_t bounces = 0;
     PhotonKind kind = PhotonKind::direct;
     std::uint8_t light_group = kNoLightGroup;
-    bool at_light = true;     // about to leave it
+    bool at_light = true;     // it has not left the light yet
     MediumNumber medium = 0;  // of the next ray
-    /// The flux over what Russian roulette makes it: 1 but where a medium took some of it, or a
-    /// shading normal at a rim made it more.
+    /// Flux over the flux that Russian roulette keeps constant: 1 unless a medium absorbed some of
+    /// it, or the shading-normal correction increased it.
     float throughput = 1;
     Vec3d origin{0};  // of the next ray
     Vec3d first_direction{0};
-    float unlit = 0;  // still to go where it lights nothing: Emission
+    float unlit = 0;  // remaining distance without light: Emission::unlit
 };
 
-/// What becomes of a photon that a surface scatters.
+/// The result of a scattering event.
 struct ScatteringEvent {
     SampledSpectrum flux;  // before Russian roulette
     Vec3 direction{0};
-    float throughput = 0;    // below 1: the probability with which the photon survives
-    float number = 1;        // of Russian roulette: it does if this is below
-    bool is_rough = false;   // it was no delta lobe
-    bool disperses = false;  // other wavelengths than the chosen one are zero
+    float throughput = 0;  // survival probability, if below 1
+    float number = 1;  // random number of Russian roulette: the photon survives if it is smaller
+    bool is_rough = false;   // not a delta lobe
+    bool disperses = false;  // wavelengths other than the hero are zero
 };
 
 namespace scattering_detail {
 
-/// Where a surface sends a photon, as far as its bsdf and normals say.
+/// The sampled direction and weight at a surface, by its bsdf and normals.
 struct CorrectedSample {
-    SampledSpectrum weight;  // of the flux
+    SampledSpectrum weight;  // factor of the flux
     Vec3 direction{0};
     bool is_rough = false;
     bool disperses = false;
 };
 
-/// A bsdf's own sample, corrected for the shading normal (Veach 1997, section 5.3.2).
+/// Samples the bsdf and applies the shading-normal correction (Veach 1997, section 5.3.2).
 inline std::optional<CorrectedSample> corrected_sample(const Bsdf& bsdf, const Hit& hit,
                                                        const Vec3& came, const BsdfDraw& draw) {
     const Frame frame(hit.shading_normal, hit.tangent);
@@ -72,9 +72,9 @@ inline std::optional<CorrectedSample> corrected_sample(const Bsdf& bsdf, const H
     return CorrectedSample{weight, wi, drawn->pdf.has_value(), drawn->dispersed};
 }
 
-/// A Lambertian surface sends flux as |n_g.w| on the side of its shading normal where it is lit:
-/// drawn so, no direction weighs more than another. What a lobe around n_g has on the other side is
-/// the point reflection of what it lacks on this one.
+/// Samples a Lambertian surface by |n_g.w| on the side of its shading normal that is lit, so that
+/// all directions have equal weight. The part of a lobe around n_g on the other side is replaced by
+/// the point reflection of the missing part on this side.
 inline std::optional<CorrectedSample> corrected_sample(const Lambert& bsdf, const Hit& hit,
                                                        const Vec3& came, const BsdfDraw& draw) {
     const Frame frame(hit.normal, hit.tangent);
@@ -86,8 +86,8 @@ inline std::optional<CorrectedSample> corrected_sample(const Lambert& bsdf, cons
                            wi.dot(hit.shading_normal) * facing < 0 ? -wi : wi, true, false};
 }
 
-/// The numbers of u that the surface makes a direction of; the others are left unread, as chains
-/// have less to move then. @param unit  gives a dimension's number.
+/// Returns the random numbers that the surface uses for a direction; others stay unread, so that
+/// chains have fewer dimensions to move. @param unit  returns the number of a dimension.
 template <class Unit>
 Vec3 numbers_for(const Lambert&, const Unit& unit) {
     return {0, unit(BounceDimension::direction_u), unit(BounceDimension::direction_v)};
@@ -101,15 +101,17 @@ Vec3 numbers_for(const Bsdf& bsdf, const Unit& unit) {
 
 }  // namespace scattering_detail
 
-/// What a loss leaves of the flux. A light that is dark at the wavelengths of the pass sends paths
-/// as if it were grey: what a pilot learns of them holds for other passes, too.
-/// @param before  sum of the flux. @param after  the flux. @param loss  its factor.
+/// Returns the fraction of the flux that a loss keeps. A light that is dark at the wavelengths of
+/// the pass counts as grey, so that what a pilot learns holds for other passes, too.
+/// @param before  sum of the flux before.
+/// @param after  the flux after.
+/// @param loss  factor of the loss.
 inline float share_kept(float before, const SampledSpectrum& after, const SampledSpectrum& loss) {
     return before > 0 ? after.sum() / before : loss.sum() / static_cast<float>(kWavelengths);
 }
 
-/// One scattering event, but for what wavelengths have to do with it. @tparam Surface  a Bsdf, or
-/// one that it may be.
+/// Computes one scattering event, except for its effect on wavelengths. @tparam Surface  a Bsdf, or
+/// one of its alternatives.
 template <PrimarySampleReader Reader, class Surface>
 [[gnu::always_inline]] inline ScatteringEvent sample_scattering(Reader& read, const Surface& bsdf,
                                                                 const Hit& hit,
@@ -127,14 +129,14 @@ template <PrimarySampleReader Reader, class Surface>
     return {flux, left->direction, throughput, number, left->is_rough, left->disperses};
 }
 
-/// Of a photon that so many smooth surfaces have scattered, and no rough one.
+/// Returns the kind of a photon that only specular surfaces, `events` of them, have scattered.
 inline PhotonKind kind_after_smooth(int events) {
     if (events == 0) return PhotonKind::direct;
     return events < kLongSpecularChain ? PhotonKind::caustic : PhotonKind::long_specular_chain;
 }
 
-/// Russian roulette, and the photon after it. One that grew fades first, surface by surface.
-/// @return false when it is absorbed.
+/// Applies Russian roulette to the photon. A throughput above one decreases first, surface by
+/// surface. @return false if the photon is absorbed.
 inline bool apply_event(const ScatteringEvent& event, PhotonState& state) {
     if (!(event.number < event.throughput)) return false;
     if (event.disperses) state.hero.single = true;

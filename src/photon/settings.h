@@ -27,7 +27,7 @@ struct PhotonSettings {
     // Of the sampler `adaptive`:
     bool splitting = true;        // sets that lead to visible paths, where these are rare
     bool emission_guide = true;   // may learn where light starts
-    bool guide_search = true;     // and look for it from the view, where chains do not lead there
+    bool guide_search = true;     // importons and edges look for it where chains fail
     bool light_strata = true;     // may part the lights
     bool adaptive_pixels = true;  // more camera paths where they are noisy
     bool photon_budget = true;    // if paths_per_pass is absent: from pass 16 on as measured

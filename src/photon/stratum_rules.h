@@ -1,5 +1,4 @@
-// Which lights share their photon paths, and how many paths each stratum gets: the rules, without
-// the sampling.
+// Rules that divide lights into strata and photon paths among strata, without the sampling.
 //
 // In:  powers and visible fractions of lights. Out: strata, numbers of paths.
 // Source: measured (docs/develop/decisions.md).
@@ -13,35 +12,34 @@
 namespace sunfleck::engine {
 
 inline constexpr std::size_t kMostStrata = 4;
-/// Visible fractions that differ by no more than that may share a stratum.
+/// Visible fractions within this ratio may share a stratum.
 inline constexpr std::uint64_t kFractionsApart = 30;
 
-/// A light or a cluster of lights, and some uniform paths from it. All lists have equal `paths`.
+/// A light or cluster of lights with counts of uniform paths. All have equal `paths`.
 struct MeasuredLight {
     double power = 0;  // positive, in any unit
     std::uint64_t paths = 0;
-    std::uint64_t visible = 0;  // of these; none counts as less than one
+    std::uint64_t visible = 0;  // visible ones of these; zero counts as less than one
 };
 
-/// Lights by stratum, the most visible stratum first: within a stratum visible fractions differ by
-/// no more than kFractionsApart, but that
-/// - a stratum whose power is below a tenth of that before it stays with it: it takes too few
-/// paths
-///   to be in the way;
-/// - so does one before which there is less than a hundredth of its own visible flux;
-/// - the last of kMostStrata holds all that is left.
+/// Divides lights into strata, the most visible stratum first. Visible fractions in a stratum
+/// differ by at most kFractionsApart, except that
+/// - a stratum with less than a tenth of the power of the one before is joined to it, because it
+/// takes few paths;
+/// - a stratum is joined to the one before if that has less than a hundredth of its visible flux;
+/// - the last of kMostStrata holds all remaining lights.
 std::vector<std::vector<std::size_t>> stratified(const std::vector<MeasuredLight>& lights);
 
-/// What a stratum's pilot found.
+/// What the pilot of a stratum found.
 struct StratumFlux {
     double power = 0;
     double visible_fraction = 0;
-    bool has_splitting = false;  // half of its paths or more are visible then
+    bool has_splitting = false;  // at least half of its paths are visible then
 };
 
-/// Paths in proportion to what each stratum needs, visible flux over visible paths a path, or to a
-/// tenth of what all need; at least two each.
-/// @param paths  of all together: two a stratum or more.
+/// Divides paths in proportion to the need of each stratum (visible flux over visible paths per
+/// path), with a minimum of a tenth of the mean; at least two each.
+/// @param paths  of all strata; at least two per stratum.
 std::vector<std::uint32_t> shared_paths(const std::vector<StratumFlux>& strata,
                                         std::uint32_t paths);
 

@@ -1,9 +1,10 @@
-// A photon path as a function of its primary sample: light, then surface after surface.
+// PhotonTracer: a photon path as a function of its primary sample, from a light through surface
+// after surface.
 //
-// In:  a dimension reader (the point u), the scene at a pass's wavelengths. Out: each photon at a
-// surface that can gather goes to a visitor, which may end the path.
-// Source: adjoint correction of shading normals: Veach 1997, section 5.3.2; Russian roulette on the
-// throughput keeps it about constant, as the paper's binary target assumes (docs/method/method.md).
+// In:  a primary-sample reader (the point u), the scene at the wavelengths of a pass. Out: each
+// photon at a surface that can gather is passed to a visitor, which may end the path.
+// Source: shading-normal correction: Veach 1997, section 5.3.2; Russian roulette on the throughput
+// keeps it about constant, as the paper's binary target assumes (docs/method/method.md).
 // Equations: docs/method/method.md, eq. (8).
 #pragma once
 
@@ -22,10 +23,10 @@ template <class V>
 concept PhotonVisitor = std::invocable<V&, const Photon&>;
 
 enum class PathEnd {
-    no_light,  // nothing emits, or not from there
+    no_light,  // no emission at that sample
     escaped,   // left the scene
-    absorbed,  // by a surface or a medium, or by Russian roulette
-    too_long   // the next event would exceed the greatest depth
+    absorbed,  // by a surface, a medium, or Russian roulette
+    too_long   // the next event would exceed the maximum depth
 };
 
 /// Counts how a path ended.
@@ -39,12 +40,12 @@ public:
     PhotonTracer(const PassScene& pass, const TransportSettings& transport)
         : PhotonTracer(pass, transport, pass.scene.light_choice()) {}
 
-    /// @param lights  where paths start: of the scene's, some or all.
+    /// @param lights  in which paths start: some or all of the scene's.
     PhotonTracer(const PassScene& pass, const TransportSettings& transport,
                  const LightChoice& lights)
         : pass_(pass), transport_(transport), lights_(lights), has_media_(pass.scene.has_media()) {}
 
-    /// One whole path. @param rays  counts the rays traced.
+    /// Traces one complete path. @param rays  counts the rays.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     PathEnd trace(Reader&& read, Visitor&& visit, std::uint64_t& rays) const {
         PhotonState state;
@@ -52,13 +53,13 @@ public:
         for (;;) {
             ++rays;
             Hit hit;
-            if (!hit_of(send(state), hit)) return PathEnd::escaped;
+            if (!complete(send(state), hit)) return PathEnd::escaped;
             if (const auto end = go_on(read, visit, hit, state)) return *end;
         }
     }
 
-    /// The steps of a path. The first: chooses the light, and flux, place and direction there.
-    /// @return false when nothing emits there.
+    /// Steps of a path. First: samples the light, with flux, position and direction. @return false
+    /// if nothing is emitted.
     template <PrimarySampleReader Reader>
     bool start(Reader& read, PhotonState& state) const {
         const std::optional<Emission> from = emit(read, state);
@@ -69,21 +70,20 @@ public:
         return true;
     }
 
-    /// The ray of a photon on its way. It meets all that is there in part: pass_absent().
-    Meeting send(const PhotonState& state) const {
+    /// Traces the ray of a photon without alpha test; pass_absent() applies it.
+    RayHit send(const PhotonState& state) const {
         const Geometry& geometry = pass_.scene.geometry();
         if (state.at_light)
-            return geometry.meet_precise(state.origin, state.first_direction, AlphaTest::off);
-        return geometry.meet({Vec3(state.origin), state.direction}, AlphaTest::off);
+            return geometry.trace_precise(state.origin, state.first_direction, AlphaTest::off);
+        return geometry.trace({Vec3(state.origin), state.direction}, AlphaTest::off);
     }
 
-    /// Where it arrives. @return whether it does.
-    bool hit_of(const Meeting& meeting, Hit& hit) const {
-        return pass_.scene.geometry().hit_of(meeting, hit);
+    /// Computes the hit. @return whether there is one.
+    bool complete(const RayHit& ray_hit, Hit& hit) const {
+        return pass_.scene.geometry().complete(ray_hit, hit);
     }
 
-    /// What happens where the ray arrives, up to the next ray. @return how the path ends, if it
-    /// does.
+    /// Handles a hit up to the next ray. @return how the path ends, if it does.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
@@ -92,20 +92,21 @@ public:
         if (state.unlit > 0 && is_stopped(hit, state)) return PathEnd::absorbed;
         if (has_media_ && !attenuate(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
-        if (constant) return meet(read, visit, *constant, hit, state);
-        if (!pass_.scene.is_null_interface(hit)) return meet_varied(read, visit, hit, state);
+        if (constant) return interact(read, visit, *constant, hit, state);
+        if (!pass_.scene.is_null_interface(hit)) return interact_varied(read, visit, hit, state);
         leave(hit, state);
         return {};
     }
 
-    /// go_on() in three steps, for who has many photons to go on with. First: what scatters there,
-    /// if it is a surface that is treated so; else go_on() is to be called.
+    /// go_on() in three steps, for a caller with many photons. First: returns the surface if its
+    /// events can be computed together; otherwise go_on() is to be called.
     const Lambert* plain_surface(const Hit& hit, const PhotonState& state) const {
         if (state.unlit > 0 || has_media_ || pass_.scene.has_cover(hit)) return nullptr;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         return constant ? std::get_if<Lambert>(&*constant) : nullptr;
     }
-    /// @return how the path ends, if it does; else sample_scattering() follows, and after_event().
+    /// @return how the path ends, if it does; otherwise sample_scattering() follows, and
+    /// after_event().
     template <PhotonVisitor Visitor>
     std::optional<PathEnd> see(Visitor&& visit, const Hit& hit, const PhotonState& state) const {
         visit(arrive(hit, state));
@@ -124,9 +125,9 @@ private:
         return pass_.scene.geometry().is_there(hit, state.origin, state.direction);
     }
 
-    /// Where a surface is there in part and not for this photon: its visible points gather the
-    /// photon all the same, since they are there by a chance of their own. Light that arrives at a
-    /// surface does not depend on how much of it is there.
+    /// Handles a surface whose alpha test fails for this photon: its visible points still gather
+    /// the photon, because they passed an alpha test of their own. Light that arrives at a surface
+    /// does not depend on its alpha.
     template <PhotonVisitor Visitor>
     [[gnu::noinline]] std::optional<PathEnd> pass_absent(Visitor& visit, const Hit& hit,
                                                          PhotonState& state) const {
@@ -139,7 +140,7 @@ private:
         return {};
     }
 
-    /// The medium takes its share on the way to the hit. @return whether anything is left.
+    /// Attenuates the photon on the way to the hit. @return whether anything is left.
     [[gnu::noinline]] bool attenuate(const Hit& hit, PhotonState& state) const {
         const SampledSpectrum left = pass_.transmittance(state.medium, hit.distance);
         const float before = state.flux.sum();
@@ -154,25 +155,25 @@ private:
         state.medium = pass_.scene.medium_beyond(hit, state.direction, state.medium);
     }
 
-    /// Makes ready for the next ray.
+    /// Prepares the next ray.
     void leave(const Hit& hit, PhotonState& state) const {
         state.at_light = false;
         if (has_media_) enter_beyond(hit, state);
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
     }
 
-    /// Is the photon met where it is no light yet?
+    /// Returns true if the photon hit something before it passed the portal.
     bool is_stopped(const Hit& hit, PhotonState& state) const {
         const bool before = hit.distance < state.unlit;
         state.unlit -= hit.distance;
         return before && !pass_.scene.is_null_interface(hit);
     }
 
-    /// GatherContext and scattering. @return how the path ends, if it does.
+    /// Visits the photon and scatters it. @return how the path ends, if it does.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
-    [[gnu::always_inline]] inline std::optional<PathEnd> meet(Reader& read, Visitor& visit,
-                                                              const Bsdf& bsdf, const Hit& hit,
-                                                              PhotonState& state) const {
+    [[gnu::always_inline]] inline std::optional<PathEnd> interact(Reader& read, Visitor& visit,
+                                                                  const Bsdf& bsdf, const Hit& hit,
+                                                                  PhotonState& state) const {
         const auto* lambert = std::get_if<Lambert>(&bsdf);
         const bool gathers = lambert != nullptr || pass_.may_gather(pass_.scene.material_of(hit));
         if (gathers) visit(arrive(hit, state));
@@ -184,17 +185,19 @@ private:
         return {};
     }
 
-    /// meet() where the material varies; apart, so as not to be in the way of the rest.
+    /// interact() for a material that is textured or a mix; a separate function, to keep the usual
+    /// one short.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
-    [[gnu::noinline]] std::optional<PathEnd> meet_varied(Reader& read, Visitor& visit,
-                                                         const Hit& hit, PhotonState& state) const {
+    [[gnu::noinline]] std::optional<PathEnd> interact_varied(Reader& read, Visitor& visit,
+                                                             const Hit& hit,
+                                                             PhotonState& state) const {
         Hit bent = hit;
         std::optional<Bsdf> room;
         const Bsdf& bsdf = pass_.bsdf_at(bent, room);
-        return meet(read, visit, bsdf, bent, state);
+        return interact(read, visit, bsdf, bent, state);
     }
 
-    /// Chooses the light and the first ray; sets flux and direction.
+    /// Samples the light and the first ray; sets flux and direction.
     template <PrimarySampleReader Reader>
     std::optional<Emission> emit(Reader& read, PhotonState& state) const {
         const auto unit = [&](EmissionDimension which) { return to_unit(read(dimension(which))); };
@@ -205,13 +208,13 @@ private:
             {unit(EmissionDimension::position_u), unit(EmissionDimension::position_v),
              unit(EmissionDimension::direction_u), unit(EmissionDimension::direction_v)},
             pass_.scene.sphere());
-        if (!(start.factor > 0)) return {};  // from a dark place of a picture
+        if (!(start.factor > 0)) return {};  // from a black texel of an image
         state.light_group = transport_.light_groups.of(choice.index);
         const Vec3d normal(start.normal);
         start.origin += normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
         state.flux =
             pass_.emission[choice.index] * static_cast<float>(start.factor / choice.probability);
-        if (start.tint) state.flux = pass_.tinted(state.flux, start.tint);
+        if (start.rgb) state.flux = pass_.coloured(state.flux, start.rgb);
         if (has_media_) state.medium = pass_.start_medium(choice.index, start, state.flux);
         state.direction = Vec3(start.direction);
         return start;
@@ -223,7 +226,7 @@ private:
                 state.light_group, 1,      state.flux};
     }
 
-    /// One scattering event. @return false when the photon is absorbed.
+    /// Applies one scattering event. @return false if the photon is absorbed.
     template <PrimarySampleReader Reader>
     static bool scatter(Reader& read, const Bsdf& at_surface, const Hit& hit, PhotonState& state) {
         if (!is_dispersive(at_surface)) return scatter_at(read, at_surface, hit, state);

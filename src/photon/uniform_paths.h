@@ -1,7 +1,7 @@
-// Photon paths from uniform numbers: the samplers `random` and `uniform`.
+// Uniform photon paths: the samplers `random` and `uniform`.
 //
-// `random`:  all dimensions independent (the paper's baseline).
-// `uniform`: emission dimensions from Sobol' points with a fresh shift each pass.
+// `random`:  all dimensions are independent (the paper's baseline).
+// `uniform`: emission dimensions are Sobol' points with a new shift per pass.
 #pragma once
 
 #include "core/parallel.h"
@@ -23,7 +23,7 @@ struct UniformPaths {
     std::uint32_t count = 0;
 };
 
-/// The number of paths of which at least one photon was taken. @param range  of the chunk.
+/// Returns the number of paths with at least one accepted photon. @param range  of the chunk.
 inline std::uint64_t visible_paths(const PhotonChunk& chunk, const PathRange& range) {
     std::vector<std::uint8_t> visible(range.size(), 0);
     for (std::size_t i = 0; i < chunk.paths.size(); ++i)
@@ -32,7 +32,7 @@ inline std::uint64_t visible_paths(const PhotonChunk& chunk, const PathRange& ra
 }
 
 /// Traces the paths of one chunk.
-/// @param may_accept  called with a photon: false where it cannot be wanted.
+/// @param may_accept  called with a photon: false if no visible point can accept it.
 template <class Points, class MayAccept>
 void trace_chunk(const PhotonTracer& tracer, const Points& points, const PathRange& range,
                  const MayAccept& may_accept, PhotonChunk& chunk) {
@@ -46,10 +46,10 @@ void trace_chunk(const PhotonTracer& tracer, const Points& points, const PathRan
     chunk.statistics[Count::uniform_paths] += range.size();
 }
 
-/// Paths of one chunk.
+/// Paths per chunk.
 inline constexpr std::size_t kChunkPaths = 512;
 
-/// Traces the paths of the range in blocks of kChunkPaths, each into a chunk of its own.
+/// Traces the paths of the range in blocks of kChunkPaths, one chunk each.
 /// @param may_accept  see trace_chunk().
 template <class MayAccept>
 std::vector<PhotonChunk> trace_chunks(const PhotonTracer& tracer, const UniformPaths& paths,
@@ -68,10 +68,10 @@ std::vector<PhotonChunk> trace_chunks(const PhotonTracer& tracer, const UniformP
     return chunks;
 }
 
-/// Traces all paths of the pass, some at a time so that their photons fit in memory.
-/// @param deposit  called with the chunks of many paths; marks the photons that were taken and
-///                 counts in their statistics.
-/// @return counts: paths, rays, visible paths, ends.
+/// Traces all paths of the pass in groups whose photons fit in memory.
+/// @param deposit  called with the chunks of many paths; marks accepted photons and adds to the
+/// statistics.
+/// @return counts of paths, rays, visible paths, ends.
 template <class MayAccept, class Deposit>
 Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& paths,
                                const MayAccept& may_accept, const Deposit& deposit) {

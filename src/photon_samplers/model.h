@@ -20,7 +20,7 @@ namespace sunfleck::engine {
 
 /// The photon paths of a pass, or of one of its subpasses.
 struct PhotonPass {
-    const PhotonContext& view;
+    const PhotonContext& photon_context;
     PassId id;  // names their random numbers
     const std::vector<LightStratum>& strata;
     const PhotonSettings& settings;

@@ -87,14 +87,15 @@ PhotonTotals PaperSampler::trace(const PhotonPass& pass, const PhotonTarget& tar
     ++state.passes;
     const auto paths = static_cast<std::uint32_t>(paths_of(pass.strata));
     if (paths == 0) return {};
-    const PhotonContext& view = pass.view;
+    const PhotonContext& photon_context = pass.photon_context;
     PassImage photons(target.image.pixels(), aovs_of(target.image));
     PhotonCounts here(target.taken == nullptr ? photons.pixels() : 0);
     PhotonCounts& taken = target.taken == nullptr ? here : *target.taken;
-    const Depositor deposit(view.scene, view.index, photons, paths, &taken);
+    const Depositor deposit(photon_context.scene, photon_context.index, photons, paths, &taken);
     PhotonTotals totals;
-    totals.statistics = trace_paper_paths(
-        view, {pass.id, paths, pass.settings.paper.replica_exchange}, state.chain, deposit);
+    totals.statistics =
+        trace_paper_paths(photon_context, {pass.id, paths, pass.settings.paper.replica_exchange},
+                          state.chain, deposit);
     state.radii.add(taken);
     GainOfPass gain(state, paths);
     for (const AovRow& row : kAovs)

@@ -10,7 +10,7 @@
 namespace sunfleck::engine {
 
 PhotonTotals SplittingSampler::trace(const PhotonPass& pass, const PhotonTarget& target, State&) {
-    const PhotonContext& view = pass.view;
+    const PhotonContext& photon_context = pass.photon_context;
     PhotonTotals totals;
     std::optional<VisiblePointOctree> octree;  // splitting alone needs it
     for (const LightStratum& stratum : pass.strata) {
@@ -19,10 +19,11 @@ PhotonTotals SplittingSampler::trace(const PhotonPass& pass, const PhotonTarget&
             counts.visible_fraction =
                 trace_uniform_stratum(pass, UniformKind::uniform, stratum, target, totals);
         } else {
-            if (!octree) octree.emplace(octree_of(view));
-            const Depositor deposit(view.scene, view.index, target.image, 1, target.taken);
+            if (!octree) octree.emplace(octree_of(photon_context));
+            const Depositor deposit(photon_context.scene, photon_context.index, target.image, 1,
+                                    target.taken);
             AdaptivePaths paths = trace_adaptive_paths(
-                view, *octree, pass.id.with_part(stratum.part), stratum, deposit);
+                photon_context, *octree, pass.id.with_stratum(stratum.number), stratum, deposit);
             totals.statistics += paths.statistics;
             counts.splitting = std::move(paths.splitting);
             counts.visible_fraction = counts.splitting.visible_fraction;

@@ -23,13 +23,14 @@ double count_uniform(Statistics& counts, Statistics& all) {
 
 double trace_uniform_stratum(const PhotonPass& pass, UniformKind kind, const LightStratum& stratum,
                              const PhotonTarget& target, PhotonTotals& totals) {
-    const PhotonContext& view = pass.view;
-    const PhotonTracer tracer(view.scene, view.transport, stratum.lights);
+    const PhotonContext& photon_context = pass.photon_context;
+    const PhotonTracer tracer(photon_context.scene, photon_context.transport, stratum.lights);
     const std::uint32_t paths = stratum.plan.uniform_paths;
-    const Depositor deposit(view.scene, view.index, target.image, paths, target.taken);
+    const Depositor deposit(photon_context.scene, photon_context.index, target.image, paths,
+                            target.taken);
     Statistics counts = trace_uniform_paths(
-        tracer, {kind, pass.id.with_part(stratum.part), paths},
-        [&](const Photon& photon) { return view.index.may_accept(photon); }, deposit);
+        tracer, {kind, pass.id.with_stratum(stratum.number), paths},
+        [&](const Photon& photon) { return photon_context.index.may_accept(photon); }, deposit);
     return count_uniform(counts, totals.statistics);
 }
 

@@ -1,4 +1,4 @@
-// Numbers of paths for the noise of trials.
+// Allocation of paths by the noise of trials.
 #include "planning/adaptive_pixels.h"
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr double kDarkOfMean = 0.1;  // of the mean brightness: what is darker counts as that
+constexpr double kDarkOfMean = 0.1;  // of the mean brightness: a lower bound
 constexpr std::uint8_t kMostLog2Samples = 6;
-/// Paths of a pixel of mean noise, were all numbers allowed and spread by chance.
+/// Paths of a pixel of mean noise, if numbers were real and samples independent.
 constexpr std::array<double, 8> kLevels = {0.125, 0.25, 0.5, 1, 2, 4, 8, 16};
-/// Camera paths of a subpass, together: their points take a few hundred bytes each.
+/// Limit of camera paths of a subpass: a visible point takes a few hundred bytes.
 constexpr std::size_t kMostPaths = std::size_t{1} << 23U;
 
-/// Variance over cost of a path, of a picture whose brightness has been made even by roots.
+/// Returns variance per cost of a path, for a picture with brightness normalised by square roots.
 PixelValues worth_of(const PixelValues& variance, const PixelValues& rays,
                      const PixelValues& brightness) {
     PixelValues worth(variance.size());
@@ -25,8 +25,7 @@ PixelValues worth_of(const PixelValues& variance, const PixelValues& rays,
     return worth;
 }
 
-/// Log2Samples that each take away more for their cost than a path of that worth does.
-/// @param worth  over that.
+/// Returns the log2 samples whose last doubling still pays. @param worth  relative to one path.
 std::uint8_t log2_samples_for(double worth, const VarianceDecay& net) {
     std::uint8_t log2_samples = 0;
     double gain = worth * (1 - net.doubling);
@@ -84,7 +83,7 @@ std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTr
     if (!(dark > 0)) return all;
     for (double& b : brightness) b = std::max(b, dark);
     const auto& [one, other] = trials.variance;
-    PixelValues steady(one.size());  // a flash that one half has seen is no place for more
+    PixelValues steady(one.size());  // outliers in one half attract no paths
     for (std::size_t i = 0; i < one.size(); ++i) steady[i] = std::sqrt(one[i] * other[i]);
     const auto worth = [&](const PixelValues& variance) {
         return worth_of(variance, trials.rays, brightness);

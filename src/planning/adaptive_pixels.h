@@ -1,7 +1,8 @@
-// Ways to share camera paths among pixels: more where their light is noisy.
+// Adaptive pixel sampling: allocations of camera paths to pixels by their noise.
 //
-// In:  trials of the pixels. Out: numbers of paths, and what they are worth, foretold.
-// Source: Neyman's allocation, numbers as the standard deviation over the root of the cost
+// In:  trials of the pixels. Out: numbers of paths, with predicted variance.
+// Source: Neyman allocation, in proportion to standard deviation over the root of the cost (J.
+// Royal Statistical Society 97, 1934); here with the variance decay of scrambled nets.
 // (J. Royal Statistical Society 97, 1934); here of variances that fall as nets have them.
 // Equations: docs/method/sampling.md, eq. (23).
 #pragma once
@@ -15,11 +16,12 @@
 
 namespace sunfleck::engine {
 
-/// A way to share them out.
+/// An allocation of camera paths.
 struct CameraShares {
-    Log2Samples log2_samples;  // of a subpass's camera paths
-    double work = 1;           // in rays, over that of one path each
-    /// What each half of the trials would have had it be. The other half knows what that is worth.
+    Log2Samples log2_samples;  // per subpass
+    double work = 1;           // in rays, over that of one path per pixel
+    /// Allocations computed from one half of the trials each; the other half scores them
+    /// (cross-validation).
     std::array<Log2Samples, 2> by_half;
 
     unsigned log2_samples_of(std::size_t pixel) const {
@@ -27,23 +29,24 @@ struct CameraShares {
     }
 };
 
-/// The mean number of camera paths of a pixel, pixels weighed so; one if all weights are zero.
+/// Returns the weighted mean number of camera paths per pixel; one if all weights are zero.
 double mean_paths(const Log2Samples& log2_samples, const PixelValues& weights);
 
-/// Camera paths of a subpass, at most, all pixels together.
+/// Returns the limit of camera paths of a subpass, over all pixels.
 std::uint64_t most_camera_paths(std::uint64_t pixels);
 
-/// Are there pixels enough for shares, and not so many that there is no memory for more paths?
+/// Returns whether there are enough pixels for allocations, and not too many for the memory of more
+/// paths.
 bool may_be_shared(const PixelWindow& window);
 
-/// From few to many more paths than one a pixel: 64 at most, and no more than eight million
-/// together, whose points need memory. None where there is no noise.
+/// Returns allocations from few to many more paths than one per pixel: at most 64 per pixel, and at
+/// most eight million in total, because visible points need memory. Empty without noise.
 /// @param light  of the pixels.
 std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTrials& trials,
                                         const PixelValues& light);
 
-/// Variance of the light that needs no photon, in the mean over a block's pixels; without
-/// hindsight: what one half of the trials has seen, where paths go as the other half would have it.
+/// Returns the variance of light that needs no photon, as the mean over a block's pixels, with
+/// paths allocated by the other half of the trials (cross-validation).
 double remaining_variance(const CameraShares& shares, const PixelTrials& trials,
                           const BlockGrid& grid, std::size_t block);
 

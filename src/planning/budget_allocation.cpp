@@ -1,4 +1,4 @@
-// The least of a few sums of roots, and what a subpass is worth.
+// Minimisation over a few numbers of paths, and the weight of a subpass.
 #include "planning/budget_allocation.h"
 
 #include "film/film_sums.h"
@@ -9,7 +9,7 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr int kFewest = -4;  // powers of two of the usual number
+constexpr int kFewest = -4;  // log2 relative to the usual number
 constexpr int kMost = 2;
 constexpr double kGreatest = 0x1p30;
 constexpr double kMostSubpasses = 16;

@@ -1,4 +1,4 @@
-// A pilot and trials over views like that of the epoch's first pass.
+// Learning of an epoch by a pilot and trials for visible points like those of its first pass.
 #include "planning/epoch.h"
 
 #include "core/stopwatch.h"
@@ -26,7 +26,7 @@ SubpassRequest request_of(const PhotonSettings& settings, std::uint32_t epoch, s
     request.budget = settings.photon_budget && !settings.paths_per_pass;
     if (pixels > kLarge) request.cells = 2;
     if (epoch == 0) request = {usual, false, true, {1, 3}, 16, 2};
-    request.views.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
+    request.trials.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
     request.shares = settings.adaptive_pixels;
     return request;
 }
@@ -46,7 +46,7 @@ bool needs_learning(const Scene& scene, const RenderSettings& settings) {
 }
 
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
-                  const std::function<void(double)>& view_traced) {
+                  const std::function<void(double)>& trial_traced) {
     Stopwatch watch;
     const PixelWindow window = window_of(scene.film());
     const std::uint32_t paths = usual_paths(settings.photon, window.pixels());
@@ -70,10 +70,10 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
                             radius_factor(first, settings.alpha)};
     watch.lap();
     const CameraTrial seen = view_of(camera);
-    if (view_traced) view_traced(watch.lap());
-    const PhotonContext view{at_wavelengths, settings.transport, seen.index};
+    if (trial_traced) trial_traced(watch.lap());
+    const PhotonContext photon_context{at_wavelengths, settings.transport, seen.index};
     const std::uint64_t work = worth_learning(epoch.number) * (paths + window.pixels());
-    LightPlanner planner(view, settings.photon, name, work);
+    LightPlanner planner(photon_context, settings.photon, name, work);
     epoch.strata = planner.plan(paths);
     const SubpassRequest request =
         request_of(settings.photon, epoch.number, paths, window.pixels());
@@ -83,7 +83,7 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
         const PhotonBudget& budget = plan.budget;
         if (budget.paths > paths) epoch.strata = planner.plan(budget.paths);
         if (budget.paths < paths)
-            epoch.strata = part_of(std::move(epoch.strata), paths / budget.paths);
+            epoch.strata = fraction_of(std::move(epoch.strata), paths / budget.paths);
         epoch.paths = static_cast<std::uint32_t>(paths_of(epoch.strata));
         epoch.subpasses = budget.subpasses;
         epoch.weight = settings.photon.pass_weights ? budget.weight : 1;

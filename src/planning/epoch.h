@@ -1,11 +1,10 @@
-// Epochs: runs of passes with one plan of their photon paths.
+// Epoch: a range of passes with one plan of their photon paths.
 //
-// In:  scene, settings, number of the epoch. Out: subpasses of a pass, camera paths of a pixel and
-// photon paths of a subpass, strata of lights and their plans, learned by pilots and trials over
-// views like that of the epoch's first pass, and by nothing else: so any pass can be rendered
-// anywhere, without those before it. The views are no part of the picture: paths that were shared
-// out by what a pass itself has seen would bias it. Radii shrink as passes go on, ever more slowly,
-// and so do epochs grow.
+// In:  scene, settings, index of the epoch. Out: subpasses of a pass, camera paths of a pixel and
+// photon paths of a subpass, light strata and their plans. Pilots and trials learn them for visible
+// points like those of the epoch's first pass, and from nothing else, so that any pass can be
+// rendered anywhere, without earlier ones. Trials are no part of the picture: an allocation computed
+// from the pass itself would bias it. Radii shrink ever more slowly, and epochs grow accordingly.
 #pragma once
 
 #include "camera_paths/camera_pass.h"
@@ -43,10 +42,10 @@ struct Epoch {
 /// Is there anything to learn? If not, each epoch is the same but for its number.
 bool needs_learning(const Scene& scene, const RenderSettings& settings);
 
-/// The epoch that a pass belongs to.
-/// @param view_traced  told the seconds that a view took: the camera paths of a pass, and their
-///                     index. Long before the end of learning.
+/// Returns the epoch of a pass.
+/// @param trial_traced  called, long before learning ends, with the seconds of a trial: the camera
+///                      paths of a pass, and their index.
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
-                  const std::function<void(double)>& view_traced = {});
+                  const std::function<void(double)>& trial_traced = {});
 
 }  // namespace sunfleck::engine

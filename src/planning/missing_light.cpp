@@ -1,4 +1,4 @@
-// Walks from the visible points of each block of a view.
+// Importons from the visible points of each block of a trial.
 #include "planning/missing_light.h"
 
 #include "photon/importons.h"
@@ -10,11 +10,11 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr int kBlocks = 16;                          // a side
-constexpr std::uint32_t kWalks = 512;                // of a block
-constexpr std::uint32_t kNoEpoch = (1U << 20U) - 1;  // no render comes so far
+constexpr int kBlocks = 16;                          // per axis
+constexpr std::uint32_t kWalks = 512;                // per block
+constexpr std::uint32_t kNoEpoch = (1U << 20U) - 1;  // beyond any render
 
-/// Block i of so many along an axis.
+/// Returns the boundary i of blocks along an axis.
 int edge(int begin, int end, int i) {
     return begin + static_cast<int>((std::int64_t{end} - begin) * i / kBlocks);
 }
@@ -36,8 +36,9 @@ double share_lit_by_photons(const Scene& scene, const RenderSettings& settings) 
         const CameraTrial seen =
             view_of({at_wavelengths, settings.transport, settings.camera, window, id});
         if (seen.index.points().empty()) continue;
-        const PhotonContext view{at_wavelengths, settings.transport, seen.index};
-        const WalkedEmission found = trace_importons(view, scene.light_choice(), id, {0, kWalks});
+        const PhotonContext photon_context{at_wavelengths, settings.transport, seen.index};
+        const WalkedEmission found =
+            trace_importons(photon_context, scene.light_choice(), id, {0, kWalks});
         if (!found.guide_samples.empty()) lit += window.pixels();
     }
     return static_cast<double>(lit) / static_cast<double>(whole.pixels());

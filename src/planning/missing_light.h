@@ -1,7 +1,7 @@
-// Which part of a picture lacks light, where passes have found no photon that brings any.
+// Detection of missing light: the part of a picture that lacks light because no photon was found.
 //
-// In:  scene, settings. Out: a share of the picture, from walks that look for light from what the
-// camera sees: the other way round than photons go, so that they fail in other places.
+// In:  scene, settings. Out: a fraction of the picture, by importons from the visible points, which
+// search in the reverse direction and hence fail in other places.
 #pragma once
 
 #include "scene/scene.h"
@@ -9,9 +9,9 @@
 
 namespace sunfleck::engine {
 
-/// Share of the pixels by whose side walks meet light that photons are to bring there: by way of
-/// rough surfaces, or through glass. Light that reaches the view by mirrors alone, or through glass
-/// that bends it far, is not met. Zero with other integrators, which have no photons.
+/// Returns the fraction of pixels near which importons find light that photons compute: by rough
+/// surfaces, or through glass. Light that arrives by mirrors alone, or through strongly refracting
+/// glass, is not found. Zero for other integrators, which have no photons.
 double share_lit_by_photons(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Ways to share camera paths, the error that each would leave, and the least of these.
+// Allocations of camera paths, the error of each, and the best of them.
 #include "planning/photon_budget.h"
 
 #include "planning/trial_iterations.h"
@@ -10,19 +10,18 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr double kSurvivors = 128;  // or more in a subpass, where splitting has one level set
-constexpr double kRaysOfPath =
-    0.6;  // work beside a camera path's rays: its point's place in the index
-constexpr double kRaysOfDeposit = 0.6;  // work
-constexpr double kMoreDeposits = 0.17;  // share of that, where a photon meets more points at once
+constexpr double kSurvivors = 128;   // at least so many per subpass, if splitting has one level set
+constexpr double kRaysOfPath = 0.6;  // work per camera path besides its rays
+constexpr double kRaysOfDeposit = 0.6;  // in units of a ray
+constexpr double kMoreDeposits = 0.17;  // fraction of that for several points at once
 
-constexpr double kWorthwhile = 0.96;  // of the error: for less there are no more camera paths
+constexpr double kWorthwhile = 0.96;  // of the error: worth more camera paths
 
-/// Of a subpass, in rays.
+/// Work of a subpass in rays.
 struct Work {
-    double camera = 0;    // with one camera path a pixel
+    double camera = 0;    // with one camera path per pixel
     double photon = 0;    // of a photon path
-    double deposits = 0;  // of a photon path, with one camera path a pixel
+    double deposits = 0;  // of a photon path, with one camera path per pixel
 
     SubpassCost with(const CameraShares& shares, const PixelValues& taken) const {
         const double more =
@@ -31,27 +30,29 @@ struct Work {
     }
 };
 
-Work work_of(const CameraTrial& view, const PhotonTrials& trials) {
+Work work_of(const CameraTrial& trial, const PhotonTrials& trials) {
     const auto count = [](const Statistics& counts, Count which) {
         return static_cast<double>(counts[which]);
     };
     const double paths = kPhotonSets * trials.pair.paths;
-    return {count(view.counts, Count::camera_rays) +
-                kRaysOfPath * count(view.counts, Count::camera_paths),
+    return {count(trial.counts, Count::camera_rays) +
+                kRaysOfPath * count(trial.counts, Count::camera_paths),
             count(trials.totals.statistics, Count::photon_rays) / paths,
             kRaysOfDeposit * trials.deposits / paths};
 }
 
-/// The share of the usual paths that leaves kSurvivors.
-/// @param found  survivors in all sets of photons. @param tried  the share that one of these has.
+/// Returns the fraction of the usual paths that leaves kSurvivors.
+/// @param found  survivors in all sets of photons.
+/// @param tried  fraction of the usual paths in each set.
 double share_of_survivors(std::uint64_t found, double tried) {
     return kSurvivors * kPhotonSets * tried / static_cast<double>(found);
 }
 
-/// The share of the usual paths below which nothing is known of what paths are worth: that of the
-/// trials, or less where splitting has one level set, survivors enough and no guide beside it. All,
-/// where splitting has found nothing.
-/// @param totals  of all sets of photons. @param tried  the share that one of them has.
+/// Returns the fraction of the usual paths below which measurements do not hold: that of the
+/// trials, or less if splitting has one level set, enough survivors and no guide. One if splitting
+/// found nothing.
+/// @param totals  of all sets of photons.
+/// @param tried  fraction of the usual paths in each set.
 double least_share(const std::vector<LightStratum>& strata, const PhotonTotals& totals,
                    double tried) {
     double share = 0;
@@ -68,12 +69,13 @@ double least_share(const std::vector<LightStratum>& strata, const PhotonTotals& 
     return share;
 }
 
-/// What is foretold is not what comes to pass: twice the work must be worth 4% of the error.
+/// Penalty for uncertain predictions: twice the work must reduce the error by 4%.
 double doubt(double work) {
     return std::sqrt(std::sqrt(std::sqrt(std::sqrt(work))));
 }
 
-/// The way of least error, each with its photon paths; the first, if that is hardly worse.
+/// Returns the allocation of least error with its photon paths; the first unless another is clearly
+/// better.
 std::size_t best_of(const std::vector<SubpassMeasures>& subpasses,
                     const std::vector<PhotonBudget>& budgets) {
     const auto work = [&](std::size_t way) {
@@ -100,9 +102,9 @@ SubpassPlan measured_plan(const CameraPass& first, const CameraTrial& seen,
     if (request.usual < 2 * request.parts) return {{request.usual}, {}};
     const bool shared = request.shares && may_be_shared(window);
     const PixelTrials pixels =
-        shared ? trials_of_pixels(first, name, request.views) : no_trials(window);
+        shared ? trials_of_pixels(first, name, request.trials) : no_trials(window);
     if (!(pixels.have_noise() || request.budget)) return {{request.usual}, {}};
-    const std::vector<LightStratum> strata = part_of(plan, request.parts);
+    const std::vector<LightStratum> strata = fraction_of(plan, request.parts);
     CameraPass second = first;
     second.id = name.iteration(kSecondTrialIteration);
     second.cells = request.cells;
@@ -111,7 +113,7 @@ SubpassPlan measured_plan(const CameraPass& first, const CameraTrial& seen,
     const double fewest = std::max(
         2.0, std::floor(least_share(strata, photons.totals, 1.0 / request.parts) * request.usual));
     std::vector<CameraShares> shares = camera_shares(window, pixels, photons.pair.one.lit[0]);
-    shares.insert(shares.begin(), CameraShares{});  // one path each
+    shares.insert(shares.begin(), CameraShares{});  // one path per pixel
     std::vector<SubpassMeasures> subpasses;
     subpasses.reserve(shares.size());
     for (const CameraShares& way : shares)
@@ -120,7 +122,7 @@ SubpassPlan measured_plan(const CameraPass& first, const CameraTrial& seen,
     const std::vector<PhotonBudget> usual(subpasses.size(), {request.usual});
     const std::size_t at_usual = best_of(subpasses, usual);
     if (!request.budget) return {{request.usual}, std::move(shares[at_usual].log2_samples)};
-    // Passes of the first epoch are of that kind.
+    // Passes of the first epoch are usual ones.
     const double of_pass = error_of_subpass(subpasses[at_usual], request.usual);
     std::vector<PhotonBudget> budgets;
     budgets.reserve(subpasses.size());

@@ -1,4 +1,4 @@
-// Both views' points in one index: photons meet them as those of one pass.
+// The visible points of both trials in one index, so that photons are gathered as in one pass.
 #include "planning/photon_trials.h"
 
 #include "camera_paths/trace_camera_paths.h"
@@ -12,7 +12,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The first view's points, and the second's as pixels behind those of the first.
+/// Returns an index of the first trial's points, and the second's with pixel numbers behind those.
 VisiblePointIndex both(const CameraTrial& seen, VisiblePointLists others, std::size_t pixels,
                        int max_depth) {
     const std::span<const VisiblePoint> points = seen.index.points();
@@ -40,7 +40,7 @@ CameraTrial view_of(const CameraPass& pass) {
     return {std::move(image), counts, std::move(index)};
 }
 
-std::vector<LightStratum> part_of(std::vector<LightStratum> strata, std::uint32_t parts) {
+std::vector<LightStratum> fraction_of(std::vector<LightStratum> strata, std::uint32_t parts) {
     const auto part = [&](std::uint32_t& number) { number = std::max(1U, number / parts); };
     for (LightStratum& stratum : strata) {
         part(stratum.plan.uniform_paths);
@@ -67,10 +67,11 @@ PhotonTrials photon_trials(const CameraPass& second, const CameraTrial& seen,
     trials.pair.cells = second.cells;
     trials.pair.paths = static_cast<double>(paths_of(strata));
     PhotonCounts taken(2 * pixels);
-    const PhotonContext view{second.scene, second.transport, index};
+    const PhotonContext photon_context{second.scene, second.transport, index};
     for (std::uint32_t set = 0; set < kPhotonSets; ++set) {
         PassImage image(2 * pixels, {});
-        const PhotonPass pass{view, name.iteration(kPhotonSetsIteration + set), strata, {}};
+        const PhotonPass pass{
+            photon_context, name.iteration(kPhotonSetsIteration + set), strata, {}};
         NoState none;
         trials.totals.add(SplittingSampler::trace(pass, {image, &taken}, none), 1.0 / kPhotonSets);
         add_light(image, set, trials.pair);

@@ -1,7 +1,7 @@
-// Two views of a scene, both lit by the same two sets of photons, and what these cost.
+// Photon trials: two trials of a scene, lit by the same two sets of photons, with their cost.
 //
-// In:  a pass like an epoch's first and its view, a plan. Out: light, pixel by pixel, and counts;
-// no part of a picture.
+// In:  a pass like an epoch's first and its trial, a plan. Out: light per pixel, and counts. They
+// are no part of a picture.
 #pragma once
 
 #include "chains/chain_walk.h"
@@ -13,7 +13,7 @@
 
 namespace sunfleck::engine {
 
-/// What the camera paths of a pass brought.
+/// The results of a trial's camera paths.
 struct CameraTrial {
     PassImage image;  // light that needs no photon
     Statistics counts;
@@ -22,18 +22,18 @@ struct CameraTrial {
 
 CameraTrial view_of(const CameraPass& pass);
 
-/// The same level sets and guides, with one of so many parts of the paths and chains: what a trial
-/// measures holds for it, as it would not for levels planned anew for few paths.
-std::vector<LightStratum> part_of(std::vector<LightStratum> strata, std::uint32_t parts);
+/// Returns the same level sets and guides with 1 / parts of the paths and chains: measurements then
+/// hold for the full plan, which new levels for few paths would not allow.
+std::vector<LightStratum> fraction_of(std::vector<LightStratum> strata, std::uint32_t parts);
 
 struct PhotonTrials {
     TrialPair pair;
     PhotonTotals totals;  // of both sets
-    PixelValues taken;    // photons of both sets, by pixel of the first view
+    PixelValues taken;    // accepted photons of both sets, by pixel of the first trial
     double deposits = 0;  // of those
 };
 
-/// @param second  the other view's pass. @param strata  the photons of a set.
+/// @param second  the pass of the other trial. @param strata  of one set of photons.
 PhotonTrials photon_trials(const CameraPass& second, const CameraTrial& seen,
                            const std::vector<LightStratum>& strata, const PilotName& name);
 

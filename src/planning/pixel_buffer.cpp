@@ -1,4 +1,4 @@
-// Sums over neighbours, row by row.
+// Weighted sums over neighbours, row by row.
 #include "planning/pixel_buffer.h"
 
 #include "film/luminance.h"
@@ -9,7 +9,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Weights of a pixel's part of a column or row: the one before, itself, the one behind.
+/// Returns the weight of a pixel's neighbour along an axis.
 double weight_of(int there, int here) {
     return there == here ? 2 : 1;
 }

@@ -1,6 +1,6 @@
-// Numbers by pixel of a rectangle, and the means of neighbours.
+// Pixel buffers: one number per pixel of a rectangle, with smoothing and upsampling.
 //
-// In and out: a number a pixel, row by row.
+// In and out: numbers in row-major order.
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -10,18 +10,18 @@
 
 namespace sunfleck::engine {
 
-/// Of each pixel, such as its luminance.
+/// A number per pixel, such as luminance.
 using PixelValues = std::vector<double>;
 
-/// Of a pass, or a part of one.
+/// Returns the luminance of a pass, or of a part of one.
 PixelValues luminance_of(const PassImage& image);
 
 double mean_value(const PixelValues& pixels);
 
-/// Binomial weights over a pixel and its eight neighbours.
+/// Smooths with binomial weights over a pixel and its eight neighbours.
 PixelValues smoothed(const PixelValues& pixels, const PixelWindow& window);
 
-/// What one pixel of each cell tells of all: smoothed among themselves, then each for its cell.
+/// Upsamples one value per cell to all pixels of the cell, after smoothing over neighbouring cells.
 PixelValues upsampled(const PixelValues& pixels, const PixelCells& cells);
 
 }  // namespace sunfleck::engine

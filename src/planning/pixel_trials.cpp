@@ -1,4 +1,4 @@
-// Views by nets of four, and their spread within nets and between them.
+// Trials by nets of four, and their variance within and between nets.
 #include "planning/pixel_trials.h"
 
 #include "camera_paths/trace_camera_paths.h"
@@ -12,24 +12,24 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::uint32_t kNet = 4;  // views of a net
+constexpr std::uint32_t kNet = 4;  // trials per net
 
 /// Means over nets.
 struct Spread {
-    std::array<PixelValues, 2> within;  // by half: variance about the mean of a net's paths
-    PixelValues between;                // variance of a net's mean
+    std::array<PixelValues, 2> within;  // by half: variance around the mean of a net's paths
+    PixelValues between;                // variance of the means of nets
 
     explicit Spread(std::size_t pixels)
         : within{PixelValues(pixels, 0), PixelValues(pixels, 0)}, between(pixels, 0) {}
 };
 
-/// Adds a net's spread, with that share. @param pass  counts the rays. @return its mean.
+/// Adds the variance of a net, weighted. @param pass  counts the rays. @return the mean of the net.
 PixelValues add_net(CameraPass pass, double share, PixelValues& within) {
     const std::size_t pixels = within.size();
     PixelValues sum(pixels, 0);
     PixelValues squares(pixels, 0);
-    for (std::uint32_t view = 0; view < kNet; ++view) {
-        pass.subpass = {view, kNet};
+    for (std::uint32_t trial = 0; trial < kNet; ++trial) {
+        pass.subpass = {trial, kNet};
         PassImage image(pixels, {});
         Statistics unused;
         trace_camera_paths(pass, image, unused);
@@ -62,8 +62,9 @@ Spread spread_of(CameraPass pass, const PilotName& name, std::uint32_t pairs) {
     return spread;
 }
 
-/// A net's variance over that of as many paths by chance.
-/// @param within  of a net's paths. @param between  of nets' means.
+/// Returns the variance of a net over that of as many independent paths.
+/// @param within  of a net's paths.
+/// @param between  of the means of nets.
 double net_over_chance(double within, double between) {
     const double path = (kNet - 1.0) / kNet * within + between;
     return std::clamp(kNet * between / path, 1.0 / 16, 1.0);
@@ -75,7 +76,7 @@ double sum_of(const PixelValues& pixels, const BlockGrid& grid, std::size_t bloc
     return sum;
 }
 
-/// The law of each block, and its noise as that of a path by chance.
+/// Returns the variance decay of each block, and converts its noise to that of independent paths.
 std::vector<VarianceDecay> laws_of(Spread& spread, const PixelWindow& window) {
     const BlockGrid grid(window.width(), window.height(), kTrialBlock);
     std::vector<VarianceDecay> laws(grid.count());
@@ -118,22 +119,22 @@ PixelTrials no_trials(const PixelWindow& window) {
 }
 
 PixelTrials trials_of_pixels(const CameraPass& first, const PilotName& name,
-                             const TrialEffort& views) {
+                             const TrialEffort& effort) {
     const PixelWindow& window = first.window;
     std::vector<std::uint64_t> counts(window.pixels(), 0);
     CameraPass pass = first;
     pass.rays = counts;
-    pass.cells = views.cells;
-    Spread spread = spread_of(pass, name, views.pairs_of_nets);
+    pass.cells = effort.cells;
+    Spread spread = spread_of(pass, name, effort.pairs_of_nets);
     const auto of_all = [&](const PixelValues& pixels) {
-        return upsampled(pixels, {window, views.cells});
+        return upsampled(pixels, {window, effort.cells});
     };
     for (PixelValues& half : spread.within) half = of_all(half);
     spread.between = of_all(spread.between);
     PixelValues rays;
     rays.reserve(counts.size());
     for (const std::uint64_t n : counts)
-        rays.push_back(static_cast<double>(n) / (2 * kNet * views.pairs_of_nets));
+        rays.push_back(static_cast<double>(n) / (2 * kNet * effort.pairs_of_nets));
     std::vector<VarianceDecay> nets = laws_of(spread, window);
     return {std::move(spread.within), of_all(rays), std::move(nets)};
 }

@@ -1,8 +1,9 @@
-// Trial camera paths: how noisy each pixel is, and how much less so where paths are spread evenly.
+// Pixel trials: trial camera paths that measure the noise of pixels and its decay with stratified
+// samples.
 //
-// In:  a pass like an epoch's first. Out: variances, from views that are no part of a picture.
-// Source: variance of the mean of a scrambled net over that of as many independent points: Owen,
-// Scrambled net variance for integrals of smooth functions (Annals of Statistics 25(4), 1997).
+// In:  a pass like an epoch's first. Out: variances, from trials that are no part of a picture.
+// Source: variance of a scrambled net relative to independent points: Owen, Scrambled net variance
+// for integrals of smooth functions (Annals of Statistics 25(4), 1997).
 // Equations: docs/method/sampling.md, eq. (22).
 #pragma once
 
@@ -16,43 +17,44 @@
 
 namespace sunfleck::engine {
 
-inline constexpr std::size_t kTrialBlock = 16;  // pixels a side: enough of them to tell a variance
+inline constexpr std::size_t kTrialBlock = 16;  // side in pixels, enough to estimate a variance
 
-/// How the variance of a pixel's camera paths falls with their number, spread as a net.
+/// How the variance of a pixel decays with the number of its camera paths, sampled by a net.
 struct VarianceDecay {
-    /// What of it two paths leave, and twice as many of any number above four: 1/2 by chance, less
-    /// of light that is smooth over pixel, lens and lights. The default is that of usual scenes.
+    /// Fraction of the variance that remains when the number of samples doubles from one to two,
+    /// and from any number above four: 1/2 for independent samples, less for smooth integrands
+    /// under a scrambled net. The default is typical.
     double doubling = 0.4;
 
-    /// What of the variance 2^log2_samples paths leave.
+    /// Returns the fraction of the variance that 2^log2_samples paths leave.
     double left(unsigned log2_samples) const;
 
-    /// What of it the paths of a batch leave, over what as many by chance would.
+    /// Returns the variance of a batch's paths over that of as many independent paths.
     double of_batch() const;
 };
 
-/// Of one camera path in each pixel, and in those around it, which are alike.
+/// Noise of one camera path per pixel, smoothed over similar neighbours.
 struct PixelTrials {
-    /// Of the light that needs no photon, as each half of the trials has seen it.
+    /// Variance of light that needs no photon, from each half of the trials.
     std::array<PixelValues, 2> variance;
     PixelValues rays;
     std::vector<VarianceDecay> nets;  // by block of kTrialBlock
 
     bool are_made() const { return !rays.empty(); }
-    /// Have both halves seen any?
+    /// Returns whether both halves have noise.
     bool have_noise() const;
 };
 
-/// Of no trials: nothing is known of the pixels' noise, and nets are as usual.
+/// Returns the result of no trials: unknown noise, and the usual decay.
 PixelTrials no_trials(const PixelWindow& window);
 
-/// How much trial work there is.
+/// The amount of trial work.
 struct TrialEffort {
-    std::uint32_t pairs_of_nets = 1;  // of four views each; at least one, at most 60
-    int cells = 2;                    // pixels a side, of which one has paths
+    std::uint32_t pairs_of_nets = 1;  // of four trials each; at least one, at most 60
+    int cells = 2;                    // one path per cells x cells pixels
 };
 
 PixelTrials trials_of_pixels(const CameraPass& first, const PilotName& name,
-                             const TrialEffort& views);
+                             const TrialEffort& effort);
 
 }  // namespace sunfleck::engine

@@ -1,8 +1,8 @@
-// Names of the random numbers of trials: iterations of a PilotName beyond all that pilots use.
+// Random numbers of trials: iterations of a PilotName beyond those of pilots.
 //
 // Camera paths of iterations in one block of kBatchPasses are points of one net
-// (random_numbers/batch_points.h), spread more evenly than by chance. Views that are compared as
-// independent ones stand in blocks of their own.
+// (random_numbers/batch_points.h), better stratified than independent ones. Trials that are
+// compared as independent ones use separate blocks.
 #pragma once
 
 #include "math/wavelengths.h"
@@ -11,12 +11,12 @@
 
 namespace sunfleck::engine {
 
-inline constexpr std::uint32_t kPixelTrialsIteration = 466;  // subpasses of it: nets of trial paths
+inline constexpr std::uint32_t kPixelTrialsIteration = 466;  // subpasses are nets of trials
 inline constexpr std::uint32_t kSecondTrialIteration = 482;
-inline constexpr std::uint32_t kExploredTrialIteration = 498;  // the view that planners explore
+inline constexpr std::uint32_t kExploredTrialIteration = 498;  // the trial that planners explore
 inline constexpr std::uint32_t kPhotonSetsIteration = 501;     // of the first of two sets
 
-/// The first of a PilotName's iterations begins one.
+/// Returns the first iteration of a block.
 constexpr std::uint32_t block_of_iteration(std::uint32_t iteration) {
     return iteration / kBatchPasses;
 }

@@ -4,9 +4,9 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr double kDark = 0.01;  // of the picture's brightness
+constexpr double kDark = 0.01;  // relative to the picture's brightness
 
-/// Sums over the pixels of a block that both views have.
+/// Sums over the pixels of a block that both trials have.
 struct BlockSums {
     double light = 0;
     double camera = 0;
@@ -14,11 +14,11 @@ struct BlockSums {
     double pixels = 0;
 };
 
-/// What of a pixel's variances counts: what its camera paths leave.
+/// Factors of a pixel's variances under an allocation.
 struct Left {
     double camera = 1;
-    double photon = 1;  // of what the views don't share
-    double unlit = 1;   // taken from the camera paths': pixels' trials know it better
+    double photon = 1;  // of the part that trials do not share
+    double unlit = 1;   // subtracted from camera paths, which pixel trials measure better
 };
 
 void add_pixel(const TrialPair& pair, std::size_t i, const Left& left, BlockSums& sums) {

@@ -1,9 +1,10 @@
-// Variances of camera paths and of photon paths, from trial passes.
+// Variances of camera paths and of photon paths, separated by trial passes.
 //
-// In:  two views with other camera paths, both lit by the same two sets of photons. Out: variances
-// by block. What differs between the views, and alike for both sets, is the camera paths' part.
-// What differs between the sets is the photons': alike in both views it stays, however many camera
-// paths a pixel has; else it is of where their points lie, and several have less of it.
+// In:  two trials with different camera paths, both lit by the same two sets of photons. Out:
+// variances per block. A difference between trials that is the same for both sets is due to camera
+// paths. A difference between sets is due to photons: the part that both trials share remains,
+// however many camera paths a pixel has; the rest depends on the positions of visible points, and
+// several paths reduce it.
 // Source: covariance of independent replicates.
 // Equations: docs/method/sampling.md, eq. (20).
 #pragma once
@@ -18,9 +19,9 @@
 
 namespace sunfleck::engine {
 
-inline constexpr std::uint32_t kPhotonSets = 2;  // that light both views
+inline constexpr std::uint32_t kPhotonSets = 2;  // both trials use them
 
-/// One view's trial passes, pixel by pixel.
+/// Light of one trial per pixel.
 struct Trial {
     PixelValues camera;                        // light that needs no photon
     std::array<PixelValues, kPhotonSets> lit;  // all light, with each set of photons
@@ -29,13 +30,13 @@ struct Trial {
 struct TrialPair {
     Trial one;
     Trial other;
-    int cells = 1;     // pixels a side, of which one has light in the other view
+    int cells = 1;     // the other trial has one path per cells x cells pixels
     double paths = 1;  // photon paths of a set
 };
 
-/// Of the blocks that are brighter than 1% of the picture: unbiased but for the division by their
-/// measured brightness. All of them in the order of the grid.
-/// @param shares  that the subpasses would have; where noise is `trials` told them, never the pair.
+/// Returns the variances of blocks brighter than 1% of the picture, in grid order: unbiased, except
+/// for the division by measured brightness.
+/// @param shares  allocation of the subpasses, computed from `trials`, never from the pair.
 std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
                                            const PixelTrials& trials, const CameraShares& shares);
 

@@ -1,5 +1,5 @@
-// Nine meshes: room, two coloured walls, two mirrored balls, a glass ball, and two lamps, each made
-// of a mirrored hollow with a lens as its only opening.
+// Nine meshes: room, two coloured walls, two mirrored balls, a glass ball, and two lamps, each a
+// mirrored hollow with a lens as its only opening.
 
 #include "procedural/box.h"
 
@@ -22,7 +22,7 @@ Camera "perspective" "float fov" 35
                              .height = 512,
                              .max_depth = 10};
 
-// Reflectances were sRGB 0.918, (0.098, 0.098, 0.949) and (0.949, 0.949, 0.098).
+// The original reflectances are sRGB 0.918, (0.098, 0.098, 0.949) and (0.949, 0.949, 0.098).
 constexpr std::string_view kMaterials = R"(
 MakeNamedMaterial "white" "string type" "diffuse" "rgb reflectance" [ 0.823 0.823 0.823 ]
 MakeNamedMaterial "bright" "string type" "diffuse" "rgb reflectance" [ 1 1 1 ]
@@ -47,7 +47,7 @@ constexpr std::array<Lamp, 2> kLamps = {{{0.32357, 0.4948}, {-0.34357, 0.4348}}}
 constexpr double kFloor = -0.55;
 constexpr double kBall = 0.2036;
 
-/// From z up around the origin to y up around a point.
+/// Rotates z up to y up, and translates.
 Mesh upright(const Mesh& mesh, const Vec3d& where) {
     return placed(mesh, tilted(-0.25, where));
 }
@@ -70,7 +70,7 @@ Mesh smoothed(Mesh ball, const Vec3d& centre) {
     return ball;
 }
 
-/// For each corner of a triangle a point of its own, so that readers keep it flat.
+/// Gives each corner of a triangle its own point, so that readers shade it flat.
 Mesh faceted(const Mesh& mesh) {
     Mesh flat;
     for (const auto& t : mesh.triangles) {
@@ -81,8 +81,8 @@ Mesh faceted(const Mesh& mesh) {
     return flat;
 }
 
-/// Floor, ceiling, back and sides as single sheets; a pole and a stand for the mirrored balls; the
-/// housings of the lamps: 10 + 28 + 40 + 2 * 46 triangles.
+/// Returns floor, ceiling, back and sides as single sheets; a pole and a stand for the mirrored
+/// balls; the housings of the lamps: 10 + 28 + 40 + 2 * 46 triangles.
 Mesh room() {
     constexpr double kX = 0.851;
     constexpr double kTop = 0.617;
@@ -103,7 +103,7 @@ Mesh room() {
     return room;
 }
 
-/// Most of a sphere: 16 + 10 * 32 triangles, open below.
+/// Returns most of a sphere, open below: 16 + 10 * 32 triangles.
 Mesh reflector(const Lamp& lamp) {
     constexpr double kRadius = 0.1;
     constexpr double kCentre = 0.4905;
@@ -117,7 +117,7 @@ Mesh reflector(const Lamp& lamp) {
     return upright(revolve(profile, 16), {lamp.x, 0, lamp.z});
 }
 
-/// Convex on both sides, its edge within the reflector: 16 * 20 triangles.
+/// Returns a biconvex lens with its edge within the reflector: 16 * 20 triangles.
 Mesh lens(const Lamp& lamp) {
     constexpr double kRadius = 0.0575;
     Profile profile;
@@ -132,7 +132,7 @@ Mesh lens(const Lamp& lamp) {
     return upright(revolve(profile, 16), {lamp.x, 0, lamp.z});
 }
 
-/// The source, 8 mm by 4 mm if the box were two metres high, facing down.
+/// Returns the source, 8 mm by 4 mm if the box were two metres high, facing down.
 Mesh source(const Lamp& lamp) {
     constexpr double kY = 0.42;
     return quad({{{lamp.x - 0.004, kY, lamp.z - 0.002},

@@ -7,8 +7,8 @@
 
 namespace sunfleck::engine {
 
-/// Counts, sizes and materials of the Box of Table I of Hachisuka and Jensen (2011), as a scene
-/// file of that number of triangles has them: 3,462, and 4 of the two lamps. Unit: as there; y up.
+/// Returns the Box of Table I of Hachisuka and Jensen (2011) with its counts, sizes and materials:
+/// 3,462 triangles as in the paper, and 4 of the two lamps. Unit: as in the paper; y is up.
 std::vector<SceneFile> box_scene(const ProceduralScene& scene);
 
 }  // namespace sunfleck::engine

@@ -9,11 +9,13 @@ namespace {
 
 constexpr std::uint32_t kFold = 8;
 
-/// Appends `count` corners at one radius and height, the first `turn` full turns from the x axis.
-std::uint32_t add_ring(Mesh& mesh, std::uint32_t count, double turn, double radius, double height) {
+/// Appends `count` corners at one radius and height, the first at `azimuth` revolutions from the x
+/// axis.
+std::uint32_t add_ring(Mesh& mesh, std::uint32_t count, double azimuth, double radius,
+                       double height) {
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (std::uint32_t i = 0; i < count; ++i) {
-        const SinCos at = sin_cos_2pi(turn + static_cast<double>(i) / count);
+        const SinCos at = sin_cos_2pi(azimuth + static_cast<double>(i) / count);
         mesh.points.push_back({static_cast<float>(radius * at.cos),
                                static_cast<float>(radius * at.sin), static_cast<float>(height)});
     }

@@ -1,4 +1,4 @@
-// The scene file around the snifter: camera, sun, table, and which surface parts which media.
+// The scene file around the snifter: camera, sun, table, and the media on each surface's sides.
 
 #include "procedural/cognac.h"
 

@@ -10,22 +10,22 @@
 
 namespace sunfleck::engine {
 
-/// Half the side of the square table, in cm: the one number that sets which share of uniformly
-/// emitted photon paths is visible in cognac-0. The sun shines from a disc over the bounding
-/// sphere of the scene, whose radius is about sqrt(2) times this; the visible share falls with its
-/// square. The views set the shares of the others.
+/// Half the side of the square table in cm. It sets the visible fraction of uniform photon paths in
+/// cognac-0: the sun emits from a disc over the bounding sphere of the scene, whose radius is about
+/// sqrt(2) times this, so the visible fraction is proportional to its inverse square. The cameras
+/// set the fractions of the other scenes.
 inline constexpr double kTableHalfWidth = 31;
 
-/// One look at the scene. Numbers are kept as the text that the scene file gets.
+/// A camera for the scene. Numbers are stored as text, as in the scene file.
 struct CognacView {
     std::string_view name;
     std::string_view what;
-    std::string_view target;  // point that the camera looks at, cm
+    std::string_view target;  // point at the centre of the picture, cm
     std::string_view fov;     // degrees
 };
 
-/// Shares of uniformly emitted photon paths that land in view after the glass or the table turned
-/// them (estimated, table reflectance 0.5): 1e-2, 2.7e-3, 1.1e-3, 1.1e-3, 3e-4, 1e-5, 1e-6.
+/// Fractions of uniform photon paths that reach the view after refraction or reflection (estimated,
+/// table reflectance 0.5): 1e-2, 2.7e-3, 1.1e-3, 1.1e-3, 3e-4, 1e-5, 1e-6.
 inline constexpr std::array<CognacView, 7> kCognacViews = {{
     {"cognac-0", "a glass of brandy in the sun and its caustic on the table", "2.2 -3.4 3.2", "31"},
     {"cognac-1", "the caustic of cognac-0, filling the picture", "3.1 -6.6 0", "7.5"},
@@ -36,7 +36,7 @@ inline constexpr std::array<CognacView, 7> kCognacViews = {{
     {"cognac-6", "two thirds of a millimetre of cognac-4", "4.6 -8 0", "0.1"},
 }};
 
-/// The files of one view. @param view  one of kCognacViews.
+/// Returns the files of one scene. @param view  one of kCognacViews.
 std::vector<SceneFile> cognac_scene(const CognacView& view);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// The snifter's profile and the three surfaces turned from it.
+// The profile of the snifter, and the three surfaces of revolution made of it.
 
 #include "procedural/cognac_glass.h"
 
@@ -7,13 +7,13 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Points of the inner curve from the widest place down to the axis that are still in air.
+/// Points of the inner curve from the widest radius down to the axis that are above the liquid.
 constexpr std::ptrdiff_t kDryInnerPoints = 3;
 
-/// Foot, stem and bowl from the axis below to the rim's outer edge.
+/// Returns foot, stem and bowl from the axis below to the outer edge of the rim.
 Profile outside() {
     Profile profile = {{0, 0.24},     // the underside is hollow
-                       {3.15, 0.01},  // the ring that the glass stands on
+                       {3.15, 0.01},  // ring on which the glass stands
                        {3.3, 0.04},  {3.36, 0.11}, {3.3, 0.18}, {3.15, 0.22}};
     append_bezier(profile, {{{1.6, 0.4}, {0.42, 0.7}, {0.42, 2.2}}}, 8);
     append_bezier(profile, {{{0.46, 2.9}, {4.35, 2.7}, {4.35, 6.2}}}, 15);
@@ -36,7 +36,7 @@ SnifterProfile snifter_profile() {
 
 CognacGlass cognac_glass() {
     const SnifterProfile profile = snifter_profile();
-    // Walked from the axis upwards, the wall of the liquid has the glass on its outside.
+    // Followed from the axis upwards, the wall of the liquid has the glass on its outside.
     Profile upwards = profile.glass_liquid;
     std::reverse(upwards.begin(), upwards.end());
     return {revolve(profile.glass_air, kCognacSegments), revolve(upwards, kCognacSegments),

@@ -1,4 +1,4 @@
-// Facets: a large square in the plane, cut by one half-space after the other.
+// Facets: a large square in the plane, clipped by one half-space after the other.
 
 #include "procedural/convex.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLarge = 100;
 
-/// What is left of a convex polygon (Sutherland and Hodgman 1974).
+/// Clips a convex polygon (Sutherland and Hodgman 1974).
 Polygon cut(const Polygon& polygon, const HalfSpace& by) {
     Polygon rest;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

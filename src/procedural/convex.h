@@ -1,7 +1,7 @@
-// Convex bodies as the meeting of half-spaces, and their facets.
+// Convex bodies as intersections of half-spaces, and their facets.
 //
 // Points are rounded to 2^-16 of a unit, so that a corner that several facets compute has the same
-// bits in each: facets of bodies that share planes meet without gaps.
+// bits in each: facets of bodies with common planes join without gaps.
 #pragma once
 
 #include "math/vector.h"
@@ -17,12 +17,13 @@ struct HalfSpace {
     double offset = 0;
 };
 
-/// Corners around its edge; counter-clockwise seen from where its normal points to.
+/// Corners in order around the edge; counter-clockwise seen from the side of the normal.
 using Polygon = std::vector<Vec3d>;
 
-/// The facet that lies in the plane of half-space `index`, of the body in which all of them meet.
-/// @param bodies  facets fit into a square of side 200 units around the foot of the origin.
-/// @return corners as seen from outside, rounded; empty where the plane misses the body.
+/// Returns the facet of the intersection of all half-spaces that lies in the plane of half-space
+/// `index`.
+/// @param half_spaces  facets fit into a square of side 200 around the projection of the origin.
+/// @return corners as seen from outside, rounded; empty if the plane misses the body.
 Polygon facet(const std::vector<HalfSpace>& half_spaces, std::size_t index);
 
 /// Adds a convex polygon as a fan of triangles.

@@ -7,7 +7,7 @@
 
 namespace sunfleck::engine {
 
-/// One file. Millimetres, y up, camera outside the open front.
+/// Returns one file. Unit: millimetres; y is up; the camera is outside the open front.
 std::vector<SceneFile> cornell_scene();
 
 }  // namespace sunfleck::engine

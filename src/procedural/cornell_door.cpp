@@ -1,4 +1,4 @@
-// Two rooms side by side, a door between them, a lamp in the one that is not seen.
+// Two adjacent rooms, a door between them, and a lamp in the one that is not visible.
 
 #include "procedural/cornell_door.h"
 
@@ -35,12 +35,12 @@ Shape "trianglemesh" "integer indices" [ 0 1 2  0 2 3 ]
 AttributeEnd
 )";
 
-// The doorway in the wall between the rooms (its middle plane x = 145): from y = 95 to 185.
+// The doorway in the wall between the rooms (its middle plane is x = 145): from y = 95 to 185.
 constexpr double kNear = 95;
 constexpr double kFar = 185;
 constexpr double kTop = 205;
 
-/// What stands around the doorway: a flat arch of three beams, in the plane of y and z.
+/// Returns a flat arch of three beams around the doorway, in the plane of y and z.
 Mesh doorway(const Polygon& around, double left, double right) {
     Placement upright;  // local x along y, local y up, local z along x
     upright.x = Vec3d(0, 1, 0);
@@ -49,8 +49,8 @@ Mesh doorway(const Polygon& around, double left, double right) {
     return placed(extrude(around, {}, left, right), upright);
 }
 
-/// An opening wider than the doorway by `wider` on each side, in a wall that ends `margin` before
-/// the doorway, at y = `high` behind it, and at z = `low` and `top`.
+/// Returns an opening wider than the doorway by `wider` on each side, in a wall that ends `margin`
+/// before the doorway, at y = `high` behind it, and at z = `low` and `top`.
 Polygon arch(double wider, double margin, double low, double high, double top) {
     const double near = kNear - wider;
     const double far = kFar + wider;
@@ -60,13 +60,13 @@ Polygon arch(double wider, double margin, double low, double high, double top) {
             {high, top, 0},           {kNear - margin, top, 0}};
 }
 
-/// A box of the door's frame: x along the door from its hinges, y across it, z up.
+/// Returns a box in the door's frame: x along the door from its hinges, y across it, z up.
 Mesh door_part(const Vec3d& low, const Vec3d& high) {
     const Mesh part = box_mesh(rounded_point(low), rounded_point(high));
     return placed(part, turned(0.25 + kDoorOpen, {139.5, kNear + 0.5, 0}));
 }
 
-/// Panels stand out by a centimetre from both faces.
+/// Returns the door; panels stand out by a centimetre on both faces.
 Mesh door() {
     Mesh door = door_part({0, -4, 1}, {88, 0, 204});
     for (const double face : {-5.0, -1.0}) {
@@ -76,7 +76,7 @@ Mesh door() {
     return door;
 }
 
-/// On both sides of the door: a knob of 192 triangles and its plate of 52.
+/// Returns a knob of 192 triangles and its plate of 52, on both sides of the door.
 Mesh knobs() {
     Profile profile = {{0, -1}, {1.2, -0.9}, {1.2, 3}};
     append_bezier(profile, {{{2.2, 3.2}, {3.2, 4.2}, {2.4, 6.2}}}, 3);
@@ -90,13 +90,13 @@ Mesh knobs() {
     return both;
 }
 
-Mesh block(double turns, const Vec3d& foot, double half, double height) {
+Mesh block(double revolutions, const Vec3d& foot, double half, double height) {
     const auto side = static_cast<float>(half);
     const Mesh box = box_mesh({-side, -side, 0}, {side, side, static_cast<float>(height)});
-    return placed(box, turned(turns, foot));
+    return placed(box, turned(revolutions, foot));
 }
 
-/// Slabs end within one another, so that no two faces lie in one plane.
+/// Slabs end within one another, so that no two faces are coplanar.
 void add_rooms(SceneFolder& folder) {
     folder.add("floor of both rooms", "white", box_mesh({-160, -5, -10}, {450, 295, 0}));
     folder.add("ceiling", "white", box_mesh({-161, -6, 275}, {451, 296, 285}));

@@ -7,11 +7,11 @@
 
 namespace sunfleck::engine {
 
-/// By how much the door stands open, in turns: the one number that sets which share of the photon
-/// paths from the lamp next door is visible (1.8e-2 in the paper).
+/// Opening of the door as a fraction of a revolution. It sets the fraction of visible photon paths
+/// from the lamp in the other room (1.8e-2 in the paper).
 inline constexpr double kDoorOpen = 0.14;
 
-/// 730 triangles, as in Table I of Hachisuka and Jensen (2011). Centimetres, z up.
+/// Returns 730 triangles, as in Table I of Hachisuka and Jensen (2011). Unit: centimetres; z is up.
 std::vector<SceneFile> cornell_door_scene(const ProceduralScene& scene);
 
 }  // namespace sunfleck::engine

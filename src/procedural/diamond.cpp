@@ -1,4 +1,4 @@
-// The stone turned onto its side, and the scene file around it.
+// The stone rotated onto its side, and the scene file around it.
 
 #include "procedural/diamond.h"
 
@@ -12,7 +12,7 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr double kRadius = 3.25;  // of the girdle: a stone of one carat
-constexpr double kClear = 0.01;   // between the stone and the table
+constexpr double kClear = 0.01;   // gap between the stone and the table
 
 constexpr std::string_view kHead =
     R"(# Sunfleck, scene diamond: a brilliant in the sun, and the colours that it throws.
@@ -46,7 +46,7 @@ Material "dielectric" "spectrum eta" [
 Shape "plymesh" "string filename" "geometry/brilliant.ply"
 )";
 
-/// Pairs of wavelength and index, five to a line.
+/// Returns pairs of wavelength and index, five per line.
 std::string index_table() {
     std::string table;
     for (int wavelength = 360; wavelength <= 830; wavelength += 10) {
@@ -67,7 +67,7 @@ std::string index_table() {
 Mesh lying_brilliant() {
     const BrilliantCut cut;
     Mesh mesh = brilliant(cut);
-    // The line from the culet to the girdle's first corner is laid down along x.
+    // The line from the culet to the girdle's first corner becomes horizontal, along x.
     const double cosine = 1 / std::sqrt(1 + cut.pavilion_tangent * cut.pavilion_tangent);
     const double sine = cut.pavilion_tangent * cosine;
     for (auto& p : mesh.points) {

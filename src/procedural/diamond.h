@@ -1,4 +1,4 @@
-// The scene diamond: a brilliant lying in the sun, which it throws about in colours.
+// The scene diamond: a brilliant lying in the sun, with its coloured caustics.
 #pragma once
 
 #include "procedural/mesh.h"
@@ -8,10 +8,10 @@
 
 namespace sunfleck::engine {
 
-/// The scene's file, the stone and the sky. Millimetres, z up.
+/// Returns the scene file, the stone and the sky. Unit: millimetres; z is up.
 std::vector<SceneFile> diamond_scene();
 
-/// The stone as it lies: on one facet of its pavilion, a hundredth of a millimetre above z = 0.
+/// Returns the stone lying on one facet of its pavilion, a hundredth of a millimetre above z = 0.
 Mesh lying_brilliant();
 
 }  // namespace sunfleck::engine

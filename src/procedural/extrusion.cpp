@@ -1,4 +1,4 @@
-// Two filled copies of a shape and a wall around each of its edges.
+// Two triangulated copies of a shape, and a wall along each edge.
 
 #include "procedural/extrusion.h"
 

@@ -1,6 +1,6 @@
-// Holes are joined to the edge by bridges, then ears are cut off one by one.
+// Ear clipping; holes are first joined to the edge by bridges.
 //
-// Source: Eberly, Triangulation by Ear Clipping (2002); bridges here are the shortest free ones.
+// Source: Eberly, Triangulation by Ear Clipping (2002); here bridges are the shortest free ones.
 
 #include "procedural/flat_fill.h"
 
@@ -10,12 +10,12 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Twice the area of a triangle seen from above; positive when counter-clockwise.
+/// Returns twice the area of a triangle seen from above; positive if counter-clockwise.
 double area2(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Do the open segments a-b and c-d cross?
+/// Returns whether the open segments a-b and c-d cross.
 bool cross(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
     return area2(a, b, c) * area2(a, b, d) < 0 && area2(c, d, a) * area2(c, d, b) < 0;
 }
@@ -26,8 +26,8 @@ bool crosses(const Vec3d& a, const Vec3d& b, const Polygon& polygon) {
     return false;
 }
 
-/// Does the way from corner i to `to` begin inside the polygon? (A corner where a bridge begins is
-/// there twice, with another part of the inside each time.)
+/// Returns whether the segment from corner i to `to` begins inside the polygon. (A corner at a
+/// bridge occurs twice, each time with another part of the inside.)
 bool begins_inside(const Polygon& polygon, std::size_t i, const Vec3d& to) {
     const Vec3d& before = polygon[(i + polygon.size() - 1) % polygon.size()];
     const Vec3d& after = polygon[(i + 1) % polygon.size()];
@@ -37,7 +37,7 @@ bool begins_inside(const Polygon& polygon, std::size_t i, const Vec3d& to) {
     return convex ? left_of_way_in && left_of_way_out : left_of_way_in || left_of_way_out;
 }
 
-/// The corners of the hole, walked backwards, put into the edge by a bridge to and fro.
+/// Inserts the corners of the hole, in reverse order, into the edge by a bridge in both directions.
 void join(Polygon& edge, const Polygon& hole, const std::vector<Polygon>& holes) {
     double least = std::numeric_limits<double>::infinity();
     std::size_t from = 0;
@@ -59,7 +59,7 @@ void join(Polygon& edge, const Polygon& hole, const std::vector<Polygon>& holes)
     edge = std::move(joined);
 }
 
-/// Is the triangle of corner i and its neighbours free of all other corners?
+/// Returns whether the triangle of corner i and its neighbours contains no other corner.
 bool is_ear(const Polygon& polygon, std::size_t i) {
     const Vec3d& a = polygon[(i + polygon.size() - 1) % polygon.size()];
     const Vec3d& b = polygon[i];

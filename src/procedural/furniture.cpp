@@ -1,4 +1,4 @@
-// Cushions are superellipsoids, turned work is turned, the rest is boards.
+// Cushions are superellipsoids, round parts are surfaces of revolution, the rest is boards.
 
 #include "procedural/furniture.h"
 
@@ -120,8 +120,8 @@ Mesh leaves() {
     for (int i = 0; i < 30; ++i) {
         const double length = random.between(0.35, 0.6);
         const double rise = random.between(0.5, 1.25);
-        const double turn = 0.382 * i + random.between(-0.03, 0.03);
-        // A stalk that rises and bends over; the blade is the outer half of it.
+        const double rotation = 0.382 * i + random.between(-0.03, 0.03);
+        // A stalk that rises and bends over; the blade is its outer half.
         const auto blade = [&](double around, double along) {
             const SinCos t = sin_cos_2pi(around);
             const SinCos swell = sin_cos_2pi(along / 2);
@@ -130,7 +130,7 @@ Mesh leaves() {
             const double up = 0.27 + rise * along * (1.35 - 0.75 * along);
             return Vec3d(reach, -wide * t.sin * swell.sin, up + 0.004 * t.cos * swell.sin);
         };
-        leaves.append(placed(ball_grid(12, 24, blade), turned(turn, Vec3d(0))));
+        leaves.append(placed(ball_grid(12, 24, blade), turned(rotation, Vec3d(0))));
     }
     return leaves;
 }

@@ -1,4 +1,5 @@
-// Furniture, each piece in front of the origin: its feet on z = 0, its front towards -y. Metres.
+// Furniture: each piece is centred at the origin, its feet on z = 0, its front towards -y. Unit:
+// metres.
 #pragma once
 
 #include "math/vector.h"
@@ -8,39 +9,40 @@
 
 namespace sunfleck::engine {
 
-/// What the upholstery and the woodwork of a piece are made of differs.
+/// A piece whose upholstery and woodwork have different materials.
 struct Seat {
     Mesh cloth;
     Mesh wood;
 };
 
-/// @param places  cushions side by side, each 62 cm wide.
+/// @param places  number of cushions, each 62 cm wide.
 Seat sofa(int places);
 
-/// A low round table on three turned legs; its top is 44 cm high.
+/// Returns a low round table on three turned legs, 44 cm high.
 Mesh round_table();
 
-/// Two sides, five boards, a back; 1.2 m wide, 2 m high.
+/// Returns shelves with two sides, five boards and a back; 1.2 m wide, 2 m high.
 Mesh shelves();
-/// Books that stand on the shelves. @param kind  of 0, 1, 2: every third book.
+/// Returns books for the shelves. @param kind  0, 1 or 2: every third book.
 Mesh books(int kind);
 
-/// A lamp on a stem, 1.5 m high.
+/// Returns a lamp on a stem, 1.5 m high.
 Mesh lamp_stem();
 Mesh lamp_shade();
 
-/// A pot, and the leaves of the plant in it.
+/// Returns a pot; plant leaves are separate.
 Mesh pot();
 Mesh leaves();
 
-/// A bowl, hollow, 34 cm wide; and fruit in it.
+/// Returns a hollow bowl, 34 cm wide; the fruit in it is separate.
 Mesh bowl();
 Mesh fruit();
 
-/// A curtain in folds, from the origin along x. @param width  of it. @param height  of its rail.
+/// Returns a folded curtain from the origin along x. @param width  of it. @param height  of its
+/// rail.
 Mesh folded_curtain(double width, double height);
 
-/// A net of one layer, in shallow folds, as folded_curtain().
+/// Returns a single-layer net in shallow folds, placed as folded_curtain().
 Mesh net_curtain(double width, double height);
 
 }  // namespace sunfleck::engine

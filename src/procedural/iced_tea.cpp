@@ -1,4 +1,5 @@
-// The scene file around the tumbler: camera, sun, sky, table, and which surface parts which media.
+// The scene file around the tumbler: camera, sun, sky, table, and the media on each surface's
+// sides.
 
 #include "procedural/iced_tea.h"
 

@@ -1,4 +1,4 @@
-// The scene iced-tea: a tumbler of tea with ice under a clear sky, and its light on the table.
+// The scene iced-tea: a tumbler of tea with ice under a clear sky, with its caustics on the table.
 #pragma once
 
 #include "procedural/scene_file.h"
@@ -7,7 +7,7 @@
 
 namespace sunfleck::engine {
 
-/// The scene's file, five meshes and the sky. Centimetres, z up.
+/// Returns the scene file, five meshes and the sky. Unit: centimetres; z is up.
 std::vector<SceneFile> iced_tea_scene();
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// The tumbler turned from its profile; ice cut at the level of the tea.
+// The tumbler as surfaces of revolution; ice cut at the level of the tea.
 
 #include "procedural/iced_tea_glass.h"
 
@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kHalfEdge = 1.12;
 
-/// A cube's middle and its turn as a quaternion, w x y z of any length.
+/// Centre of a cube and its rotation as a quaternion, w x y z of any length.
 struct Placed {
     Vec3d middle;
-    std::array<double, 4> turn;
+    std::array<double, 4> rotation;
 };
 
 constexpr std::array<Placed, 3> kCubes = {{{{1.72, 0.7, 6.62}, {8, 1, 0.6, 1.5}},
@@ -30,7 +30,7 @@ Vec3d turned(const std::array<double, 4>& q, const Vec3d& v) {
     return v + (across * q[0] + axis.cross(across)) * (2 / length2);
 }
 
-/// Six faces, twelve edges and eight corners, the latter two cut off.
+/// Returns six faces, twelve edges and eight corners, the latter two bevelled.
 std::vector<HalfSpace> cube(const Placed& placed) {
     constexpr std::array<double, 3> kDistance = {kHalfEdge, 1.86 * kHalfEdge, 2.62 * kHalfEdge};
     std::vector<HalfSpace> half_spaces;
@@ -39,26 +39,26 @@ std::vector<HalfSpace> cube(const Placed& placed) {
         const Vec3d direction(i % 3 - 1, i / 3 % 3 - 1, up - 1);
         const auto axes = static_cast<int>(direction.dot(direction));
         if (axes == 0) continue;
-        const Vec3d normal = turned(placed.turn, direction);
+        const Vec3d normal = turned(placed.rotation, direction);
         half_spaces.push_back(
             {normal, kDistance.at(static_cast<std::size_t>(axes - 1)) + normal.dot(placed.middle)});
     }
     return half_spaces;
 }
 
-/// The facets of a body on one side of the level, without the cut itself.
+/// Adds the facets of a body on one side of the level, without the cut itself.
 void add_part(Mesh& mesh, std::vector<HalfSpace> body, double up) {
     body.push_back({{0, 0, up}, up * kTeaLevel});
     for (std::size_t i = 0; i + 1 < body.size(); ++i) add_polygon(mesh, facet(body, i));
 }
 
-/// Where the level cuts a body: counter-clockwise from above.
+/// Returns the section of a body at the level, counter-clockwise from above.
 Polygon at_level(std::vector<HalfSpace> body) {
     body.push_back({{0, 0, 1}, kTeaLevel});
     return facet(body, body.size() - 1);
 }
 
-/// The outside from the middle of the underside over the rim down to the level of the tea, and the
+/// The outside from the centre of the underside over the rim down to the level of the tea, and the
 /// inside from there to the axis.
 struct TumblerProfile {
     Profile glass_air;
@@ -91,7 +91,7 @@ IcedTea iced_tea() {
     TumblerProfile profile = tumbler_profile();
     IcedTea tea;
     tea.glass_air = revolve(profile.glass_air, kTumblerSegments);
-    // Walked from the axis upwards, the wall of the tea has the glass on its outside.
+    // Followed from the axis upwards, the wall of the tea has the glass on its outside.
     std::reverse(profile.glass_tea.begin(), profile.glass_tea.end());
     tea.tea_glass = revolve(profile.glass_tea, kTumblerSegments);
     std::vector<Polygon> holes;

@@ -11,7 +11,7 @@
 namespace sunfleck::engine {
 namespace {
 
-// What is seen ends below kLamp, the height from which the lamp shines upwards.
+// Everything visible is below kLamp, the height from which the lamp emits upwards.
 constexpr SceneHead kHead = {.unit = "Unit: metres; z is up",
                              .camera = R"(LookAt -1.9 -1.5 1.7  0.6 0.7 0.43  0 0 1
 Camera "perspective" "float fov" 40
@@ -50,12 +50,12 @@ constexpr double kCeiling = 2.6;
 constexpr float kLamp = 1.95F;
 constexpr float kHalfGround = 10;
 
-/// Local x along y, local y up, local z along x.
+/// Maps local x along y, local y up, local z along x.
 Placement in_the_wall() {
     return {.x = {0, 1, 0}, .y = {0, 0, 1}, .z = {1, 0, 0}, .origin = {0, 0, 0}};
 }
 
-/// Slabs that end within one another; a doorway to the hall, and the slit in its roof.
+/// Adds slabs that end within one another, a doorway to the hall, and the slit in its roof.
 void add_house(SceneFolder& folder) {
     constexpr auto kWest = static_cast<float>(kHallWest);
     constexpr auto kEast = static_cast<float>(kRoomEast);

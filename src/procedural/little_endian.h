@@ -1,4 +1,4 @@
-// Numbers as binary files hold them, the lowest byte first.
+// Numbers in binary files, lowest byte first.
 #pragma once
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Desk, lamp, page, reading glass, mirror, and a ball of glass.
+// Desk, lamp, page, reading glass, mirror, and a glass ball.
 
 #include "procedural/magnifier.h"
 
@@ -36,9 +36,9 @@ MakeNamedMaterial "mirror" "string type" "conductor" "spectrum eta" "metal-Ag-et
 MakeNamedMaterial "glass" "string type" "dielectric" "float eta" 1.5
 )";
 
-constexpr Vec3d kLamp(11, 6, 0);        // its foot
-constexpr double kGlobe = 14;           // height of the globe's middle
-constexpr Vec3d kReading(-4, -2.5, 0);  // the middle of the page
+constexpr Vec3d kLamp(11, 6, 0);        // of its foot
+constexpr double kGlobe = 14;           // height of the globe's centre
+constexpr Vec3d kReading(-4, -2.5, 0);  // centre of the page
 constexpr double kLensHeight = 4.6;
 
 Mesh ball(double radius, std::size_t around, std::size_t rings) {
@@ -46,10 +46,10 @@ Mesh ball(double radius, std::size_t around, std::size_t rings) {
                      [=](double u, double v) { return sphere_point(u, v) * radius; });
 }
 
-/// A globe with a wall of 3 mm, open towards the socket below, its rim within the socket.
+/// Returns a globe with a wall of 3 mm, open towards the socket below, its rim within the socket.
 Mesh globe() {
     constexpr int kSteps = 48;
-    constexpr double kRim = 0.13;  // of the way from the lowest point to the highest
+    constexpr double kRim = 0.13;  // fraction of the way from the lowest point to the highest
     const auto point = [](double radius, int step) {
         const Vec3d p = sphere_point(0, kRim + (1 - kRim) * step / kSteps) * radius;
         return ProfilePoint{step == kSteps ? 0 : p.x, p.z};
@@ -78,7 +78,7 @@ Mesh lamp_stand() {
     return placed(revolve(profile, 96), at(kLamp));
 }
 
-/// Convex on both sides, 4.4 cm in radius, its rim held by the ring.
+/// Returns a biconvex lens of 4.4 cm radius whose rim is held by the ring.
 Mesh lens() {
     constexpr double kRadius = 4.4;
     Profile profile;
@@ -97,12 +97,12 @@ Placement lens_place() {
     return turned(-0.05, kReading + Vec3d(0, 0, kLensHeight)) * tilted(0.065, Vec3d(0));
 }
 
-/// Ring, handle and three feet.
+/// Returns ring, handle and three feet.
 Mesh holder() {
     const Profile section = {{4.3, -0.4}, {4.8, -0.4}, {4.8, 0.4}, {4.3, 0.4}, {4.3, -0.4}};
     Mesh holder = placed(revolve(section, 128), lens_place());
-    for (const double turns : {0.03, 0.47, 0.75}) {
-        const SinCos t = sin_cos_2pi(turns);
+    for (const double revolutions : {0.03, 0.47, 0.75}) {
+        const SinCos t = sin_cos_2pi(revolutions);
         const Vec3d top = lens_place()(Vec3d(t.cos, t.sin, 0) * 4.55);
         holder.append(
             placed(extrude(ellipse(0.2, 0.2, 24), {}, 0.061, top.z), at({top.x, top.y, 0})));
@@ -110,7 +110,7 @@ Mesh holder() {
     return holder;
 }
 
-/// A word's letters as bars, low and tall.
+/// Appends the letters of a word as bars, low and tall.
 void append_word(Mesh& words, const Vec3d& start, double length, SceneRandom& random) {
     for (double letter = 0; letter + 0.1 < length; letter += 0.17) {
         const double height = random() < 0.25 ? 0.42 : 0.28;
@@ -119,7 +119,7 @@ void append_word(Mesh& words, const Vec3d& start, double length, SceneRandom& ra
     }
 }
 
-/// Lines of words: bars of the width of words, their lengths by a small rule.
+/// Returns lines of words: bars of varying length.
 Mesh print() {
     Mesh words;
     SceneRandom random(7);
@@ -128,7 +128,7 @@ Mesh print() {
         for (double x = -5.2; x < 5;) {
             double length = 0.35 + 1.1 * random();
             if (x + length > 5.2) length = 5.2 - x;
-            if (line % 6 == 5 && x > -1) break;  // the end of a paragraph
+            if (line % 6 == 5 && x > -1) break;  // end of a paragraph
             append_word(words, {x, y, 0.05}, length, random);
             x += length + 0.25;
         }
@@ -148,7 +148,7 @@ void add_page(SceneFolder& folder) {
         placed(box_mesh({-4.8F, -3.56F, 0.25F}, {5.05F, 3.3F, 1.95F}), turned(0.09, {-17, 8, 0})));
 }
 
-/// A round mirror in a frame, leaning on the wall.
+/// Adds a round mirror in a frame, leaning on the wall.
 void add_mirror(SceneFolder& folder) {
     const Placement leaning = at({-2.5, 14.2, 9.3}) * tilted(0.235, Vec3d(0));
     folder.add("mirror", "mirror", placed(extrude(ellipse(8.2, 8.2, 96), {}, -0.1, 0.1), leaning));

@@ -7,12 +7,12 @@
 
 namespace sunfleck::engine {
 
-/// Radius of the glowing body in the lamp, cm: the smaller, the harder for paths from the eye,
-/// which must meet it through the glass of the lamp.
+/// Radius of the emitter in the lamp in cm: the smaller, the harder for camera paths, which must
+/// hit it through the glass of the lamp.
 inline constexpr double kGlowRadius = 0.7;
 
-/// 640 x 480. Light comes through glass, and much of what it falls on is seen through a lens, in a
-/// mirror, or in a ball of glass. Centimetres, z up.
+/// Returns a scene of 640 x 480 pixels. Light passes glass, and much of what it illuminates is seen
+/// through a lens, in a mirror, or in a glass ball. Unit: centimetres; z is up.
 std::vector<SceneFile> magnifier_scene(const ProceduralScene& scene);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Meshes as bytes: binary PLY and pbrt-v4's trianglemesh; the box.
+// Meshes as binary PLY and as pbrt-v4's trianglemesh; boxes.
 
 #include "procedural/mesh.h"
 

@@ -1,4 +1,4 @@
-// Placements, and meshes carried by them.
+// Placements, and their application to meshes.
 
 #include "procedural/placement.h"
 
@@ -14,18 +14,18 @@ Placement at(const Vec3d& origin) {
     return {.origin = origin};
 }
 
-Placement turned(double turns, const Vec3d& origin) {
-    const SinCos t = sin_cos_2pi(turns);
+Placement turned(double revolutions, const Vec3d& origin) {
+    const SinCos t = sin_cos_2pi(revolutions);
     return {.x = {t.cos, t.sin, 0}, .y = {-t.sin, t.cos, 0}, .origin = origin};
 }
 
-Placement tilted(double turns, const Vec3d& origin) {
-    const SinCos t = sin_cos_2pi(turns);
+Placement tilted(double revolutions, const Vec3d& origin) {
+    const SinCos t = sin_cos_2pi(revolutions);
     return {.y = {0, t.cos, t.sin}, .z = {0, -t.sin, t.cos}, .origin = origin};
 }
 
-Placement standing(double turns, const Vec3d& origin) {
-    return turned(turns, origin) * tilted(0.25, Vec3d(0));
+Placement standing(double revolutions, const Vec3d& origin) {
+    return turned(revolutions, origin) * tilted(0.25, Vec3d(0));
 }
 
 Placement operator*(const Placement& outer, const Placement& inner) {

@@ -1,4 +1,4 @@
-// Profiles turned around the z axis.
+// Surfaces of revolution.
 
 #include "procedural/revolution.h"
 
@@ -14,13 +14,14 @@ ProfilePoint bezier_point(const std::array<ProfilePoint, 4>& p, double t) {
             w[0] * p[0].height + w[1] * p[1].height + w[2] * p[2].height + w[3] * p[3].height};
 }
 
-/// The points of one ring, or the one point of a pole.
+/// Appends the points of a ring, or the one point of a pole.
 std::size_t append_ring(Mesh& mesh, const ProfilePoint& ring, std::size_t segments) {
     const std::size_t count = ring.radius == 0 ? 1 : segments;
     for (std::size_t i = 0; i < count; ++i) {
-        const SinCos turn = sin_cos_2pi(static_cast<double>(i) / static_cast<double>(segments));
-        mesh.points.push_back({static_cast<float>(ring.radius * turn.cos),
-                               static_cast<float>(ring.radius * turn.sin),
+        const SinCos direction =
+            sin_cos_2pi(static_cast<double>(i) / static_cast<double>(segments));
+        mesh.points.push_back({static_cast<float>(ring.radius * direction.cos),
+                               static_cast<float>(ring.radius * direction.sin),
                                static_cast<float>(ring.height)});
     }
     return count;
@@ -66,7 +67,7 @@ Mesh fill_ring(const ProfilePoint& ring, std::size_t segments) {
     append_ring(mesh, ring, segments);
     std::size_t low = 0;
     std::size_t high = segments - 1;
-    // Triangles to and fro between the two halves of the ring.
+    // Triangles alternate between the two halves of the ring.
     for (bool from_low = true; high - low > 1; from_low = !from_low) {
         const std::size_t apex = from_low ? low + 1 : high - 1;
         mesh.triangles.push_back({static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(apex),

@@ -1,4 +1,4 @@
-// The room around the furniture: walls, windows, floor of boards; where each piece stands.
+// The room around the furniture: walls, windows, floorboards, and the position of each piece.
 
 #include "procedural/room.h"
 
@@ -43,12 +43,12 @@ MakeNamedMaterial "pane" "string type" "dielectric" "float eta" 1.5
 )";
 
 // The room: x from -2.6 to 2.6, y from 0 to 5.6, z from 0 to 2.7; its walls are 30 cm thick.
-constexpr std::array<double, 2> kWindows = {1.35, 4.05};  // y of their middles, in the right wall
+constexpr std::array<double, 2> kWindows = {1.35, 4.05};  // y of their centres, in the right wall
 constexpr double kHalfWindow = 0.7;
 constexpr double kSill = 0.3;
 constexpr double kLintel = 2.3;
 
-/// Local x along y, local y up, local z along x, from the inner face of the right wall.
+/// Maps local x along y, local y up, local z along x, from the inner face of the right wall.
 Placement in_the_wall() {
     return {.x = {0, 1, 0}, .y = {0, 0, 1}, .z = {1, 0, 0}, .origin = {2.6, 0, 0}};
 }
@@ -58,7 +58,7 @@ Polygon window(double middle, double inset) {
                      kLintel - inset);
 }
 
-/// A frame with two by three lights. @param middle  of the window.
+/// Returns a frame with two by three lights. @param middle  of the window.
 Mesh window_frame(double middle) {
     constexpr double kBar = 0.022;
     std::vector<Polygon> lights;
@@ -99,7 +99,7 @@ void add_walls(SceneFolder& folder) {
     folder.add("skirting", "white", trims);
 }
 
-/// Boards along the room with gaps of 3 mm, each row broken at another place.
+/// Returns boards along the room with gaps of 3 mm and staggered joints.
 Mesh floor_boards() {
     Mesh boards;
     constexpr int kRows = 32;
@@ -171,7 +171,7 @@ void add_pieces(SceneFolder& folder) {
                       hung));
 }
 
-/// In front of the windows; the far one has a net, drawn.
+/// Adds curtains in front of the windows; the far one has a drawn net.
 void add_curtains(SceneFolder& folder) {
     const auto at_the_wall = [](double y) { return turned(0.25, {2.5, y, 0}); };
     folder.add("net", "net", placed(net_curtain(1.66, 2.44), at_the_wall(kWindows[1] - 0.83)));

@@ -7,11 +7,12 @@
 
 namespace sunfleck::engine {
 
-/// Half the width and depth of the ground around the room, m: it sets which share of the photon
-/// paths of the sun is visible (2.4e-2 in the paper).
+/// Half the width and depth of the ground around the room in m. It sets the visible fraction of the
+/// sun's photon paths (2.4e-2 in the paper).
 inline constexpr double kRoomGroundHalfWidth = 4;
 
-/// About as many triangles as in Table I of Hachisuka and Jensen (2011). Metres, z up.
+/// Returns about as many triangles as in Table I of Hachisuka and Jensen (2011). Unit: metres; z is
+/// up.
 std::vector<SceneFile> room_scene(const ProceduralScene& scene);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// A procedural scene's name, and the files that it is written to.
+// ProceduralScene and SceneFile: the name of a scene, and the files that it consists of.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@ namespace sunfleck::engine {
 
 struct ProceduralScene {
     std::string name;
-    std::string what;  // one line
+    std::string what;  // description of one line
 };
 
 struct SceneFile {
-    std::string name;  // relative to the folder of the scene, with '/'
+    std::string name;  // relative to the scene's folder, with '/'
     std::string bytes;
 };
 

@@ -1,4 +1,4 @@
-// The common head of the scenes, and parts one by one.
+// The common head of the scenes, and the addition of parts.
 
 #include "procedural/scene_folder.h"
 

@@ -1,4 +1,4 @@
-// A procedural scene while it is put together: its text, and the meshes beside it.
+// SceneFolder: builds a procedural scene from text and meshes.
 #pragma once
 
 #include "procedural/mesh.h"
@@ -10,9 +10,9 @@
 
 namespace sunfleck::engine {
 
-/// What stands before WorldBegin.
+/// The statements before WorldBegin.
 struct SceneHead {
-    std::string_view unit;    // what one unit is, and where up is
+    std::string_view unit;    // length of a unit, and the direction of up
     std::string_view camera;  // statements: LookAt, Camera
     int width = 512;
     int height = 512;
@@ -21,16 +21,16 @@ struct SceneHead {
 
 class SceneFolder {
 public:
-    /// Begins the text: comments, the mirrored frame (so that pictures are right-handed), camera,
-    /// film and hints, WorldBegin.
+    /// Begins the text: comments, the mirrored frame (for right-handed pictures), camera, film and
+    /// hints, WorldBegin.
     SceneFolder(const ProceduralScene& scene, const SceneHead& head);
 
-    /// Adds statements as they are.
+    /// Adds statements unchanged.
     void text(std::string_view statements);
 
-    /// Adds a mesh under a comment. Meshes of more than 60 triangles get a file,
+    /// Adds a mesh under a comment. Meshes of more than 60 triangles become a file,
     /// geometry/PART.ply.
-    /// @param part      what it is; a name for a file, used once.
+    /// @param part      description, unique and usable as a file name.
     /// @param material  a named material.
     void add(const std::string& part, std::string_view material, const Mesh& mesh);
 
@@ -40,7 +40,7 @@ private:
     std::vector<SceneFile> files_;  // the first is the text
 };
 
-/// The text with each mark replaced.
+/// Returns the text with each mark replaced.
 std::string replaced(std::string text, std::string_view mark, std::string_view by);
 
 }  // namespace sunfleck::engine

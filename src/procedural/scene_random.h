@@ -1,12 +1,11 @@
-// Numbers that vary the parts of a scene, the same on every machine.
+// SceneRandom: random numbers that vary parts of a scene, the same on every machine.
 #pragma once
 
 #include <cstdint>
 
 namespace sunfleck::engine {
 
-/// Numbers of [0, 1) that vary from piece to piece, of a linear congruential rule (Numerical
-/// Recipes).
+/// Random numbers of [0, 1) by a linear congruential generator (Numerical Recipes).
 class SceneRandom {
 public:
     explicit SceneRandom(std::uint32_t state) : state_(state) {}

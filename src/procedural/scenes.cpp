@@ -1,4 +1,4 @@
-// The list of our own scenes, and the door to each.
+// The list of procedural scenes and their functions.
 
 #include "procedural/scenes.h"
 

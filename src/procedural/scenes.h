@@ -1,4 +1,4 @@
-// The catalogue of procedural scenes: pbrt-v4 files that pbrt-v4 itself can render.
+// Catalogue of procedural scenes, as pbrt-v4 files that pbrt-v4 itself can render.
 //
 // In:  a name. Out: the bytes of the files, the same on every machine.
 #pragma once
@@ -10,13 +10,13 @@
 
 namespace sunfleck::engine {
 
-/// All of them, in the order of listing.
+/// Returns all scenes in the order of listing.
 std::vector<ProceduralScene> procedural_scenes();
 
-/// The files of one scene. The first is NAME.pbrt; it names the others relative to itself
-/// (geometry/*.ply, binary). Files of one name have the same bytes in all scenes: one folder can
-/// hold them all.
-/// @throws Error for a name that procedural_scenes() does not have; the message lists them.
+/// Returns the files of one scene. The first is NAME.pbrt; it names the others relative to itself
+/// (geometry/*.ply, binary). Files of one name have the same bytes in all scenes, so one folder can
+/// hold all scenes.
+/// @throws Error  for an unknown name; the message lists all names.
 std::vector<SceneFile> make_scene(const std::string& name);
 
 }  // namespace sunfleck::engine

@@ -20,7 +20,7 @@ constexpr double kGround = 0.05;  // radiance of the lower half, per illuminance
 /// Perez's five coefficients.
 using Perez = std::array<double, 5>;
 
-/// Linear in turbidity: slope and value at zero.
+/// Returns a value linear in turbidity: slope and value at zero.
 constexpr Perez at_turbidity(const Perez& slope, const Perez& zero) {
     Perez perez{};
     for (std::size_t i = 0; i < 5; ++i) perez.at(i) = slope.at(i) * kTurbidity + zero.at(i);
@@ -34,7 +34,7 @@ constexpr Perez kChromaX = at_turbidity({-0.0193, -0.0665, -0.0004, -0.0641, -0.
 constexpr Perez kChromaY = at_turbidity({-0.0167, -0.0950, -0.0079, -0.0441, -0.0109},
                                         {-0.2608, 0.0092, 0.2102, -1.6537, 0.0529});
 
-/// Cubic in the sun's distance from the zenith (radians), quadratic in turbidity.
+/// Cubic in the sun's angle from the zenith (radians), quadratic in turbidity.
 using Zenith = std::array<std::array<double, 4>, 3>;
 
 constexpr Zenith kZenithX = {{{0, 0.00209, -0.00375, 0.00166},
@@ -57,13 +57,13 @@ double exponential(double x) {
     return std::exp(static_cast<float>(x));
 }
 
-/// @param height  cosine from the zenith. @param to_sun  cosine of the angle to the sun.
+/// @param height  cosine of the angle to the zenith. @param to_sun  cosine of the angle to the sun.
 double perez(const Perez& p, double height, double to_sun) {
     return (1 + p[0] * exponential(p[1] / std::max(height, 0.01))) *
            (1 + p[2] * exponential(p[3] * angle_between(to_sun)) + p[4] * to_sun * to_sun);
 }
 
-/// Linear sRGB (D65) of chromaticities and luminance, without negative parts.
+/// Converts chromaticities and luminance to linear sRGB (D65), negative components clamped.
 Triple srgb(double x, double y, double luminance) {
     Triple rgb = rgb_of_xyz({x / y * luminance, luminance, (1 - x - y) / y * luminance});
     for (double& channel : rgb) channel = std::max(0.0, channel);
@@ -79,7 +79,7 @@ std::string clear_sky_pfm(const Vec3d& sun, int side) {
     };
     std::vector<Triple> texels;
     double illuminance = 0;
-    for (int row = side - 1; row >= 0; --row)  // PFM has the lowest row first
+    for (int row = side - 1; row >= 0; --row)  // PFM begins with the lowest row
         for (int column = 0; column < side; ++column) {
             const Vec3d w = uniform_sphere({(column + 0.5) / side, (row + 0.5) / side});
             if (w.z <= 0) {

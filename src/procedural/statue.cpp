@@ -30,7 +30,7 @@ MakeNamedMaterial "wall" "string type" "diffuse" "rgb reflectance" [ 0.34 0.36 0
 struct Lamp {
     Vec3d place;
     std::string_view colour;
-    double half;  // of its side, cm
+    double half;  // half of its side, cm
 };
 
 constexpr std::array<Lamp, 3> kLamps = {{
@@ -40,7 +40,7 @@ constexpr std::array<Lamp, 3> kLamps = {{
 }};
 constexpr Vec3d kMiddle(0, 0, 111.8);  // of the knot
 
-/// A square that faces the statue.
+/// Returns a square that faces the statue.
 Mesh panel(const Lamp& lamp) {
     const Vec3d way = (kMiddle - lamp.place).normalized();
     const Vec3d side = Vec3d(0, 0, 1).cross(way).normalized();
@@ -60,7 +60,7 @@ Mesh pedestal() {
     return revolve(profile, 160);
 }
 
-/// Walls, floor and ceiling of the studio as boxes within one another.
+/// Adds walls, floor and ceiling of the studio as boxes within one another.
 void add_studio(SceneFolder& folder) {
     const auto half = static_cast<float>(kStudioHalfWidth);
     folder.add("floor", "floor",
@@ -76,12 +76,12 @@ void add_studio(SceneFolder& folder) {
 }  // namespace
 
 Mesh fluted_knot(std::size_t along, std::size_t around) {
-    constexpr double kRing = 21;  // of the torus that the knot lies on
+    constexpr double kRing = 21;  // radius of the torus on which the knot lies
     constexpr double kTube = 9.5;
-    constexpr double kThick = 5.8;  // of the fluted tube
+    constexpr double kThick = 5.8;  // radius of the fluted tube
     constexpr int kFlutes = 5;
     constexpr int kTwists = 8;
-    return ring_grid(along, around, [=](double t, double turn) {
+    return ring_grid(along, around, [=](double t, double azimuth) {
         const SinCos two = sin_cos_2pi(2 * t);
         const SinCos three = sin_cos_2pi(3 * t);
         const double r = kRing + kTube * three.cos;
@@ -91,8 +91,8 @@ Mesh fluted_knot(std::size_t along, std::size_t around) {
             Vec3d(-3 * kTube * three.sin * two.cos - 2 * r * two.sin,
                   -3 * kTube * three.sin * two.sin + 2 * r * two.cos, 3 * kTube * three.cos)
                 .normalized();
-        const SinCos flute = sin_cos_2pi(kFlutes * turn + kTwists * t);
-        const SinCos a = sin_cos_2pi(turn);
+        const SinCos flute = sin_cos_2pi(kFlutes * azimuth + kTwists * t);
+        const SinCos a = sin_cos_2pi(azimuth);
         const double thick = kThick * (1 + 0.17 * flute.cos);
         return middle + (out * a.cos + out.cross(way) * a.sin) * thick;
     });

@@ -1,4 +1,4 @@
-// Grids of ring and ball form, and the surfaces made of them.
+// Grids with the topology of torus and sphere, and the surfaces made of them.
 
 #include "procedural/surfaces.h"
 
@@ -14,7 +14,7 @@ double share(std::size_t i, std::size_t of) {
     return static_cast<double>(i) / static_cast<double>(of);
 }
 
-/// |x|^power with the sign of x.
+/// Returns |x|^power with the sign of x.
 double signed_power(double x, float power) {
     const auto size = std::pow(static_cast<float>(std::abs(x)), power);
     return x < 0 ? -size : size;
@@ -55,15 +55,15 @@ Mesh ball_grid(std::size_t around, std::size_t rings, const SurfacePoint& point)
     return mesh;
 }
 
-Vec3d sphere_point(double turn, double height) {
-    const SinCos t = sin_cos_2pi(turn);
+Vec3d sphere_point(double azimuth, double height) {
+    const SinCos t = sin_cos_2pi(azimuth);
     const SinCos h = sin_cos_2pi(height / 2 - 0.25);
     return {h.cos * t.cos, h.cos * t.sin, h.sin};
 }
 
 Mesh superellipsoid(const Vec3d& half, float power, std::size_t around, std::size_t rings) {
-    return ball_grid(around, rings, [&](double turn, double height) {
-        const SinCos t = sin_cos_2pi(turn);
+    return ball_grid(around, rings, [&](double azimuth, double height) {
+        const SinCos t = sin_cos_2pi(azimuth);
         const SinCos h = sin_cos_2pi(height / 2 - 0.25);
         const double waist = signed_power(h.cos, power);
         return Vec3d(half.x * waist * signed_power(t.cos, power),
@@ -74,8 +74,9 @@ Mesh superellipsoid(const Vec3d& half, float power, std::size_t around, std::siz
 
 Mesh closed_tube(const std::vector<Vec3d>& chain, double radius, std::size_t around) {
     const std::size_t size = chain.size();
-    // Each ring lies across the way between the neighbours; its first point is that of the ring
-    // before, carried along. What is left to close the turn is spread over all rings.
+    // Each ring is perpendicular to the direction between its neighbours; its first point is that
+    // of the previous ring, transported along. The remaining rotation is distributed over all
+    // rings.
     std::vector<Vec3d> ways(size);
     for (std::size_t i = 0; i < size; ++i)
         ways[i] = (chain[(i + 1) % size] - chain[(i + size - 1) % size]).normalized();
@@ -89,16 +90,16 @@ Mesh closed_tube(const std::vector<Vec3d>& chain, double radius, std::size_t aro
     const auto off_x = static_cast<float>(side.dot(sides[0]));
     const auto off_y = static_cast<float>(side.dot(sides[0].cross(ways[0])));
     const double off = static_cast<double>(std::atan2(off_y, off_x)) / (2 * kPiDouble);
-    return ring_grid(size, around, [&](double along, double turn) {
+    return ring_grid(size, around, [&](double along, double azimuth) {
         const auto i = static_cast<std::size_t>(std::lround(along * static_cast<double>(size)));
-        const SinCos t = sin_cos_2pi(turn - off * along);
+        const SinCos t = sin_cos_2pi(azimuth - off * along);
         return chain[i] + (sides[i] * t.cos + sides[i].cross(ways[i]) * t.sin) * radius;
     });
 }
 
 Mesh torus(double radius, double thickness, std::size_t along, std::size_t around) {
-    return ring_grid(along, around, [&](double turn, double across) {
-        const SinCos t = sin_cos_2pi(turn);
+    return ring_grid(along, around, [&](double azimuth, double across) {
+        const SinCos t = sin_cos_2pi(azimuth);
         const SinCos a = sin_cos_2pi(across);
         const double r = radius + thickness * a.cos;
         return Vec3d(r * t.cos, r * t.sin, thickness * a.sin);

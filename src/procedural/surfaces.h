@@ -1,7 +1,7 @@
-// Smooth closed surfaces as fine grids: what has the form of a ring, and what has that of a ball.
+// Smooth closed surfaces as fine grids, with the topology of a torus or a sphere.
 //
-// A surface is given as a function of two numbers in [0, 1); for outward normals its derivative by
-// the first, crossed with that by the second, points out.
+// A surface is a function of two numbers in [0, 1). Normals point outwards if its derivative by the
+// first, crossed with that by the second, does.
 #pragma once
 
 #include "math/vector.h"
@@ -14,27 +14,31 @@ namespace sunfleck::engine {
 
 using SurfacePoint = std::function<Vec3d(double, double)>;
 
-/// Closed in both directions. @return 2 * along * around triangles.
+/// Returns a grid closed in both directions. @return 2 * along * around triangles.
 Mesh ring_grid(std::size_t along, std::size_t around, const SurfacePoint& point);
 
-/// A ball of any form: point(turn, height) with turn in [0, 1) about the axis, and height from 0
-/// (one pole, asked for at turn 0 alone) to 1 (the other). @return 2 * around * (rings - 1)
-/// triangles. @param rings  steps from pole to pole, at least 2.
+/// Returns a grid with the topology of a sphere: point(azimuth, height) with azimuth in [0, 1)
+/// about the axis, and height from 0 (one pole, evaluated at azimuth 0 alone) to 1 (the other).
+/// @param rings  steps from pole to pole, at least 2.
+/// @return 2 * around * (rings - 1) triangles.
 Mesh ball_grid(std::size_t around, std::size_t rings, const SurfacePoint& point);
 
-/// The point of the unit sphere at `turn` about the z axis and `height` of the way from the lowest
-/// point to the highest, measured along the meridian.
-Vec3d sphere_point(double turn, double height);
+/// Returns the point of the unit sphere at `azimuth` in revolutions and `height` as a
+/// fraction of the meridian from the lowest point to the highest.
+Vec3d sphere_point(double azimuth, double height);
 
-/// A ball between sphere and box, such as a cushion: |x|^(2/p) ... (Barr, Superquadrics and
-/// Angle-Preserving Transformations, 1981). @param half  of its size along each axis.
+/// Returns a shape between ellipsoid and box, such as a cushion: |x|^(2/p) ... (Barr, Superquadrics
+/// and Angle-Preserving Transformations, 1981).
+/// @param half  of its size along each axis.
 /// @param power  1 is an ellipsoid, towards 0 a box.
 Mesh superellipsoid(const Vec3d& half, float power, std::size_t around, std::size_t rings);
 
-/// A round tube along a closed chain of points. @param radius  of the tube; smaller than any bend.
+/// Returns a round tube along a closed chain of points. @param radius  of the tube; below the
+/// radius of any bend.
 Mesh closed_tube(const std::vector<Vec3d>& chain, double radius, std::size_t around);
 
-/// A ring about the z axis. @param radius  of its middle. @param thickness  radius of the tube.
+/// Returns a torus about the z axis. @param radius  of its centre line. @param thickness  radius of
+/// the tube.
 Mesh torus(double radius, double thickness, std::size_t along, std::size_t around);
 
 }  // namespace sunfleck::engine

@@ -37,10 +37,10 @@ MakeNamedMaterial "pane" "string type" "dielectric" "float eta" 1.5
 )";
 
 // The hall: x from -4 to 4, y from 0 to 9, z from 0 to 4.8, its walls 40 cm thick.
-constexpr std::array<double, 2> kWindows = {2.1, 6.9};  // y of their middles
+constexpr std::array<double, 2> kWindows = {2.1, 6.9};  // y of their centres
 constexpr double kHalfWindow = 0.6;
 
-/// Local x along y, local y up, local z along x.
+/// Maps local x along y, local y up, local z along x.
 Placement in_the_wall() {
     return {.x = {0, 1, 0}, .y = {0, 0, 1}, .z = {1, 0, 0}, .origin = {0, 0, 0}};
 }

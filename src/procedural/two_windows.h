@@ -1,4 +1,4 @@
-// The scene two-windows: patches of sun far apart, each from a window of its own.
+// The scene two-windows: two patches of sun far apart, one from each window.
 #pragma once
 
 #include "procedural/scene_file.h"
@@ -7,11 +7,11 @@
 
 namespace sunfleck::engine {
 
-/// Half the width and depth of the ground around the hall, m: it sets how rarely a photon path of
-/// the sun is visible.
+/// Half the width and depth of the ground around the hall in m. It sets the visible fraction of the
+/// sun's photon paths.
 inline constexpr double kGroundHalfWidth = 14;
 
-/// Metres, z up.
+/// Unit: metres; z is up.
 std::vector<SceneFile> two_windows_scene(const ProceduralScene& scene);
 
 }  // namespace sunfleck::engine

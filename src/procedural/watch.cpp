@@ -35,7 +35,7 @@ MakeNamedMaterial "blued" "string type" "diffuse" "rgb reflectance" [ 0.03 0.06 
 MakeNamedMaterial "glass" "string type" "dielectric" "float eta" 1.52
 )";
 
-constexpr double kTurn = -0.125;  // of the watch on the table
+constexpr double kTurn = -0.125;  // revolutions of the watch on the table
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The dial of the watch: numerals built of strokes, minutes, small seconds, hands.
+// The dial of the watch: numerals made of strokes, minutes, small seconds, hands.
 
 #include "procedural/extrusion.h"
 #include "procedural/placement.h"
@@ -12,10 +12,10 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr double kDial = 5.9;       // height of its face
-constexpr double kNumerals = 14.7;  // radius of their middles
+constexpr double kNumerals = 14.7;  // radius of their centres
 constexpr double kTall = 2.1;       // half the height of a numeral
-constexpr double kSeconds = -8.2;   // y of the small seconds' middle
-// 6 o'clock gives way to the small seconds.
+constexpr double kSeconds = -8.2;   // y of the small seconds' centre
+// The small seconds replace the numeral of 6 o'clock.
 constexpr std::array<std::string_view, 12> kRoman = {"XII", "I",   "II",   "III", "IIII", "V",
                                                      "",    "VII", "VIII", "IX",  "X",    "XI"};
 
@@ -26,7 +26,7 @@ struct Stroke {
     double height = 0.2;  // above the dial
 };
 
-/// A bar that is `width` wide along x (its ends are level), sunk into the dial.
+/// Returns a bar of width `width` along x with horizontal ends, sunk into the dial.
 Mesh bar(const Stroke& s) {
     const Vec3d half(s.width / 2, 0, 0);
     return extrude({s.from - half, s.from + half, s.to + half, s.to - half}, {},
@@ -37,7 +37,7 @@ double glyph_width(char glyph) {
     return glyph == 'I' ? 0.8 : 1.9;
 }
 
-/// One letter with its serifs. Thin strokes lean one way, thick ones the other.
+/// Returns one letter with its serifs. Thin strokes lean one way, thick ones the other.
 Mesh glyph(char letter, double x) {
     const double lean = letter == 'I' ? 0 : 0.6;
     const double foot = letter == 'V' ? 0.05 : -lean;  // V meets below, X crosses
@@ -61,7 +61,7 @@ Mesh numeral(std::string_view text) {
     return mesh;
 }
 
-/// A flat ring on the dial.
+/// Returns a flat ring on the dial.
 Mesh ring(double radius, double half_width, const Vec3d& middle) {
     const double low = kDial - 0.1;
     const double high = kDial + 0.12;
@@ -82,7 +82,7 @@ void append_ticks(Mesh& mesh, int count, int bold_every, const std::array<double
     }
 }
 
-/// Stem, ring and tip after Breguet's manner, along y from the origin.
+/// Returns stem, ring and tip in Breguet's style, along y from the origin.
 Mesh hand(double length, double width, double height) {
     const double eye = length * 0.72;
     const double r = width * 2.1;

@@ -1,4 +1,4 @@
-// Case, lid, glass and what hangs on them, mostly turned about the axis of the watch.
+// Case, lid, glass and fittings, mostly surfaces of revolution about the axis of the watch.
 
 #include "procedural/watch_parts.h"
 
@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t kRound = 384;  // corners of a ring of the case
 constexpr double kMiddle = 5.2;      // height of crown and bow
-constexpr double kLidOpen = 0.253;   // turns from closed
+constexpr double kLidOpen = 0.253;   // revolutions from closed
 constexpr double kLidRadius = 22.6;
 
 /// Part of a sphere about the axis.
 struct Cap {
     double height;  // on the axis
-    double sag;     // by how much it is lower at radius `rim`
+    double sag;     // how much lower it is at radius `rim`
     double rim;
 };
 
@@ -36,7 +36,7 @@ void append_cap(Profile& profile, const Cap& cap, const std::array<double, 2>& r
     }
 }
 
-/// Local x along the axis of the crown, towards +x of the watch, z around it: a turned part.
+/// Maps local x to the axis of the crown, towards +x of the watch, and z around it: a round part.
 Placement along_x(double x) {
     return {.x = {0, 1, 0}, .y = {0, 0, 1}, .z = {1, 0, 0}, .origin = {x, 0, kMiddle}};
 }
@@ -57,7 +57,7 @@ Mesh crown() {
     return placed(crown, along_x(25));
 }
 
-/// A link of a chain, long along x, flat in the plane of x and y.
+/// Returns a link of a chain, long in x, flat in the plane of x and y.
 Mesh link(double half_length, double half_width, double wire) {
     constexpr std::size_t kHalf = 18;
     std::vector<Vec3d> chain;
@@ -71,7 +71,7 @@ Mesh link(double half_length, double half_width, double wire) {
     return closed_tube(chain, wire, 11);
 }
 
-/// A point of the line that the chain follows on the table, t from 0 to 2.
+/// Returns a point of the chain's curve on the table, t from 0 to 2.
 Vec3d chain_point(double t) {
     constexpr std::array<Vec3d, 7> kControl = {{{33.2, 0, 1.9},
                                                 {45, 1, 1.2},
@@ -123,7 +123,7 @@ Mesh watch_cover() {
 
 Mesh watch_fittings() {
     Mesh fittings = crown();
-    // The bow is let into the case and leans down to the table.
+    // The bow is embedded in the case and leans down to the table.
     const SinCos lean = sin_cos_2pi(-0.052);
     const Placement leaning = {
         .x = {lean.cos, 0, lean.sin}, .z = {-lean.sin, 0, lean.cos}, .origin = {22, 0, kMiddle}};

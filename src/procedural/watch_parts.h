@@ -1,6 +1,6 @@
-// The parts of a pocket watch, each in its place.
+// Parts of a pocket watch in their positions.
 //
-// Unit: millimetres. The middle of the dial is above the origin, 12 o'clock is towards +y, the
+// Unit: millimetres. The centre of the dial is above the origin, 12 o'clock is towards +y, the
 // crown towards +x, the hinge of the lid towards -x; the case lies on z = 0.
 #pragma once
 
@@ -9,16 +9,16 @@
 namespace sunfleck::engine {
 
 Mesh watch_case();
-/// A hollow bowl, concave towards the dial, standing open at its hinge.
+/// Returns a hollow bowl, concave towards the dial, open at its hinge.
 Mesh watch_lid();
-/// A closed shell; its rim is within the case.
+/// Returns a closed shell whose rim is within the case.
 Mesh watch_cover();
-/// Hinge, stem, crown and bow.
+/// Returns hinge, stem, crown and bow.
 Mesh watch_fittings();
 Mesh watch_chain();
 
 Mesh watch_dial();
-/// Raised Roman numerals, minutes and rings. Strokes that cross differ in height by 0.02 mm.
+/// Returns raised Roman numerals, minutes and rings. Heights of crossing strokes differ by 0.02 mm.
 Mesh watch_marks();
 Mesh watch_hands();
 

@@ -1,4 +1,4 @@
-// The room: walls with one hole, a pane in it, furniture of boxes, the ground outside, the sun; and
+// The room: walls with a hole, a pane in it, furniture of boxes, the ground outside, the sun; and
 // in one of both scenes a lamp.
 
 #include "procedural/window_room.h"
@@ -54,7 +54,7 @@ struct Box {
     Corner high;
 };
 
-// Boxes sink into what they stand on, so that no two faces lie in one plane.
+// Boxes sink into what supports them, so that no two faces are coplanar.
 constexpr std::array<Box, 1> kFloorBoards = {{{{-2.55F, -2.05F, -0.05F}, {2.55F, 2.05F, 0.01F}}}};
 
 constexpr std::array<Box, 10> kWood = {{
@@ -98,7 +98,7 @@ std::string boxes_text(std::string_view material, const std::array<Box, N>& boxe
     return text;
 }
 
-/// Four points around the hole at one depth of the wall, counter-clockwise seen from -y.
+/// Appends four points around the hole at one depth of the wall, counter-clockwise seen from -y.
 void append_hole(Mesh& mesh, float y) {
     mesh.points.push_back({kHole.low[0], y, kHole.low[2]});
     mesh.points.push_back({kHole.high[0], y, kHole.low[2]});
@@ -115,7 +115,7 @@ Mesh room_walls() {
         for (const auto& point : box_mesh(box.low, box.high).points) walls.points.push_back(point);
     append_hole(walls, kHole.high[1]);  // 16 to 19
     append_hole(walls, kHole.low[1]);   // 20 to 23
-    // All sides but the one with the window, the outer ones facing out, the inner ones in.
+    // All sides except the one with the window, the outer ones facing out, the inner ones in.
     walls.add_quad(0, 2, 3, 1);
     walls.add_quad(4, 5, 7, 6);
     walls.add_quad(0, 1, 5, 4);
@@ -126,7 +126,8 @@ Mesh room_walls() {
     walls.add_quad(8, 12, 13, 9);
     walls.add_quad(8, 10, 14, 12);
     walls.add_quad(9, 13, 15, 11);
-    // The window's wall is a frame of four trapezoids outside, the same inside, and the reveal.
+    // The wall with the window is a frame of four trapezoids outside, the same inside, and the
+    // reveal.
     constexpr std::array<std::uint32_t, 4> kAround = {2, 3, 7, 6};
     for (std::uint32_t i = 0; i < 4; ++i) {
         const std::uint32_t j = (i + 1) % 4;

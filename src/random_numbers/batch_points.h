@@ -65,7 +65,7 @@ public:
           unused_(static_cast<std::uint32_t>(
               std::countl_zero(kBatchPasses * path.subpass.count * path.count() - 1))),
           name_{0, pixel, pass.number / kBatchPasses,
-                static_cast<std::uint32_t>(Purpose::camera) | pass.part << 16U} {}
+                static_cast<std::uint32_t>(Purpose::camera) | pass.substream << 16U} {}
 
     /// Returns the next pair of dimensions.
     Vec2d next_2d() {

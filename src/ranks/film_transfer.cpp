@@ -1,4 +1,4 @@
-// A film's head as in a film file, with its checksum; then its arrays in one order.
+// Film heads as in film files, with checksum; then the arrays in a fixed order.
 #include "ranks/film_transfer.h"
 
 #include "film/film_head.h"
@@ -27,7 +27,7 @@ std::string bytes_of(const FilmSums& sums) {
 
 FilmHead head_from(const std::string& bytes) {
     std::istringstream stream(bytes);
-    WordReader in(stream, bytes.size(), "what a rank sent", kSentFilm);
+    WordReader in(stream, bytes.size(), "the film of a rank", kSentFilm);
     FilmHead head = take_head(in);
     in.finish();
     return head;

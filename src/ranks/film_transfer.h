@@ -1,6 +1,6 @@
-// Films on their way between ranks: heads as in film files, sums as they stand in memory.
+// Transfer of films between ranks: heads as in film files, sums as in memory.
 //
-// All ranks run one program on machines of one byte order, so there is no format to keep.
+// All ranks run one program on machines of one byte order, so the format needs no version.
 #pragma once
 
 #include "film/film.h"
@@ -11,11 +11,11 @@
 
 namespace sunfleck::engine {
 
-/// Numbers whose count the receiver knows.
+/// Sends numbers whose count the receiver knows.
 void send_words(const Ranks& ranks, int to, const std::vector<std::uint64_t>& words);
 std::vector<std::uint64_t> receive_words(const Ranks& ranks, int from, std::size_t count);
 
-/// The film moves to another rank. Bytes: those of its sums, and some hundreds.
+/// Sends a film to another rank, in as many bytes as its sums plus some hundreds.
 void send_film(const Ranks& ranks, int to, const Film& film);
 Film receive_film(const Ranks& ranks, int from);
 

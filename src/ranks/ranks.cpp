@@ -4,7 +4,8 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Does rank `r` take from rank r + step? It gives to r - step otherwise, unless it is below.
+/// Returns whether rank `r` receives from rank r + step. Otherwise it sends to r - step, unless it
+/// is below.
 bool takes(int r, int step) {
     return r % (2 * step) == 0;
 }

@@ -1,4 +1,4 @@
-// How passes are dealt.
+// Division of passes among ranks.
 #include "ranks/reduction_interval.h"
 
 #include "math/wavelengths.h"
@@ -29,7 +29,7 @@ PassRange common(const PassRange& a, const PassRange& b) {
 }
 
 std::uint64_t passes_of_interval(const IntervalLimits& limits) {
-    constexpr double kMost = 1 << 20;  // a rank; far beyond any use
+    constexpr double kMost = 1 << 20;  // per rank; far beyond any use
     if (limits.ranks == 1) return 1;
     const auto ranks = static_cast<std::uint64_t>(limits.ranks);
     std::uint64_t each = 1;

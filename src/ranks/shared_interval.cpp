@@ -1,4 +1,4 @@
-// Blocks are rendered first and handed up after, so that no rank waits for one that is at work.
+// Blocks are rendered first and sent afterwards, so that no rank waits for a busy one.
 #include "ranks/shared_interval.h"
 
 #include "ranks/film_transfer.h"
@@ -12,10 +12,10 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Passes of one part that a rank holds, its own and those handed up to it.
+/// The passes of one part that a rank has, its own and received ones.
 struct Held {
     std::optional<Film> film;
-    double radius_factor = 1;  // of the last one: radii never grow, and neighbours hand up in order
+    double radius_factor = 1;  // of the last pass: radii never grow, and neighbours send in order
 };
 
 void add(Held& held, Held&& other, int from) {
@@ -66,7 +66,7 @@ void check_same_render(const Ranks& ranks, const FilmKey& key) {
     std::array<std::uint64_t, 3> of_first = mine;
     broadcast(ranks, std::as_writable_bytes(std::span(of_first)));
     const auto differs = [&](const std::string& what) {
-        throw Error({"render"}, what + " is not that of rank 0",
+        throw Error({"render"}, what + " differs from that of rank 0",
                     "give all ranks the same program, files and flags");
     };
     if (mine[0] != of_first[0]) differs("the scene");

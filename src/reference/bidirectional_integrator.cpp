@@ -19,10 +19,10 @@ void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image,
     parallel_blocks(pixels, 256, [&](std::size_t begin, std::size_t end) {
         PathPair pair(pass, camera, splatter, static_cast<double>(pixels));
         for (std::size_t pixel = begin; pixel < end; ++pixel) {
-            PathPair::Numbers numbers{PathNumbers(pass.id.stream(Purpose::pair_eye, pixel)),
+            PathPair::Numbers numbers{PathNumbers(pass.id.stream(Purpose::pair_camera, pixel)),
                                       PathNumbers(pass.id.stream(Purpose::pair_light, pixel)),
                                       PathNumbers(pass.id.stream(Purpose::pair_joints, pixel))};
-            const FilterSample filtered = filter.sample(numbers.eye.next_two());
+            const FilterSample filtered = filter.sample(numbers.camera.next_two());
             const Vec2d film = pass.window.place(pixel, filtered.offset);
             const SampledSpectrum scattered = pair.trace(film, numbers);
             const SampledSpectrum radiance =

@@ -40,10 +40,10 @@ private:
         const Vec3d origin =
             start.origin + normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
         Hit hit;
-        Meeting met = scene_.geometry().meet_precise(origin, start.direction);
+        RayHit met = scene_.geometry().trace_precise(origin, start.direction);
         for (int depth = 0; depth < pass_.transport.max_depth;) {
             ++rays_;
-            if (!scene_.geometry().hit_of(met, hit)) return;
+            if (!scene_.geometry().complete(met, hit)) return;
             const bool is_lit = !(hit.distance < unlit);
             unlit -= hit.distance;
             if (scene_.has_media()) flux_ *= pass_.scene.transmittance(medium_, hit.distance);
@@ -54,7 +54,7 @@ private:
             }
             medium_ = scene_.medium_beyond(hit, direction_, medium_);
             const Ray ray = ray_from(hit, direction_);
-            met = scene_.geometry().meet(ray);
+            met = scene_.geometry().trace(ray);
         }
     }
 
@@ -70,7 +70,7 @@ private:
         const Vec2d way = two_numbers();
         Emission start = sample_emission(scene_.lights()[choice.index],
                                          {place.x, place.y, way.x, way.y}, scene_.sphere());
-        flux_ = pass_.scene.tinted(pass_.scene.emission[choice.index], start.tint) *
+        flux_ = pass_.scene.coloured(pass_.scene.emission[choice.index], start.rgb) *
                 (share * static_cast<float>(start.factor / choice.probability));
         medium_ = pass_.scene.start_medium(choice.index, start, flux_);
         return start;
@@ -78,7 +78,7 @@ private:
 
     /// Connects to the camera, then samples a direction. @return whether the path continues.
     bool scatter(Hit& hit, int depth) {
-        const Bsdf bsdf = met_bsdf(pass_.scene, hit, flux_, hero_);
+        const Bsdf bsdf = vertex_bsdf(pass_.scene, hit, flux_, hero_);
         const Frame frame(hit.shading_normal, hit.tangent);
         const Vec3 wo = frame.to_local(-direction_);
         // Flux per area refers to the geometric surface, bsdfs to the shading normal.

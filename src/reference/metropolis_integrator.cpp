@@ -66,7 +66,7 @@ private:
                                &state.numbers.at(which));
         };
         PathPair::Numbers numbers{stream(0), stream(1), stream(2)};
-        Vec2d u = numbers.eye.next_two();
+        Vec2d u = numbers.camera.next_two();
         if (purpose == Purpose::metropolis_bootstrap) {
             u = spread(index);
             state.numbers[0] = {u.x, u.y};

@@ -30,7 +30,7 @@ struct PathWeights {
 /// Densities of directions at a vertex, per sr: of the subpath's next direction, and of the reverse
 /// one for a path from the other end. For specular vertices: the cosine, for a density that is
 /// infinite both ways.
-struct Departure {
+struct DirectionDensities {
     double forward = 0;
     double back = 0;
     bool is_delta = false;
@@ -39,14 +39,14 @@ struct Departure {
 /// Returns the sum over all strategies that sample this vertex from the other end, over the density
 /// of its own subpath. The caller multiplies it by the density (per m^2) with which the other end
 /// samples it.
-inline double from_other_end(const PathWeights& at, const Departure& leaving) {
+inline double from_other_end(const PathWeights& at, const DirectionDensities& leaving) {
     return ((leaving.is_delta ? 0 : at.edge) + leaving.back * at.earlier) / at.density;
 }
 
 /// Returns the densities at the next vertex of a subpath.
 /// @param cosine_here, cosine_there  of the segment with the geometric normals.
 /// @param distance2  squared length of the segment.
-inline PathWeights next_weights(const PathWeights& here, const Departure& leaving,
+inline PathWeights next_weights(const PathWeights& here, const DirectionDensities& leaving,
                                 double cosine_here, double cosine_there, double distance2) {
     constexpr double kLeast = 1e-200;  // keeps quotients finite
     return {std::max(leaving.forward * cosine_there / distance2, kLeast),
@@ -63,13 +63,13 @@ struct EndDensities {
 
 /// Weights of both strategies whose last step ends at a light, at a vertex of a camera subpath.
 struct EndWeights {
-    double met = 0;      // the ray hit the light
+    double hit = 0;      // the ray hit the light
     double sampled = 0;  // the light was sampled
 };
 
 /// @param leaving  towards the light.
 inline EndWeights end_weights(const EndDensities& end, const PathWeights& vertex,
-                              const Departure& leaving) {
+                              const DirectionDensities& leaving) {
     const double met = end.hit * leaving.forward;
     const double sampled = leaving.is_delta ? 0 : end.direct;
     const double total = met + sampled + end.emitted * from_other_end(vertex, leaving);
@@ -85,26 +85,26 @@ inline PathWeights first_of_light(const EndDensities& end) {
 /// Returns the start of a camera subpath.
 /// @param density  of camera paths at the vertex, per m^2, if each pixel's area has one.
 /// @param light_paths  per camera path.
-inline PathWeights first_of_eye(double density, double light_paths) {
+inline PathWeights first_of_camera(double density, double light_paths) {
     return {std::max(density, 1e-200), light_paths, 0};
 }
 
 /// One of two connected vertices.
 struct Joined {
-    const PathWeights& weighing;
-    const Departure& leaving;
+    const PathWeights& weights;
+    const DirectionDensities& leaving;
     double from_other;  // density per m^2 with which the other end samples it
 };
 
 /// Returns the weight of a connection of two vertices.
-inline double connection_weight(const Joined& eye, const Joined& light) {
-    return 1 / (1 + eye.from_other * from_other_end(eye.weighing, eye.leaving) +
-                light.from_other * from_other_end(light.weighing, light.leaving));
+inline double connection_weight(const Joined& camera, const Joined& light) {
+    return 1 / (1 + camera.from_other * from_other_end(camera.weights, camera.leaving) +
+                light.from_other * from_other_end(light.weights, light.leaving));
 }
 
 /// Returns the weight of a light vertex connected to the camera.
-/// @param at_light, light_paths  arguments of first_of_eye() at the vertex.
-inline double light_image_weight(const PathWeights& light, const Departure& from_light,
+/// @param at_light, light_paths  arguments of first_of_camera() at the vertex.
+inline double light_image_weight(const PathWeights& light, const DirectionDensities& from_light,
                                  double at_light, double light_paths) {
     return 1 / (1 + at_light * from_other_end(light, from_light) / light_paths);
 }

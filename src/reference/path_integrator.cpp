@@ -65,9 +65,10 @@ private:
 
     void add_emitters_beyond(const Vec3& direction) {
         for (const std::uint32_t i : scene_.infinite_lights()) {
-            const Beyond met = beyond(scene_.lights()[i], last_, direction);
+            const EnvironmentRadiance met =
+                environment_radiance(scene_.lights()[i], last_, direction);
             add_emitter(i, met.pdf,
-                        pass_.scene.tinted(pass_.scene.emission[i] * met.factor, met.tint));
+                        pass_.scene.coloured(pass_.scene.emission[i] * met.factor, met.rgb));
         }
     }
 
@@ -91,7 +92,7 @@ private:
 
     /// Adds direct light, then samples a direction: `ray` becomes the next one.
     std::optional<BsdfSample> scatter(Hit& hit, Ray& ray) {
-        const Bsdf bsdf = met_bsdf(pass_.scene, hit, throughput_, hero_);
+        const Bsdf bsdf = vertex_bsdf(pass_.scene, hit, throughput_, hero_);
         const Frame frame(hit.shading_normal, hit.tangent);
         const Vec3 wo = frame.to_local(-ray.direction);
         if (scattering(bsdf) != Scattering::specular) add_light_sample(hit, frame, bsdf, wo);
@@ -128,7 +129,7 @@ private:
             weight = mine / (mine + pdf(bsdf, wo, wi, Transport::radiance));
         }
         const SampledSpectrum emitted =
-            pass_.scene.tinted(pass_.scene.emission[choice->index], light->tint);
+            pass_.scene.coloured(pass_.scene.emission[choice->index], light->rgb);
         sum_ +=
             throughput_ * f * seen * emitted * (light->factor * std::abs(wi.z) * weight / chosen);
     }

@@ -6,9 +6,9 @@ namespace sunfleck::engine {
 
 SampledSpectrum PathPair::trace(const Vec2d& film, Numbers& numbers) {
     splats_.clear();
-    const std::size_t wavelength = hero_of(numbers.eye.next());
+    const std::size_t wavelength = hero_of(numbers.camera.next());
     const std::uint64_t before = tracer_.rays();
-    tracer_.trace_eye(film, wavelength, numbers.eye, eye_);
+    tracer_.trace_camera(film, wavelength, numbers.camera, camera_subpath_);
     const std::uint64_t between = tracer_.rays();
     tracer_.trace_light(wavelength, numbers.light, light_);
     camera_rays_ += between - before;
@@ -16,8 +16,8 @@ SampledSpectrum PathPair::trace(const Vec2d& film, Numbers& numbers) {
 
     const auto most = static_cast<std::size_t>(pass_.transport.max_depth);
     SampledSpectrum sum = met_lights();
-    for (std::size_t i = 0; i < eye_.vertices.size(); ++i) {
-        const SubpathVertex& vertex = eye_.vertices[i];
+    for (std::size_t i = 0; i < camera_subpath_.vertices.size(); ++i) {
+        const SubpathVertex& vertex = camera_subpath_.vertices[i];
         if (!vertex.is_wide()) continue;
         sum += sampled_light(vertex, numbers.joints);
         const std::size_t events = most - (i + 1);
@@ -31,18 +31,18 @@ SampledSpectrum PathPair::trace(const Vec2d& film, Numbers& numbers) {
 
 SampledSpectrum PathPair::met_lights() const {
     SampledSpectrum sum;
-    for (const MetLight& met : eye_.lights) {
+    for (const LightHit& met : camera_subpath_.lights) {
         if (met.vertices == 0) continue;
-        const SubpathVertex& last = eye_.vertices[met.vertices - 1];
+        const SubpathVertex& last = camera_subpath_.vertices[met.vertices - 1];
         const EndDensities end = end_densities(pass_.scene.scene, met.light, met.ray, last.hit);
-        sum += met.seen * static_cast<float>(end_weights(end, last.weighing, last.leaving).met);
+        sum += met.seen * static_cast<float>(end_weights(end, last.weights, last.leaving).hit);
     }
     return sum;
 }
 
 SampledSpectrum PathPair::unscattered() const {
     SampledSpectrum sum;
-    for (const MetLight& met : eye_.lights)
+    for (const LightHit& met : camera_subpath_.lights)
         if (met.vertices == 0) sum += met.seen;
     return sum;
 }
@@ -72,32 +72,32 @@ SampledSpectrum PathPair::sampled_light(const SubpathVertex& vertex, PathNumbers
     const LightRay ray{Vec3d(from) + way * distance, light->normal, -way};
     const auto number = static_cast<std::uint32_t>(choice->index);
     const EndDensities end = end_densities(scene, number, ray, vertex.hit);
-    const double weight = end_weights(end, vertex.weighing, turned.leaving).sampled;
-    const SampledSpectrum emitted = pass_.scene.tinted(pass_.scene.emission[number], light->tint);
+    const double weight = end_weights(end, vertex.weights, turned.leaving).sampled;
+    const SampledSpectrum emitted = pass_.scene.coloured(pass_.scene.emission[number], light->rgb);
     return vertex.arriving * turned.weight * left * emitted *
            static_cast<float>(static_cast<double>(light->factor) * weight / choice->probability);
 }
 
-SampledSpectrum PathPair::joined(const SubpathVertex& eye, const SubpathVertex& light) {
-    const Vec3d between = Vec3d(light.hit.position) - Vec3d(eye.hit.position);
+SampledSpectrum PathPair::joined(const SubpathVertex& camera, const SubpathVertex& light) {
+    const Vec3d between = Vec3d(light.hit.position) - Vec3d(camera.hit.position);
     const double distance2 = between.length2();
     if (!(distance2 > 0)) return {};
     const double distance = std::sqrt(distance2);
     const Vec3 way(between / distance);
-    const Scattered at_eye = scattered(eye, way, Transport::radiance);
-    if (at_eye.weight.is_zero()) return {};
+    const Scattered at_camera = scattered(camera, way, Transport::radiance);
+    if (at_camera.weight.is_zero()) return {};
     const Scattered at_light = scattered(light, -way, Transport::flux);
     if (at_light.weight.is_zero()) return {};
-    const SampledSpectrum left = seen(eye, way, static_cast<float>(distance));
+    const SampledSpectrum left = seen(camera, way, static_cast<float>(distance));
     if (left.is_zero()) return {};
     const double weight = connection_weight(
-        {eye.weighing, at_eye.leaving,
-         at_light.leaving.forward * static_cast<double>(at_eye.cosine) / distance2},
-        {light.weighing, at_light.leaving,
-         at_eye.leaving.forward * static_cast<double>(at_light.cosine) / distance2});
+        {camera.weights, at_camera.leaving,
+         at_light.leaving.forward * static_cast<double>(at_camera.cosine) / distance2},
+        {light.weights, at_light.leaving,
+         at_camera.leaving.forward * static_cast<double>(at_light.cosine) / distance2});
     // If both subpaths keep the same single wavelength, the factor kWavelengths applies once.
-    const double count = eye.hero.single && light.hero.single ? kWavelengths : 1;
-    return eye.arriving * at_eye.weight * left * at_light.weight * light.arriving *
+    const double count = camera.hero.single && light.hero.single ? kWavelengths : 1;
+    return camera.arriving * at_camera.weight * left * at_light.weight * light.arriving *
            static_cast<float>(weight / (distance2 * count));
 }
 
@@ -113,7 +113,7 @@ void PathPair::splat(const SubpathVertex& vertex, PathNumbers& numbers) {
     const SampledSpectrum left = seen(vertex, way, distance);
     if (left.is_zero()) return;
     const double weight =
-        light_image_weight(vertex.weighing, turned.leaving,
+        light_image_weight(vertex.weights, turned.leaving,
                            sight->area * static_cast<double>(turned.cosine), light_paths_);
     splats_.push_back({sight->film, vertex.arriving * turned.weight * left *
                                         static_cast<float>(sight->area * weight)});

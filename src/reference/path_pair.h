@@ -30,7 +30,7 @@ public:
     /// Numbers of both subpaths and of their connections; they are separate, so that a change of
     /// one leaves the others unchanged.
     struct Numbers {
-        PathNumbers eye;
+        PathNumbers camera;
         PathNumbers light;
         PathNumbers joints;
     };
@@ -49,7 +49,7 @@ public:
 private:
     SampledSpectrum met_lights() const;
     SampledSpectrum sampled_light(const SubpathVertex& vertex, PathNumbers& numbers);
-    SampledSpectrum joined(const SubpathVertex& eye, const SubpathVertex& light);
+    SampledSpectrum joined(const SubpathVertex& camera, const SubpathVertex& light);
     void splat(const SubpathVertex& vertex, PathNumbers& numbers);
     SampledSpectrum seen(const SubpathVertex& from, const Vec3& way, float distance);
 
@@ -58,7 +58,7 @@ private:
     const Splatter& splatter_;
     double light_paths_;
     SubpathTracer tracer_;
-    Subpath eye_;
+    Subpath camera_subpath_;
     Subpath light_;
     std::vector<FilmLight> splats_;
     std::uint64_t camera_rays_ = 0;

@@ -56,7 +56,7 @@ EndDensities end_densities(const Scene& scene, std::uint32_t number, const Light
             static_cast<double>(area->direct_pdf(at.position, Vec3(ray.origin), ray.normal));
         end.hit = area->unseen ? 0 : 1;
     } else if (is_infinite(light)) {
-        end.direct *= static_cast<double>(beyond(light, at.position, -way).pdf);
+        end.direct *= static_cast<double>(environment_radiance(light, at.position, -way).pdf);
         end.hit = 1;
     } else if (!comes_from_afar(light)) {
         end.emitted /= (Vec3d(at.position) - ray.origin).length2();
@@ -67,8 +67,8 @@ EndDensities end_densities(const Scene& scene, std::uint32_t number, const Light
     return end;
 }
 
-void SubpathTracer::trace_eye(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers,
-                              Subpath& path) {
+void SubpathTracer::trace_camera(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers,
+                                 Subpath& path) {
     path.clear();
     transport_ = Transport::radiance;
     lens_ = numbers.next_two();
@@ -78,7 +78,7 @@ void SubpathTracer::trace_eye(const Vec2d& film, std::size_t wavelength, PathNum
     hero_ = {wavelength, false};
     medium_ = pass_.scene.scene.media().at_camera;
     direction_ = Vec3(ray.direction);
-    meeting_ = pass_.scene.scene.geometry().meet_precise(ray.origin, ray.direction);
+    ray_hit_ = pass_.scene.scene.geometry().trace_precise(ray.origin, ray.direction);
     unlit_ = 0;
     scale_ = 1;
     follow(numbers, path);
@@ -97,7 +97,7 @@ void SubpathTracer::trace_light(std::size_t wavelength, PathNumbers& numbers, Su
         sample_emission(scene.lights()[light_], {place.x, place.y, way.x, way.y}, scene.sphere());
     if (!(start.factor > 0)) return;
     start_ = {start.origin, start.normal, start.direction};
-    throughput_ = pass_.scene.tinted(pass_.scene.emission[light_], start.tint) *
+    throughput_ = pass_.scene.coloured(pass_.scene.emission[light_], start.rgb) *
                   static_cast<float>(start.factor / choice.probability);
     hero_ = {wavelength, false};
     medium_ = pass_.scene.start_medium(light_, start, throughput_);
@@ -105,7 +105,7 @@ void SubpathTracer::trace_light(std::size_t wavelength, PathNumbers& numbers, Su
     const Vec3d normal(start.normal);
     const Vec3d origin =
         start.origin + normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
-    meeting_ = scene.geometry().meet_precise(origin, start.direction);
+    ray_hit_ = scene.geometry().trace_precise(origin, start.direction);
     unlit_ = static_cast<float>(start.unlit);
     follow(numbers, path);
 }
@@ -125,7 +125,7 @@ bool SubpathTracer::next_surface(Subpath& path) {
     const Scene& scene = pass_.scene.scene;
     while (true) {
         ++rays_;
-        const bool met = scene.geometry().hit_of(meeting_, hit_);
+        const bool met = scene.geometry().complete(ray_hit_, hit_);
         if (scene.has_media())
             throughput_ *= pass_.scene.transmittance(medium_, met ? hit_.distance : kInfinity);
         if (transport_ == Transport::radiance) note_lights(met, path);
@@ -134,7 +134,7 @@ bool SubpathTracer::next_surface(Subpath& path) {
         unlit_ -= hit_.distance;
         if (!scene.is_null_interface(hit_)) return is_lit;
         medium_ = scene.medium_beyond(hit_, direction_, medium_);
-        meeting_ = scene.geometry().meet(ray_from(hit_, direction_));
+        ray_hit_ = scene.geometry().trace(ray_from(hit_, direction_));
     }
 }
 
@@ -154,10 +154,10 @@ void SubpathTracer::note_lights(bool met, Subpath& path) {
     }
     const Vec3 last = vertices == 0 ? Vec3(start_.origin) : path.vertices.back().hit.position;
     for (const std::uint32_t i : scene.infinite_lights()) {
-        const Beyond seen = beyond(scene.lights()[i], last, direction_);
+        const EnvironmentRadiance seen = environment_radiance(scene.lights()[i], last, direction_);
         if (!(seen.factor > 0)) continue;
         const SampledSpectrum light =
-            pass_.scene.tinted(pass_.scene.emission[i] * seen.factor, seen.tint);
+            pass_.scene.coloured(pass_.scene.emission[i] * seen.factor, seen.rgb);
         path.lights.push_back(
             {vertices, i, {Vec3d(last), Vec3(0), -Vec3d(direction_)}, throughput_ * light});
     }
@@ -166,7 +166,7 @@ void SubpathTracer::note_lights(bool met, Subpath& path) {
 /// Returns the vertex at the hit surface.
 SubpathVertex SubpathTracer::arrive(const Subpath& path) {
     const Vec3 came = direction_;
-    Bsdf bsdf = met_bsdf(pass_.scene, hit_, throughput_, hero_);
+    Bsdf bsdf = vertex_bsdf(pass_.scene, hit_, throughput_, hero_);
     const Frame frame(hit_.shading_normal, hit_.tangent);
     SubpathVertex vertex{hit_,    frame, bsdf, frame.to_local(-came), 1, throughput_, hero_,
                          medium_, {},    {}};
@@ -174,12 +174,12 @@ SubpathVertex SubpathTracer::arrive(const Subpath& path) {
     if (!path.vertices.empty()) {
         const SubpathVertex& last = path.vertices.back();
         const double distance2 = (Vec3d(hit_.position) - Vec3d(last.hit.position)).length2();
-        vertex.weighing = next_weights(last.weighing, last.leaving, cosine_at(last.hit, came),
-                                       cosine_at(hit_, came), distance2);
+        vertex.weights = next_weights(last.weights, last.leaving, cosine_at(last.hit, came),
+                                      cosine_at(hit_, came), distance2);
     } else if (transport_ == Transport::flux) {
-        vertex.weighing = first_of_light(end_densities(pass_.scene.scene, light_, start_, hit_));
+        vertex.weights = first_of_light(end_densities(pass_.scene.scene, light_, start_, hit_));
     } else if (const auto sight = camera_.sight_of(Vec3d(hit_.position), lens_)) {
-        vertex.weighing = first_of_eye(sight->area * cosine_at(hit_, came), light_paths_);
+        vertex.weights = first_of_camera(sight->area * cosine_at(hit_, came), light_paths_);
     }
     return vertex;
 }
@@ -212,7 +212,7 @@ bool SubpathTracer::scatter(PathNumbers& numbers, SubpathVertex& vertex, std::si
         throughput_ /= survives;
     }
     medium_ = pass_.scene.scene.medium_beyond(vertex.hit, direction_, medium_);
-    meeting_ = pass_.scene.scene.geometry().meet(ray_from(vertex.hit, direction_));
+    ray_hit_ = pass_.scene.scene.geometry().trace(ray_from(vertex.hit, direction_));
     return true;
 }
 

@@ -21,14 +21,14 @@ struct SubpathVertex {
     SampledSpectrum arriving;  // importance or flux
     HeroWavelength hero;       // of `arriving`
     MediumNumber medium = 0;   // of the incoming segment
-    PathWeights weighing;
-    Departure leaving;  // of the next direction, if the subpath continued
+    PathWeights weights;
+    DirectionDensities leaving;  // of the next direction, if the subpath continued
 
     bool is_wide() const { return scattering(bsdf) != Scattering::specular; }
 };
 
 /// A light hit by the camera subpath.
-struct MetLight {
+struct LightHit {
     std::size_t vertices = 0;  // of the subpath before the light
     std::uint32_t light = 0;
     LightRay ray;          // to the last of them
@@ -37,7 +37,7 @@ struct MetLight {
 
 struct Subpath {
     std::vector<SubpathVertex> vertices;
-    std::vector<MetLight> lights;
+    std::vector<LightHit> lights;
 
     void clear() {
         vertices.clear();
@@ -48,7 +48,7 @@ struct Subpath {
 /// The scattering of a vertex from its subpath into a direction.
 struct Scattered {
     SampledSpectrum weight;  // bsdf times cosine of the flux, shading-normal correction included
-    Departure leaving;
+    DirectionDensities leaving;
     float cosine = 0;  // with the geometric normal
 };
 
@@ -63,13 +63,14 @@ EndDensities end_densities(const Scene& scene, std::uint32_t number, const Light
 /// Traces subpaths; each thread has one and reuses it.
 class SubpathTracer {
 public:
-    /// @param light_paths  see first_of_eye(). References are kept.
+    /// @param light_paths  see first_of_camera(). References are kept.
     SubpathTracer(const ReferencePass& pass, const Projection& camera, double light_paths)
         : pass_(pass), camera_(camera), light_paths_(light_paths) {}
 
     /// Traces from the camera. @param film  in pixels. @param wavelength  hero wavelength for
     /// dispersion.
-    void trace_eye(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers, Subpath& path);
+    void trace_camera(const Vec2d& film, std::size_t wavelength, PathNumbers& numbers,
+                      Subpath& path);
     /// Traces from a light selected by power; the path is empty if no light has power.
     void trace_light(std::size_t wavelength, PathNumbers& numbers, Subpath& path);
 
@@ -94,7 +95,7 @@ private:
     HeroWavelength hero_;
     MediumNumber medium_ = 0;
     Vec3 direction_{0};
-    Meeting meeting_;
+    RayHit ray_hit_;
     Hit hit_;
     float unlit_ = 0;
     float scale_ = 1;  // squared ratio of indices, for Russian roulette

@@ -8,8 +8,8 @@ namespace sunfleck::engine {
 /// Returns the Bsdf at a hit for the path: at a dispersive surface that is not specular, the path
 /// terminates its secondary wavelengths; a path of one wavelength gets the Bsdf of that wavelength.
 /// @param hit  a bump or normal map changes its shading normal and tangent.
-inline Bsdf met_bsdf(const PassScene& scene, Hit& hit, SampledSpectrum& throughput,
-                     HeroWavelength& hero) {
+inline Bsdf vertex_bsdf(const PassScene& scene, Hit& hit, SampledSpectrum& throughput,
+                        HeroWavelength& hero) {
     std::optional<Bsdf> room;
     const Bsdf& bsdf = scene.bsdf_at(hit, room);
     if (!is_dispersive(bsdf)) return bsdf;

@@ -1,4 +1,4 @@
-// Names of statistics, and what they are sums of.
+// Names of statistics, and the sums behind them.
 #include "render/count_pass.h"
 
 #include "planning/epoch.h"
@@ -8,7 +8,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Level by level, as sums over passes.
+/// Counts level by level, as sums over passes.
 void count_splitting(Film& film, const std::string& name, const SplittingCounts& splitting) {
     for (std::size_t k = 0; k < splitting.levels.size(); ++k) {
         const std::string level = name + "splitting." + std::to_string(k) + ".";
@@ -36,7 +36,7 @@ void count_strata(Film& film, const std::vector<StratumCounts>& strata) {
     }
 }
 
-/// How many subpasses, camera paths and photon paths the passes of an epoch have.
+/// Counts subpasses, camera paths and photon paths of an epoch's passes.
 void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     if (pass.strata.empty()) return;
     std::uint64_t paths = 0;

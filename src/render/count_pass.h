@@ -1,4 +1,4 @@
-// A pass added to a film, with all that it counted.
+// Adds a pass to a film, with all its statistics.
 #pragma once
 
 #include "film/film.h"
@@ -6,7 +6,7 @@
 
 namespace sunfleck::engine {
 
-/// The statistic "visible_fraction_square" is in units of 1 / this: squares of 1e-9 have digits.
+/// Unit of the statistic "visible_fraction_square": squares of 1e-9 keep their digits.
 inline constexpr double kSquareUnits = 0x1p32;
 
 /// Where the lights of a pass are in several strata, each has its statistics under

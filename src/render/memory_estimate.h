@@ -1,4 +1,4 @@
-// Memory that a render needs, estimated before it begins.
+// Estimate of the memory that a render needs, before it begins.
 #pragma once
 
 #include "render/render_job.h"
@@ -7,14 +7,14 @@
 
 namespace sunfleck::engine {
 
-/// Bytes beside the scene.
+/// Bytes besides the scene.
 struct MemoryEstimate {
     std::uint64_t usual = 0;
-    std::uint64_t most = 0;  // where all that can be noisy is: learned later, while it renders
+    std::uint64_t most = 0;  // if all pixels need more camera paths; known after learning
 };
 
-/// Film, picture, visible points and photons of a pass. How measured peaks compare is in
-/// docs/reference/render.md.
+/// Estimates film, picture, visible points and photons of a pass. docs/reference/render.md compares
+/// it with measured peaks.
 MemoryEstimate render_bytes(const RenderJob& job);
 
 }  // namespace sunfleck::engine

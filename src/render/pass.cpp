@@ -24,10 +24,10 @@ PhotonTotals draw_sppm(const RenderSettings& settings, const CameraPass& camera,
     result.seconds.camera += watch.lap();
     const VisiblePointIndex index(std::move(points), camera.transport.max_depth);
     result.seconds.index += watch.lap();
-    const PhotonContext view{camera.scene, settings.transport, index};
-    PhotonTotals photons =
-        trace_photons({view, camera.id.subpass(camera.subpass.number), strata, settings.photon},
-                      {result.image, taken}, state);
+    const PhotonContext photon_context{camera.scene, settings.transport, index};
+    PhotonTotals photons = trace_photons(
+        {photon_context, camera.id.subpass(camera.subpass.number), strata, settings.photon},
+        {result.image, taken}, state);
     result.seconds.photon += watch.lap();
     return photons;
 }

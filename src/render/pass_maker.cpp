@@ -1,4 +1,4 @@
-// Passes one after the other.
+// Passes in order.
 #include "render/pass_maker.h"
 
 #include "core/parallel.h"
@@ -15,13 +15,13 @@ PassMaker::PassMaker(const RenderJob& job, RenderState& state) : job_(job), stat
             first_state(job.settings.photon, job.settings.alpha, state.film.key().pixels());
 }
 
-/// @return false if it was cut short.
+/// @return false if it was cancelled.
 bool PassMaker::learn(std::uint32_t number, const PassHooks& hooks) {
     if (epoch_ && epoch_->number == epoch_of(number)) return true;
     const bool is_told = hooks.learning && needs_learning(job_.scene, job_.settings);
     if (is_told) hooks.learning(true);
     const bool is_learned = run_unless(hooks.cuts_learning, [&] {
-        epoch_ = learn_epoch(job_.scene, job_.settings, number, hooks.view_traced);
+        epoch_ = learn_epoch(job_.scene, job_.settings, number, hooks.trial_traced);
     });
     if (is_told) hooks.learning(false);
     if (is_learned) state_.seconds.learn += epoch_->seconds;

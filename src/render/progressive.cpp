@@ -33,7 +33,7 @@ RenderResult render_among(const Ranks& ranks, const RenderJob& job, const Render
         if (interval[0].size() == 0) break;
         bool over = false;
         const auto take = [&](const PassRange& part, const Film& film, double radius_factor) {
-            if (over) return;  // one machine would not have rendered it
+            if (over) return;  // a single machine would not have rendered it
             merge(result.film, film);
             result.radius_factor = radius_factor;
             over = scheduler.reached_target(part.end);

@@ -1,8 +1,8 @@
-// A whole render: passes one after the other until a limit, added up in a film.
+// Progressive rendering: passes until a limit is reached, summed in a film.
 //
-// In:  scene, settings, limits, and earlier passes to go on from. Out: the film. Only whole passes
-// go into it, and never what depends on the clock: a limit of time cuts the last pass short, or the
-// learning before it, and leaves it out. Several ranks render it together, to the same bytes
+// In:  scene, settings, limits, and earlier passes to continue from. Out: the film. Only complete
+// passes enter it, and nothing that depends on the clock: a time limit cancels the last pass, or
+// the learning before it, and leaves it out. Several ranks render together, to the same bytes
 // (ranks.h, reduction_interval.h).
 #pragma once
 
@@ -15,14 +15,14 @@
 
 namespace sunfleck::engine {
 
-/// @throws Error for several ranks and a sampler whose passes build on those before.
+/// @throws Error  for several ranks with a sampler whose passes depend on earlier ones.
 void check_shareable(const RenderSettings& settings, const Ranks& ranks);
 
-/// @param earlier  passes of this job to go on from, the job's first pass to some other without a
-///                 gap: the result is as if they were rendered now. Their seconds count.
-/// @param ranks    all of them call this with one job and the same limits. Rank 0's earlier passes
-///                 and hooks count, and it has the result; others need `interrupted` alone.
-/// @throws Error as check_shareable() does.
+/// @param earlier  passes of this job to continue from, without gaps from the job's first pass: the
+/// result is as if they were rendered now. Their seconds count.
+/// @param ranks    all of them call this with the same job and limits. Rank 0's earlier passes and
+/// hooks are used, and it has the result; others need `interrupted` alone.
+/// @throws Error  as check_shareable().
 RenderResult render(const RenderJob& job, const RenderHooks& hooks,
                     std::optional<RenderState> earlier = {}, const Ranks& ranks = {});
 

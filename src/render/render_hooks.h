@@ -1,4 +1,4 @@
-// What a render asks of its caller, and tells it, while it runs.
+// Callbacks of a render.
 #pragma once
 
 #include "film/target_error.h"
@@ -11,7 +11,7 @@
 
 namespace sunfleck::engine {
 
-/// What is known after a pass.
+/// The state after a pass.
 struct Progress {
     std::uint32_t passes = 0;  // rendered so far
     std::optional<std::uint32_t> of;
@@ -20,9 +20,9 @@ struct Progress {
     std::optional<TargetError> error;  // from complete batches
     std::optional<double> target;
     std::optional<double> seconds_left;  // an estimate
-    double bringing = 0;                 // share of photon paths that brought light
-    std::uint32_t starved = 0;           // passes that found no visible photon path
-    bool is_learning = false;            // where photons are needed, before the next pass
+    double bringing = 0;                 // fraction of photon paths that contributed light
+    std::uint32_t starved = 0;           // passes without a visible photon path
+    bool is_learning = false;            // an epoch is learned before the next pass
 };
 
 /// Calls what changes the film of a render: a caller who reads the film on another thread holds a
@@ -38,14 +38,14 @@ inline void change_film(const FilmChange& caller, const std::function<void()>& c
 }
 
 struct RenderHooks {
-    /// After each pass, or interval of several ranks, and before and after an epoch is learned.
+    /// Called after each pass, or interval of several ranks, and before and after learning.
     std::function<void(const Progress&)> report;
-    /// After 1, 2, 4, 8 ... passes and at the end; its time does not count.
+    /// Called after 1, 2, 4, 8 ... passes and at the end; its time does not count.
     std::function<void(const RenderResult&)> snapshot;
-    /// Asked after each pass, and while epochs are learned but the first.
+    /// Tested after each pass, and during the learning of later epochs.
     const std::atomic<bool>* interrupted = nullptr;
-    /// Asked all the time: learning and the pass that are under way are cut short and left out.
-    /// Passes of a sampler with a state are made to their end.
+    /// Tested continuously: learning and the current pass are cancelled and left out. Passes of a
+    /// sampler with a state are completed.
     const std::atomic<bool>* cancelled = nullptr;
     FilmChange change;
 
@@ -53,7 +53,8 @@ struct RenderHooks {
     bool is_interrupted() const {
         return is_cancelled() || (interrupted != nullptr && *interrupted);
     }
-    /// After a pass when `save_every` seconds have gone since the last call began, and at the end.
+    /// Called after a pass if `save_every` seconds have passed since the last call began, and at
+    /// the end.
     std::function<void(const RenderState&)> save;
     double save_every = 60;
 };

@@ -1,4 +1,4 @@
-// What a render is of: a scene, settings and limits; and the key by which films of it are known.
+// RenderJob: scene, settings and limits of a render, and the key of its films.
 #pragma once
 
 #include "film/film_key.h"
@@ -7,7 +7,7 @@
 
 namespace sunfleck::engine {
 
-/// What a render is to be compared by: scene_hash is of all that the scene's files hold.
+/// scene_hash covers everything in the scene's files.
 struct RenderJob {
     const Scene& scene;
     RenderSettings settings;
@@ -15,7 +15,7 @@ struct RenderJob {
     std::uint64_t scene_hash = 0;
 };
 
-/// What parts of one render have in common.
+/// Returns the key that all shards of one render share.
 FilmKey key_of(const RenderJob& job);
 
 }  // namespace sunfleck::engine

@@ -21,7 +21,7 @@ void RenderLoop::run(const StopSettings& stop, const RenderHooks& hooks) {
     result_.interrupted = false;
     RenderScheduler scheduler(job_, hooks, result_, 1);
     const PassHooks asked{[&](bool begins) { scheduler.report_learning(begins); },
-                          [&](double seconds) { scheduler.view_traced(seconds); },
+                          [&](double seconds) { scheduler.trial_traced(seconds); },
                           [&] { return scheduler.cuts_learning(); },
                           [&] { return scheduler.cuts_pass(); }, hooks.change};
     for (PassRange interval = scheduler.next_interval(); interval.size() > 0;

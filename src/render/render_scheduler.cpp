@@ -1,4 +1,4 @@
-// Limits, progress, snapshots and checkpoints of a render, between its intervals.
+// Limits, progress, snapshots and checkpoints between intervals.
 #include "render/render_scheduler.h"
 
 #include "film/error_bars.h"
@@ -11,21 +11,20 @@
 namespace sunfleck::engine {
 namespace {
 
-/// An interval should not take longer where it takes more than a pass a rank: Ctrl-C waits for its
-/// end.
+/// Limit of an interval that has more than one pass per rank, because Ctrl-C waits for its end.
 constexpr double kIntervalSeconds = 10;
 
-/// Work that has begun goes on beyond the time asked for by less than a second, or than 5% of it.
+/// Returns the end with grace: work in progress may exceed the limit by a second, or by 5%.
 double end_of_grace(double seconds) {
     constexpr double kGrace = 0.8;
     return seconds + kGrace * std::max(1.0, 0.05 * seconds);
 }
 
-/// A pass of the sampler `uniform` takes 1.2 to 2.8 times as long as its camera paths (cornell,
+/// Ratio of a pass of the sampler `uniform` to its camera paths; 1.2 to 2.8 were measured (cornell,
 /// cognac-1, window-room, iced-tea, watch, statue-near; 256 and 1024 pixels a side).
-constexpr double kPassOfView = 2;
+constexpr double kPassOfTrial = 2;
 
-/// Share of photon paths that brought light.
+/// Returns the fraction of photon paths that contributed light.
 double share_bringing(const Film& film) {
     const double traced = film.statistic("uniform_paths") + film.statistic("guided_paths") +
                           film.statistic("mutated_paths");
@@ -77,8 +76,8 @@ bool RenderScheduler::is_over() const {
            !has_room_for_pass() || (!stop.end_pass && is_black());
 }
 
-/// Will more passes be black, too? Where no light can be, one pass tells; where nothing is in view,
-/// a batch does; so it does for AOVs of surfaces that are not lit.
+/// Returns whether further passes will be black. If there can be no light, one pass is enough to
+/// tell; if nothing is visible, a batch; the same for AOVs of surfaces that are not lit.
 bool RenderScheduler::is_black() const {
     const bool is_dark = job_.scene.is_dark();
     if (is_dark && job_.settings.aovs == AovSet{}) return true;
@@ -88,7 +87,7 @@ bool RenderScheduler::is_black() const {
             state_.film.statistic("visible_points") == 0 && image_mean(state_.film) == 0);
 }
 
-/// Can another pass end in time, if it is no slower than the last?
+/// Returns whether another pass can end in time, if it takes as long as the last.
 bool RenderScheduler::has_room_for_pass() const {
     constexpr double kFaster = 0.8;
     const auto& seconds = job_.stop.seconds;
@@ -100,11 +99,11 @@ bool RenderScheduler::is_late() const {
     return seconds && seconds_now() > end_of_grace(*seconds);
 }
 
-/// Learning and the first pass are cut short when they leave a pass without learning just the time
-/// that it needs: in pictures, but not in checkpoints, which are to go on.
+/// Returns whether learning and the first pass must be cancelled to leave time for a pass without
+/// learning: for pictures, but not for checkpoints, which continue later.
 bool RenderScheduler::leaves_no_pass() const {
     const auto& seconds = job_.stop.seconds;
-    return seconds && !hooks_.save && seconds_now() + kPassOfView * view_seconds_ > *seconds;
+    return seconds && !hooks_.save && seconds_now() + kPassOfTrial * trial_seconds_ > *seconds;
 }
 
 bool RenderScheduler::cuts_learning() const {
@@ -116,7 +115,7 @@ bool RenderScheduler::cuts_learning() const {
 bool RenderScheduler::cuts_pass() const {
     if (hooks_.is_cancelled()) return true;
     if (progress_.passes > 0) return is_late();
-    const bool is_learned = view_seconds_ > 0 && !state_.is_unlearned;
+    const bool is_learned = trial_seconds_ > 0 && !state_.is_unlearned;
     return is_learned && leaves_no_pass();
 }
 
@@ -128,7 +127,7 @@ void RenderScheduler::report_learning(bool begins) {
     hooks_.report(progress_);
 }
 
-/// Until something is due, or all should meet.
+/// Returns the time until something is due, or ranks should synchronise.
 double RenderScheduler::seconds_of_interval() const {
     const StopSettings& stop = job_.stop;
     double seconds = kIntervalSeconds;
@@ -200,7 +199,7 @@ void RenderScheduler::count_time() {
     state_.cpu_seconds = cpu_seconds_before_ + clock_.cpu_seconds() + cpu_seconds_of_others_;
 }
 
-/// What the film tells.
+/// Updates the progress from the film.
 void RenderScheduler::follow() {
     const Film& film = state_.film;
     progress_.passes = static_cast<std::uint32_t>(film.pass_count());

@@ -1,5 +1,5 @@
-// What rank 0 asks between intervals: is the render over, how long is the next interval, is a
-// snapshot or a checkpoint due? With one rank an interval is a pass.
+// RenderScheduler: decides for rank 0, between intervals, when the render ends, how long the next
+// interval is, and when snapshots and checkpoints are due. With one rank an interval is a pass.
 #pragma once
 
 #include "core/stopwatch.h"
@@ -12,35 +12,36 @@ namespace sunfleck::engine {
 
 class RenderScheduler {
 public:
-    /// @param state   the render's, which outlives this; its passes so far are those before.
-    /// @param ranks   how many there are.
+    /// @param state   of the render, which outlives this; with earlier passes.
+    /// @param ranks   their number.
     RenderScheduler(const RenderJob& job, const RenderHooks& hooks, RenderResult& state, int ranks);
 
-    /// Passes that are next; empty if the render is over.
+    /// Returns the next passes; empty if the render is over.
     PassRange next_interval();
 
-    /// Learning begins, or is over.
+    /// Reports that learning begins or ends.
     void report_learning(bool begins);
-    /// Learning has traced camera paths like those of a pass, in so many seconds.
-    void view_traced(double seconds) { view_seconds_ = seconds; }
-    /// Is learning under way, or a pass, to be cut short, so that the render ends in time? Asked on
-    /// any thread during an interval.
+    /// Reports how long the camera paths of a trial took during learning.
+    void trial_traced(double seconds) { trial_seconds_ = seconds; }
+    /// Returns whether learning must be cancelled, or a pass, so that the render ends in time.
+    /// Called on any thread during an interval.
     bool cuts_learning() const;
     bool cuts_pass() const;
 
-    /// Passes up to `end` are in the film. @return is its error, asked at the end of each batch,
-    /// at the target?
+    /// Passes up to `end` are in the film. @return whether its error, checked at the end of each
+    /// batch, reaches the target.
     bool reached_target(std::uint64_t end);
 
     /// All passes of the interval that count are in the film.
     /// @param of_others  processor time of all other ranks since the render began.
     void interval_ended(double of_others, bool interrupted);
 
-    /// The last snapshot and the last checkpoint, if those of the last interval were not.
+    /// Writes the last snapshot and checkpoint, unless the last interval did.
     void finish();
 
 private:
-    /// Where a batch ends: of other passes a render in one go knows no error, either.
+    /// Updates the error only at the end of a batch, so that resumed and merged renders agree with
+    /// a single run.
     void ask_error(std::uint64_t end);
     bool is_over() const;
     bool is_black() const;
@@ -62,9 +63,9 @@ private:
     double cpu_seconds_of_others_ = 0;
     Progress progress_;
     double interval_began_ = 0;
-    double learned_before_ = 0;  // seconds of learning, up to the interval
-    double pass_seconds_ = 0;    // a rank's, in the last interval
-    double view_seconds_ = 0;    // of camera paths while learning
+    double learned_before_ = 0;  // seconds of learning up to the interval
+    double pass_seconds_ = 0;    // per rank, in the last interval
+    double trial_seconds_ = 0;   // of a trial's camera paths during learning
     std::uint64_t interval_passes_ = 0;
     double saved_at_;
     bool interrupted_ = false;

@@ -1,4 +1,5 @@
-// The files of page/ and the chart library, put into the program by cmake/embed.cmake.
+// The embedded files of page/, and the chart library; cmake/embed.cmake compiles them into the
+// program.
 #pragma once
 
 #include <string_view>
@@ -7,7 +8,7 @@ namespace sunfleck::engine {
 
 extern const std::string_view kPage;          // page.html
 extern const std::string_view kPageStyle;     // page.css
-extern const std::string_view kPageScript;    // the .js files, in the order of their names
+extern const std::string_view kPageScript;    // the .js files, sorted by name
 extern const std::string_view kChartLibrary;  // Chart.js
 
 }  // namespace sunfleck::engine

@@ -12,13 +12,13 @@
 namespace sunfleck::engine {
 namespace {
 
-/// What stands in the template for a part that is put in.
-struct Part {
+/// A placeholder of the template, and its replacement.
+struct Replacement {
     std::string_view mark;
     std::string text;
 };
 
-/// JSON that may stand in a script element: no "<" in it.
+/// Escapes JSON for a script element: no "<" in it.
 std::string for_script(const std::string& json) {
     std::string text;
     for (const char c : json) {
@@ -66,14 +66,14 @@ bool has_series(const Comparison& comparison) {
     return false;
 }
 
-/// The template from its front to its end; what is put in is not looked at again.
-std::string filled(std::string_view page, std::span<const Part> parts) {
+/// Replaces placeholders from front to end; replacements are not searched again.
+std::string filled(std::string_view page, std::span<const Replacement> replacements) {
     std::string text;
-    for (const Part& part : parts) {
-        const std::size_t at = page.find(part.mark);
+    for (const Replacement& replacement : replacements) {
+        const std::size_t at = page.find(replacement.mark);
         text += page.substr(0, at);
-        text += part.text;
-        page.remove_prefix(at + part.mark.size());
+        text += replacement.text;
+        page.remove_prefix(at + replacement.mark.size());
     }
     return text.append(page);
 }
@@ -114,16 +114,17 @@ HalfPixels half_pixels(const RgbImage& image) {
 
 std::string report_page(const Comparison& comparison) {
     const bool with_chart = has_series(comparison);
-    const std::array parts = {
-        Part{"<!-- style -->", "<style>\n" + std::string(kPageStyle) + "</style>"},
-        Part{"<!-- numbers -->", for_script(comparison_json(comparison))},
-        Part{"<!-- pixels -->", pixel_blocks(comparison)},
-        // The library only where there is something to draw.
-        Part{"<!-- chart -->",
-             with_chart ? "<script>" + std::string(kChartLibrary) + "</script>" : std::string()},
-        Part{"<!-- script -->", "<script>\n" + std::string(kPageScript) + "</script>"},
+    const std::array replacements = {
+        Replacement{"<!-- style -->", "<style>\n" + std::string(kPageStyle) + "</style>"},
+        Replacement{"<!-- numbers -->", for_script(comparison_json(comparison))},
+        Replacement{"<!-- pixels -->", pixel_blocks(comparison)},
+        // The chart library is included only if there is a chart.
+        Replacement{"<!-- chart -->", with_chart
+                                          ? "<script>" + std::string(kChartLibrary) + "</script>"
+                                          : std::string()},
+        Replacement{"<!-- script -->", "<script>\n" + std::string(kPageScript) + "</script>"},
     };
-    return filled(kPage, parts);
+    return filled(kPage, replacements);
 }
 
 }  // namespace sunfleck::engine

@@ -60,7 +60,7 @@ EmittingPatch emitting_patch(const BilinearMesh& mesh, std::uint32_t index,
 Spectrum radiance_of(const AreaEmission& emission, double area) {
     if (!(emission.power > 0) || !(area > 0)) return emission.radiance;
     const double sides = emission.two_sided ? 2 : 1;
-    const double mean = emission.picture ? emission.picture->mean() : 1;
+    const double mean = emission.image ? emission.image->mean() : 1;
     if (!(mean > 0)) return emission.radiance;
     return emission.radiance.scaled(
         static_cast<float>(emission.power / (kPiDouble * area * sides * mean)));
@@ -81,9 +81,9 @@ std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32
         lights.push_back({radiance_of(emission, area), std::move(surface), emission.two_sided,
                           index, static_cast<std::uint32_t>(lights.size()), shape.unseen});
         AreaLight& light = lights.back();
-        if (emission.picture && area > 0)
-            light.picture =
-                std::make_shared<const LaidPicture>(emission.picture, uvs, light.surface, cells);
+        if (emission.image && area > 0)
+            light.image =
+                std::make_shared<const PlacedImage>(emission.image, uvs, light.surface, cells);
         if (placed.cover)
             light.alpha = std::make_shared<const PartialEmitter>(placed.cover, uvs, light.surface);
     };

@@ -7,7 +7,7 @@
 #include "core/warnings.h"
 #include "geometry/geometry.h"
 #include "light/light.h"
-#include "light/surface_picture.h"
+#include "light/surface_image.h"
 #include "material/bump_map.h"
 #include "material/material.h"
 #include "scene/media.h"
@@ -33,7 +33,7 @@ struct AreaEmission {
     /// (pbrt-v4); an image is divided by its mean.
     double power = 0;
     /// Image that multiplies the radiance, by the surface's (u, v); null for none.
-    std::shared_ptr<const SurfacePicture> picture = nullptr;
+    std::shared_ptr<const SurfaceImage> image = nullptr;
     std::uint32_t statement = kNone;  // index into SceneDescription::light_statements
 };
 
@@ -97,7 +97,7 @@ struct SceneDescription {
     FilmDescription film;
     RenderHints hints;
     std::vector<Material> materials;
-    std::vector<Relief> reliefs;           // per material; those beyond the end are empty
+    std::vector<BumpMap> bump_maps;        // per material; those beyond the end are empty
     std::vector<ShapeDescription> shapes;  // in the world
     std::vector<std::vector<ShapeDescription>> objects;  // each list once, placed by instances
     std::vector<InstanceDescription> instances;

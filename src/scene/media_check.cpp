@@ -69,13 +69,13 @@ void tell(const MediaStart& start, const SourceLocation& where, Warnings& warnin
     const std::string what = start.lights.count == 0 ? "the camera" : "this light";
     if (is_fault(start))
         warnings.add(where, what +
-                                " is seen through other media than the one in which it stands, so "
-                                "that light and camera paths may cross different media; write a "
-                                "MediumInterface before it that names, second, what is around it");
+                                " is seen through other media than the one around it, so that "
+                                "light and camera paths may cross different media; before it, "
+                                "write a MediumInterface whose second name is that medium");
     else if (!start.is_named && start.sides.outside != 0)
         warnings.add(where, "no MediumInterface names the medium around " + what +
-                                "; it stands in the one through which it is seen; name that, "
-                                "second, in a MediumInterface before it");
+                                "; the one through which it is seen is used; before it, write a "
+                                "MediumInterface whose second name is that medium");
 }
 
 /// Sets the media of the camera and the lights to those that the walks recorded.
@@ -103,9 +103,9 @@ std::vector<std::uint32_t> mend_media(Surfaces& surfaces, Media& media, const Pa
             exchanged.push_back(shape);
             warnings.add(places.shapes[shape],
                          "the normals of this shape point into it, so that its MediumInterface "
-                         "names the medium within as the one around it; the two are exchanged; "
-                         "leave out ReverseOrientation, or turn its triangles (glass refracts by "
-                         "these normals, too), or write the media in the other order");
+                         "names the medium inside as the one outside; both were exchanged; remove "
+                         "ReverseOrientation, or reverse the winding of its triangles (refraction "
+                         "uses these normals, too), or exchange the two names");
         }
         if (!inside_out.empty() && !is_last) continue;
         const auto worst = worst_at_odds(walks);
@@ -120,8 +120,8 @@ std::vector<std::uint32_t> mend_media(Surfaces& surfaces, Media& media, const Pa
         warnings.add(places.shapes[shape],
                      "its MediumInterface does not name the medium through which it is seen, so "
                      "that light and camera paths may cross different media; name the same medium "
-                     "for the sides of surfaces, and the camera, that face each other, and close "
-                     "the shape: rays go around the edge of an open one");
+                     "on sides of surfaces that face each other and around the camera, and close "
+                     "the shape, because rays pass around the edge of an open one");
     return exchanged;
 }
 

@@ -29,7 +29,7 @@ PassScene::PassScene(const Scene& of, PassId pass)
     for (std::uint32_t i = 0; i < materials; ++i) {
         const Material& material = of.materials()[i];
         if (is_textured(material)) continue;
-        (is_flat(of.relief_of(i)) ? bsdfs : bent_)[i] = bsdf_of(material, wavelengths);
+        (is_flat(of.bump_map_of(i)) ? bsdfs : bent_)[i] = bsdf_of(material, wavelengths);
         if (!bsdfs[i]) continue;
         if (const auto* coated = std::get_if<CoatedDiffuse>(&*bsdfs[i])) {
             layers_[i] = static_cast<std::uint32_t>(materials) + kept_.add(coated->base());
@@ -48,7 +48,7 @@ PassScene::PassScene(const Scene& of, PassId pass)
 bool PassScene::find_whether_gathers(std::uint32_t material) const {
     const Material& here = scene.materials()[material];
     if (const auto* mix = std::get_if<MixMaterial>(&here))
-        return find_whether_gathers(mix->parts[0]) || find_whether_gathers(mix->parts[1]);
+        return find_whether_gathers(mix->components[0]) || find_whether_gathers(mix->components[1]);
     for (const auto* constant : {&bsdfs[material], &bent_[material]})
         if (*constant) return scattering(**constant) != Scattering::specular;
     return sunfleck::engine::may_gather(here);
@@ -92,8 +92,9 @@ const Bsdf& PassScene::make_bsdf(Hit& hit, std::optional<Bsdf>& room) const {
     while (const auto* mix = std::get_if<MixMaterial>(&scene.materials()[number]))
         number = mix->chosen(TexturePoint(hit, scene.origin()));
     if (bsdfs[number]) return *bsdfs[number];
-    const Relief& relief = scene.relief_of(number);
-    if (!is_flat(relief)) bend(relief, scene.geometry().derivatives(hit), hit, scene.origin());
+    const BumpMap& bump_map = scene.bump_map_of(number);
+    if (!is_flat(bump_map))
+        perturb_shading(bump_map, scene.geometry().derivatives(hit), hit, scene.origin());
     if (bent_[number]) return *bent_[number];
     room = bsdf_of(scene.materials()[number], wavelengths, TexturePoint(hit, scene.origin()));
     return *room;

@@ -35,15 +35,15 @@ struct PassScene {
     bool may_gather(std::uint32_t material) const { return may_gather_[material]; }
 
     /// Returns a light's emission times its colour at a point.
-    SampledSpectrum tinted(const SampledSpectrum& emitted, const std::optional<Vec3>& tint) const {
-        return tint ? emitted * colour(*tint) : emitted;
+    SampledSpectrum coloured(const SampledSpectrum& emitted, const std::optional<Vec3>& rgb) const {
+        return rgb ? emitted * colour(*rgb) : emitted;
     }
 
     /// Returns the emission of an area light at a hit.
     SampledSpectrum emitted(std::uint32_t index, const AreaLight& light, const Hit& hit) const {
-        if (!light.picture) return emission[index];
+        if (!light.image) return emission[index];
         const TexelLight here = light.light_at(hit.uv);
-        return tinted(emission[index] * static_cast<float>(here.luminance), here.tint);
+        return coloured(emission[index] * static_cast<float>(here.luminance), here.rgb);
     }
 
     /// Returns the transmittance of a distance in a medium; the distance may be infinite.

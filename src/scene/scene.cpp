@@ -36,14 +36,14 @@ ScenePlaces places_of(const SceneDescription& description, const std::string& pa
 Scene::Scene(SceneDescription description, const std::string& isa)
     : origin_(move_to_rendering_space(description)),
       has_media_(description.media.absorb()),
-      reliefs_(std::move(description.reliefs)),
+      bump_maps_(std::move(description.bump_maps)),
       lights_(std::make_shared<SceneLights>(std::move(description.light_statements))),
       surfaces_(take_shapes(description, isa)),
       filter_(description.filter),
       hints_(std::move(description.hints)),
       warnings_(std::move(description.warnings)),
       path_(std::move(description.path)) {
-    reliefs_.resize(materials().size());
+    bump_maps_.resize(materials().size());
     finish_lights(description);
     find_darkness();
     if (has_media_) join_media(std::move(description.media));

@@ -44,7 +44,7 @@ public:
     const std::vector<std::uint32_t>& stated_in() const { return lights_->stated_in(); }
     const LightTree& light_tree() const { return lights_->tree(); }
     const SceneSphere& sphere() const { return lights_->sphere(); }
-    bool has_lights_to_meet() const { return lights_->has_lights_to_meet(); }
+    bool has_lights_to_hit() const { return lights_->has_lights_to_hit(); }
 
     const Warnings& warnings() const { return warnings_; }
     const std::string& path() const { return path_; }
@@ -60,7 +60,7 @@ public:
     bool is_free(const Ray& ray) const { return surfaces_.is_free(ray); }
 
     /// Returns the bump or normal map of a material.
-    const Relief& relief_of(std::uint32_t material) const { return reliefs_[material]; }
+    const BumpMap& bump_map_of(std::uint32_t material) const { return bump_maps_[material]; }
     /// Returns the first hit of a camera ray, traced in double where floats are too coarse.
     std::optional<Hit> first_hit(const CameraRay& ray) const {
         if (ray.needs_double()) return geometry().intersect_precise(ray.origin, ray.direction);
@@ -93,7 +93,7 @@ private:
     bool has_media_ = false;
     Media media_;
     MediumNumber outer_medium_ = 0;
-    std::vector<Relief> reliefs_;
+    std::vector<BumpMap> bump_maps_;
     std::shared_ptr<SceneLights> lights_;
     Surfaces surfaces_;
     bool is_dark_ = false;

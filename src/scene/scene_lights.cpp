@@ -33,7 +33,7 @@ void SceneLights::finish(const SceneSphere& sphere) {
         const bool infinite = is_infinite(all_[i]);
         if (infinite) infinite_.push_back(static_cast<std::uint32_t>(i));
         const auto* area = std::get_if<AreaLight>(&all_[i]);
-        if (infinite || (area != nullptr && !area->unseen)) has_lights_to_meet_ = true;
+        if (infinite || (area != nullptr && !area->unseen)) has_lights_to_hit_ = true;
         weights.push_back(weight_of(all_[i], sphere_));
     }
     has_power_ =

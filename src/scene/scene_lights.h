@@ -39,7 +39,7 @@ public:
     const LightTree& tree() const { return tree_; }
     const SceneSphere& sphere() const { return sphere_; }
     /// Returns whether there are lights that a ray can hit (area, infinite).
-    bool has_lights_to_meet() const { return has_lights_to_meet_; }
+    bool has_lights_to_hit() const { return has_lights_to_hit_; }
     /// Returns whether any light emits in the visible range.
     bool has_power() const { return has_power_; }
 
@@ -52,7 +52,7 @@ private:
     SceneSphere sphere_;
     LightChoice choice_;
     LightTree tree_;
-    bool has_lights_to_meet_ = false;
+    bool has_lights_to_hit_ = false;
     bool has_power_ = false;
 };
 

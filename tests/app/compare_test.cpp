@@ -61,14 +61,15 @@ TEST_F(Compare, bad_input_is_one_line_and_no_file) {
     const Words page{"--report", "x.html", "--json", "x.json"};
     expect_refused({}, "REF");
     expect_refused({"r.exr"}, "PICTURES");
-    expect_refused(Words{"r.exr", "small.exr"} + page, "8 x 8 pixels, and the reference 16 x 12");
+    expect_refused(Words{"r.exr", "small.exr"} + page, "8 x 8 pixels, but the reference 16 x 12");
     expect_refused(Words{"r.exr", "missing.exr"} + page, "missing.exr");
     expect_refused(Words{"missing.exr", "r.exr"} + page, "missing.exr");
     expect_refused(Words{"r.exr", "room.pbrt"} + page, "room.pbrt");
-    expect_refused(Words{"r.exr", "a=r.exr", "a=a.exr"} + page, "second picture called \"a\"");
+    expect_refused(Words{"r.exr", "a=r.exr", "a=a.exr"} + page,
+                   "second picture with the label \"a\"");
     expect_refused({"r.exr", "a.exr", "--report", "no/such/x.html"}, "no/such");
     expect_refused(Words{".", "a.exr"} + page, "is a folder");
-    expect_refused(Words{"r.exr", "series=."} + page, "has no a.json beside it");
+    expect_refused(Words{"r.exr", "series=."} + page, "there is no a.json beside it");
 }
 
 TEST_F(Compare, snapshots_are_after_1_2_4_passes_and_at_the_end) {

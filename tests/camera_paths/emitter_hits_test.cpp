@@ -22,7 +22,7 @@ TEST(EmitterHits, emitter_at_a_hit) {
         const Receiver at{origin, Vec3(0)};
         return emitter_at(point.pass(), hit.value(), &at, direction);
     };
-    const EmitterMet front = met(from + Vec3(0, 0, 0.5F), {0, 0, 1});
+    const EmitterHit front = met(from + Vec3(0, 0, 0.5F), {0, 0, 1});
     EXPECT_EQ(front.radiance, SampledSpectrum(2));
     // Two triangles of area 2 and equal power: distance^2 / (cos * 2) / 2.
     EXPECT_NEAR(front.pdf, 1.5 * 1.5 / 2 / 2, 1e-5);
@@ -40,7 +40,7 @@ TEST(EmitterHits, emitters_beyond) {
     const LightTree& tree = point.scene().light_tree();
     const double skies =
         tree.probability({}, 2) + tree.probability({}, 3) + tree.probability({}, 4);
-    const EmitterMet met = emitter_beyond(point.pass(), Vec3(kPoint), {0, 0, 1});
+    const EmitterHit met = environment_along(point.pass(), Vec3(kPoint), {0, 0, 1});
     EXPECT_FLOAT_EQ(met.radiance[0], 0.6F);
     EXPECT_NEAR(met.pdf, skies / (4 * kPiDouble), 1e-7);
 }

@@ -21,8 +21,8 @@ void expect_weights_sum_to_one(const LitPoint& point, const RisCandidate& candid
     const Receiver from = receiver_at(pass.scene, vertex);
     const Ray ray = ray_from(vertex.hit, candidate.direction);
     const auto hit = pass.scene.geometry().intersect(ray);
-    const EmitterMet met = hit ? emitter_at(pass, *hit, &from, candidate.direction)
-                               : emitter_beyond(pass, vertex.hit.position, candidate.direction);
+    const EmitterHit met = hit ? emitter_at(pass, *hit, &from, candidate.direction)
+                               : environment_along(pass, vertex.hit.position, candidate.direction);
     if (met.radiance.is_zero() || (hit && pass.scene.light_of(*hit) != candidate.light)) return;
     const auto density =
         static_cast<float>(pass.scene.light_tree().probability(from, candidate.light)) *

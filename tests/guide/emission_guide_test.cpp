@@ -203,7 +203,7 @@ TEST(EmissionGuide, equal_points_do_not_make_boxes_too_small) {
 TEST(GuidedPoints, weigh_what_they_should) {
     const EmissionGuide map = EmissionGuide::learned(around(0.05, {0, 1}), {0.25});
     const PassId pass{1, 2};
-    const PassId beside = pass.with_part(PassId::kParts / 2);
+    const PassId beside = pass.with_stratum(PassId::kStrata / 2);
     const GuidedPoints points(pass, map);
     RunningMean volume;
     for (std::uint32_t i = 0; i < 4096; ++i) {

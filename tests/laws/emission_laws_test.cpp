@@ -30,12 +30,13 @@ double emitted(const Light& light, const Emission& e) {
     if (const auto* area = std::get_if<AreaLight>(&light)) {
         const Vec3d normal(e.normal);
         const double radiance =
-            area->picture ? area->picture->at(area->surface, e.origin, normal).luminance : 1;
+            area->image ? area->image->at(area->surface, e.origin, normal).luminance : 1;
         return radiance * std::abs(normal.dot(e.direction));
     }
     // Within, past the portal of those that have one.
     const Vec3 within(e.origin + e.direction * (e.unlit + 0.01));
-    if (is_infinite(light)) return static_cast<double>(beyond(light, within, back).factor);
+    if (is_infinite(light))
+        return static_cast<double>(environment_radiance(light, within, back).factor);
     const Vec3d on = e.origin + e.direction;
     const auto direct = sample_direct(light, Vec3(on), Vec2(0.5F), kExampleSphere);
     return direct ? static_cast<double>(direct->factor) : 0;
@@ -71,7 +72,7 @@ double density(const Light& light, const Emission& e) {
 TEST_P(EmissionLaws, factor_times_density_is_what_is_emitted) {
     constexpr int kSamples = 4096;
     const auto* area = std::get_if<AreaLight>(&light_);
-    const bool pictured = area != nullptr && area->picture != nullptr;
+    const bool pictured = area != nullptr && area->image != nullptr;
     int apart = 0;
     for (int i = 0; i < kSamples; ++i) {
         const Emission e = sample_emission(light_, random_4d(), kExampleSphere);
@@ -87,7 +88,7 @@ TEST_P(EmissionLaws, factor_times_density_is_what_is_emitted) {
 TEST_P(EmissionLaws, density_integrates_to_one) {
     constexpr int kSamples = 1 << 14;
     const auto* area = std::get_if<AreaLight>(&light_);
-    const bool pictured = area != nullptr && area->picture != nullptr;
+    const bool pictured = area != nullptr && area->image != nullptr;
     double sum = 0;
     for (int i = 0; i < kSamples; ++i) {
         const Emission e = sample_emission(light_, random_4d(), kExampleSphere);

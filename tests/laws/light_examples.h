@@ -3,7 +3,7 @@
 #pragma once
 
 #include "light/light.h"
-#include "light/surface_picture.h"
+#include "light/surface_image.h"
 #include "math/warp.h"
 
 #include <functional>
@@ -151,14 +151,14 @@ inline Image example_image(int side) {
     return {{side, side}, 3, texels};
 }
 
-inline std::shared_ptr<const LightPicture> example_sky(int side) {
-    return std::make_shared<const LightPicture>(example_image(side));
+inline std::shared_ptr<const LightImage> example_sky(int side) {
+    return std::make_shared<const LightImage>(example_image(side));
 }
 
 /// A window in the ceiling, under a sky that has a sun and colours.
 inline Light example_portal() {
     const Image image = example_image(9);
-    const auto picture = std::make_shared<const PortalPicture>(64, [&image](const Vec3d& w) {
+    const auto picture = std::make_shared<const PortalImage>(64, [&image](const Vec3d& w) {
         const Vec2d place = sphere_to_square(w) * 9;
         return image.rgb(std::min(static_cast<int>(place.x), 8),
                          std::min(static_cast<int>(place.y), 8));
@@ -170,7 +170,7 @@ inline Light example_portal() {
 /// A part of a wall far away.
 inline Light example_portal_aside() {
     const auto picture =
-        std::make_shared<const PortalPicture>(48, [](const Vec3d&) { return Vec3(1); });
+        std::make_shared<const PortalImage>(48, [](const Vec3d&) { return Vec3(1); });
     const Affine wall(placed({-1.2, 0.6, 1.1}, Vec3d(1), -0.7, 0.2));
     return PortalLight{{}, picture, wall, {2.5, 1.1}};
 }
@@ -203,7 +203,7 @@ inline std::vector<LightExample> picture_examples() {
          }},
         {"projection",
          [=] {
-             const auto slide = projected_picture(example_image(7), half);
+             const auto slide = projected_image(example_image(7), half);
              return ProjectionLight{{}, above, half, slide, down};
          }},
     };
@@ -217,8 +217,8 @@ inline std::vector<LightExample> pictured_examples() {
             {"pictured_" + name, [plain] {
                  const CornerUvs uvs{Vec2(0.1F, 0), Vec2(1.2F, 0.3F), Vec2(0, 1), Vec2(0.9F, 1)};
                  auto light = std::get<AreaLight>(plain.make());
-                 light.picture = std::make_shared<const LaidPicture>(
-                     std::make_shared<const SurfacePicture>(example_image(5)), uvs, light.surface,
+                 light.image = std::make_shared<const PlacedImage>(
+                     std::make_shared<const SurfaceImage>(example_image(5)), uvs, light.surface,
                      1 << 22);
                  return light;
              }});

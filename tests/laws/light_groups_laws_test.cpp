@@ -85,7 +85,7 @@ TEST(LightStratumLaws, strata_share_no_random_numbers) {
         RunningMean both;
         for (std::uint32_t p = 0; p < 2000; ++p) {
             const auto flux = [&](std::uint32_t part) {
-                const PassId pass = PassId{1, p}.with_part(part);
+                const PassId pass = PassId{1, p}.with_stratum(part);
                 return run_pass(stratum.space, EmissionPoints(pass), pass, stratum.plan).flux;
             };
             const double a = flux(0);

@@ -42,7 +42,7 @@ TEST(LightExamples, cover_every_kind_and_surface) {
             surfaces.insert(area->surface.index());
     }
     EXPECT_EQ(kinds.size(), std::variant_size_v<Light>);
-    EXPECT_EQ(infinite, infinite_examples().size());  // BeyondLaws has them all
+    EXPECT_EQ(infinite, infinite_examples().size());  // EnvironmentLaws has them all
     EXPECT_EQ(surfaces.size(), std::variant_size_v<decltype(AreaLight::surface)>);
 }
 
@@ -58,7 +58,7 @@ TEST_P(LightLaws, emitted_factors_add_up_to_the_power) {
             sum += sample_emission(light(), u, kExampleSphere).factor;
         }
     const double expected = power(light(), kExampleSphere);
-    const bool pictured = area_light() != nullptr ? area_light()->picture != nullptr
+    const bool pictured = area_light() != nullptr ? area_light()->image != nullptr
                                                   : std::holds_alternative<PortalLight>(light());
     EXPECT_NEAR(sum / (kSide * kSide), expected, (pictured ? 2e-3 : 1e-4) * expected);
 }
@@ -96,8 +96,8 @@ TEST_P(LightLaws, only_lights_of_some_width_give_a_pdf) {
         ASSERT_EQ(s->pdf.has_value(), area_light() != nullptr || is_infinite(light()));
         if (area_light() == nullptr) continue;
         ASSERT_NEAR(s->normal.length(), 1, 1e-5F);
-        ASSERT_EQ(s->tint.has_value(), area_light()->picture != nullptr);
-        if (area_light()->picture) continue;
+        ASSERT_EQ(s->rgb.has_value(), area_light()->image != nullptr);
+        if (area_light()->image) continue;
         ASSERT_NEAR(s->factor * *s->pdf, 1, 1e-5F);
     }
 }
@@ -173,7 +173,7 @@ std::vector<double> shining_solid_angles(const AreaLight& light, const Vec3d& po
 /// over a quarter of the light. (With a picture there are no samples of what is black in it, and
 /// the others are those without.)
 TEST_P(LightLaws, inverse_pdf_measures_the_solid_angle) {
-    if (area_light() == nullptr || area_light()->picture) return;
+    if (area_light() == nullptr || area_light()->image) return;
     constexpr int kSamples = 1 << 18;
     const auto truth = shining_solid_angles(*area_light(), Vec3d(GetParam().point));
     std::vector<Vec3d> sums(truth.size(), Vec3d(0));  // count, sum and sum of squares of 1/pdf

@@ -131,7 +131,7 @@ TEST_F(JobFaults, a_rank_with_another_scene_or_none_is_named) {
     write_text(path("other/room.pbrt"), room_text("0.7"));
     const Ran another = run_both();
     EXPECT_EQ(another.code, 2) << another.err;
-    EXPECT_EQ(count(another.err, "rank 1: render: the scene is not that of rank 0"), 1)
+    EXPECT_EQ(count(another.err, "rank 1: render: the scene differs from that of rank 0"), 1)
         << another.err;
     EXPECT_EQ(names(), "other");
     write_text(path("other/room.pbrt"), room_text("0.6"));

@@ -164,7 +164,7 @@ SceneDescription window() {
     scene.shapes = {plate(0, -3, 3), plate(1.5F, -3, 0), veil};
     PortalLight light;
     light.curve = Spectrum::constant(1);
-    light.picture = std::make_shared<const PortalPicture>(16, [](const Vec3d&) { return Vec3(1); });
+    light.image = std::make_shared<const PortalImage>(16, [](const Vec3d&) { return Vec3(1); });
     light.frame.origin = {-0.5, -0.5, 1};
     light.extent = {1, 1};
     scene.lights = {light};

@@ -50,7 +50,7 @@ TEST(EmissionPoints, every_dimension_has_numbers_of_its_own) {
     for (const std::uint32_t number : {0U, 1U}) {
         auto even = EmissionPoints(pass).path(number);
         for (std::uint32_t i = 0; i < kDimensions; ++i) seen.insert(even(i) >> 32U);
-        auto independent = IndependentPoints(pass.with_part(1)).path(number);
+        auto independent = IndependentPoints(pass.with_stratum(1)).path(number);
         for (std::uint32_t i = 0; i < kDimensions; ++i) seen.insert(independent(i) >> 32U);
     }
     EXPECT_EQ(seen.size(), 4 * kDimensions);

@@ -148,7 +148,7 @@ TEST(DirectLight, darkness_costs_nothing) {
     Statistics statistics;
     EXPECT_TRUE(point.by_light({0.5, {0.5, 0.5}, 0.5}, statistics).is_zero());
     EXPECT_EQ(statistics[Count::camera_rays], 0U);
-    EXPECT_TRUE(emitter_beyond(point.pass(), Vec3(kPoint), {0, 0, 1}).radiance.is_zero());
+    EXPECT_TRUE(environment_along(point.pass(), Vec3(kPoint), {0, 0, 1}).radiance.is_zero());
     EXPECT_TRUE(point.by_bsdf({0.5F, 0.3F, 0.3F}, statistics).is_zero());
     EXPECT_EQ(statistics[Count::camera_rays], 1U);
 }

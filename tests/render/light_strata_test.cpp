@@ -22,7 +22,7 @@ std::vector<LightStratum> learned(const Scene& scene, std::uint64_t seed, std::u
 
 bool are_equal(const std::vector<LightStratum>& a, const std::vector<LightStratum>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-        return x.plan == y.plan && x.power_share == y.power_share && x.part == y.part &&
+        return x.plan == y.plan && x.power_share == y.power_share && x.number == y.number &&
                x.lights.total() == y.lights.total();
     });
 }
@@ -37,8 +37,8 @@ TEST(LightStrata, part_a_lamp_that_is_hardly_seen) {
     const Scene scene = two_lamps(16);
     const std::vector<LightStratum> strata = learned(scene, 1);
     ASSERT_EQ(strata.size(), 2U);
-    EXPECT_EQ(strata[0].part, 0U);
-    EXPECT_EQ(strata[1].part, 1U);
+    EXPECT_EQ(strata[0].number, 0U);
+    EXPECT_EQ(strata[1].number, 1U);
     // Radiances 20 and 400, areas 1 and 100: shares 1/2001 and 2000/2001.
     EXPECT_NEAR(strata[0].power_share, 1.0 / 2001, 1e-6);
     EXPECT_NEAR(strata[1].power_share, 2000.0 / 2001, 1e-6);

@@ -171,7 +171,7 @@ TEST(MediaCheck, lights_and_camera_agree_where_no_surface_names_a_medium) {
     expect_warning(text, place_of(text, "LightSource"), "this light");
     const std::string other = fog + "MakeNamedMedium \"milk\" \"string type\" \"homogeneous\"\n" +
                               around("milk") + lamp_at("1 1 1");
-    EXPECT_NE(lines_of(scene_of(other)).find("other media than the one in which it stands"),
+    EXPECT_NE(lines_of(scene_of(other)).find("other media than the one around it"),
               std::string::npos);
 }
 

@@ -21,52 +21,53 @@ double geometric_cosine(const Hit& hit, const Vec3& way) {
 class FoundPath {
 public:
     FoundPath(const PassScene& scene, const Projection& projection, const Subpath& camera,
-              const MetLight& met)
-        : eye_(camera.vertices.begin(), camera.vertices.begin() + long(met.vertices)) {
-        end_ = end_densities(scene.scene, met.light, met.ray, eye_.back().hit);
-        light_ = eye_;
+              const LightHit& met)
+        : camera_(camera.vertices.begin(), camera.vertices.begin() + long(met.vertices)) {
+        end_ = end_densities(scene.scene, met.light, met.ray, camera_.back().hit);
+        light_ = camera_;
         for (std::size_t i = 0; i < light_.size(); ++i) {
             const std::size_t at = light_.size() - 1 - i;  // from the light
             SubpathVertex& vertex = light_[at];
             // The other way round, of the same numbers.
-            vertex.leaving = {eye_[at].leaving.back, eye_[at].leaving.forward,
-                              eye_[at].leaving.is_delta};
-            vertex.weighing =
+            vertex.leaving = {camera_[at].leaving.back, camera_[at].leaving.forward,
+                              camera_[at].leaving.is_delta};
+            vertex.weights =
                 i == 0 ? first_of_light(end_)
-                       : next_weights(light_[at + 1].weighing, light_[at + 1].leaving,
+                       : next_weights(light_[at + 1].weights, light_[at + 1].leaving,
                                       geometric_cosine(light_[at + 1].hit, way(at)),
                                       geometric_cosine(vertex.hit, way(at)), distance2(at));
         }
-        const Vec3d first(eye_[0].hit.position);
+        const Vec3d first(camera_[0].hit.position);
         const auto sight = projection.sight_of(first, Vec2d(0.5));
-        seen_ =
-            sight->area * geometric_cosine(eye_[0].hit, Vec3((sight->origin - first).normalized()));
+        seen_ = sight->area *
+                geometric_cosine(camera_[0].hit, Vec3((sight->origin - first).normalized()));
     }
 
-    std::size_t vertices() const { return eye_.size(); }
+    std::size_t vertices() const { return camera_.size(); }
     bool has_mirror() const {
-        return std::any_of(eye_.begin(), eye_.end(),
+        return std::any_of(camera_.begin(), camera_.end(),
                            [](const auto& v) { return v.leaving.is_delta; });
     }
 
     /// Of the strategies with 0 .. vertices() + 1 vertices from the light, its end counted: as the
     /// renderer has them.
     std::vector<double> weights() const {
-        const EndWeights at_end = end_weights(end_, eye_.back().weighing, eye_.back().leaving);
-        std::vector<double> all{at_end.met, at_end.sampled};
+        const EndWeights at_end = end_weights(end_, camera_.back().weights, camera_.back().leaving);
+        std::vector<double> all{at_end.hit, at_end.sampled};
         for (std::size_t light = 1; light < vertices(); ++light) {
             const std::size_t at = vertices() - light;  // of the last one from the light
-            const bool joins = !eye_[at - 1].leaving.is_delta && !eye_[at].leaving.is_delta;
+            const bool joins = !camera_[at - 1].leaving.is_delta && !camera_[at].leaving.is_delta;
             all.push_back(
-                !joins ? 0
-                       : connection_weight(
-                             {eye_[at - 1].weighing, eye_[at - 1].leaving, made_by_light(at - 1)},
-                             {light_[at].weighing, light_[at].leaving, made_by_eye(at)}));
+                !joins
+                    ? 0
+                    : connection_weight(
+                          {camera_[at - 1].weights, camera_[at - 1].leaving, made_by_light(at - 1)},
+                          {light_[at].weights, light_[at].leaving, made_by_camera(at)}));
         }
         all.push_back(
-            eye_[0].leaving.is_delta
+            camera_[0].leaving.is_delta
                 ? 0
-                : light_image_weight(light_[0].weighing, light_[0].leaving, seen_, kLightPaths));
+                : light_image_weight(light_[0].weights, light_[0].leaving, seen_, kLightPaths));
         return all;
     }
 
@@ -77,13 +78,13 @@ public:
         for (std::size_t light = 0; light <= vertices() + 1; ++light) {
             double density = light == vertices() + 1 ? kLightPaths : 1;
             const std::size_t by_camera = vertices() + 1 - std::max<std::size_t>(light, 1);
-            for (std::size_t i = 0; i < by_camera; ++i) density *= made_by_eye(i);
-            if (light == 0) density *= end_.hit * eye_.back().leaving.forward;
+            for (std::size_t i = 0; i < by_camera; ++i) density *= made_by_camera(i);
+            if (light == 0) density *= end_.hit * camera_.back().leaving.forward;
             if (light == 1) density *= end_.direct;
             for (std::size_t i = by_camera; i < vertices(); ++i) density *= made_by_light(i);
             // Across this edge it is joined.
             const auto is_mirror = [&](std::size_t i) {
-                return i < vertices() && eye_[i].leaving.is_delta;
+                return i < vertices() && camera_[i].leaving.is_delta;
             };
             if (light > 0 && (is_mirror(by_camera - 1) || is_mirror(by_camera))) density = 0;
             all.push_back(density);
@@ -96,22 +97,23 @@ public:
 private:
     /// From vertex `at` to the one nearer to the light.
     Vec3 way(std::size_t at) const {
-        return (eye_[at + 1].hit.position - eye_[at].hit.position).normalized();
+        return (camera_[at + 1].hit.position - camera_[at].hit.position).normalized();
     }
     double distance2(std::size_t at) const {
-        return (Vec3d(eye_[at + 1].hit.position) - Vec3d(eye_[at].hit.position)).length2();
+        return (Vec3d(camera_[at + 1].hit.position) - Vec3d(camera_[at].hit.position)).length2();
     }
-    double made_by_eye(std::size_t at) const {
+    double made_by_camera(std::size_t at) const {
         if (at == 0) return seen_;
-        return eye_[at - 1].leaving.forward * geometric_cosine(eye_[at].hit, way(at - 1)) /
+        return camera_[at - 1].leaving.forward * geometric_cosine(camera_[at].hit, way(at - 1)) /
                distance2(at - 1);
     }
     double made_by_light(std::size_t at) const {
         if (at + 1 == vertices()) return end_.emitted;
-        return eye_[at + 1].leaving.back * geometric_cosine(eye_[at].hit, way(at)) / distance2(at);
+        return camera_[at + 1].leaving.back * geometric_cosine(camera_[at].hit, way(at)) /
+               distance2(at);
     }
 
-    std::vector<SubpathVertex> eye_;
+    std::vector<SubpathVertex> camera_;
     std::vector<SubpathVertex> light_;
     EndDensities end_;
     double seen_ = 0;
@@ -134,8 +136,8 @@ TEST(PathWeights, of_all_strategies_sum_to_one) {
     RandomStream random(5, Purpose::test, 0, 0);
     for (std::uint32_t i = 0; i < 60'000; ++i) {
         PathNumbers numbers(RandomStream(5, Purpose::test, 1, i));
-        tracer.trace_eye({random.next() * 16, random.next() * 16}, 0, numbers, camera);
-        for (const MetLight& met : camera.lights) {
+        tracer.trace_camera({random.next() * 16, random.next() * 16}, 0, numbers, camera);
+        for (const LightHit& met : camera.lights) {
             if (met.vertices == 0) continue;
             const FoundPath path(at_wavelengths, projection, camera, met);
             const auto weights = path.weights();

@@ -73,7 +73,7 @@ TEST(PhotonBudget, spares_photons_of_one_set_while_it_keeps_its_seeds) {
 TEST(PhotonBudget, takes_a_part_of_all_that_a_plan_has) {
     LightStratum stratum{};
     stratum.plan = {1000, {{3, 400, 40, {}}, {kVisible, 800, 2, {}}}};
-    const std::vector<LightStratum> parts = part_of({stratum, stratum}, 4);
+    const std::vector<LightStratum> parts = fraction_of({stratum, stratum}, 4);
     ASSERT_EQ(parts.size(), 2U);
     const SplittingPlan expected{250, {{3, 100, 10, {}}, {kVisible, 200, 1, {}}}};
     EXPECT_EQ(parts.front().plan, expected);

@@ -10,8 +10,8 @@ namespace sunfleck::engine {
 namespace {
 
 /// Rows from the top: red above blue at the left, green above white at the right.
-std::shared_ptr<const SurfacePicture> four_texels() {
-    return std::make_shared<const SurfacePicture>(
+std::shared_ptr<const SurfaceImage> four_texels() {
+    return std::make_shared<const SurfaceImage>(
         Image({2, 2}, 3, std::vector<float>{8, 0, 0, 0, 4, 0, 0, 0, 2, 1, 1, 1}));
 }
 
@@ -101,7 +101,7 @@ TEST(PicturedLights, direct_samples_bring_what_rays_meet) {
             if (!hit || std::abs(hit->distance - s->distance) > 1e-4F) continue;  // behind itself
             const SampledSpectrum met = pass.emitted(index, light, *hit);
             const SampledSpectrum promised =
-                pass.tinted(pass.emission[index] * (s->factor * *s->pdf), s->tint);
+                pass.coloured(pass.emission[index] * (s->factor * *s->pdf), s->rgb);
             if (std::abs(hit->uv.x - 0.5F) > 0.49F) continue;  // at the seam
             ASSERT_NEAR(met.sum(), promised.sum(), 0.01F * promised.sum()) << i << ' ' << hit->uv;
             ++tested;
@@ -131,7 +131,7 @@ TEST(PicturedLights, send_photons_from_where_they_are_bright) {
     texels[7 * 16 + 5] = 100;
     texels[2 * 16 + 12] = 300;
     AreaEmission emission{Spectrum::d65(), false, 0,
-                          std::make_shared<const SurfacePicture>(Image({16, 16}, 1, texels))};
+                          std::make_shared<const SurfaceImage>(Image({16, 16}, 1, texels))};
     const Scene scene = scene_of({{panel(), {}, false}, 0, emission, {}});
     double sum = 0;
     double squares = 0;

@@ -43,7 +43,7 @@ TEST(Scene, each_triangle_of_an_emitter_is_a_light) {
     // By power: radiance 2 and 6, equal areas, two triangles each.
     EXPECT_NEAR(scene.light_choice().probability(0), 0.125, 1e-9);
     EXPECT_NEAR(scene.light_choice().probability(3), 0.375, 1e-9);
-    EXPECT_TRUE(scene.has_lights_to_meet());
+    EXPECT_TRUE(scene.has_lights_to_hit());
 }
 
 /// pbrt-v4 gives each triangle the whole power: a quad of two emits twice as much as asked. Seen
@@ -77,10 +77,10 @@ TEST(Scene, lights_that_no_ray_meets) {
     SceneDescription description = with_materials();
     description.shapes = {square(0, 0)};
     description.lights = {PointLight{Spectrum::constant(1), {0, 0, 1}}};
-    EXPECT_FALSE(Scene(description).has_lights_to_meet());
+    EXPECT_FALSE(Scene(description).has_lights_to_hit());
     description.lights.emplace_back(InfiniteLight{Spectrum::constant(1)});
     const Scene scene(description);
-    EXPECT_TRUE(scene.has_lights_to_meet());
+    EXPECT_TRUE(scene.has_lights_to_hit());
     EXPECT_EQ(scene.infinite_lights(), std::vector<std::uint32_t>{1});
 }
 

@@ -40,7 +40,7 @@ void add_others(const Results& results, const std::string& scene, Table& table) 
     }
 }
 
-/// Median, lowest and highest of one snapshot a seed.
+/// Returns median, lowest and highest over one snapshot per seed.
 ChartPoint error_point(const Results& results, const std::string& scene,
                        const std::vector<const CellFacts*>& seeds) {
     std::vector<double> errors;
@@ -54,7 +54,7 @@ ChartPoint error_point(const Results& results, const std::string& scene,
     return {seconds[seconds.size() / 2], errors[errors.size() / 2], errors.front(), errors.back()};
 }
 
-/// @param seeds  snapshots after 1, 2, 4 ... passes and at the end, of each seed.
+/// @param seeds  snapshots of each seed after 1, 2, 4 ... passes and at the end.
 std::vector<ChartPoint> error_points(const Results& results, const std::string& scene,
                                      const std::vector<std::vector<CellFacts>>& seeds) {
     std::size_t shared = seeds[0].size();

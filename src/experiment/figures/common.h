@@ -1,4 +1,4 @@
-// What several figures show alike: tables of errors, errors over time, rows of pictures.
+// Elements that several figures share: tables of errors, errors over time, rows of pictures.
 #pragma once
 
 #include "experiment/figure.h"
@@ -8,7 +8,7 @@
 
 namespace sunfleck::engine {
 
-/// An error, and what tables call it.
+/// An error measure, and its name in tables.
 struct Measure {
     ErrorKind kind;
     const char* name;
@@ -19,30 +19,31 @@ inline constexpr std::array<Measure, 3> kMeasures = {{
     {&PictureError::trimmed_mse, "trimmed MSE"},
 }};
 
-/// All methods in all scenes, one cell a seed.
+/// Returns all methods in all scenes, one cell per seed.
 std::vector<Cell> seed_cells(const RunSettings& settings, const std::vector<std::string>& scenes,
                              const std::vector<Method>& methods);
 
-/// A row for each method and scene: work done, errors over seeds, and errors x processor seconds
-/// over those of methods[0]; then other renderers' pictures, and the reference with its own error.
+/// Returns a row per method and scene: work, errors over seeds, and error x processor time over
+/// that of methods[0]; then pictures of other renderers, and the reference with its own error.
 Table error_table(const Results& results, const std::string& name,
                   const std::vector<std::string>& scenes, const std::vector<Method>& methods);
 
-/// relMSE against processor seconds: the median of the seeds, its band from lowest to highest.
+/// Returns relMSE against processor time: the median of the seeds, with a band from lowest to
+/// highest.
 Chart error_chart(const Results& results, const std::string& name, const std::string& scene,
                   const std::vector<Method>& methods);
 
-/// The first seed's pictures of one scene, and the reference last.
+/// Returns the pictures of the first seed for a scene, and the reference last.
 /// @param name  of the figure.
 PictureRow picture_row(const Results& results, const std::string& name, const std::string& scene,
                        const std::vector<Method>& methods);
 
-/// Error x processor seconds of one method over that of another, over seeds.
+/// Returns the ratio of error x processor time of two methods, over seeds.
 Interval cost_ratio(const Results& results, const std::string& scene, const Method& a,
                     const Method& b, ErrorKind kind);
 
-/// "A over B in SCENE: relMSE x processor time 3.1 [2.8, 3.4], MSE x ..., without the worst 1%
-/// ...".
+/// Returns "A over B in SCENE: relMSE x processor time 3.1 [2.8, 3.4], MSE x ..., without the worst
+/// 1% ...".
 std::string ratio_sentence(const Results& results, const std::string& scene, const Method& a,
                            const Method& b);
 

@@ -1,4 +1,4 @@
-// Figure 9: scenes where nothing is to be gained.
+// Figure 9: scenes in which most paths are visible, so that adaptive sampling cannot gain.
 #include "experiment/figures/common.h"
 
 #include <fmt/format.h>
@@ -12,9 +12,9 @@ std::vector<Method> unharmed_methods() {
     return {sampler_method("random"), sampler_method("paper"), sampler_method("adaptive")};
 }
 
-/// The chain takes over a visible uniform path, and else its mutation if that is visible. Where
-/// mutations are as good as new paths, it goes on with probability p = v (2 - v), its states are
-/// worth p / (2 - p) independent ones, and it traces 2 - v paths an iteration.
+/// The chain takes over a visible uniform path, else its mutation if that is visible. If mutations
+/// are as good as new paths, it continues with probability p = v (2 - v), its states are worth p /
+/// (2 - p) independent ones, and it traces 2 - v paths per iteration.
 std::string least_cost(const Results& results, const std::string& scene) {
     const double v = results.facts({scene, sampler_method("paper")}).visible_fraction;
     return fmt::format(

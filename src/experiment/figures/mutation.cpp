@@ -13,7 +13,7 @@ namespace {
 
 const std::vector<std::string> kFig7Scenes = {"watch", "room", "cognac-2"};
 constexpr std::array<double, 7> kSizes = {0.01, 0.03, 0.1, 0.3, 1, 2, 4};
-constexpr double kHigherTarget = 0.4;  // beside the paper's own, .234: it calls this as good
+constexpr double kHigherTarget = 0.4;  // the paper calls it as good as its .234
 constexpr std::array<double, 4> kTargets = {0.05, 0.234, kHigherTarget, 0.9};
 
 Method fixed_size(double theta) {
@@ -34,12 +34,12 @@ std::vector<Method> sizes() {
     return methods;
 }
 
-/// Those that find their sizes themselves.
+/// Returns the methods that adapt their sizes.
 std::vector<Method> adapted() {
     return {sampler_method("paper"), target(kHigherTarget), sampler_method("adaptive")};
 }
 
-/// The fixed size of least error times time, known after the fact.
+/// Returns the fixed size of least error x time, known after the fact.
 double best_size(const Results& results, const std::string& scene, ErrorKind kind) {
     const auto cost = [&](double theta) {
         return mean_of(results.costs(scene, fixed_size(theta), kind));
@@ -59,7 +59,7 @@ std::vector<std::string> best_row(const Results& results, const std::string& sce
     return row;
 }
 
-/// The samplers over the best fixed size, which is known after the fact alone.
+/// Returns the samplers relative to the best fixed size, which is known after the fact alone.
 Table best_table(const Results& results) {
     Table table{"fig7-best",
                 fmt::format("Error x processor time over the best of {} fixed sizes, chosen by the "

@@ -1,4 +1,4 @@
-// Figures 1, 10, 12 and 13: pictures after equal time, and their errors.
+// Figures 1, 10, 12 and 13: pictures at equal time, and their errors.
 #include "experiment/figures/common.h"
 
 namespace sunfleck::engine {

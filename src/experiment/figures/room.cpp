@@ -14,7 +14,7 @@ std::vector<Cell> room_cells(const RunSettings& settings) {
     return seed_cells(settings, {"room"}, sampler_methods());
 }
 
-/// The snapshot nearest to a share of the whole time, by the ratio of times.
+/// Returns the snapshot nearest to a fraction of the total time, by ratio.
 const CellFacts& nearest(const std::vector<CellFacts>& all, double share) {
     const double wanted = share * all.back().cpu_seconds;
     const auto off = [&](const CellFacts& f) { return std::abs(std::log(f.cpu_seconds / wanted)); };
@@ -38,7 +38,7 @@ Section fig5_section(const Results& results) {
     return section;
 }
 
-/// The line at x, straight between points on logarithmic axes; nothing beyond its ends.
+/// Interpolates the line at x on logarithmic axes; nothing beyond its ends.
 std::optional<double> value_at(const ChartLine& line, double x) {
     for (std::size_t i = 1; i < line.points.size(); ++i) {
         const ChartPoint& a = line.points[i - 1];
@@ -50,7 +50,7 @@ std::optional<double> value_at(const ChartLine& line, double x) {
     return {};
 }
 
-/// When `a` comes to lie below or above `b`: "never", or between which of its points.
+/// Returns when `a` crosses `b`: "never", or between which of its points.
 std::string crossings(const ChartLine& a, const ChartLine& b) {
     std::string found;
     std::optional<bool> below;

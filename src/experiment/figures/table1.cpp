@@ -113,7 +113,8 @@ std::size_t triangles(const Results& results, const std::string& scene) {
     return read.geometry().triangle_count();
 }
 
-/// Of the sampler `paper`: what it splats is visible, so this is one over the visible fraction.
+/// Returns one over the visible fraction, the ratio of the sampler `paper`: all paths that it
+/// splats are visible.
 double splatted_ratio(const CellFacts& paper) {
     return 1 / paper.visible_fraction;
 }
@@ -141,7 +142,7 @@ std::vector<std::string> row_of(const Results& results, const PaperRow& row) {
             number_text(adaptive.acceptance)};
 }
 
-/// How far our scene's ratio is from the paper's, the larger over the smaller.
+/// Returns the ratio of two values, the larger over the smaller.
 double times_apart(double a, double b) {
     return std::max(a, b) / std::min(a, b);
 }

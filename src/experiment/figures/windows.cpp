@@ -9,8 +9,8 @@ namespace {
 
 const std::string kScene = "two-windows";
 
-// One size for both, so that only the exchange differs. So small that a chain hardly steps from the
-// light of one window into that of the other: with 0.1 it did so all the time, and exchange made no
+// One size for both, so that only the exchange differs. It is so small that a chain hardly ever
+// moves between the light of both windows: with 0.1 it did so all the time, and exchange made no
 // difference.
 const std::vector<std::string> kSize = {"--mutation-size", "0.003"};
 
@@ -28,11 +28,11 @@ std::vector<Method> methods() {
     return {with_exchange(), without_exchange()};
 }
 
-/// What lies left of this share of the width is lit by the one window, mostly: the patches of sun
-/// of the two lie on both sides.
+/// Fraction of the width left of which one window provides most light: the patches of sun of both
+/// windows are on different sides.
 constexpr double kBetween = 0.66;
 
-/// The share of the picture's light that lies there.
+/// Returns the fraction of the picture's light that is left of it.
 double left_share(const std::vector<double>& luminance) {
     const auto side = static_cast<std::size_t>(
         std::lround(std::sqrt(static_cast<double>(luminance.size()))));  // pictures are square

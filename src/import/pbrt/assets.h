@@ -1,5 +1,5 @@
-// What the parameters of a scene refer to: its files, spectra, images and textures. Whoever makes
-// a material of a statement needs these and the log, and no other state of the import.
+// Assets: the files, spectra, images and textures that parameters refer to. Functions that make a
+// material of a statement need these and the log, but no other state of the import.
 #pragma once
 
 #include "import/pbrt/images.h"
@@ -18,7 +18,7 @@ struct Assets {
     Assets(const std::string& main_file, FileAccess access, ImportLog& its_log)
         : log(its_log), files(main_file, std::move(access), log) {}
     ~Assets() = default;
-    Assets(const Assets&) = delete;  // its parts refer to each other
+    Assets(const Assets&) = delete;  // its members refer to each other
     Assets& operator=(const Assets&) = delete;
     Assets(Assets&&) = delete;
     Assets& operator=(Assets&&) = delete;

@@ -1,4 +1,4 @@
-// Blocks: attributes, objects and their instances, the world.
+// Block directives: attributes, objects and their instances, the world.
 #include "import/pbrt/directives.h"
 #include "import/pbrt/parameter_parser.h"
 #include "import/pbrt/reading.h"
@@ -17,7 +17,7 @@ void open(Reading& reading, const Token& keyword) {
     reading.blocks.push_back({std::string(keyword.text), keyword.where(), reading.state});
 }
 
-/// Closes the innermost block, which must be an object or must not.
+/// Closes the innermost block; `object` tells whether it must be an object.
 void close(Reading& reading, const Token& keyword, bool object) {
     const std::string word(keyword.text);
     if (reading.blocks.size() <= reading.block_base)
@@ -27,7 +27,7 @@ void close(Reading& reading, const Token& keyword, bool object) {
         throw Error(
             keyword.where(),
             word + " closes the " + block.begin + " of line " + std::to_string(block.where.line),
-            "close that block by its own word first");
+            "close that block first");
     reading.state = block.saved;
     reading.blocks.pop_back();
 }
@@ -70,7 +70,7 @@ void object_instance(Reading& reading, TokenStream& tokens, const Token& keyword
     const std::string name = tokens.require_string("the name of an object");
     if (reading.open_object)
         throw Error(keyword.where(), "ObjectInstance of " + in_quotes(name) + " within an object",
-                    "objects hold shapes alone: write the shapes again");
+                    "objects can only contain shapes: repeat the shapes");
     reading.instances.push_back({name, reading.still_matrix(keyword.where()), keyword.where()});
 }
 

@@ -1,4 +1,4 @@
-// Camera "perspective": field of view, screen, lens.
+// Cameras: field of view, screen, lens, mapping.
 #include "import/pbrt/camera.h"
 
 #include "import/pbrt/reading.h"
@@ -19,7 +19,7 @@ std::optional<std::array<double, 4>> screen_of(const Statement& camera) {
     if (!window) return std::nullopt;
     const auto& w = *window;
     want(w[0] < w[1] && w[2] < w[3], camera, "an empty \"screenwindow\"",
-         "give x0 x1 y0 y1 that rise");
+         "give x0 x1 y0 y1 with x0 < x1 and y0 < y1");
     return std::array<double, 4>{w[0], w[1], w[2], w[3]};
 }
 
@@ -34,7 +34,7 @@ void read_lens(const Statement& camera, ScreenCamera& result) {
     result.focal_distance = camera.real("focaldistance", 1e6);
     want(result.lens_radius >= 0, camera, "\"lensradius\" is negative", "use 0 or more");
     want(result.focal_distance > 0, camera, "\"focaldistance\" is not positive",
-         "use the distance of what is sharp");
+         "use the distance of the plane in focus");
 }
 
 Camera perspective(const Statement& camera, const Matrix& to_world, const Vec2i& size) {

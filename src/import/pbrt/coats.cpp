@@ -1,4 +1,4 @@
-// Coats by their parameters.
+// Coats from their parameters.
 #include "import/pbrt/coats.h"
 
 #include "import/pbrt/even_textures.h"
@@ -7,7 +7,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The index of a coat: one for all wavelengths, the mean as the eye weighs them.
+/// Returns the index of a coat, constant over wavelengths: the mean with luminance weights.
 float coat_index(const Statement& statement, const CoatWords& words, Assets& assets) {
     const std::string name = words.prefix + "eta";
     const Parameter* found = statement.find(name);
@@ -17,7 +17,8 @@ float coat_index(const Statement& statement, const CoatWords& words, Assets& ass
         eta = static_cast<float>(statement.real(name, 1.5));
     } else {
         eta = assets.spectra.curve(*found, SpectrumUse::index).luminance();  // its mean
-        assets.log.warn(found->where, "a coat bends all wavelengths alike, by their mean index");
+        assets.log.warn(found->where,
+                        "the index of a coat cannot vary with the wavelength: its mean is used");
     }
     if (eta > 0) return eta;
     throw Error(found->where, "an index of refraction that is not positive",
@@ -47,7 +48,7 @@ std::shared_ptr<const Coat> coat_of(const Statement& statement, const CoatWords&
         assets.textures.find_spectrum(statement, "albedo", SpectrumUse::reflectance);
     if (albedo && !(albedo->is_constant() && albedo->curve().luminance() <= 0))
         assets.log.warn(statement.find("albedo")->where,
-                        "a coat scatters no light within it: its \"albedo\" is ignored");
+                        "scattering within a coat is not simulated: its \"albedo\" is ignored");
     statement.ignore({"g", "maxdepth", "nsamples"});
     return std::make_shared<Coat>(coat_index(statement, words, assets), facets,
                                   length(prefix + "thickness", words.thickness));

@@ -1,4 +1,4 @@
-// Clear coats over other materials.
+// Clear coats of materials.
 #pragma once
 
 #include "bsdf/coat.h"
@@ -10,14 +10,14 @@
 
 namespace sunfleck::engine {
 
-/// How a material names its coat, and what it is when nothing is said.
+/// Prefix and defaults of the coat parameters of a material.
 struct CoatWords {
-    std::string prefix{};  // of the names of the parameters: "" or "interface."
+    std::string prefix{};  // of parameter names: "" or "interface."
     float eta = 1.5F;
     double thickness = 0.01;
 };
 
-/// @throws Error for parameters that cannot be used.
+/// @throws Error  for parameters that cannot be used.
 std::shared_ptr<const Coat> coat_of(const Statement& statement, const CoatWords& words,
                                     Assets& assets);
 

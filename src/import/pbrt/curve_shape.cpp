@@ -1,4 +1,4 @@
-// Curves: their basis, degree, widths and normals.
+// Curves: basis, degree, widths and normals.
 #include "import/pbrt/curve_shape.h"
 
 #include "import/pbrt/meshes.h"
@@ -27,7 +27,7 @@ std::size_t one_of(const Statement& statement, std::string_view name,
     return static_cast<std::size_t>(found - words.begin());
 }
 
-/// The Bezier form of one segment of a uniform B-spline.
+/// Returns the Bezier form of one segment of a uniform B-spline.
 Bezier from_bspline(const Vec3d* p, int degree) {
     if (degree == 2) {
         const Vec3d first = (p[0] + p[1]) * 0.5;
@@ -54,8 +54,8 @@ std::vector<Bezier> segments_of(const Statement& statement, const std::vector<Ve
     const auto needed = static_cast<std::size_t>(degree) + 1;
     if (points.size() < needed || (points.size() - needed) % step != 0)
         fail(statement, "P",
-             std::to_string(points.size()) + " control points make no whole segments of degree " +
-                 std::to_string(degree),
+             std::to_string(points.size()) +
+                 " control points do not form whole segments of degree " + std::to_string(degree),
              bspline ? "give " + std::to_string(needed) + " or more"
                      : "give one more than a multiple of the degree");
     std::vector<Bezier> result;
@@ -65,10 +65,11 @@ std::vector<Bezier> segments_of(const Statement& statement, const std::vector<Ve
     return result;
 }
 
-/// Makes points relative to an origin near them. Hair is many short curves that are joined into one
-/// shape where they have the same origin: that of the curve before is kept while it serves.
+/// Makes points relative to a nearby origin. Hair consists of many short curves, which become one
+/// shape if they have the same origin; so the origin of the previous curve is kept if it is near
+/// enough.
 void move_near_origin(std::vector<Vec3d>& points, Vec3d& origin) {
-    constexpr double kServes = 0x1p14;  // radii: floats then err by 2^-10 of a radius
+    constexpr double kServes = 0x1p14;  // in radii: floats then have an error of 2^-10 of a radius
     Bounds box;
     for (const Vec3d& p : points) box.extend(p);
     const Middle middle = middle_of({box});
@@ -77,13 +78,12 @@ void move_near_origin(std::vector<Vec3d>& points, Vec3d& origin) {
     for (Vec3d& p : points) p -= origin;
 }
 
-/// One at each end of each segment, of ribbons; none otherwise.
+/// Returns normals at both ends of each segment, for ribbons; else none.
 std::vector<Vec3> normals_of(const Statement& statement, bool ribbon, std::size_t segments,
                              Reading& reading) {
     const Parameter* given = statement.find("N", ParameterType::normal);
     if (!ribbon) {
-        if (given)
-            reading.log.warn(given->where, "normals of a curve that is no ribbon are ignored");
+        if (given) reading.log.warn(given->where, "normals are ignored: the curve is not a ribbon");
         return {};
     }
     std::vector<Vec3> normals = float_triples(given);
@@ -93,7 +93,8 @@ std::vector<Vec3> normals_of(const Statement& statement, bool ribbon, std::size_
                  std::to_string(segments) + " segments",
              "give one more than there are segments");
     for (const Vec3& n : normals)
-        if (!(n.length2() > 0)) fail(statement, "N", "a normal without length", "use 0 0 1, say");
+        if (!(n.length2() > 0))
+            fail(statement, "N", "a normal of length zero", "use 0 0 1, for example");
     return normals;
 }
 

@@ -1,4 +1,4 @@
-// Shape "curve" as a chain of cubic Bezier segments.
+// Conversion of Shape "curve" to a chain of cubic Bezier segments.
 #pragma once
 
 #include "import/pbrt/local_points.h"
@@ -8,8 +8,9 @@ namespace sunfleck::engine {
 
 struct Reading;
 
-/// Bases "bezier" and "bspline" of degrees 2 and 3 (pbrt-v4). @throws Error for control points and
-/// normals that make no whole segments, and for widths that are negative.
+/// Converts bases "bezier" and "bspline" of degrees 2 and 3 (pbrt-v4).
+/// @throws Error  for numbers of control points or normals that do not fit, and for negative
+/// widths.
 LocalShape curve(const Statement& statement, Reading& reading);
 
 }  // namespace sunfleck::engine

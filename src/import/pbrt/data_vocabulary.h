@@ -1,5 +1,4 @@
-// The rows of vocabulary() for words that no table of makers reads: what docs/reference/scenes.md
-// says of each.
+// The rows of vocabulary() for words without a converter: tables of docs/reference/scenes.md.
 #pragma once
 
 #include "import/pbrt/vocabulary_row.h"

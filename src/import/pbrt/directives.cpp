@@ -33,7 +33,7 @@ const Table& table() {
                     "remove the bracket, or open its list");
     if (is_directive_of_v3(token.text)) refuse_v3(std::string(token.text), token.where());
     if (token.text.starts_with("//") || token.text.starts_with("/*"))
-        throw Error(token.where(), in_quotes(token.text) + " begins no comment", "write #");
+        throw Error(token.where(), in_quotes(token.text) + " does not begin a comment", "write #");
     std::vector<std::string_view> words;
     for (const auto& [word, directive] : table()) words.push_back(word);
     throw Error(token.where(), "unknown directive " + in_quotes(token.text),

@@ -1,6 +1,6 @@
-// The directives of the language, and where each of them may stand.
+// The directives of the language, and where each of them is allowed.
 //
-// In:  tokens. Out: the reading, changed by one statement after the other.
+// In:  tokens. Out: the reading, changed statement by statement.
 #pragma once
 
 #include "import/pbrt/token_stream.h"
@@ -11,7 +11,7 @@ namespace sunfleck::engine {
 
 struct Reading;
 
-/// Reads one statement, whose first word is `keyword`.
+/// Reads one statement that begins with `keyword`.
 using Handler = void (*)(Reading& reading, TokenStream& tokens, const Token& keyword);
 
 enum class Place { anywhere, before_world, in_world };
@@ -22,15 +22,15 @@ struct Directive {
     Handler handler;
 };
 
-/// By subject, each in a file of its own.
+/// The directives by subject, each subject in a file of its own.
 std::span<const Directive> transform_directives();
 std::span<const Directive> block_directives();
 std::span<const Directive> option_directives();
 std::span<const Directive> world_directives();
 std::span<const Directive> file_directives();
 
-/// Reads all statements of a stream. @throws Error for what is no directive, or stands where it
-/// may not.
+/// Reads all statements of a stream.
+/// @throws Error  for an unknown directive, and for one that is not allowed at its place.
 void read_statements(Reading& reading, TokenStream& tokens);
 
 }  // namespace sunfleck::engine

@@ -6,10 +6,11 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Images are wanted now, not only when all is read.
+/// Loads images now, because their mean is needed before the end.
 void prepare(const Statement& statement, const std::string& name, Assets& assets) {
     assets.log.warn(statement.find(name)->where,
-                    "the texture of " + in_quotes(name) + " counts as its mean over its square");
+                    "the texture of " + in_quotes(name) +
+                        " is replaced by its mean: this parameter cannot vary");
     assets.images.load();
 }
 

@@ -1,4 +1,4 @@
-// Values that hold for a whole surface, where the scene gives a texture: its mean.
+// Constant values for parameters that cannot vary over a surface: the mean of a texture.
 #pragma once
 
 #include "import/pbrt/assets.h"
@@ -10,16 +10,16 @@
 
 namespace sunfleck::engine {
 
-/// A number, or the mean of a float texture over the unit square of (u, v), with a warning.
-/// @return nothing when not given.
+/// Returns a number, or the mean of a float texture over the unit square of (u, v), with a warning.
+/// @return nothing if the parameter is not given.
 std::optional<float> even_number(const Statement& statement, const std::string& name,
                                  Assets& assets);
 
-/// The same of a spectrum, at 5 nm.
+/// Returns a spectrum, or the mean of a spectrum texture in steps of 5 nm.
 std::optional<Spectrum> even_curve(const Statement& statement, const std::string& name,
                                    SpectrumUse use, Assets& assets);
 
-/// A function of the wavelength as a curve, at 5 nm from 360 to 830.
+/// Tabulates a function of the wavelength in steps of 5 nm from 360 to 830.
 Spectrum tabulated(const std::function<float(float)>& value);
 
 }  // namespace sunfleck::engine

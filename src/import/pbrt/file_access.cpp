@@ -9,8 +9,8 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Each backslash as a slash. One before n, r, t, b or f was read as the escape of a control
-/// character, which no file's name has.
+/// Replaces backslashes by slashes. A backslash before n, r, t, b or f was read as the escape of a
+/// control character, which no file name has.
 std::string with_slashes(const std::string& name) {
     constexpr std::string_view kControls = "\n\r\t\b\f";
     constexpr std::string_view kLetters = "nrtbf";

@@ -1,4 +1,4 @@
-// Include, which splices a file in, and Import, which keeps the file's state to itself.
+// File directives: Include inserts a file, Import also isolates its state.
 #include "core/file_content.h"
 #include "import/pbrt/directives.h"
 #include "import/pbrt/reading.h"
@@ -9,8 +9,8 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Reads the file that a statement names, and puts it in front of the stream.
-/// @param to  where it goes: `tokens` itself, or a stream of its own.
+/// Reads the file that a statement names, and inserts it into a stream.
+/// @param to  `tokens` itself, or a stream of its own.
 void open(Reading& reading, TokenStream& tokens, const Token& keyword, TokenStream& to) {
     const std::string name = tokens.require_string("the name of a file");
     const SourceLocation from = keyword.where();

@@ -1,4 +1,4 @@
-// The picture as the scene asks for it, and what it asks of the renderer.
+// The picture as the scene asks for it, and hints for the renderer.
 #include "import/pbrt/film.h"
 
 #include "import/pbrt/data_vocabulary.h"
@@ -56,8 +56,8 @@ void warn_approximations(const Statement& film, Reading& reading) {
     film.ignore({"diagonal", "savefp16", "nbuckets", "lambdamin", "lambdamax", "coordinatesystem"});
 }
 
-/// Temperature of what is to be white. Cameras by name are balanced to 6500 K where the scene says
-/// nothing, as in pbrt-v4; their colours are those of the standard observer.
+/// Returns the temperature of the white point. Camera sensors without a given one use 6500 K, as in
+/// pbrt-v4; their colours are those of the standard observer.
 std::optional<double> white_of(const Statement& film, Reading& reading) {
     static constexpr std::array<std::string_view, 18> kSensors = {
         "cie1931",           "canon_eos_100d",      "canon_eos_1dx_mkii",
@@ -73,9 +73,8 @@ std::optional<double> white_of(const Statement& film, Reading& reading) {
     const bool is_camera = sensor != "cie1931";
     const double white = film.real("whitebalance", 0);
     if (is_camera)
-        reading.log.warn(film.where,
-                         "sensor " + in_quotes(sensor) +
-                             " sees colours as the observer cie1931 does, white-balanced");
+        reading.log.warn(film.where, "sensor " + in_quotes(sensor) +
+                                         " is read as \"cie1931\" with its white balance");
     if (white > 0) return std::max(white, 1000.0);
     if (is_camera) return 6500;
     return std::nullopt;
@@ -102,25 +101,26 @@ void read_integrator(const Statement& integrator, Reading& reading) {
         throw Error(integrator.where, "\"maxdepth\" is negative", "use 0 or more");
     if (integrator.type != "sppm") {
         reading.log.warn(integrator.where,
-                         "only \"maxdepth\" of integrator " + in_quotes(integrator.type) +
-                             " is read: photons render the scene, unless the command "
-                             "line says otherwise");
+                         "integrator " + in_quotes(integrator.type) +
+                             " is ignored except \"maxdepth\": photon mapping renders the scene, "
+                             "unless --integrator is given");
         integrator.ignore_all();
         return;
     }
     if (const Parameter* radius = integrator.find("radius"))
         reading.log.warn(radius->where,
-                         "\"radius\" of Integrator is ignored: the first radius is one or two "
-                         "pixels, by the picture's size, or what --radius says");
+                         "\"radius\" of Integrator is ignored: the initial gather radius is 1 to 2 "
+                         "pixels; set it with --radius");
     if (const Parameter* paths = integrator.find("photonsperiteration"))
-        reading.log.warn(paths->where,
-                         "\"photonsperiteration\" is ignored: photon paths a pass are "
-                         "chosen, or what --photons-per-pass says");
+        reading.log.warn(
+            paths->where,
+            "\"photonsperiteration\" is ignored: the number of photon paths per pass is "
+            "automatic; set it with --photons-per-pass");
     integrator.ignore({"seed", "regularize"});
     reading.log.warn_unused(integrator);
 }
 
-/// Where a sampler's points lie and how many it has says nothing here.
+/// The points and the count of a sampler have no effect.
 void read_sampler(const Statement& sampler, Reading& reading) {
     reading.log.count_word(sampler.keyword, sampler.type);
     sampler.ignore({"pixelsamples", "xsamples", "ysamples", "jitter", "randomization", "seed"});

@@ -1,4 +1,4 @@
-// The end of a reading: what had to wait until all statements are known.
+// Completion of a reading: what had to wait until all statements are known.
 #include "import/pbrt/finish.h"
 
 #include "geometry/affine.h"
@@ -14,7 +14,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Rays in the frame of such an instance would be out of the range of their floats.
+/// Returns whether rays in the frame of such an instance would overflow floats.
 bool is_extreme(const Matrix& to_world) {
     constexpr double kMost = 1e10;
     const auto is_far = [](const Affine& map) {
@@ -32,14 +32,14 @@ void finish_instances(Reading& reading) {
                         "make it by ObjectBegin and ObjectEnd");
         if (is_extreme(use.to_world))
             reading.log.warn(use.where,
-                             "an instance whose size is less than 10^-10 or more than 10^10 "
-                             "of its object's is left out");
+                             "an instance was left out: its scale is below 10^-10 "
+                             "or above 10^10");
         else
             reading.scene.instances.push_back({found->second, use.to_world});
     }
 }
 
-/// Interfaces do not shine (pbrt-v4), but for lights that nothing can meet.
+/// Interfaces do not emit (pbrt-v4), except for area lights of alpha zero.
 void finish_emission(Reading& reading) {
     for (ShapeDescription& shape : reading.scene.shapes) {
         const Material& material = reading.scene.materials[shape.material];
@@ -50,7 +50,7 @@ void finish_emission(Reading& reading) {
     }
 }
 
-/// What has to wait until all statements are known.
+/// Completes what had to wait until all statements are known.
 void finish(Reading& reading) {
     reading.check_blocks_closed(0);
     if (!reading.in_world)

@@ -1,4 +1,4 @@
-// What AttributeBegin saves and AttributeEnd brings back.
+// GraphicsState: the state that AttributeBegin saves and AttributeEnd restores.
 #pragma once
 
 #include "import/pbrt/parameters.h"
@@ -9,20 +9,20 @@
 namespace sunfleck::engine {
 
 /// The current matrix at the start and at the end of the exposure, object to world (before
-/// WorldBegin: world to camera), as row vectors have it.
+/// WorldBegin: world to camera), for row vectors.
 using Motion = std::array<Matrix, 2>;
 
 struct GraphicsState {
     Motion matrix;
-    std::array<bool, 2> active{true, true};  // which of the two a transform changes
+    std::array<bool, 2> active{true, true};  // which of both a transform changes
     bool reverse_orientation = false;
-    std::uint32_t material = 0;  // slot of the MaterialTable
+    std::uint32_t material = 0;  // index in the MaterialTable
     std::shared_ptr<const AreaEmission> emission;
-    std::string inside_medium;  // empty: none
+    std::string inside_medium;  // empty for none
     std::string outside_medium;
-    ColourSpace colour_space = ColourSpace::srgb;  // of rgb parameters to come
+    ColourSpace colour_space = ColourSpace::srgb;  // of the rgb parameters that follow
 
-    /// Defaults by the directive Attribute, or null.
+    /// Defaults from the directive Attribute, or null.
     std::shared_ptr<const Parameters> shape_defaults;
     std::shared_ptr<const Parameters> light_defaults;
     std::shared_ptr<const Parameters> material_defaults;
@@ -30,7 +30,7 @@ struct GraphicsState {
     std::shared_ptr<const Parameters> texture_defaults;
 };
 
-/// A block that is open: its name, where it began, and what to bring back at its end.
+/// An open block: its name, its beginning, and the state to restore.
 struct Block {
     std::string begin;  // "AttributeBegin", "TransformBegin" or "ObjectBegin"
     SourceLocation where;

@@ -11,16 +11,16 @@ namespace sunfleck::engine {
 void warn_of_image(const Image& image, const std::string& path, const SourceLocation& from,
                    ImportLog& log) {
     if (image.has_other_primaries())
-        log.warn(from, "the colours of " + path +
-                           " are of other primaries than sRGB's (chromaticities): they are "
-                           "taken for sRGB's");
+        log.warn(from, path +
+                           " has other primaries than sRGB (chromaticities): its colours are "
+                           "read as sRGB");
     if (!image.remark().empty()) log.warn(from, path + ": " + image.remark());
     const BrokenTexels& broken = image.broken();
     if (broken.count > 0)
         log.warn(from, std::to_string(broken.count) + " texels of " + path +
-                           " are no finite numbers, the first at (" +
-                           std::to_string(broken.first.x) + ", " + std::to_string(broken.first.y) +
-                           "): infinite values are taken for 65504, others for 0");
+                           " are not finite, the first at (" + std::to_string(broken.first.x) +
+                           ", " + std::to_string(broken.first.y) +
+                           "): infinite ones become 65504, others 0");
 }
 
 std::shared_ptr<const Image> ImageTable::enter(const std::string& name, const Encoding& encoding,
@@ -31,8 +31,8 @@ std::shared_ptr<const Image> ImageTable::enter(const std::string& name, const En
     return slots_[place->second].image;
 }
 
-/// May run beside others. A missing file's image has one texel, so that reading goes on to what
-/// else is missing.
+/// Decodes one image; thread-safe. The image of a missing file has one texel, so that reading
+/// continues and finds all missing files.
 void ImageTable::load(const Slot& slot, Loaded& loaded) const {
     try {
         loaded.file = files_.find(slot.name, slot.from);

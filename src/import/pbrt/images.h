@@ -1,5 +1,5 @@
-// Image files that a scene names: each entered once, all read side by side when the scene has
-// ended.
+// ImageTable: the image files that a scene names, each stored once and all decoded in parallel at
+// the end.
 #pragma once
 
 #include "image/image.h"
@@ -14,8 +14,8 @@
 
 namespace sunfleck::engine {
 
-/// Warns of what the picture's file has and the image has not: other primaries than sRGB's,
-/// channels that were chosen or left out, texels that are no finite numbers.
+/// Warns of what the image loses: primaries other than sRGB's, channels that were selected or left
+/// out, texels that are not finite.
 void warn_of_image(const Image& image, const std::string& path, const SourceLocation& from,
                    ImportLog& log);
 
@@ -24,12 +24,12 @@ public:
     /// Both must outlive this.
     ImageTable(SceneFiles& files, ImportLog& log) : files_(files), log_(log) {}
 
-    /// The image of a file, empty until load(). @param encoding  of a PNG.
+    /// Returns the image of a file, empty until load(). @param encoding  of a PNG.
     std::shared_ptr<const Image> enter(const std::string& name, const Encoding& encoding,
                                        const SourceLocation& from);
 
-    /// Reads all files that were not read before, and warns of what is in them. Missing ones are
-    /// noted in the list of files. @throws Error, that of the first one which cannot be read.
+    /// Decodes all files that are not decoded yet, with their warnings. Missing files are noted.
+    /// @throws Error  of the first file that cannot be read.
     void load();
 
 private:
@@ -52,7 +52,7 @@ private:
     ImportLog& log_;
     std::map<std::pair<std::string, Encoding>, std::size_t> numbers_;
     std::vector<Slot> slots_;
-    std::size_t loaded_ = 0;  // the first of them
+    std::size_t loaded_ = 0;  // index of the first image that is not decoded
 };
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Counting of words, and a limit for warnings.
+// Counts of words, and the limit of warnings.
 #include "import/pbrt/import_log.h"
 
 namespace sunfleck::engine {

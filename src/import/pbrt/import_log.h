@@ -1,4 +1,4 @@
-// What an import tells of its scene: the warnings, and how often each word of the language is used.
+// ImportLog: the warnings of an import, and counts of the words that the scene uses.
 #pragma once
 
 #include "core/warnings.h"
@@ -15,15 +15,15 @@ namespace sunfleck::engine {
 
 class ImportLog {
 public:
-    /// Adds a warning; after some hundred different ones only that there are more.
+    /// Adds a warning; beyond some hundred different ones it only tells that there are more.
     void warn(const SourceLocation& where, const std::string& text);
-    /// Warns of parameters that nobody asked for.
+    /// Warns of parameters that no lookup used.
     void warn_unused(const Statement& statement);
-    /// Counts a word that the scene uses: of the directive `Shape`, `sphere`.
+    /// Counts a word that the scene uses, such as `sphere` of the directive `Shape`.
     void count_word(std::string_view directive, std::string_view word);
 
     const Warnings& warnings() const { return warnings_; }
-    /// All words that were counted, sorted by directive and word.
+    /// Returns the counted words, sorted by directive and word.
     std::vector<UsedWord> words() const;
 
 private:

@@ -1,13 +1,13 @@
-// The count of words, file by file, each file once.
+// Counts words file by file, each file once.
 #include "import/pbrt/inclusions.h"
 
 namespace sunfleck::engine {
 namespace {
 
-/// Words in whose time a file is opened.
+/// Cost of opening a file, in words.
 constexpr double kWordsPerOpening = 50;
 constexpr double kMostRepeated = 1e9;
-constexpr int kDeepest = 100;  // as deep as files are read
+constexpr int kDeepest = 100;  // limit of nesting when files are read
 
 }  // namespace
 
@@ -18,14 +18,14 @@ void Inclusions::add(const std::string& path, const SourceLocation& from, const 
     const double all = words_of(root.file(), root.text(), files);
     if (all - distinct_ > kMostRepeated)
         throw Error(from,
-                    "files that include each other make more than 1000 million words out of "
+                    "included files expand to more than 1000 million words"
                     "this scene",
                     "include them less often, or use ObjectInstance");
 }
 
 double Inclusions::words_of(const std::string& path, const std::string& text, const Files& files) {
     const auto [known, is_new] = words_.try_emplace(path, 0);
-    if (!is_new || depth_ > kDeepest) return known->second;  // zero for files in a circle
+    if (!is_new || depth_ > kDeepest) return known->second;  // zero for files in a cycle
     ++depth_;
     double own = 0;
     double all = 0;
@@ -41,7 +41,7 @@ double Inclusions::words_of(const std::string& path, const std::string& text, co
             includes = token->kind == TokenKind::word &&
                        (token->text == "Include" || token->text == "Import");
         }
-    } catch (const Error&) {  // it is told when the file is read as far as there
+    } catch (const Error&) {  // reported when reading reaches the file
     }
     --depth_;
     distinct_ += own;

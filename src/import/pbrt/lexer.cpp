@@ -78,7 +78,7 @@ Token Lexer::token(TokenKind kind, std::size_t begin, std::size_t length) const 
                        column()};
     if (length > kLongestToken)
         throw Error(result.where(), "a token of " + std::to_string(length) + " bytes",
-                    "at most 65536 are read");
+                    "use at most 65536 bytes");
     return result;
 }
 
@@ -102,7 +102,7 @@ Token Lexer::word() {
     if (is_odd) {
         const auto odd = *odd_character_in(result.text);
         position_ += odd.at;
-        throw Error(here(), odd.what + " stands here, which no word has", odd.mend);
+        throw Error(here(), "unexpected " + odd.what, odd.mend);
     }
     position_ = end;
     return result;

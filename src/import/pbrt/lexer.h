@@ -1,7 +1,7 @@
-// Cuts the text of a scene file into tokens: words, quoted strings, brackets.
+// Lexer: splits the text of a scene file into words, quoted strings and brackets.
 //
-// In:  bytes, perhaps behind a byte order mark. Out: tokens with line and column; comments (# to
-//      the end of the line) are skipped. Lines end in LF, CR LF or CR.
+// In:  bytes, perhaps with a byte order mark. Out: tokens with line and column. Comments (# to the
+// end of the line) are skipped. Lines end in LF, CR LF or CR.
 #pragma once
 
 #include "sunfleck/error.h"
@@ -14,10 +14,10 @@ namespace sunfleck::engine {
 
 enum class TokenKind { word, string, open, close };
 
-/// A view into the lexer's text; numbers are words. Columns count bytes.
+/// A view of the lexer's text; numbers are words. Columns count bytes.
 struct Token {
     TokenKind kind = TokenKind::word;
-    std::string_view text;  // of a string: what stands between the quotes, as written
+    std::string_view text;  // of a string: the text between the quotes, as written
     const std::string* file = nullptr;
     int line = 0;
     int column = 0;
@@ -25,8 +25,8 @@ struct Token {
     SourceLocation where() const { return {*file, line, column}; }
 };
 
-/// The text of a string token with its escapes (\n \t \\ \" and the like) undone. A backslash
-/// before any other letter stays: it may be that of a file's name.
+/// Returns the text of a string token with its escapes (\n \t \\ \" and the like) replaced. A
+/// backslash before any other letter is kept, because it may be part of a file name.
 std::string unescaped(const Token& token);
 
 class Lexer {
@@ -38,14 +38,14 @@ public:
     Lexer& operator=(Lexer&&) = delete;
     ~Lexer() = default;
 
-    /// The next token, or nothing at the end; its text lives as long as the lexer.
-    /// @throws Error for a string without its closing quote, a word with a character that no word
-    ///         has, or a token of more than 64 KiB.
+    /// Returns the next token, or nothing at the end; its text lives as long as the lexer.
+    /// @throws Error  for a string without closing quote, a character that no word may have, or a
+    /// token of more than 64 KiB.
     std::optional<Token> next();
 
     const std::string& file() const { return file_; }
     const std::string& text() const { return text_; }
-    /// Where the next token would begin.
+    /// Returns the location of the next token.
     SourceLocation here() const { return {file_, line_, column()}; }
 
 private:

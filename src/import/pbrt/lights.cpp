@@ -1,8 +1,8 @@
-// Lights with pbrt-v4's scale: rgb straight through, other spectra divided by their luminance,
-// "power" and "illuminance" (above 0) multiply "scale".
+// Lights with pbrt-v4's scale: rgb is unchanged, other spectra are divided by their luminance,
+// "power" and "illuminance" (if positive) multiply "scale".
 #include "import/pbrt/lights.h"
 
-#include "import/pbrt/light_pictures.h"
+#include "import/pbrt/light_images.h"
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/portals.h"
 #include "import/pbrt/reading.h"
@@ -15,7 +15,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The way from "from" to "to" in the world, as a unit vector.
+/// Returns the unit vector from "from" to "to" in the world.
 Vec3d direction_of(const Statement& statement, const Matrix& to_world) {
     const Vec3d way = statement.point("to", {0, 0, 1}) - statement.point("from", {0, 0, 0});
     Vec3d direction;
@@ -37,39 +37,40 @@ Light point_light(const Statement& statement, Reading& reading) {
                       position_of(statement, reading.still_matrix(statement.where))};
 }
 
-/// Over all directions, z and y exchanged as in pbrt-v4.
+/// Covers all directions, with z and y exchanged as in pbrt-v4.
 Light goniometric_light(const Statement& statement, Reading& reading) {
     if (!statement.find("filename")) {
-        reading.log.warn(statement.where, "a goniometric light without a picture is a point");
+        reading.log.warn(statement.where,
+                         "a goniometric light without \"filename\" is read as a point light");
         return point_light(statement, reading);
     }
-    const auto picture = intensity_picture(statement, reading);
+    const auto distribution = intensity_image(statement, reading);
     Affine to_world = turn_of(statement, reading);
     std::swap(to_world.y, to_world.z);
-    const double at_one = 4 * kPiDouble * picture->mean();
+    const double at_one = 4 * kPiDouble * distribution->mean();
     const double factor = scale_of(statement) * factor_by(statement, "power", at_one);
     return GoniometricLight{scaled(emission_of(statement, "I", reading), factor),
-                            Affine(reading.still_matrix(statement.where)).origin, picture,
+                            Affine(reading.still_matrix(statement.where)).origin, distribution,
                             to_world};
 }
 
-/// "fov" is that of the shorter side; the picture's rows go down, against y.
+/// "fov" is that of the shorter side; rows of the image go against y.
 Light projection_light(const Statement& statement, Reading& reading) {
     Image image = light_image(statement, reading);
     const double fov = statement.real("fov", 90);
     if (!(fov > 0 && fov < 180))
-        throw Error(statement.where, "a projection whose \"fov\" makes no picture",
-                    "use one in (0, 180)");
+        throw Error(statement.where, "\"fov\" of the projection is not in (0, 180)",
+                    "use 45, for example");
     const SinCos corner = sin_cos_2pi(fov / 720);
     const Vec2d size(image.resolution());
     const Vec2d half = size * (corner.sin / corner.cos / std::min(size.x, size.y));
-    const auto picture = projected_picture(std::move(image), half);
+    const auto distribution = projected_image(std::move(image), half);
     Affine to_world = turn_of(statement, reading);
     to_world.y = -to_world.y;
-    const double at_one = 4 * half.x * half.y * picture->mean();
+    const double at_one = 4 * half.x * half.y * distribution->mean();
     const double factor = scale_of(statement) * factor_by(statement, "power", at_one);
     return ProjectionLight{scaled(Spectrum::d65(), factor),
-                           Affine(reading.still_matrix(statement.where)).origin, half, picture,
+                           Affine(reading.still_matrix(statement.where)).origin, half, distribution,
                            to_world};
 }
 
@@ -78,7 +79,7 @@ Light spot_light(const Statement& statement, Reading& reading) {
     const double cone = statement.real("coneangle", 30);
     const double delta = statement.real("conedeltaangle", 5);
     if (!(cone > 0 && cone <= 180 && delta >= 0))
-        throw Error(statement.where, "a spot whose angles make no cone",
+        throw Error(statement.where, "the angles of the spot do not form a cone",
                     "use \"coneangle\" in (0, 180] and \"conedeltaangle\" of 0 or more");
     const double cos_total = sin_cos_2pi(cone / 360).cos;
     const double cos_start = sin_cos_2pi(std::max(cone - delta, 0.0) / 360).cos;
@@ -96,11 +97,11 @@ Light distant_light(const Statement& statement, Reading& reading) {
 }
 
 Light image_infinite_light(const Statement& statement, Reading& reading) {
-    const auto picture = directions_picture(statement, reading);
-    // pbrt-v4 sums 2 pi / texels a texel, half of the solid angle.
-    const double at_one = illuminance_from_above(*picture) / 2;
+    const auto distribution = directions_light_image(statement, reading);
+    // pbrt-v4 sums 2 pi / texels per texel, half of the solid angle.
+    const double at_one = illuminance_from_above(*distribution) / 2;
     const double factor = scale_of(statement) * factor_by(statement, "illuminance", at_one);
-    return ImageInfiniteLight{scaled(Spectrum::d65(), factor), picture,
+    return ImageInfiniteLight{scaled(Spectrum::d65(), factor), distribution,
                               turn_of(statement, reading)};
 }
 
@@ -134,7 +135,7 @@ constexpr auto kRows = std::to_array<Row>({
     {"projection", projection_light, kExact, "`filename`, `fov`, `scale`, `power`"},
 });
 
-/// @return the statement's number in the description.
+/// @return index of the statement in the description.
 std::uint32_t note(const Statement& statement, Reading& reading) {
     std::vector<LightStatement>& all = reading.scene.light_statements;
     all.push_back({statement.title(), statement.where});
@@ -175,7 +176,7 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
         if (const Parameter* both = statement.find("L"))
             throw Error(both->where, "an area light with \"L\" and \"filename\"",
                         "give one of them");
-        emission.picture = std::make_shared<const SurfacePicture>(light_image(statement, reading));
+        emission.image = std::make_shared<const SurfaceImage>(light_image(statement, reading));
     }
     emission.radiance = scaled(emission_of(statement, "L", reading), scale_of(statement));
     emission.two_sided = statement.flag("twosided", false);

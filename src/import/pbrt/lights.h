@@ -1,4 +1,4 @@
-// LightSource and AreaLightSource statements as our lights.
+// Conversion of LightSource and AreaLightSource statements to lights.
 #pragma once
 
 #include "import/pbrt/parameters.h"
@@ -15,11 +15,11 @@ struct Reading;
 std::span<const WordRow> light_words();
 
 /// Adds the light of a LightSource statement, placed by the current matrix.
-/// @throws Error for an unknown type and for parameters that no such light can have.
+/// @throws Error  for an unknown type, and for invalid parameters.
 void add_light(const Statement& statement, Reading& reading);
 
-/// The emission that an AreaLightSource statement gives to the shapes that follow.
-/// @throws Error as add_light() does.
+/// Returns the emission that an AreaLightSource statement gives to the following shapes.
+/// @throws Error  as add_light().
 AreaEmission area_emission(const Statement& statement, Reading& reading);
 
 }  // namespace sunfleck::engine

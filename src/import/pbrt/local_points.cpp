@@ -1,4 +1,4 @@
-// Boxes of points, and steps of floats.
+// Bounds of points, and the spacing of floats.
 #include "import/pbrt/local_points.h"
 
 #include <cmath>
@@ -11,15 +11,15 @@ double largest_of(const Vec3d& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-/// Between floats of this size.
+/// Returns the spacing of floats of this size.
 double float_step(double size) {
     int exponent = 0;
     std::frexp(size, &exponent);
     return std::ldexp(1.0, exponent - 24);
 }
 
-/// Were the points rounded to floats? Then all of them are floats, and some of the coordinates that
-/// have that step are odd multiples of it; those of a mesh on whole numbers, say, are not.
+/// Returns whether points were rounded to floats: all of them are floats, and some coordinates with
+/// that spacing are odd multiples of it (those of a mesh on integers, for example, are not).
 bool are_rounded(const LocalPoints& local, std::span<const std::uint32_t> used, double step) {
     bool any_odd = false;
     for (const std::uint32_t i : used) {
@@ -63,11 +63,11 @@ std::string coarseness_of(const LocalPoints& local,
     if (count == 0 || !(step * 8 > length / static_cast<double>(count))) return {};
     if (!are_rounded(local, all_corners(triangles), step)) return {};
     std::array<char, 64> numbers{};
-    std::snprintf(numbers.data(), numbers.size(), "%.2g, edges some %.2g", step,
+    std::snprintf(numbers.data(), numbers.size(), "%.2g, edges are about %.2g", step,
                   length / static_cast<double>(count));
-    return "the vertices stand so far from the origin that float numbers have steps of " +
+    return "the vertices are so far from the origin that floats there have a spacing of " +
            std::string(numbers.data()) +
-           ": write them relative to a point near them, under a Translate, or as doubles";
+           ": write them relative to a nearby point, under a Translate, or as doubles";
 }
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// The table of material slots.
+// The table of materials.
 #include "import/pbrt/material_table.h"
 
 #include "import/pbrt/materials.h"

@@ -1,4 +1,4 @@
-// Material statements of a scene file, by the slots and the names that shapes and mixes refer to.
+// MaterialTable: the material statements of a scene, by index and by name.
 #pragma once
 
 #include "import/pbrt/parameters.h"
@@ -9,27 +9,27 @@
 
 namespace sunfleck::engine {
 
-/// Slot 0 is pbrt-v4's default, diffuse 0.5.
+/// Index 0 is pbrt-v4's default, diffuse 0.5.
 class MaterialTable {
 public:
     MaterialTable();
 
-    /// A slot for a Material statement. @throws Error for an unknown type.
+    /// Adds a Material statement. @throws Error  for an unknown type.
     std::uint32_t add(Statement statement);
-    /// The slot of a name, which may be made later. @param from  the statement that names it.
+    /// Returns the index of a name, which may be made later. @param from  statement that names it.
     std::uint32_t slot_of(const std::string& name, const SourceLocation& from);
-    /// MakeNamedMaterial. @throws Error for a name made before, or an unknown type.
+    /// Adds a MakeNamedMaterial. @throws Error  for a repeated name, or an unknown type.
     void make(const std::string& name, Statement statement);
 
-    /// VisibleFlags a slot as that of a shape: its name must be made before the end.
+    /// Marks an entry as used by a shape: its name must be made before the end.
     void use(std::uint32_t slot) { slots_[slot].used = true; }
-    /// The statement that made the name. @throws Error when there is none.
+    /// Returns the statement that made the name. @throws Error  if there is none.
     const Statement& named(const std::string& name, const SourceLocation& from) const;
-    /// Has a statement made the name?
+    /// Returns whether a statement has made the name.
     bool is_made(const std::string& name) const { return named_.contains(name); }
 
     struct Slot {
-        std::optional<Statement> statement;  // nothing: the slot is that of the name
+        std::optional<Statement> statement;  // nothing if the entry refers to the name
         std::string name;
         SourceLocation from;
         bool used = false;

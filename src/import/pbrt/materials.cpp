@@ -1,8 +1,8 @@
-// Materials by their words, and what stands in for those that we do not have.
+// Materials by their words.
 #include "import/pbrt/materials.h"
 
+#include "import/pbrt/approximations.h"
 #include "import/pbrt/coats.h"
-#include "import/pbrt/stand_ins.h"
 #include "import/pbrt/words.h"
 #include "texture/kinds.h"
 
@@ -21,7 +21,7 @@ FloatTexture checked_roughness(const Statement& statement, const std::string& na
     throw Error(statement.find(name)->where, in_quotes(name) + " is negative", "use 0 or more");
 }
 
-/// @param prefix  of the names of the parameters: "" or "conductor.".
+/// @param prefix  of the parameter names: "" or "conductor.".
 Roughness roughness_of(const Statement& statement, const std::string& prefix, Assets& assets) {
     const FloatTexture both = checked_roughness(statement, prefix + "roughness", 0, assets);
     return {checked_roughness(statement, prefix + "uroughness", both, assets),
@@ -29,7 +29,7 @@ Roughness roughness_of(const Statement& statement, const std::string& prefix, As
             statement.flag("remaproughness", true)};
 }
 
-/// An index of refraction: "float eta" or a spectrum.
+/// Returns an index of refraction: "float eta" or a spectrum.
 Spectrum eta_of(const Statement& statement, Assets& assets) {
     const Parameter* found = statement.find("eta");
     if (!found) return Spectrum::constant(1.5F);
@@ -154,7 +154,7 @@ constexpr auto kRows = std::to_array<Row>({
      "`reflectance`, `transmittance` (0.25 each), `scale`; where both add up to more than 1 they "
      "are "
      "scaled down"},
-    {"hair", hair_stand_in, kApproximated,
+    {"hair", approximate_hair, kApproximated,
      "`sigma_a`, `reflectance` or `color`, `eumelanin`, `pheomelanin` (1.3, 0), `eta` (1.55), "
      "`beta_n`: "
      "each fibre spreads evenly what it reflects, and through it what it lets through, in the "
@@ -162,13 +162,13 @@ constexpr auto kRows = std::to_array<Row>({
      "that pbrt-v4's lobes have (of light from everywhere). On `\"cylinder\"` curves light goes "
      "through "
      "two walls"},
-    {"subsurface", subsurface_stand_in, kApproximated,
+    {"subsurface", approximate_subsurface, kApproximated,
      "`reflectance`, or `sigma_a` and `sigma_s` with `g`, or `name`; `eta` (1.33), roughness: "
      "diffuse "
      "under its surface, with the whole reflectance of pbrt-v4's beam diffusion; light comes out "
      "where "
      "it went in (`mfp` and `scale` are ignored)"},
-    {"measured", measured_stand_in, kApproximated,
+    {"measured", approximate_measured, kApproximated,
      "`filename`: metal of its mean reflectance and of the roughness of its facets, or diffuse "
      "where "
      "that is above 0.5"},
@@ -192,14 +192,14 @@ Material material_of(const Statement& statement, Assets& assets) {
     return row.maker(statement, assets);
 }
 
-Relief relief_of(const Statement& statement, Assets& assets) {
+BumpMap bump_map_of(const Statement& statement, Assets& assets) {
     const auto displacement = assets.textures.find_number(statement, "displacement");
     const auto map = statement.text("normalmap");
     if (map && !map->empty()) {
         const Encoding linear{Encoding::Kind::linear, 1};
         return NormalMap{assets.images.enter(*map, linear, statement.find("normalmap")->where)};
     }
-    if (displacement && !displacement->is_constant()) return Bumps{*displacement};
+    if (displacement && !displacement->is_constant()) return DisplacementMap{*displacement};
     return {};
 }
 

@@ -1,4 +1,4 @@
-// Means over a measured material.
+// Averages over a measured material.
 #include "import/pbrt/measured.h"
 
 #include "import/pbrt/tensor_file.h"
@@ -12,14 +12,14 @@ namespace {
 
 constexpr float kHalfPi = kPi / 2;
 
-/// Of the trapezoidal rule over [0,1], or of a single point.
+/// Returns the weight of the trapezoidal rule over [0,1], or of a single point.
 float weight_at(std::size_t i, std::size_t count) {
     if (count == 1) return 1;
     const float inner = 1 / static_cast<float>(count - 1);
     return i == 0 || i + 1 == count ? inner / 2 : inner;
 }
 
-/// Of each angle of incidence, of evenly spread light: by steps of sin^2 around them.
+/// Returns the weight of each angle of incidence for diffuse light: steps of sin^2.
 std::vector<float> weights_of(const std::vector<float>& angles) {
     std::vector<float> places;
     for (const float angle : angles) {
@@ -53,11 +53,11 @@ std::vector<float> albedo_of(const Tensor& spectra, const std::vector<float>& of
     return albedo;
 }
 
-/// Half of the facets, by the area that they cover, are tilted less than this: its tangent.
-/// (Of GGX that is alpha.) @param facets  density by azimuth and sqrt(2 / pi * tilt).
+/// Returns the median of the facets' slope by area, which is alpha for GGX.
+/// @param facets  density by azimuth and sqrt(2 / pi * tilt).
 float median_slope(const Tensor& facets) {
     const std::size_t tilts = facets.extents[1];
-    std::vector<float> covered(tilts, 0);  // up to each tilt
+    std::vector<float> covered(tilts, 0);  // cumulative by tilt
     float sum = 0;
     for (std::size_t j = 0; j < tilts; ++j) {
         const float u = tilts > 1 ? static_cast<float>(j) / static_cast<float>(tilts - 1) : 0;

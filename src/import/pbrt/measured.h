@@ -1,4 +1,4 @@
-// Measured materials: what of their files a simple stand-in needs.
+// Measured materials: the data of their files that an approximation needs.
 #pragma once
 
 #include "math/spectrum.h"
@@ -9,15 +9,15 @@
 namespace sunfleck::engine {
 
 struct MeasuredSummary {
-    Spectrum albedo;  // of evenly spread light, in [0,1]
-    float alpha = 1;  // of GGX facets of which half are tilted as little as half of these are
+    Spectrum albedo;  // under diffuse illumination, in [0,1]
+    float alpha = 1;  // of GGX facets with the same median slope
 };
 
-/// @param bytes  of a .bsdf file with spectra. @throws Error  (place `from`) for a broken one.
+/// @param bytes  of a .bsdf file with spectra. @throws Error  (at `from`) for a damaged one.
 ///
-/// A material is f = spectra(u) D(h) / (4 sigma(w) cos), where u are the numbers of (0,1)^2 that
-/// choose the facet h among those that w sees: so the mean of `spectra` over u is the share of the
-/// light of w that is scattered. Source: Dupuy and Jakob 2018, equations 8 and 9.
+/// A material is f = spectra(u) D(h) / (4 sigma(w) cos), where u in (0,1)^2 samples the visible
+/// normal h. So the mean of `spectra` over u is the albedo for direction w. Source: Dupuy and Jakob
+/// 2018, equations 8 and 9.
 MeasuredSummary summary_of_measured(const std::string& bytes, const SourceLocation& from);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Media by their names: of homogeneous ones what they absorb.
+// Media by their names, with the absorption of homogeneous ones.
 #include "import/pbrt/medium_table.h"
 
 #include "import/pbrt/data_substances.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto kTypes = words_of(kMediumWords);
 
-/// What a medium does to light, per unit of length.
+/// Coefficients per unit of length.
 struct Coefficients {
     Spectrum absorption;
     Spectrum scattering;
@@ -36,7 +36,7 @@ bool is_dark(const Spectrum& curve) {
     return !(curve.luminance() > 0);
 }
 
-/// What is not simulated is told.
+/// Returns the absorption, and warns of what is not simulated.
 Spectrum absorption_of(const std::string& name, const Statement& medium, SpectrumReader& spectra,
                        ImportLog& log) {
     const auto warn = [&](const std::string& what) {
@@ -57,8 +57,8 @@ Spectrum absorption_of(const std::string& name, const Statement& medium, Spectru
     medium.ignore({"g", "Lescale"});
     log.warn_unused(medium);
     if (scale > 0 && !is_dark(medium_is.scattering))
-        warn("scatters, which is not simulated: it takes what it absorbs, the rest goes straight");
-    if (glow && !is_dark(*glow)) warn("glows, which is not simulated: \"Le\" is ignored");
+        warn("scatters, which is not simulated: it only absorbs");
+    if (glow && !is_dark(*glow)) warn("emits, which is not simulated: \"Le\" is ignored");
     return medium_is.absorption.scaled(static_cast<float>(scale));
 }
 

@@ -1,5 +1,5 @@
-// Media of a scene file: numbers that shapes, lights and the camera refer to, filled in when all
-// files have ended.
+// MediumTable: the media of a scene, by the numbers that shapes, lights and the camera use; filled
+// in at the end.
 #pragma once
 
 #include "import/pbrt/parameters.h"
@@ -14,13 +14,13 @@ namespace sunfleck::engine {
 
 class MediumTable {
 public:
-    /// MakeNamedMedium. @throws Error for a name made before, or an unknown type.
+    /// Adds a MakeNamedMedium. @throws Error  for a repeated name, or an unknown type.
     void make(Statement statement);
-    /// The number of a medium, which may be made later; empty space for an empty name.
-    /// @param from  the statement that uses it.
+    /// Returns the number of a medium, which may be made later; empty space for an empty name.
+    /// @param from  statement that uses it.
     MediumNumber number_of(const std::string& name, const SourceLocation& from);
-    /// Adds all that are used to the scene's media. The log is told what is not simulated of them.
-    /// @throws Error for names that were never made, and for parameters that cannot be used.
+    /// Adds all used media to the scene's, and warns of what is not simulated.
+    /// @throws Error  for names that were never made, and for invalid parameters.
     void finish(SpectrumReader& spectra, ImportLog& log, Media& media) const;
 
 private:

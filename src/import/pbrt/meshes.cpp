@@ -1,4 +1,4 @@
-// Meshes from parameters, every count and index checked.
+// Meshes from parameters, with checks of every count and index.
 #include "import/pbrt/meshes.h"
 
 #include "geometry/loop_subdivision.h"
@@ -21,13 +21,13 @@ std::vector<Vec2> pairs(const Parameter* parameter) {
     return result;
 }
 
-/// One value a vertex, or none at all.
+/// Checks that there is one value per vertex, or none at all.
 void check_count(const Parameter* parameter, std::size_t count, std::size_t vertices) {
     if (!parameter || count == vertices) return;
     throw Error(parameter->where,
                 "parameter " + parameter->title() + " has " + std::to_string(count) +
                     " values for " + std::to_string(vertices) + " vertices",
-                "give one a vertex");
+                "give one per vertex");
 }
 
 std::uint32_t checked_index(const Parameter& indices, std::size_t i, std::size_t vertices) {
@@ -35,12 +35,12 @@ std::uint32_t checked_index(const Parameter& indices, std::size_t i, std::size_t
     if (index >= 0 && static_cast<std::size_t>(index) < vertices)
         return static_cast<std::uint32_t>(index);
     throw Error(indices.where,
-                "index " + std::to_string(index) + " at place " + std::to_string(i) +
-                    " is that of no vertex",
+                "vertex " + std::to_string(index) + " at position " + std::to_string(i) +
+                    " of the indices does not exist",
                 "there are " + std::to_string(vertices) + ", counted from 0");
 }
 
-/// "indices" by N; one list of all vertices if there are just N and no list.
+/// Returns "indices" in groups of N; a single group if there are N vertices and no list.
 template <std::size_t N>
 std::vector<std::array<std::uint32_t, N>> corners_of(const Statement& statement,
                                                      std::size_t vertices,
@@ -59,7 +59,7 @@ std::vector<std::array<std::uint32_t, N>> corners_of(const Statement& statement,
     }
     const std::size_t count = indices->integers.size();
     if (count % N != 0)
-        throw Error(indices->where, std::to_string(count) + " indices make no whole " + what,
+        throw Error(indices->where, std::to_string(count) + " indices do not form whole " + what,
                     "give a multiple of " + std::to_string(N));
     result.resize(count / N);
     for (std::size_t i = 0; i < count; ++i)
@@ -73,7 +73,7 @@ std::vector<Vec3d> positions_of(const Statement& statement) {
     throw Error(statement.where, "a " + statement.type + " without vertices", "add \"point3 P\"");
 }
 
-/// "N" and "uv", one a vertex.
+/// Reads "N" and "uv", one per vertex.
 template <class Mesh>
 void read_attributes(const Statement& statement, Mesh& mesh) {
     const Parameter* normals = statement.find("N", ParameterType::normal);
@@ -85,7 +85,7 @@ void read_attributes(const Statement& statement, Mesh& mesh) {
     statement.ignore({"faceIndices"});
 }
 
-/// Sets the mesh's positions; warns where the file has too few digits. @return their origin.
+/// Sets the mesh's positions; warns if the file has too few digits. @return their origin.
 Vec3d place_triangles(TriangleMesh& mesh, const std::vector<Vec3d>& positions,
                       const Statement& statement, Reading& reading) {
     LocalPoints local = local_points(positions, all_corners(mesh.triangles));
@@ -95,7 +95,7 @@ Vec3d place_triangles(TriangleMesh& mesh, const std::vector<Vec3d>& positions,
     return local.origin;
 }
 
-/// Normals that are no numbers become zero: none. @return how many.
+/// Replaces normals that are not finite by zero (none). @return their count.
 std::size_t drop_broken_normals(TriangleMesh& mesh) {
     std::size_t count = 0;
     for (Vec3& normal : mesh.normals) {
@@ -134,8 +134,8 @@ LocalShape triangle_mesh(const Statement& statement, Reading& reading) {
     return {std::move(mesh), origin};
 }
 
-/// In pbrt-v4 "emissionfilename" only says where to look for light: the picture is the area
-/// light's.
+/// "emissionfilename" in pbrt-v4 only tells where to look for light: the image is that of the area
+/// light.
 LocalShape bilinear_mesh(const Statement& statement) {
     BilinearMesh mesh;
     const std::vector<Vec3d> positions = positions_of(statement);
@@ -190,7 +190,7 @@ LocalShape ply_mesh(const Statement& statement, Reading& reading) {
     if (broken > 0)
         reading.log.warn(statement.where, std::to_string(broken) + " normals in " +
                                               in_quotes(*name) +
-                                              " are no numbers: triangles are flat there");
+                                              " are not finite: the triangles there are flat");
     return {std::move(mesh), origin};
 }
 

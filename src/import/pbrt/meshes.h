@@ -1,4 +1,4 @@
-// Meshes of a scene file: written out in the statement, or in a PLY file.
+// Conversion of meshes: given in the statement, or in a PLY file.
 #pragma once
 
 #include "import/pbrt/local_points.h"
@@ -8,22 +8,23 @@ namespace sunfleck::engine {
 
 struct Reading;
 
-/// The numbers of a parameter by threes, in double or float; none of null.
+/// Returns the numbers of a parameter in triples, in double or float; none for null.
 std::vector<Vec3d> triples(const Parameter* parameter);
 std::vector<Vec3> float_triples(const Parameter* parameter);
 
-/// Shape "trianglemesh"; warns of vertices with too few digits. @throws Error for counts that do
-/// not agree, and indices of no vertex.
+/// Converts Shape "trianglemesh"; warns of vertices with too few digits.
+/// @throws Error  for counts that do not agree, and for invalid vertex indices.
 LocalShape triangle_mesh(const Statement& statement, Reading& reading);
 
-/// Shape "bilinearmesh". @throws Error as triangle_mesh() does.
+/// Converts Shape "bilinearmesh". @throws Error  as triangle_mesh().
 LocalShape bilinear_mesh(const Statement& statement);
 
-/// Shape "loopsubdiv": subdivided, on its limit surface. @throws Error as triangle_mesh() does, and
-/// for meshes that have no smooth limit, or too many triangles.
+/// Converts Shape "loopsubdiv" to its limit surface.
+/// @throws Error  as triangle_mesh(), and for meshes without smooth limit or with too many
+/// triangles.
 LocalShape loop_mesh(const Statement& statement, Reading& reading);
 
-/// Shape "plymesh". @throws Error as triangle_mesh() does, and for files that cannot be read.
+/// Converts Shape "plymesh". @throws Error  as triangle_mesh(), and for files that cannot be read.
 LocalShape ply_mesh(const Statement& statement, Reading& reading);
 
 }  // namespace sunfleck::engine

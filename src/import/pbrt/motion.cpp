@@ -1,4 +1,4 @@
-// Matrices between two: polar decomposition, and rotations as quaternions.
+// Interpolation of matrices: polar decomposition, and rotations as quaternions.
 #include "geometry/quadrature.h"
 #include "geometry/sweep.h"
 #include "import/pbrt/transforms.h"
@@ -13,17 +13,17 @@ namespace {
 
 using Quaternion = Imath::Quatd;
 
-/// matrix = stretch * rotation, for row vectors; the translation apart.
-struct Parts {
+/// matrix = stretch * rotation, for row vectors, without the translation.
+struct Decomposition {
     Matrix stretch;
     Quaternion rotation;
     Vec3d translation;
 };
 
-/// Higham's iteration: the mean of a matrix and its inverse transposed tends to the rotation.
-Parts parts_of(const Matrix& matrix) {
-    Parts parts;
-    parts.translation = matrix.translation();
+/// Higham's iteration: the mean of a matrix and its inverse transpose converges to the rotation.
+Decomposition decomposed(const Matrix& matrix) {
+    Decomposition result;
+    result.translation = matrix.translation();
     Matrix flat = matrix;
     flat[3][0] = flat[3][1] = flat[3][2] = 0;
     Matrix rotation = flat;
@@ -33,13 +33,13 @@ Parts parts_of(const Matrix& matrix) {
         rotation = next;
         if (done) break;
     }
-    if (rotation.determinant() < 0) {  // a mirror is a stretch
+    if (rotation.determinant() < 0) {  // a reflection becomes part of the stretch
         rotation = rotation * -1.0;
         rotation[3][3] = 1;
     }
-    parts.stretch = flat * rotation.transposed();
-    parts.rotation = Imath::extractQuat(rotation);
-    return parts;
+    result.stretch = flat * rotation.transposed();
+    result.rotation = Imath::extractQuat(rotation);
+    return result;
 }
 
 Quaternion turned(const Quaternion& from, Quaternion to, double share) {
@@ -63,8 +63,8 @@ Quaternion turned(const Quaternion& from, Quaternion to, double share) {
 Matrix between(const Matrix& from, const Matrix& to, double share) {
     if (share <= 0) return from;
     if (share >= 1) return to;
-    const Parts a = parts_of(from);
-    const Parts b = parts_of(to);
+    const Decomposition a = decomposed(from);
+    const Decomposition b = decomposed(to);
     const Matrix stretch = a.stretch * (1 - share) + b.stretch * share;
     Matrix result = stretch * turned(a.rotation, b.rotation, share).toMatrix44();
     const Vec3d moved = a.translation * (1 - share) + b.translation * share;

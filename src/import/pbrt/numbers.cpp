@@ -1,4 +1,4 @@
-// Conversion of words to numbers by std::from_chars: fast, and deaf to the locale.
+// Conversion of words to numbers by std::from_chars, independent of the locale.
 #include "import/pbrt/numbers.h"
 
 #include "import/pbrt/words.h"
@@ -10,13 +10,13 @@
 namespace sunfleck::engine {
 namespace {
 
-/// from_chars takes no plus sign.
+/// Removes a plus sign, which from_chars does not accept.
 std::string_view without_plus(std::string_view text) {
     const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
     return plus ? text.substr(1) : text;
 }
 
-/// How to write what was meant for a number.
+/// Returns how to write the number that was meant.
 std::string number_mend(const Token& token) {
     const std::string_view text = token.text;
     if (token.kind == TokenKind::string) return "write a number such as 1.5, without quotes";

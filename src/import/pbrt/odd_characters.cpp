@@ -1,4 +1,4 @@
-// UTF-8 decoded, and the names of the characters that editors and word processors put in.
+// Decoding of UTF-8, and names of characters that editors and word processors insert.
 #include "import/pbrt/odd_characters.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ constexpr auto kRanges = std::to_array<Range>({
     {0xFF01, 0xFF5E, "full-width character", kAscii},
 });
 
-/// The code point that begins there, or nothing for bytes that are no UTF-8.
+/// Returns the code point at the beginning of the text, or nothing for invalid UTF-8.
 std::optional<std::uint32_t> code_point(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     if (byte(0) < 0x80) return byte(0);
@@ -80,7 +80,7 @@ std::optional<OddCharacter> odd_character_in(std::string_view text) {
     const auto point = code_point(text.substr(at));
     if (!point)
         return OddCharacter{
-            at, hexadecimal("byte %02X, which is no UTF-8", static_cast<unsigned char>(text[at])),
+            at, hexadecimal("byte %02X, which is not UTF-8", static_cast<unsigned char>(text[at])),
             "save the file as UTF-8"};
     const auto* const range = std::find_if(kRanges.begin(), kRanges.end(), [&](const Range& r) {
         return r.first <= *point && *point <= r.last;

@@ -41,7 +41,7 @@ void integrator(Reading& reading, TokenStream& tokens, const Token& keyword) {
 }
 
 void accelerator(Reading& reading, TokenStream& tokens, const Token& keyword) {
-    const Statement statement = read_statement(tokens, keyword);  // ours is Embree's
+    const Statement statement = read_statement(tokens, keyword);  // Embree builds its own tree
     statement.ignore({"maxnodeprims", "splitmethod", "intersectcost", "traversalcost", "emptybonus",
                       "maxprims", "maxdepth"});
     reading.log.warn_unused(statement);
@@ -60,23 +60,23 @@ void color_space(Reading& reading, TokenStream& tokens, const Token& keyword) {
 
 struct KnownOption {
     std::string_view name;
-    std::string_view instead;  // what is done; empty: it has no say in the picture
+    std::string_view instead;  // what happens instead; empty: no effect on the picture
 };
 
 constexpr std::array<KnownOption, 11> kOptions = {
-    {{"disablepixeljitter", "pixels are filtered all over"},
+    {{"disablepixeljitter", "pixels are always sampled all over"},
      {"disabletexturefiltering", ""},
-     {"disablewavelengthjitter", "each pass has its own wavelengths"},
+     {"disablewavelengthjitter", "wavelengths always vary between passes"},
      {"displacementedgescale", ""},
-     {"forcediffuse", "materials are as they are"},
+     {"forcediffuse", "materials are unchanged"},
      {"msereferenceimage", ""},
      {"msereferenceout", ""},
      {"pixelstats", ""},
      {"rendercoordsys", ""},
-     {"seed", "the command line gives the seed"},
+     {"seed", "use --seed"},
      {"wavefront", ""}}};
 
-/// pbrt-v4 passes over case and underscores.
+/// Removes case and underscores, which pbrt-v4 ignores.
 std::string plain(const std::string& name) {
     std::string result;
     for (const char c : name)
@@ -85,7 +85,7 @@ std::string plain(const std::string& name) {
     return result;
 }
 
-/// Option "name" value: a number, a quoted string, true or false.
+/// Reads Option "name" value: a number, a quoted string, true or false.
 void option(Reading& reading, TokenStream& tokens, const Token& keyword) {
     const std::string name = tokens.require_string("the name of an option");
     const Token value = tokens.require("the value of option " + in_quotes(name));

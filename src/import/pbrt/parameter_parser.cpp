@@ -1,4 +1,4 @@
-// Parameter lists, with the values of each type as that type asks for.
+// Parameter lists, with the values that each type needs.
 #include "import/pbrt/parameter_parser.h"
 
 #include "import/pbrt/numbers.h"
@@ -77,7 +77,8 @@ Parameter declared_parameter(const std::string& whole, const SourceLocation& whe
                              ColourSpace space) {
     const std::string_view text = trimmed(whole);
     if (const auto odd = odd_character_in(whole))
-        throw Error(where, odd->what + " stands in the declaration " + in_quotes(whole), odd->mend);
+        throw Error(where, "unexpected " + odd->what + " in the declaration " + in_quotes(whole),
+                    odd->mend);
     const std::size_t blank = text.find_first_of(" \t");
     if (blank == std::string_view::npos)
         throw Error(where, "expected a parameter, found " + in_quotes(whole),

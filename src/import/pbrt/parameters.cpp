@@ -10,7 +10,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// The first word of a type is its name in messages.
+/// The first word of a type is the one in messages.
 constexpr std::array<std::pair<std::string_view, ParameterType>, 16> kTypes = {{
     {"bool", ParameterType::boolean},
     {"integer", ParameterType::integer},
@@ -30,7 +30,7 @@ constexpr std::array<std::pair<std::string_view, ParameterType>, 16> kTypes = {{
     {"normal3", ParameterType::normal},
 }};
 
-/// The last of that name, or null.
+/// Returns the last parameter of that name, or null.
 const Parameter* last_of(const Parameters& list, std::string_view name) {
     const auto found =
         std::find_if(list.rbegin(), list.rend(), [&](const auto& p) { return p->name == name; });

@@ -1,4 +1,4 @@
-// Typed parameters of one statement, looked up by name; what nobody asked for is told.
+// Statement: a directive with typed parameters, looked up by name, with detection of unused ones.
 #pragma once
 
 #include "math/colour_space.h"
@@ -30,33 +30,33 @@ enum class ParameterType {
     texture
 };
 
-/// The word that the language has for it: "float", "bool", ...
+/// Returns the word of the language: "float", "bool", ...
 std::string_view name_of(ParameterType type);
-/// The type of a word, or nothing.
+/// Returns the type of a word, or nothing.
 std::optional<ParameterType> parameter_type(std::string_view word);
-/// Numbers that make one value; 0 for types that hold no real numbers, or any number of them.
+/// Returns the numbers per value; 0 for types without numbers, or with any count.
 std::size_t components_of(ParameterType type);
 
 struct Parameter {
     ParameterType type = ParameterType::real;
     std::string name;
     SourceLocation where;
-    std::vector<double> numbers;  // of all types but integer, bool, string and texture
+    std::vector<double> numbers;  // of all types except integer, bool, string and texture
     std::vector<int> integers;    // of integer; of bool: 0 and 1
     std::vector<std::string> texts;
     ColourSpace space = ColourSpace::srgb;  // of an rgb
     mutable bool used = false;
 
-    /// "float radius", in quotes.
+    /// Returns "float radius", in quotes.
     std::string title() const;
 };
 
 using Parameters = std::vector<std::shared_ptr<const Parameter>>;
 
-/// A directive with a type word and parameters: Shape "sphere" "float radius" 2. Of parameters of
+/// A directive with a type word and parameters: Shape "sphere" "float radius" 2. Of parameters with
 /// the same name the last one counts; the block's defaults come after all of them.
 ///
-/// Lookups by name throw Error for another type than asked for, or another number of values.
+/// Lookups by name throw Error for another type, or another number of values.
 struct Statement {
     std::string keyword;
     std::string type;
@@ -64,12 +64,12 @@ struct Statement {
     Parameters own;
     std::shared_ptr<const Parameters> defaults;  // or null
 
-    /// Shape "sphere".
+    /// Returns Shape "sphere".
     std::string title() const;
 
-    /// The parameter of that name, marked as used, or null.
+    /// Returns the parameter of that name and marks it as used, or null.
     const Parameter* find(std::string_view name) const;
-    /// The same; it must be of the type.
+    /// Returns the parameter, which must have the type, or null.
     const Parameter* find(std::string_view name, ParameterType type) const;
 
     std::optional<double> real(std::string_view name) const;
@@ -80,13 +80,13 @@ struct Statement {
     bool flag(std::string_view name, bool fallback) const;
     std::optional<std::string> text(std::string_view name) const;
     Vec3d point(std::string_view name, const Vec3d& fallback) const;
-    /// `count` numbers. @param count  0: any.
+    /// Returns `count` numbers. @param count  0 for any.
     std::optional<std::vector<double>> reals(std::string_view name, std::size_t count) const;
 
-    /// VisibleFlags parameters that are known to have no meaning here.
+    /// Marks parameters as used that have no effect here.
     void ignore(std::initializer_list<std::string_view> names) const;
     void ignore_all() const;
-    /// Own parameters that no lookup asked for.
+    /// Returns own parameters that no lookup used.
     std::vector<const Parameter*> unused() const;
 };
 

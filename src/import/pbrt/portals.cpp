@@ -1,8 +1,8 @@
-// Corners of portals, checked, and the sky behind them.
+// Portal corners, and the environment behind them.
 #include "import/pbrt/portals.h"
 
 #include "image/lookup.h"
-#include "import/pbrt/light_pictures.h"
+#include "import/pbrt/light_images.h"
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/reading.h"
 #include "math/warp.h"
@@ -10,7 +10,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Cells across where the sky has no picture: they only guide the choice of directions.
+/// Cells per axis for a constant environment, where they only guide the sampling.
 constexpr int kPlainSide = 64;
 
 std::array<Vec3d, 4> corners_of(const Parameter& portal) {
@@ -23,7 +23,7 @@ std::array<Vec3d, 4> corners_of(const Parameter& portal) {
     return corners;
 }
 
-/// The light's frame and extent, as pbrt-v4 has them: x along p3 - p0, y along p1 - p0.
+/// Returns frame and extent as in pbrt-v4: x along p3 - p0, y along p1 - p0.
 PortalLight placed(const Parameter& portal) {
     const auto p = corners_of(portal);
     const Vec3d x = p[3] - p[0];
@@ -35,7 +35,7 @@ PortalLight placed(const Parameter& portal) {
                               std::abs(x.dot(y)) <= 1e-3 * light.extent.x * light.extent.y &&
                               (p[0] + x + y - p[2]).length() <= 1e-3 * size;
     if (!is_rectangle)
-        throw Error(portal.where, "a portal that is no rectangle",
+        throw Error(portal.where, "the portal is not a rectangle",
                     "give its corners in their order around it, at right angles");
     light.frame.x = x / light.extent.x;
     light.frame.y = (y - light.frame.x * light.frame.x.dot(y)).normalized();
@@ -50,16 +50,16 @@ Light portal_light(const Statement& statement, Reading& reading) {
     PortalLight light = placed(*statement.find("portal", ParameterType::point3));
     if (!statement.find("filename")) {
         const Spectrum curve = emission_of(statement, "L", reading);
-        // pbrt-v4 makes a picture of one texel, in its zenith, and adds that up.
+        // pbrt-v4 makes an image of one texel, at its zenith, and sums that up.
         const double at_one = 2 * kPiDouble * static_cast<double>(curve.luminance());
         light.curve =
             scaled(curve, scale_of(statement) * factor_by(statement, "illuminance", at_one));
-        light.picture =
-            std::make_shared<const PortalPicture>(kPlainSide, [](const Vec3d&) { return Vec3(1); });
+        light.image =
+            std::make_shared<const PortalImage>(kPlainSide, [](const Vec3d&) { return Vec3(1); });
         return light;
     }
     const Image image = directions_image(statement, reading);
-    const double at_one = illuminance_from_above(LightPicture(image)) / 2;
+    const double at_one = illuminance_from_above(LightImage(image)) / 2;
     light.curve =
         scaled(Spectrum::d65(), scale_of(statement) * factor_by(statement, "illuminance", at_one));
     const Affine turn = turn_of(statement, reading);
@@ -69,7 +69,7 @@ Light portal_light(const Statement& statement, Reading& reading) {
         const auto v = bilinear(image, Vec2(sphere_to_square(own)), Wrap::octahedral_sphere);
         return image.channels() < 3 ? Vec3(v[0]) : Vec3(v[0], v[1], v[2]);
     };
-    light.picture = std::make_shared<const PortalPicture>(image.resolution().x, sky);
+    light.image = std::make_shared<const PortalImage>(image.resolution().x, sky);
     return light;
 }
 

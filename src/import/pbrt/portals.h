@@ -1,4 +1,4 @@
-// Infinite lights that come through a rectangle.
+// Infinite lights with a portal.
 #pragma once
 
 #include "import/pbrt/parameters.h"
@@ -8,9 +8,9 @@ namespace sunfleck::engine {
 
 struct Reading;
 
-/// Of a LightSource "infinite" with "point3 portal": four corners in the world, whatever the
-/// present matrix; the sky lies where (p3 - p0) x (p1 - p0) points (pbrt-v4).
-/// @throws Error for corners that are those of no rectangle.
+/// Converts a LightSource "infinite" with "point3 portal": four corners in the world, whatever the
+/// current matrix; the environment is on the side of (p3 - p0) x (p1 - p0) (pbrt-v4).
+/// @throws Error  if the corners do not form a rectangle.
 Light portal_light(const Statement& statement, Reading& reading);
 
 }  // namespace sunfleck::engine

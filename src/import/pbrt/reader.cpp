@@ -1,4 +1,4 @@
-// The reading from its first statement to the finished scene.
+// Reading from the first statement to the finished scene.
 #include "import/pbrt/reader.h"
 
 #include "core/file_content.h"
@@ -19,7 +19,7 @@ SceneDescription read_all(std::string text, const std::string& path, const FileA
     try {
         read_statements(reading, tokens);
     } catch (const Error&) {
-        reading.assets.files.check_missing();  // this fault may come of what is missing
+        reading.assets.files.check_missing();  // the fault may be a consequence of missing files
         throw;
     }
     return finish_scene(reading);

@@ -1,4 +1,4 @@
-// Blocks, defaults and matrices of a reading in progress.
+// Blocks, defaults and matrices of a reading.
 #include "import/pbrt/reading.h"
 
 #include "import/pbrt/transforms.h"
@@ -10,8 +10,8 @@ namespace sunfleck::engine {
 void Reading::warn_unused_defaults() {
     for (const auto& parameter : defaults)
         if (!parameter->used)
-            log.warn(parameter->where, "no statement after it uses the parameter " +
-                                           parameter->title() + " of Attribute: it is ignored");
+            log.warn(parameter->where, "parameter " + parameter->title() +
+                                           " of Attribute is ignored: no later statement uses it");
 }
 
 void Reading::check_blocks_closed(std::size_t base) const {
@@ -28,7 +28,7 @@ Matrix Reading::still_matrix(const SourceLocation& where) {
 Matrix Reading::still(const Motion& motion, const SourceLocation& where) {
     if (motion[0] == motion[1]) return motion[0];
     log.warn(where,
-             "motion is not simulated: things stand where they are in the middle of the exposure");
+             "motion is not simulated: objects stay where they are in the middle of the exposure");
     const double open = options.camera ? options.camera->real("shutteropen", 0) : 0;
     const double close = options.camera ? options.camera->real("shutterclose", 1) : 1;
     const double span = transform_times[1] - transform_times[0];

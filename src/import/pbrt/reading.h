@@ -1,6 +1,6 @@
-// A reading in progress: the scene so far, and what later statements need to know.
+// Reading: the state of an import, with the scene so far and what later statements need.
 //
-// In:  statements, one after the other (directives.h). Out: finish() fills in what had to wait.
+// In:  statements in order (directives.h). Out: finish() completes what had to wait for the end.
 #pragma once
 
 #include "import/pbrt/assets.h"
@@ -14,17 +14,17 @@
 
 namespace sunfleck::engine {
 
-/// Statements of which the last one counts, read when all files have ended.
+/// Statements of which the last one counts, converted at the end of all files.
 struct Options {
     std::optional<Statement> camera;
     std::optional<Statement> film;
     std::optional<Statement> filter;
     std::optional<Statement> sampler;
     std::optional<Statement> integrator;
-    Motion camera_from_world;  // the matrix at the Camera statement
+    Motion camera_from_world;  // matrix at the Camera statement
 };
 
-/// An ObjectInstance, whose object may come later in the file.
+/// An ObjectInstance; its object may come later in the file.
 struct InstanceUse {
     std::string name;
     Matrix to_world;
@@ -43,28 +43,28 @@ struct Reading {
 
     GraphicsState state;
     std::vector<Block> blocks;
-    std::size_t block_base = 0;  // blocks that the present Import found open
+    std::size_t block_base = 0;  // open blocks at the start of the current Import
     bool in_world = false;
     Options options;
     std::map<std::string, Motion> coordinate_systems;
     std::array<double, 2> transform_times{0, 1};
-    Vec3d curve_origin{0};  // that the control points of the last curve are relative to
+    Vec3d curve_origin{0};  // origin of the last curve's control points
 
     MaterialTable materials;
     MediumTable media;
-    Parameters defaults;  // given by Attribute, for whoever asks
+    Parameters defaults;  // from Attribute, by category
     std::map<std::string, std::uint32_t> objects;
     std::optional<std::uint32_t> open_object;
     std::vector<InstanceUse> instances;
     Inclusions inclusions;
 
-    /// Warns of parameters given by Attribute that no statement asked for: at the end.
+    /// Warns of Attribute parameters that no statement used; called at the end.
     void warn_unused_defaults();
-    /// @throws Error if more than the outer `base` blocks are open.
+    /// @throws Error  if more than the outer `base` blocks are open.
     void check_blocks_closed(std::size_t base) const;
-    /// The matrix of the graphics state in the middle of the exposure; warns where it moves.
+    /// Returns the current matrix in the middle of the exposure; warns if it moves.
     Matrix still_matrix(const SourceLocation& where);
-    /// Any motion in the middle of the exposure; warns if there is one.
+    /// Returns a matrix in the middle of the exposure; warns if it moves.
     Matrix still(const Motion& motion, const SourceLocation& where);
 };
 

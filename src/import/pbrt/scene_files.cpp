@@ -1,4 +1,4 @@
-// The list of files, and that of the missing ones.
+// The list of files, and of missing ones.
 #include "import/pbrt/scene_files.h"
 
 #include "import/pbrt/words.h"

@@ -1,5 +1,5 @@
-// The files of one scene: finds and reads those that it names, lists them, and keeps the missing
-// ones, so that one error can tell all of them.
+// SceneFiles: finds, reads and lists the files of a scene, and collects missing ones for one common
+// error.
 #pragma once
 
 #include "import/pbrt/file_access.h"
@@ -13,24 +13,24 @@ namespace sunfleck::engine {
 
 class SceneFiles {
 public:
-    /// @param main_file  the first of the list; relative names start at its folder.
-    /// @param log  is told of names whose backslashes are read as slashes; it must outlive this.
+    /// @param main_file  first of the list; relative names start at its folder.
+    /// @param log  receives warnings of backslashes that are read as slashes; it must outlive this.
     SceneFiles(const std::string& main_file, FileAccess access, ImportLog& log);
 
-    /// The path that a name in the scene stands for.
+    /// Returns the path of a name in the scene.
     std::string path_of(const std::string& name) const { return resolved(name, folder_); }
-    /// Finds and reads a file, and leaves the list as it is. Any number of threads may call it at
-    /// a time. @throws MissingFile, Error  as find_file() does.
+    /// Finds and reads a file without listing it. Thread-safe.
+    /// @throws MissingFile, Error  as find_file().
     NamedFile find(const std::string& name, const SourceLocation& from) const {
         return find_file(name, folder_, from, access_);
     }
-    /// Enters a file in the list, and warns if it was found by slashes for its backslashes.
+    /// Adds a file to the list, and warns if its backslashes were read as slashes.
     void note(const NamedFile& file, const SourceLocation& from);
-    /// Finds and reads a file, and enters it in the list. @throws MissingFile, Error  as find().
+    /// Finds and reads a file, and lists it. @throws MissingFile, Error  as find().
     NamedFile read(const std::string& name, const SourceLocation& from);
-    /// Reads a data file as something else than bytes.
-    /// @param parse  takes a NamedFile. The Errors that it throws are told with the statement that
-    /// asked for the file. @return what `parse` returns.
+    /// Reads and parses a data file.
+    /// @param parse  takes a NamedFile; Errors that it throws get the location of the statement.
+    /// @return what `parse` returns.
     template <class Parse>
     auto read_as(const std::string& name, const SourceLocation& from, const Parse& parse) {
         try {
@@ -46,7 +46,7 @@ public:
     /// @throws Error  that lists the missing files, if there are any.
     void check_missing() const;
 
-    /// The paths of all files that were read, each once, in the order of their first reading.
+    /// Returns the paths of all files that were read, each once, in order of first reading.
     const std::vector<std::string>& paths() const { return paths_; }
 
 private:

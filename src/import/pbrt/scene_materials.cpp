@@ -1,4 +1,4 @@
-// Slots as materials, and the parts of mixes.
+// Conversion of table entries, and the components of mixes.
 #include "import/pbrt/scene_materials.h"
 
 #include "import/pbrt/materials.h"
@@ -14,25 +14,27 @@ namespace {
 
 constexpr int kDeepestMix = 32;
 
-/// Looks up the parts of mixes.
-class MixParts {
+/// Looks up the components of mixes.
+class MixComponents {
 public:
-    MixParts(MaterialTable& table, ImportLog& log) : table_(table), log_(log) {}
+    MixComponents(MaterialTable& table, ImportLog& log) : table_(table), log_(log) {}
 
-    /// The mix with the slots of its parts. Where nothing is mixed in, the other part is
-    /// everywhere. @throws Error when materials mix each other in a circle.
+    /// Returns the mix with the entries of its components. If one component is an interface, the
+    /// other is used everywhere. @throws Error  for cyclic mixes.
     Material complete(MixMaterial mix, const Statement& statement) {
-        const Parameter& names = checked_parts(statement, 0);
+        const Parameter& names = checked_components(statement, 0);
         std::vector<std::string> there;
         for (const std::string& name : names.texts)
             if (!is_interface(name, names.where)) there.push_back(name);
         if (there.size() < 2)
-            log_.warn(statement.where,
-                      "a mix with nothing in it is not simulated: it is the other part everywhere");
+            log_.warn(
+                statement.where,
+                "a mix with \"interface\" is not simulated: the other material is used everywhere");
         if (there.empty()) return InterfaceMaterial{};
         for (std::size_t i = 0; i < 2; ++i) {
-            mix.parts.at(i) = table_.slot_of(there.at(std::min(i, there.size() - 1)), names.where);
-            table_.use(mix.parts.at(i));
+            mix.components.at(i) =
+                table_.slot_of(there.at(std::min(i, there.size() - 1)), names.where);
+            table_.use(mix.components.at(i));
         }
         return mix;
     }
@@ -44,22 +46,22 @@ private:
         return type == "interface" || type == "none" || type.empty();
     }
 
-    /// The names of both parts. All mixes below are checked, each of them once.
-    const Parameter& checked_parts(const Statement& statement, int depth) {
+    /// Returns the names of both components. All mixes below are checked, each once.
+    const Parameter& checked_components(const Statement& statement, int depth) {
         const Parameter* names = statement.find("materials", ParameterType::text);
         if (!names || names->texts.size() != 2)
             throw Error(statement.where, "a mix without two materials",
                         "add \"string materials\" [ \"one\" \"another\" ]");
         if (depth >= kDeepestMix)
             throw Error(statement.where,
-                        "materials mix each other in a circle, or more than " +
+                        "mixes refer to each other in a cycle, or more than " +
                             std::to_string(kDeepestMix) + " deep",
-                        "break the circle, or mix fewer");
+                        "break the cycle, or mix fewer");
         for (const std::string& name : names->texts) {
             if (is_interface(name, names->where)) continue;
             const Statement& part = table_.named(name, names->where);
             if (part.type != "mix" || sound_.contains(&part)) continue;
-            checked_parts(part, depth + 1);
+            checked_components(part, depth + 1);
             sound_.insert(&part);
         }
         return *names;
@@ -73,12 +75,12 @@ private:
 }  // namespace
 
 void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& scene) {
-    MixParts parts(table, assets.log);
-    // NOLINTNEXTLINE(modernize-loop-convert): mixes add slots of their parts
+    MixComponents components(table, assets.log);
+    // NOLINTNEXTLINE(modernize-loop-convert): mixes add slots of their components
     for (std::size_t i = 0; i < table.slots().size(); ++i) {
         const MaterialTable::Slot slot = table.slots()[i];
         Material& material = scene.materials.emplace_back(DiffuseMaterial{});
-        Relief& relief = scene.reliefs.emplace_back();
+        BumpMap& bump_map = scene.bump_maps.emplace_back();
         if (!slot.statement && !slot.used && !table.is_made(slot.name)) {
             assets.log.warn(slot.from, "there is no material " + in_quotes(slot.name) +
                                            ", but no shape uses it");
@@ -90,8 +92,8 @@ void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& sc
         try {
             material = material_of(statement, assets);
             if (const auto* mix = std::get_if<MixMaterial>(&material))
-                material = parts.complete(*mix, statement);
-            relief = relief_of(statement, assets);
+                material = components.complete(*mix, statement);
+            bump_map = bump_map_of(statement, assets);
             assets.log.warn_unused(statement);
         } catch (const MissingFile& missing) {
             assets.files.note_missing(missing);

@@ -1,4 +1,4 @@
-// The materials of a scene, made of the table's slots when all files have ended.
+// Conversion of all entries of the material table at the end of all files.
 #pragma once
 
 #include "import/pbrt/assets.h"
@@ -7,10 +7,10 @@
 
 namespace sunfleck::engine {
 
-/// Adds a material and a relief for each slot, in the order of the slots. Parts of mixes become
-/// further slots. Missing files are noted with the other missing ones.
-/// @throws Error for names that were never made, though a shape uses them, for mixes that mix each
-/// other in a circle, and for parameters that cannot be used.
+/// Adds a material and a bump or normal map for each entry, in order; components of mixes become
+/// further entries. Missing files are noted.
+/// @throws Error  for names that a shape uses but that were never made, for cyclic mixes, and for
+/// invalid parameters.
 void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& scene);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Shapes by their words, with what the graphics state adds to them.
+// Shapes by their words, with the attributes of the graphics state.
 #include "import/pbrt/shapes.h"
 
 #include "import/pbrt/curve_shape.h"
@@ -26,7 +26,7 @@ double radius_of(const Statement& statement) {
     return radius;
 }
 
-/// "phimax" in radians.
+/// Returns "phimax" in radians.
 double phi_max_of(const Statement& statement) {
     const double degrees = statement.real("phimax", 360);
     want(degrees > 0, statement, "phimax", "the angle is not positive");
@@ -132,7 +132,7 @@ std::optional<AreaEmission> emission_here(const Statement& statement, const Shap
     return std::nullopt;
 }
 
-/// "alpha" of the shape, a number or a texture. @return whether there is anything to add.
+/// Reads "alpha" of the shape, a number or a texture. @return whether the shape has any surface.
 bool take_alpha(const Statement& statement, Reading& reading, ShapeDescription& shape) {
     const FloatTexture alpha = reading.assets.textures.find_number(statement, "alpha").value_or(1);
     if (alpha.is_constant() && alpha.constant() >= 1) return true;
@@ -146,16 +146,17 @@ bool take_alpha(const Statement& statement, Reading& reading, ShapeDescription& 
     return true;
 }
 
-/// Quadrics and curves are met in their own frame, where pbrt turns the normal if the matrix
-/// mirrors: a mirrored sphere has its normal inside. Meshes and patches keep the side of their own
-/// frame, and so do emitters, whose light pbrt samples on that side.
+/// Returns whether a reflection flips the normal. pbrt intersects quadrics and curves in their own
+/// frame and flips the normal if the matrix mirrors: a mirrored sphere has its normal inside.
+/// Meshes and patches keep the side of their own frame, and so do emitters, whose light pbrt
+/// samples on that side.
 bool turns_where_mirrored(const PlacedShape& placed) {
     return !std::holds_alternative<TriangleMesh>(placed.shape) &&
            !std::holds_alternative<BilinearMesh>(placed.shape) &&
            Affine(placed.to_world).determinant() < 0;
 }
 
-/// Hair comes as one statement a curve: what goes on from the shape before is added to that.
+/// Joins consecutive curves of hair, which come as one statement per curve, into one shape.
 bool joined(ShapeDescription& before, ShapeDescription& shape) {
     auto* first = std::get_if<Curves>(&before.placed.shape);
     const auto* second = std::get_if<Curves>(&shape.placed.shape);

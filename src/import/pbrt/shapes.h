@@ -1,4 +1,4 @@
-// Shape statements as our shapes, with the material and emission of the graphics state.
+// Conversion of Shape statements, with material and emission of the graphics state.
 #pragma once
 
 #include "import/pbrt/parameters.h"
@@ -10,11 +10,11 @@ namespace sunfleck::engine {
 
 struct Reading;
 
-/// The types of Shape, and what each means.
+/// Returns the types of Shape, and what each means.
 std::span<const WordRow> shape_words();
 
-/// Adds the shape to the world, or to the object that is open.
-/// @throws Error for an unknown type and for parameters that no such shape can have.
+/// Adds the shape to the world, or to the open object.
+/// @throws Error  for an unknown type, and for invalid parameters.
 void add_shape(const Statement& statement, Reading& reading);
 
 }  // namespace sunfleck::engine

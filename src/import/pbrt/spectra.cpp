@@ -1,4 +1,4 @@
-// Spectra as pbrt-v4 gives them: paramdict.cpp there, measured for lights.
+// Spectra as in pbrt-v4 (paramdict.cpp there, measured for lights).
 #include "import/pbrt/spectra.h"
 
 #include "core/file_content.h"
@@ -27,7 +27,7 @@ std::string shown(double number) {
     return text.data();
 }
 
-/// In linear sRGB, negative components cut with a warning.
+/// Converts to linear sRGB and clamps negative components with a warning.
 Vec3 in_srgb(const Parameter& parameter, SpectrumUse use, ImportLog& log) {
     const auto& v = parameter.numbers;
     const Triple given{v[0], v[1], v[2]};
@@ -39,20 +39,20 @@ Vec3 in_srgb(const Parameter& parameter, SpectrumUse use, ImportLog& log) {
     const bool too_bright = use == SpectrumUse::reflectance && *most > 1 + kRounding &&
                             parameter.space != ColourSpace::srgb;
     if (*least < -kRounding * *most || too_bright)
-        log.warn(parameter.where, "parameter " + parameter.title() +
-                                      " is no colour of sRGB: what is beyond it is cut off");
+        log.warn(parameter.where,
+                 "parameter " + parameter.title() + " is outside the gamut of sRGB: it is clamped");
     for (double& c : rgb) c = std::max(c, 0.0);
     return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
 }
 
-/// A surface reflects at most all light: where it is made of a spectrum, the rest is cut off.
+/// A surface reflects at most all light; reflectance above one is clamped.
 void warn_above_one(double most, const Parameter& parameter, const std::string& of,
                     ImportLog& log) {
     constexpr double kRounding = 1e-3;
     constexpr double kPercentages = 2;
     if (!(most > 1 + kRounding)) return;
-    log.warn(parameter.where, "parameter " + parameter.title() + of + " goes up to " + shown(most) +
-                                  ": what is above 1 is cut off" +
+    log.warn(parameter.where, "parameter " + parameter.title() + of + " reaches " + shown(most) +
+                                  ": values above 1 are clamped" +
                                   (most >= kPercentages && most <= 100
                                        ? "; are these percentages? divide them by 100"
                                        : ""));
@@ -71,7 +71,7 @@ Spectrum rgb_curve(const Parameter& parameter, SpectrumUse use, ImportLog& log) 
     return Spectrum::rgb_unbounded(rgb);
 }
 
-/// Warns of a table that says nothing of visible light.
+/// Warns of a table without visible wavelengths.
 void warn_invisible(const Points& points, const Parameter& parameter, const std::string& of,
                     ImportLog& log) {
     constexpr float kMicrometres = 100;
@@ -83,7 +83,7 @@ void warn_invisible(const Points& points, const Parameter& parameter, const std:
                                        : ""));
 }
 
-/// The first and the last value go on to the ends of visible light.
+/// Extends the first and last value over the visible range.
 void extend(Points& points, const Parameter& parameter, const std::string& of, ImportLog& log) {
     const TabulatedSpectrum::Point first = points.front();
     const TabulatedSpectrum::Point last = points.back();
@@ -92,10 +92,10 @@ void extend(Points& points, const Parameter& parameter, const std::string& of, I
     if (first.nm > kFirstNm) points.insert(points.begin(), {kFirstNm, first.value});
     log.warn(parameter.where, "parameter " + parameter.title() + of + " is given from " +
                                   shown(first.nm) + " to " + shown(last.nm) +
-                                  " nm: beyond, its end values go on");
+                                  " nm: its end values extend beyond");
 }
 
-/// @param of  the file it stands in, or "".
+/// @param of  name of the file with the spectrum, or "".
 Spectrum sampled(const std::vector<double>& numbers, const Parameter& parameter, SpectrumUse use,
                  const std::string& of, ImportLog& log) {
     want(!numbers.empty() && numbers.size() % 2 == 0, parameter,
@@ -105,7 +105,7 @@ Spectrum sampled(const std::vector<double>& numbers, const Parameter& parameter,
     for (std::size_t i = 0; i < numbers.size(); i += 2) {
         points.push_back({static_cast<float>(numbers[i]), static_cast<float>(numbers[i + 1])});
         want(i == 0 || points[i / 2 - 1].nm < points[i / 2].nm, parameter,
-             of + " has wavelengths that do not rise", "sort the pairs by wavelength");
+             of + " has wavelengths that do not increase", "sort the pairs by wavelength");
         want(points.back().value >= 0, parameter, of + " has a negative value",
              "use values of 0 or more");
     }
@@ -121,7 +121,7 @@ Spectrum sampled(const std::vector<double>& numbers, const Parameter& parameter,
 
 }  // namespace
 
-/// Pairs of numbers in a text file, with # comments.
+/// Reads pairs of numbers from a text file with # comments.
 Spectrum SpectrumReader::from_file(const std::string& name, const Parameter& parameter,
                                    SpectrumUse use) {
     const auto numbers = files_.read_as(name, parameter.where, [](NamedFile file) {
@@ -150,13 +150,13 @@ Spectrum SpectrumReader::by_name(const Parameter& parameter, SpectrumUse use) {
 
 Spectrum SpectrumReader::raw_curve(const Parameter& parameter, SpectrumUse use) {
     if (parameter.type == ParameterType::blackbody) {
-        if (parameter.numbers.size() == 2)  // a temperature and a factor
+        if (parameter.numbers.size() == 2)  // temperature and factor
             refuse_v3("the parameter " + parameter.title() + " of two numbers", parameter.where);
         want(parameter.numbers.size() == 1 && parameter.numbers[0] > 0, parameter,
-             " is no temperature", "give one positive number of kelvin");
+             " is not a temperature", "give one positive number of kelvin");
         return Spectrum(BlackbodySpectrum{static_cast<float>(parameter.numbers[0])});
     }
-    want(parameter.type == ParameterType::spectrum, parameter, " is no spectrum",
+    want(parameter.type == ParameterType::spectrum, parameter, " is not a spectrum",
          "write \"rgb " + parameter.name + "\" or \"spectrum " + parameter.name + "\"");
     if (parameter.texts.empty()) return sampled(parameter.numbers, parameter, use, "", log_);
     want(parameter.texts.size() == 1 && parameter.numbers.empty(), parameter,

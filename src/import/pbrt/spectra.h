@@ -1,4 +1,4 @@
-// Parameters that are spectra: rgb, blackbody, sampled, named, or in a file.
+// Conversion of spectrum parameters: rgb, blackbody, sampled, named, or from a file.
 #pragma once
 
 #include "import/pbrt/import_log.h"
@@ -8,29 +8,30 @@
 
 namespace sunfleck::engine {
 
-/// What the spectrum is for: it says what an rgb stands for (pbrt-v4).
+/// Use of a spectrum, which decides what an rgb means (pbrt-v4).
 enum class SpectrumUse {
     reflectance,  // rgb in [0,1]
     unbounded,    // absorption, scattering
-    index,        // eta, k: unbounded; a table's end values go on beyond it
-    emission      // rgb under D65; all other spectra are divided by their luminance
+    index,        // eta, k: unbounded; end values of a table extend beyond it
+    emission      // rgb under D65; other spectra are divided by their luminance
 };
 
-/// Reads spectra out of parameters, and out of the files that these name.
+/// Reads spectra from parameters, and from the files that they name.
 class SpectrumReader {
 public:
     /// Both must outlive this.
     SpectrumReader(SceneFiles& files, ImportLog& log) : files_(files), log_(log) {}
 
-    /// @throws Error for numbers that no such spectrum can have, unknown names, missing files.
+    /// @throws Error  for invalid numbers, unknown names, missing files.
     Spectrum curve(const Parameter& parameter, SpectrumUse use);
 
-    /// The spectrum of that name, or nothing. A "texture" is an Error here.
+    /// Returns the spectrum of that name, or nothing. @throws Error  for a "texture".
     std::optional<Spectrum> find(const Statement& statement, std::string_view name,
                                  SpectrumUse use);
 
-    /// Emission by a parameter; where there is none, the white of the present colour space, of
-    /// luminance one. @param present  that space.
+    /// Returns the emission of a parameter; without it, the white of a colour space with luminance
+    /// one.
+    /// @param present  current colour space.
     Spectrum emission(const Statement& statement, std::string_view name, ColourSpace present);
 
 private:

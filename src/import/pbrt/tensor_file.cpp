@@ -1,4 +1,4 @@
-// Reads named arrays, and believes no number before it has compared it with the file's size.
+// Reads named arrays, and checks every number against the size of the file.
 #include "import/pbrt/tensor_file.h"
 
 #include "import/pbrt/words.h"
@@ -32,7 +32,7 @@ public:
         return taken;
     }
 
-    /// Unsigned, little-endian.
+    /// Reads an unsigned little-endian number.
     template <class T>
     T number() {
         T value = 0;
@@ -101,7 +101,7 @@ std::map<std::string, Tensor> read_tensors(const std::string& bytes,
                                            const std::map<std::string, std::size_t>& wanted,
                                            const SourceLocation& from) {
     Bytes reader(bytes, from);
-    if (bytes.substr(0, kMagic.size()) != kMagic) reader.fail("does not begin as one");
+    if (bytes.substr(0, kMagic.size()) != kMagic) reader.fail("has a wrong signature");
     reader.take(kMagic.size());
     const auto fields = reader.number<std::uint32_t>();
     if (fields > kMostFields) reader.fail("has more than 1000 fields");

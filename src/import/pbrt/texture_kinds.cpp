@@ -1,4 +1,4 @@
-// Classes of textures by their words, with pbrt-v4's parameters and defaults.
+// Classes of textures, with pbrt-v4's parameters and defaults.
 #include "import/pbrt/texture_kinds.h"
 
 #include "import/pbrt/words.h"
@@ -9,16 +9,16 @@
 namespace sunfleck::engine {
 namespace {
 
-/// What the makers of all classes need.
+/// Arguments of the functions of all classes.
 template <class T>
 struct Making {
     const TextureInput& input;
-    const TextureParts<T>& parts;
+    const TextureOperands<T>& operands;
     ImageTable& images;
     ImportLog& log;
 
-    const T& part(std::string_view name) const { return parts.own.at(name); }
-    const FloatTexture& number(std::string_view name) const { return parts.numbers.at(name); }
+    const T& operand(std::string_view name) const { return operands.own.at(name); }
+    const FloatTexture& number(std::string_view name) const { return operands.numbers.at(name); }
 };
 
 using MakingNumber = Making<FloatTexture>;
@@ -40,25 +40,25 @@ using Kind = typename KindOf<T>::Kind;
 
 template <class T>
 T constant(const Making<T>& m) {
-    return m.part("value");
+    return m.operand("value");
 }
 
 template <class T>
 T scale(const Making<T>& m) {
-    return T(Kind<T>{ScaledKind<T>{m.part("tex"), m.number("scale")}});
+    return T(Kind<T>{ScaledKind<T>{m.operand("tex"), m.number("scale")}});
 }
 
 template <class T>
 T mix(const Making<T>& m) {
-    return T(Kind<T>{MixKind<T>{m.part("tex1"), m.part("tex2"), m.number("amount")}});
+    return T(Kind<T>{MixKind<T>{m.operand("tex1"), m.operand("tex2"), m.number("amount")}});
 }
 
 template <class T>
 T direction_mix(const Making<T>& m) {
     const Vec3d direction =
         Affine(m.input.to_world).vector(Vec3d(m.input.vector("dir", {0, 1, 0})));
-    return T(
-        Kind<T>{DirectionMixKind<T>{m.part("tex1"), m.part("tex2"), Vec3(direction.normalized())}});
+    return T(Kind<T>{
+        DirectionMixKind<T>{m.operand("tex1"), m.operand("tex2"), Vec3(direction.normalized())}});
 }
 
 template <class T>
@@ -68,20 +68,20 @@ T checkerboard(const Making<T>& m) {
     if (dimension != 2 && dimension != 3)
         throw Error(statement.find("dimension")->where,
                     "a checkerboard of " + std::to_string(dimension) + " dimensions", "use 2 or 3");
-    CheckerboardKind<T> kind{mapping_of(m.input), m.part("tex1"), m.part("tex2")};
+    CheckerboardKind<T> kind{mapping_of(m.input), m.operand("tex1"), m.operand("tex2")};
     if (dimension == 3) kind.mapping = PointMapping{m.input.to_texture()};
     return T(Kind<T>{std::move(kind)});
 }
 
 template <class T>
 T dots(const Making<T>& m) {
-    return T(Kind<T>{DotsKind<T>{mapping_of(m.input), m.part("inside"), m.part("outside")}});
+    return T(Kind<T>{DotsKind<T>{mapping_of(m.input), m.operand("inside"), m.operand("outside")}});
 }
 
 template <class T>
 T bilerp(const Making<T>& m) {
-    return T(Kind<T>{BilerpKind<T>{mapping_of(m.input), m.part("v00"), m.part("v01"), m.part("v10"),
-                                   m.part("v11")}});
+    return T(Kind<T>{BilerpKind<T>{mapping_of(m.input), m.operand("v00"), m.operand("v01"),
+                                   m.operand("v10"), m.operand("v11")}});
 }
 
 ColourUse colour_use(SpectrumUse use) {
@@ -120,18 +120,19 @@ SpectrumTexture marble(const MakingSpectrum& m) {
 template <class T>
 T ptex(const Making<T>& m) {
     m.input.statement.ignore_all();
-    m.log.warn(m.input.statement.where, "textures of class \"ptex\" are not read: they are 0.5");
+    m.log.warn(m.input.statement.where,
+               "textures of class \"ptex\" are not read: the constant 0.5 is used");
     if constexpr (std::is_same_v<T, FloatTexture>)
         return 0.5F;
     else
         return Spectrum::constant(0.5F);
 }
 
-constexpr TexturePart own(std::string_view name, float fallback) {
+constexpr TextureOperand own(std::string_view name, float fallback) {
     return {name, fallback, false};
 }
 
-constexpr TexturePart number(std::string_view name, float fallback) {
+constexpr TextureOperand number(std::string_view name, float fallback) {
     return {name, fallback, true};
 }
 
@@ -145,9 +146,9 @@ constexpr std::array kBilerpParts = {own("v00", 0), own("v01", 1), own("v10", 0)
 
 struct Row {
     std::string_view word;
-    FloatTexture (*number)(const MakingNumber&);         // null: there is none
-    SpectrumTexture (*spectrum)(const MakingSpectrum&);  // likewise
-    std::span<const TexturePart> parts;
+    FloatTexture (*number)(const MakingNumber&);         // null: no float texture of this class
+    SpectrumTexture (*spectrum)(const MakingSpectrum&);  // null: no spectrum texture
+    std::span<const TextureOperand> operands;
     Treatment treatment;
     std::string_view read_as;  // as in WordRow
 };
@@ -203,12 +204,12 @@ std::span<const WordRow> texture_words() {
     return kWords;
 }
 
-std::span<const TexturePart> texture_parts(std::string_view word) {
-    return row_of(word).parts;
+std::span<const TextureOperand> texture_operands(std::string_view word) {
+    return row_of(word).operands;
 }
 
 template <class T>
-T texture_of(const TextureInput& input, const TextureParts<T>& parts, ImageTable& images,
+T texture_of(const TextureInput& input, const TextureOperands<T>& operands, ImageTable& images,
              ImportLog& log) {
     const Statement& statement = input.statement;
     const Row& row = row_of(statement.type);
@@ -222,14 +223,14 @@ T texture_of(const TextureInput& input, const TextureParts<T>& parts, ImageTable
         throw Error(statement.where,
                     "texture " + in_quotes(statement.type) + " is not of this kind",
                     row.number == nullptr ? "make it a \"spectrum\"" : "make it a \"float\"");
-    T texture = maker({input, parts, images, log});
+    T texture = maker({input, operands, images, log});
     log.warn_unused(statement);
     return texture;
 }
 
-template FloatTexture texture_of(const TextureInput&, const TextureParts<FloatTexture>&,
+template FloatTexture texture_of(const TextureInput&, const TextureOperands<FloatTexture>&,
                                  ImageTable&, ImportLog&);
-template SpectrumTexture texture_of(const TextureInput&, const TextureParts<SpectrumTexture>&,
+template SpectrumTexture texture_of(const TextureInput&, const TextureOperands<SpectrumTexture>&,
                                     ImageTable&, ImportLog&);
 
 }  // namespace sunfleck::engine

@@ -1,5 +1,5 @@
-// A Texture statement as one of our textures; a row for each class of the language. The textures
-// that it is made of are looked up by the caller, who knows those of the scene (textures.h).
+// Conversion of a Texture statement; a row for each class of the language. The caller looks up the
+// textures that it refers to (textures.h).
 #pragma once
 
 #include "import/pbrt/texture_parameters.h"
@@ -12,32 +12,33 @@
 
 namespace sunfleck::engine {
 
-/// All classes, of either kind.
+/// Returns all classes of both kinds.
 std::span<const std::string_view> texture_classes();
 /// The same with what each means.
 std::span<const WordRow> texture_words();
 
-/// A parameter of a class that may be a texture, and its value where it is not given.
-struct TexturePart {
+/// A parameter of a class that may be a texture, and its default.
+struct TextureOperand {
     std::string_view name;
     float fallback = 0;
-    bool is_number = false;  // a float texture in textures of either kind
+    bool is_number = false;  // a float texture also in spectrum textures
 };
 
-/// The parts of a class. @param word  one of texture_classes().
-std::span<const TexturePart> texture_parts(std::string_view word);
+/// Returns the texture parameters of a class. @param word  one of texture_classes().
+std::span<const TextureOperand> texture_operands(std::string_view word);
 
-/// The parts of one texture, by the names of their parameters.
+/// The input textures of a texture, by parameter name.
 template <class T>
-struct TextureParts {
-    std::map<std::string_view, T> own;  // of the kind of the texture itself
+struct TextureOperands {
+    std::map<std::string_view, T> own;  // of the same kind as the texture
     std::map<std::string_view, FloatTexture> numbers;
 };
 
-/// @tparam T  FloatTexture or SpectrumTexture. @param parts  all of texture_parts().
-/// @throws Error for parameters that cannot be used, and for a class that has only the other kind.
+/// @tparam T  FloatTexture or SpectrumTexture.
+/// @param operands  all of texture_operands().
+/// @throws Error  for invalid parameters, and for a class that exists for the other kind only.
 template <class T>
-T texture_of(const TextureInput& input, const TextureParts<T>& parts, ImageTable& images,
+T texture_of(const TextureInput& input, const TextureOperands<T>& operands, ImageTable& images,
              ImportLog& log);
 
 }  // namespace sunfleck::engine

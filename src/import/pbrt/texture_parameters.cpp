@@ -1,4 +1,4 @@
-// Common parameters of textures, with pbrt-v4's defaults.
+// Shared parameters of textures, with pbrt-v4's defaults.
 #include "import/pbrt/texture_parameters.h"
 
 #include "import/pbrt/words.h"
@@ -28,7 +28,7 @@ Vec3 TextureInput::vector(std::string_view name, const Vec3& fallback) const {
     const Parameter* found = statement.find(name, ParameterType::vector3);
     if (!found) return fallback;
     if (found->numbers.size() != 3)
-        throw Error(found->where, "parameter " + found->title() + " is no vector", "give 3");
+        throw Error(found->where, "parameter " + found->title() + " is not a vector", "give 3");
     return {Vec3d(found->numbers[0], found->numbers[1], found->numbers[2])};
 }
 
@@ -55,7 +55,7 @@ Mapping mapping_of(const TextureInput& input) {
 }
 
 Octaves octaves_of(const TextureInput& input) {
-    constexpr int kMost = 32;  // beyond it a float has no finer scale
+    constexpr int kMost = 32;  // finer octaves are below float precision
     return {std::clamp(input.statement.integer("octaves").value_or(8), 0, kMost),
             input.real("roughness", 0.5)};
 }
@@ -77,7 +77,7 @@ ImageKind image_of(const TextureInput& input, ImageTable& images, ImportLog& log
     if (filter > 1)
         log.warn(statement.where,
                  "images are not filtered by distance: \"trilinear\" and "
-                 "\"ewa\" are as \"bilinear\"");
+                 "\"ewa\" are read as \"bilinear\"");
     kind.scale = input.real("scale", 1);
     kind.invert = statement.flag("invert", false);
     kind.image = images.enter(*name, encoding_of(statement), statement.where);

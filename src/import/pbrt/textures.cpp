@@ -1,4 +1,4 @@
-// The table of named textures, each made when something asks for it.
+// The table of named textures, each converted at its first use.
 #include "import/pbrt/textures.h"
 
 #include "import/pbrt/version3.h"
@@ -12,7 +12,7 @@ namespace {
 constexpr int kDeepest = 100;
 constexpr double kMostLookups = 100'000;
 
-/// One name, as a texture parameter must have.
+/// Checks that a texture parameter has one name.
 const Parameter& checked(const Parameter& parameter) {
     if (parameter.texts.size() == 1) return parameter;
     throw Error(parameter.where,
@@ -49,46 +49,45 @@ TextureTable::Entry& TextureTable::entry_of(const std::string& kind, const Param
                 "make it by Texture before, or check the name");
 }
 
-/// Of parts that are not given, pbrt-v4's constants.
+/// Inputs that are not given have pbrt-v4's defaults.
 template <class T>
-TextureParts<T> TextureTable::parts_of(const Statement& statement, SpectrumUse use) {
-    TextureParts<T> parts;
-    for (const TexturePart& part : texture_parts(statement.type)) {
+TextureOperands<T> TextureTable::operands_of(const Statement& statement, SpectrumUse use) {
+    TextureOperands<T> operands;
+    for (const TextureOperand& operand : texture_operands(statement.type)) {
         const auto number = [&] {
-            return find_number(statement, part.name).value_or(part.fallback);
+            return find_number(statement, operand.name).value_or(operand.fallback);
         };
-        if (part.is_number)
-            parts.numbers.emplace(part.name, number());
+        if (operand.is_number)
+            operands.numbers.emplace(operand.name, number());
         else if constexpr (std::is_same_v<T, FloatTexture>)
-            parts.own.emplace(part.name, number());
+            operands.own.emplace(operand.name, number());
         else
-            parts.own.emplace(part.name, find_spectrum(statement, part.name, use)
-                                             .value_or(Spectrum::constant(part.fallback)));
+            operands.own.emplace(operand.name, find_spectrum(statement, operand.name, use)
+                                                   .value_or(Spectrum::constant(operand.fallback)));
     }
-    return parts;
+    return operands;
 }
 
-/// Notes how deep the tree below the texture is, and how deep that makes the one above.
+/// Converts a texture and records the depth of its tree.
 template <class T>
 T TextureTable::make(Entry& entry, SpectrumUse use) {
     const auto check = [&](int depth) {
         if (depth > kDeepest)
             throw Error(entry.statement.where, "textures are nested more than 100 deep",
-                        "use fewer of them");
+                        "use fewer levels");
     };
     check(++open_);
     const std::size_t limit_above = std::exchange(limit_, entry.order);
     const Tree above = std::exchange(below_, {});
     T texture = texture_of<T>({entry.statement, entry.to_world, use},
-                              parts_of<T>(entry.statement, use), images_, log_);
+                              operands_of<T>(entry.statement, use), images_, log_);
     limit_ = limit_above;
     const Tree below = std::exchange(below_, above);
     entry.tree = {below.depth + 1, below.lookups + 1};
     check(entry.tree.depth);
     if (entry.tree.lookups > kMostLookups)
-        throw Error(entry.statement.where,
-                    "a texture of more than 100000 others, each as often as it is asked for",
-                    "use fewer of them");
+        throw Error(entry.statement.where, "the tree of this texture has more than 100000 nodes",
+                    "use fewer textures");
     --open_;
     return texture;
 }

@@ -12,7 +12,7 @@ constexpr std::size_t kDeepestInclude = 100;
 
 void TokenStream::check_opening(const std::string& file, const SourceLocation& from) const {
     if (is_open(file))
-        throw Error(from, in_quotes(file, 4096) + " includes itself", "break the circle");
+        throw Error(from, in_quotes(file, 4096) + " includes itself", "break the cycle");
     if (depth() >= kDeepestInclude)
         throw Error(from, "files include each other more than 100 deep", "include fewer");
 }

@@ -1,4 +1,4 @@
-// Tokens of a file and of all that it includes, as one sequence.
+// TokenStream: tokens of a file and of all files that it includes, as one sequence.
 #pragma once
 
 #include "import/pbrt/lexer.h"
@@ -8,35 +8,35 @@
 
 namespace sunfleck::engine {
 
-/// Included files are spliced in where they are pushed; a token's text lives until release().
+/// Included files are inserted where they are pushed; a token's text lives until release().
 class TokenStream {
 public:
-    /// @param outer  the stream whose Import made this one, or null: its files are open, too.
+    /// @param outer  stream whose Import made this one, or null: its files are open, too.
     explicit TokenStream(const TokenStream* outer = nullptr) : outer_(outer) {}
 
-    /// Continues with this file, and returns to the present one after it.
-    /// @param from  the statement that includes it.
-    /// @throws Error if the file includes itself, or files are open more than 100 deep.
+    /// Continues with this file, and returns to the current one after it.
+    /// @param from  statement that includes it.
+    /// @throws Error  if the file includes itself, or if more than 100 files are open.
     void push(std::string text, const std::string& file, const SourceLocation& from);
 
-    /// The next token, or nothing after the last one. @throws Error as Lexer::next() does.
+    /// Returns the next token, or nothing after the last one. @throws Error  as Lexer::next().
     std::optional<Token> next();
-    /// The same, left in place.
+    /// Returns the next token without consuming it.
     const std::optional<Token>& peek();
-    /// @throws Error, naming `what` was expected, at the end of the files.
+    /// @throws Error  at the end of the files; it tells that `what` was expected.
     Token require(const std::string& what);
-    /// The text of a string. @throws Error if the next token is none.
+    /// Returns the text of a string. @throws Error  if the next token is not a string.
     std::string require_string(const std::string& what);
-    /// @throws Error if the next token is no finite number.
+    /// @throws Error  if the next token is not a finite number.
     double require_number(const std::string& what);
-    /// Checks before reading a file that push() would take it. @throws Error as push() does.
+    /// Checks before a file is read that push() would accept it. @throws Error  as push().
     void check_opening(const std::string& file, const SourceLocation& from) const;
 
-    /// The file that all began with. Call it within a statement of an included file or before one
-    /// is pushed.
+    /// Returns the main file. It must be called within a statement of an included file, or before
+    /// one is pushed.
     const Lexer& root() const { return outer_ ? outer_->root() : *open_.front(); }
 
-    /// Drops files that have ended, and with them the text of their tokens.
+    /// Releases files that have ended, and with them the text of their tokens.
     void release() { ended_.clear(); }
 
 private:

@@ -1,4 +1,4 @@
-// Directives that change the current matrix, or name and recall it.
+// Directives that change the current matrix, or store and recall it.
 #include "import/pbrt/directives.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/transforms.h"
@@ -12,14 +12,15 @@ namespace {
     throw Error(keyword.where(), std::string(keyword.text) + ": " + fault, mend);
 }
 
-/// Puts `change` before the active matrices, or in their place.
+/// Multiplies the active matrices by `change`, or replaces them.
 void apply(Reading& reading, const Token& keyword, const Matrix& change, bool replace = false) {
     for (std::size_t i = 0; i < 2; ++i) {
         if (!reading.state.active[i]) continue;
         Matrix& matrix = reading.state.matrix[i];
         matrix = replace ? change : change * matrix;
         if (!is_usable(matrix))
-            fail(keyword, "the matrix has no inverse", "scale by no zeros, and keep numbers sane");
+            fail(keyword, "the matrix has no inverse",
+                 "use scales other than zero and numbers of moderate size");
     }
 }
 
@@ -56,12 +57,12 @@ void look(Reading& reading, TokenStream& tokens, const Token& keyword) {
     const Vec3d up = vector(tokens, keyword);
     const auto matrix = look_at(eye, target, up);
     if (!matrix)
-        fail(keyword, "eye, target and up make no frame",
-             "the eye must not be the target, nor up point at it");
+        fail(keyword, "eye, target and up do not define a frame",
+             "move the eye off the target, and let up point elsewhere");
     apply(reading, keyword, *matrix);
 }
 
-/// Sixteen numbers column by column: for row vectors, row by row.
+/// Reads sixteen numbers column by column: row by row for row vectors.
 Matrix read_matrix(TokenStream& tokens, const Token& keyword) {
     const std::string word(keyword.text);
     const bool brackets = tokens.peek() && tokens.peek()->kind == TokenKind::open;
@@ -98,7 +99,7 @@ void coord_sys_transform(Reading& reading, TokenStream& tokens, const Token& key
         reading.state.matrix = found->second;
     else
         reading.log.warn(keyword.where(), "there is no coordinate system " + in_quotes(name) +
-                                              ": the matrix stays, as in pbrt-v4");
+                                              ": the matrix is unchanged, as in pbrt-v4");
 }
 
 void active_transform(Reading& reading, TokenStream& tokens, const Token&) {

@@ -1,4 +1,4 @@
-// Matrices; only + - * / and sqrt on doubles.
+// Matrices by + - * / and sqrt on doubles alone.
 #include "import/pbrt/transforms.h"
 
 #include "geometry/affine.h"

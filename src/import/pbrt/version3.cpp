@@ -1,4 +1,4 @@
-// Tables of what pbrt-v4 renamed or left out.
+// Tables of what pbrt-v4 renamed or removed.
 //
 // Source: the users' guides of pbrt-v3 and pbrt-v4.
 #include "import/pbrt/version3.h"
@@ -84,7 +84,7 @@ void check_not_of_v3(std::string_view directive, std::string_view type,
 }
 
 void refuse_v3(const std::string& what, const SourceLocation& where) {
-    throw Error(where, what + " is of pbrt-v3, and scenes of pbrt-v4 are read",
+    throw Error(where, what + " belongs to pbrt-v3, but pbrt-v4 is read",
                 "convert the whole scene by pbrt-v4: pbrt --upgrade OLD.pbrt > NEW.pbrt");
 }
 

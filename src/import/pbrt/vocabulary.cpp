@@ -1,4 +1,4 @@
-// Looking up words, and the table as Markdown.
+// Lookup of words, and the table as Markdown.
 #include "import/pbrt/vocabulary.h"
 
 #include "import/pbrt/camera.h"
@@ -16,7 +16,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Is `word` one of those of a row, which blanks part?
+/// Returns whether `word` is one of the blank-separated words of a row.
 bool names(const WordRow& row, std::string_view word) {
     if (row.word == word) return true;
     for (std::size_t at = row.word.find(word); at != std::string_view::npos && !word.empty();

@@ -1,4 +1,4 @@
-// One word of the language, and what it means to us.
+// One word of the language, and its treatment.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 namespace sunfleck::engine {
 
 enum class Treatment {
-    exact,         // as pbrt-v4 means it
-    approximated,  // something else stands in for it; a warning says so
-    ignored,       // read, and without effect; a warning says so where the picture would differ
+    exact,         // with the meaning of pbrt-v4
+    approximated,  // replaced by something similar; a warning says so
+    ignored,       // read without effect; a warning says so where the picture would differ
     refused        // an error
 };
 
@@ -21,9 +21,9 @@ inline constexpr auto kRefused = Treatment::refused;
 
 struct WordRow {
     std::string_view directive;  // "Shape"
-    std::string_view word;       // "plymesh"; of "Directive" itself, several with blanks between
+    std::string_view word;       // "plymesh"; for "Directive", several separated by blanks
     Treatment treatment = Treatment::exact;
-    std::string_view read_as;  // Markdown, within a table's cell
+    std::string_view read_as;  // Markdown, for a table cell
 };
 
 /// The rows of a directive whose words are read by a table of their own.

@@ -1,4 +1,4 @@
-// Words in messages: similarity by edit distance.
+// Suggestions by edit distance.
 #include "import/pbrt/words.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Insertions, deletions and replacements that turn a into b, capitals aside (Levenshtein).
+/// Returns the Levenshtein distance of two words, ignoring case.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -29,7 +29,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-/// The word at most a third of its letters away, or nothing.
+/// Returns the nearest word within a third of its letters, or nothing.
 std::string_view nearest(std::span<const std::string_view> known, std::string_view word) {
     if (word.size() > kLongestSimilar) return {};
     std::string_view best;

@@ -1,4 +1,4 @@
-// Words of a scene file in messages, and the known word that an unknown one may mean.
+// Words in messages: lists of known words, and suggestions for misspelled ones.
 #pragma once
 
 #include "core/printable.h"
@@ -11,11 +11,11 @@
 
 namespace sunfleck::engine {
 
-/// `use "a", "b" or "c"`: the remedy for an unknown word, the most similar one first where one is
-/// close. @param known  not empty.
+/// Returns `use "a", "b" or "c"`, the remedy for an unknown word; a similar word comes first.
+/// @param known  not empty.
 std::string use_one_of(std::span<const std::string_view> known, std::string_view instead_of);
 
-/// The words of a table, in the order of its rows. @tparam Row  has a `word`.
+/// Returns the words of a table, in the order of its rows. @tparam Row  has a `word`.
 template <class Row, std::size_t N>
 constexpr std::array<std::string_view, N> words_of(const std::array<Row, N>& rows) {
     std::array<std::string_view, N> words;
@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, N> words_of(const std::array<Row, N>& row
     return words;
 }
 
-/// `did you mean "Shape"?` where a known word is close, or `check the spelling`.
+/// Returns `did you mean "Shape"?` if a known word is similar, else `check the spelling`.
 std::string did_you_mean(std::span<const std::string_view> known, std::string_view instead_of);
 
 }  // namespace sunfleck::engine

@@ -1,4 +1,4 @@
-// Directives of what is in the world: materials, textures, media, lights, shapes.
+// Directives of the world: materials, textures, media, lights, shapes.
 #include "import/pbrt/directives.h"
 #include "import/pbrt/lights.h"
 #include "import/pbrt/parameter_parser.h"
@@ -43,7 +43,7 @@ void make_named_medium(Reading& reading, TokenStream& tokens, const Token& keywo
     reading.media.make(std::move(statement));
 }
 
-/// One name for both sides, or two; empty names are empty space.
+/// Reads one name for both sides, or two; empty names are empty space.
 void medium_interface(Reading& reading, TokenStream& tokens, const Token&) {
     GraphicsState& state = reading.state;
     state.inside_medium = tokens.require_string("the name of a medium");

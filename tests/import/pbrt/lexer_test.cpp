@@ -74,7 +74,7 @@ TEST(Lexer, lines_may_end_as_on_any_system) {
 TEST(Lexer, names_characters_that_look_like_others) {
     EXPECT_EQ(error_in("Scale\xC2\xA0"
                        "1 1 1"),
-              "a.pbrt:1:6: U+00A0 (no-break space) stands here, which no word has; write a plain "
+              "a.pbrt:1:6: unexpected U+00A0 (no-break space); write a plain "
               "space");
     const std::vector<std::pair<std::string, std::string>> odd = {
         {"\xE2\x80\x89", "U+2009 (typographic space)"},
@@ -84,14 +84,14 @@ TEST(Lexer, names_characters_that_look_like_others) {
         {"\xE2\x88\x92", "U+2212 (minus sign)"},
         {"\xEF\xBB\xBF", "U+FEFF (byte order mark within the text)"},
         {"\xC2\x85", "U+0085 (next line)"},
-        {"\xA0", "byte A0, which is no UTF-8"},
-        {"\xE2\x80", "byte E2, which is no UTF-8"},
+        {"\xA0", "byte A0, which is not UTF-8"},
+        {"\xE2\x80", "byte E2, which is not UTF-8"},
         {"\xC3\xA9", "U+00E9"},
         {"\x0C", "U+000C"},
         {"\x1A", "U+001A (end-of-file mark of DOS)"},
         {std::string(1, '\0'), "U+0000 (a zero byte)"}};
     for (const auto& [bytes, name] : odd)
-        EXPECT_NE(error_in("Scale\n1 2" + bytes + "3 ").find("a.pbrt:2:4: " + name),
+        EXPECT_NE(error_in("Scale\n1 2" + bytes + "3 ").find("a.pbrt:2:4: unexpected " + name),
                   std::string::npos)
             << name << ": " << error_in("Scale\n1 2" + bytes + "3 ");
     EXPECT_EQ(error_in("\"\xC2\xA0\" # \xC2\xA0"), "");

@@ -103,7 +103,7 @@ TEST(Lights, have_the_colour_space_of_their_place) {
     const Vec3 white = seen("ColorSpace \"aces2065-1\" LightSource \"infinite\"");
     EXPECT_GT(white.x, white.z + 0.05F);
     const SceneDescription cut = read_world(p3 + "LightSource \"infinite\" \"rgb L\" [ 0 1 0 ]");
-    EXPECT_EQ(warnings_with(cut, "no colour of sRGB"), 1);
+    EXPECT_EQ(warnings_with(cut, "outside the gamut of sRGB"), 1);
 }
 
 TEST(Options, are_known_or_told) {

@@ -58,7 +58,7 @@ std::string ply_of(const std::string& type, const std::vector<Vec3d>& points) {
 }
 
 int coarse(const std::string& world, const MemoryFiles& files = {}) {
-    return warnings_with(read_world(world, files), "float numbers have steps of 0.5");
+    return warnings_with(read_world(world, files), "have a spacing of 0.5");
 }
 
 TEST(LocalPoints, vertices_that_a_file_rounded_to_coarse_floats_are_told) {

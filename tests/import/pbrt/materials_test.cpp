@@ -1,4 +1,4 @@
-// Materials: ours by their parameters, the others by what stands in.
+// Materials: ours by their parameters, the others by approximations.
 #include "import/pbrt/materials.h"
 
 #include "import/pbrt/scene_text.h"
@@ -120,21 +120,21 @@ TEST(Materials, mixes_have_two_parts) {
                    "Material \"mix\" \"string materials\" [ \"g\" \"d\" ] \"float amount\" .3 "
                    "Shape \"sphere\"");
     const auto& mix = std::get<MixMaterial>(scene.materials.at(1));
-    EXPECT_TRUE(std::holds_alternative<DielectricMaterial>(scene.materials.at(mix.parts[0])));
-    EXPECT_TRUE(std::holds_alternative<DiffuseMaterial>(scene.materials.at(mix.parts[1])));
+    EXPECT_TRUE(std::holds_alternative<DielectricMaterial>(scene.materials.at(mix.components[0])));
+    EXPECT_TRUE(std::holds_alternative<DiffuseMaterial>(scene.materials.at(mix.components[1])));
     EXPECT_EQ(mix.amount.constant(), 0.3F);
     EXPECT_EQ(warnings_with(scene, "mix"), 0);
     const SceneDescription holes =
         read_world(two + "Material \"mix\" \"string materials\" [ \"i\" \"d\" ] Shape \"sphere\"");
     const auto& whole = std::get<MixMaterial>(holes.materials.at(1));
-    EXPECT_EQ(whole.parts[0], whole.parts[1]);
+    EXPECT_EQ(whole.components[0], whole.components[1]);
     EXPECT_EQ(warnings_with(holes, "mix"), 1);
     EXPECT_NE(world_error(two + "Material \"mix\""), "");
     EXPECT_NE(world_error(two + "Material \"mix\" \"string materials\" [ \"x\" \"d\" ]"), "");
     EXPECT_TRUE(
         contains(world_error("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" "
                              "[ \"m\" \"m\" ] NamedMaterial \"m\" Shape \"sphere\""),
-                 "circle"));
+                 "cycle"));
 }
 
 /// Looked at once each: as a tree these would be 2^30.

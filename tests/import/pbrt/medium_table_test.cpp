@@ -60,8 +60,8 @@ TEST(ReadMedia, that_are_not_simulated_are_told) {
     };
     const std::string even = "\"string type\" \"homogeneous\" ";
     EXPECT_EQ(warned(even + "\"float scale\" 0 ", "scatters"), 0);
-    EXPECT_EQ(warned(even + "\"rgb Le\" [1 0 0] ", "glows"), 1);
-    EXPECT_EQ(warned(even + "\"rgb Le\" [0 0 0] ", "glows"), 0);
+    EXPECT_EQ(warned(even + "\"rgb Le\" [1 0 0] ", "emits"), 1);
+    EXPECT_EQ(warned(even + "\"rgb Le\" [0 0 0] ", "emits"), 0);
     EXPECT_EQ(warned(even + "\"float smell\" 2 ", "unused"), 1);
     EXPECT_EQ(warned("\"string type\" \"nanovdb\" \"string filename\" \"a.nvdb\" ",
                      "light passes it unchanged"),

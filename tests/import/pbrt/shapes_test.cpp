@@ -160,7 +160,7 @@ TEST(Shapes, curves_in_a_row_are_one_shape) {
     const SceneDescription lit = read_world("AreaLightSource \"diffuse\" " + kCurve);
     EXPECT_FALSE(lit.shapes.at(0).emission);
     EXPECT_EQ(warnings_with(lit, "curves emit no light"), 1);
-    EXPECT_EQ(warnings_with(read_world(kCurve + "\"normal N\" [0 0 1]"), "no ribbon"), 1);
+    EXPECT_EQ(warnings_with(read_world(kCurve + "\"normal N\" [0 0 1]"), "not a ribbon"), 1);
 }
 
 TEST(Shapes, with_alpha_are_there_in_part) {
@@ -273,7 +273,7 @@ TEST(Shapes, normals_that_are_no_numbers_are_left_out) {
         read_world("Shape \"plymesh\" \"string filename\" \"a.ply\"", {{"a.ply", text}});
     const auto& mesh = std::get<TriangleMesh>(scene.shapes.at(0).placed.shape);
     EXPECT_EQ(mesh.normals, (std::vector<Vec3>{Vec3(0), Vec3(0, 0, 1), Vec3(0)}));
-    EXPECT_EQ(warnings_with(scene, "2 normals in \"a.ply\" are no numbers"), 1);
+    EXPECT_EQ(warnings_with(scene, "2 normals in \"a.ply\" are not finite"), 1);
 }
 
 }  // namespace

@@ -85,12 +85,12 @@ TEST(Spectra, without_visible_points_are_told) {
 
 TEST(Spectra, of_surfaces_above_one_are_told_and_cut_off) {
     const SceneDescription slightly = surface("\"diffuse\" \"rgb reflectance\" [ .1 .2 1.01 ]");
-    EXPECT_EQ(warnings_with(slightly, "what is above 1 is cut off"), 1);
+    EXPECT_EQ(warnings_with(slightly, "values above 1 are clamped"), 1);
     EXPECT_EQ(warnings_with(slightly, "percentages"), 0);
     for (const char* parameter :
          {"\"rgb reflectance\" [ 60 40 20 ]", "\"spectrum reflectance\" [ 400 60 700 20 ]"}) {
         const SceneDescription scene = surface(std::string("\"diffuse\" ") + parameter);
-        EXPECT_EQ(warnings_with(scene, "goes up to 60"), 1) << parameter;
+        EXPECT_EQ(warnings_with(scene, "reaches 60"), 1) << parameter;
         EXPECT_EQ(warnings_with(scene, "are these percentages?"), 1) << parameter;
     }
     EXPECT_TRUE(surface("\"conductor\" \"spectrum k\" [ 300 7 900 9 ]").warnings.entries().empty());
@@ -106,7 +106,7 @@ TEST(Spectra, of_eta_and_k_go_on_beyond_their_tables) {
     EXPECT_FLOAT_EQ(eta(glass)(400), 1.5F);
     EXPECT_FLOAT_EQ(eta(glass)(550), 1.45F);
     EXPECT_FLOAT_EQ(eta(glass)(800), 1.4F);
-    EXPECT_EQ(warnings_with(glass, "beyond, its end values go on"), 1);
+    EXPECT_EQ(warnings_with(glass, "its end values extend beyond"), 1);
     const SceneDescription micro = surface("\"dielectric\" \"spectrum eta\" \"a.spd\"", files);
     EXPECT_FLOAT_EQ(eta(micro)(550), 1.51F);
     EXPECT_EQ(warnings_with(micro, "micrometres"), 1);

@@ -149,7 +149,7 @@ TEST(Textures, images_on_coats_count_as_their_mean) {
             "Material \"coateddiffuse\" \"texture roughness\" \"t\" \"bool remaproughness\" "
             "false\nShape \"sphere\"",
         two_images());
-    EXPECT_EQ(warnings_with(scene, "the texture of \"roughness\" counts as its mean"), 1);
+    EXPECT_EQ(warnings_with(scene, "the texture of \"roughness\" is replaced by its mean"), 1);
     const auto& coated = std::get<CoatedDiffuseMaterial>(scene.materials.at(1));
     ASSERT_TRUE(coated.coat->facets());
     EXPECT_FLOAT_EQ(coated.coat->facets()->alpha_x, 0.25F);
@@ -170,11 +170,11 @@ TEST(Textures, bend_surfaces) {
             "\"diffuse\" \"string normalmap\" \"a/i.pfm\" Shape \"sphere\" Material \"diffuse\" "
             "\"float displacement\" 3 Shape \"sphere\"",
         two_images());
-    ASSERT_EQ(scene.reliefs.size(), scene.materials.size());
-    EXPECT_TRUE(is_flat(scene.reliefs[0]));
-    EXPECT_TRUE(std::holds_alternative<Bumps>(scene.reliefs[1]));
-    EXPECT_TRUE(std::holds_alternative<NormalMap>(scene.reliefs[2]));
-    EXPECT_TRUE(is_flat(scene.reliefs[3]));
+    ASSERT_EQ(scene.bump_maps.size(), scene.materials.size());
+    EXPECT_TRUE(is_flat(scene.bump_maps[0]));
+    EXPECT_TRUE(std::holds_alternative<DisplacementMap>(scene.bump_maps[1]));
+    EXPECT_TRUE(std::holds_alternative<NormalMap>(scene.bump_maps[2]));
+    EXPECT_TRUE(is_flat(scene.bump_maps[3]));
     EXPECT_TRUE(scene.warnings.entries().empty());
 }
 
@@ -233,7 +233,7 @@ TEST(Textures, that_ask_for_too_many_are_refused) {
         read_world(chain(40));
         FAIL();
     } catch (const Error& error) {
-        EXPECT_TRUE(contains(error.what(), "more than 100000 others")) << error.what();
+        EXPECT_TRUE(contains(error.what(), "more than 100000 nodes")) << error.what();
     }
 }
 

@@ -208,7 +208,8 @@ TEST(Ply, faults_of_the_body_name_element_and_number) {
     expect_fault(small(v + "3 0 1 3\n"), "m.ply: face 0: it names a vertex that does not exist");
     expect_fault(small(v + "3 0 -1 2\n"), "m.ply: face 0: it names a vertex");
     expect_fault(small(v + "3 0 1.5 2\n"), "m.ply: face 0: it names a vertex");
-    expect_fault(small(v + "-3 0 1 2\n"), "m.ply: face 0: a list \"vertex_indices\" of negative");
+    expect_fault(small(v + "-3 0 1 2\n"),
+                 "m.ply: face 0: a list \"vertex_indices\" with an invalid");
     expect_fault(small(v + "2 0 1 0\n"), "m.ply: no face has three corners");
     expect_fault(small("0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n"), "m.ply: vertex 1: a number that is");
     expect_fault(small("0 0 0\n1 0 0\n0 1 inf\n3 0 1 2\n"), "m.ply: vertex 2: a number that is");

@@ -1,5 +1,5 @@
 // Rectified environment maps, and inversion of sums over cells in a window.
-#include "light/portal_picture.h"
+#include "light/portal_image.h"
 
 #include "core/parallel.h"
 
@@ -31,7 +31,7 @@ double cell_mean(int x, int y, int side, const Value& value) {
 }
 
 /// Returns the mean of the environment over the directions of a cell.
-Vec3 mean_of_sky(int x, int y, int side, const PortalPicture::Sky& sky) {
+Vec3 mean_of_sky(int x, int y, int side, const PortalImage::Sky& sky) {
     double solid_angle = 0;
     Vec3d sum(0);
     looks(x, y, side, [&](const Vec2d& uv) {
@@ -43,7 +43,7 @@ Vec3 mean_of_sky(int x, int y, int side, const PortalPicture::Sky& sky) {
     return mean;
 }
 
-Image rectified(int side, const PortalPicture::Sky& sky) {
+Image rectified(int side, const PortalImage::Sky& sky) {
     const auto n = static_cast<std::size_t>(side);
     std::vector<float> texels(3 * n * n);
     parallel_for(n, [&](std::size_t row) {
@@ -84,7 +84,7 @@ Vec2d portal_place(const Vec3d& w) {
     return {half_of(w.x / w.z), half_of(w.y / w.z)};
 }
 
-PortalPicture::PortalPicture(int side, const Sky& sky)
+PortalImage::PortalImage(int side, const Sky& sky)
     : through_(rectified(side, sky), [side](int x, int y) { return projected_share(x, y, side); }),
       side_(side),
       sums_(static_cast<std::size_t>(side + 1) * static_cast<std::size_t>(side + 1)) {
@@ -98,13 +98,13 @@ PortalPicture::PortalPicture(int side, const Sky& sky)
     }
 }
 
-double PortalPicture::weight(int column, int row) const {
+double PortalImage::weight(int column, int row) const {
     const auto solid_angle = [](const Vec2d& uv) { return portal_direction(uv).solid_angle; };
     return through_.texel(column, row).luminance * cell_mean(column, row, side_, solid_angle);
 }
 
 /// Returns the sum of the cells left of and above a point, in cells; bilinear within one.
-double PortalPicture::mass(double x, double y) const {
+double PortalImage::mass(double x, double y) const {
     const int column = cell_of(x, side_);
     const int row = cell_of(y, side_);
     const auto stride = static_cast<std::size_t>(side_ + 1);
@@ -116,7 +116,7 @@ double PortalPicture::mass(double x, double y) const {
            (at[stride] * (1 - right) + at[stride + 1] * right) * below;
 }
 
-double PortalPicture::mass(const PortalWindow& window) const {
+double PortalImage::mass(const PortalWindow& window) const {
     const Vec2d low = window.low * side_;
     const Vec2d high = window.high * side_;
     return mass(high.x, high.y) - mass(low.x, high.y) - (mass(high.x, low.y) - mass(low.x, low.y));
@@ -147,8 +147,8 @@ double reached(const Rising& rising, double low, double high, double wanted) {
 
 }  // namespace
 
-std::optional<PortalPicture::Drawn> PortalPicture::draw(const PortalWindow& window,
-                                                        const Vec2d& u) const {
+std::optional<PortalImage::Drawn> PortalImage::draw(const PortalWindow& window,
+                                                    const Vec2d& u) const {
     const double total = mass(window);
     if (!(total > 0)) return {};
     const Vec2d low = window.low * side_;
@@ -167,7 +167,7 @@ std::optional<PortalPicture::Drawn> PortalPicture::draw(const PortalWindow& wind
     return Drawn{uv, light, density(window, uv)};
 }
 
-double PortalPicture::density(const PortalWindow& window, const Vec2d& uv) const {
+double PortalImage::density(const PortalWindow& window, const Vec2d& uv) const {
     const double total = mass(window);
     if (!(total > 0) || !window.contains(uv)) return 0;
     const Vec2d at = uv * side_;

@@ -5,17 +5,17 @@
 // Out: radiance at (u, v), and surface points whose density approximates the emission there.
 #pragma once
 
-#include "light/light_picture.h"
+#include "light/light_image.h"
 #include "light/surface_uv.h"
 
 #include <memory>
 
 namespace sunfleck::engine {
 
-class SurfacePicture {
+class SurfaceImage {
 public:
     /// @param image  with finite texels. The constructor calls prepare_colours().
-    explicit SurfacePicture(Image image);
+    explicit SurfaceImage(Image image);
 
     TexelLight at(const Vec2& uv) const;
     /// Returns the mean luminance of the texels.
@@ -28,10 +28,10 @@ private:
 };
 
 /// An image placed on the surface of one light.
-class LaidPicture {
+class PlacedImage {
 public:
     /// @param most_cells  of the table for sampling; at least 1.
-    LaidPicture(std::shared_ptr<const SurfacePicture> picture, const CornerUvs& uvs,
+    PlacedImage(std::shared_ptr<const SurfaceImage> image, const CornerUvs& uvs,
                 const EmittingSurface& surface, int most_cells);
 
     /// A surface point and its light; `density` is that in the unit square.
@@ -53,7 +53,7 @@ public:
     /// Inverts draw(): returns the u that leads to a point of the surface.
     Vec2d numbers(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal) const;
 
-    TexelLight at(const Vec2& uv) const { return picture_->at(uv); }
+    TexelLight at(const Vec2& uv) const { return image_->at(uv); }
     /// Returns the light at a surface point with unit normal `normal` (either side).
     TexelLight at(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal) const;
     /// Returns the luminance integrated over the surface, m^2: by 2 x 2 midpoints in each cell.
@@ -63,12 +63,12 @@ private:
     double mean_over(const EmittingSurface& surface, const Vec2i& cell, int side) const;
     int cells_across(int most_cells) const;
 
-    std::shared_ptr<const SurfacePicture> picture_;
+    std::shared_ptr<const SurfaceImage> image_;
     CornerUvs uvs_;
     double flux_ = 0;
     /// Distribution over the unit square that sample_surface() takes: spread times luminance of
     /// each cell, plus a little everywhere, so that every point can be sampled.
-    std::unique_ptr<const LightPicture> slots_;
+    std::unique_ptr<const LightImage> slots_;
 };
 
 }  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "geometry/affine.h"
-#include "light/light_picture.h"
+#include "light/light_image.h"
 #include "light/model.h"
 
 #include <memory>
@@ -18,7 +18,7 @@ struct GoniometricLight {
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;
-    std::shared_ptr<const LightPicture> picture;
+    std::shared_ptr<const LightImage> image;
     Affine to_world;  // a rotation, perhaps with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
@@ -35,9 +35,9 @@ struct ProjectionLight {
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;
-    Vec2d half;                                   // half of the image's width and height
-    std::shared_ptr<const LightPicture> picture;  // from projected_picture()
-    Affine to_world;                              // a rotation, perhaps with a reflection
+    Vec2d half;                               // half of the image's width and height
+    std::shared_ptr<const LightImage> image;  // from projected_image()
+    Affine to_world;                          // a rotation, perhaps with a reflection
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
@@ -51,6 +51,6 @@ private:
 };
 
 /// Returns an image for a projector, with texels weighted by their solid angles.
-std::shared_ptr<const LightPicture> projected_picture(Image image, const Vec2d& half);
+std::shared_ptr<const LightImage> projected_image(Image image, const Vec2d& half);
 
 }  // namespace sunfleck::engine

@@ -1,5 +1,5 @@
-// Stand-ins, each told in one warning.
-#include "import/pbrt/stand_ins.h"
+// Approximated materials, each with one warning.
+#include "import/pbrt/approximations.h"
 
 #include "core/file_content.h"
 #include "import/pbrt/coats.h"
@@ -16,15 +16,15 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr float kGlossyAlpha = 0.5F;  // rougher measured materials are diffuse
+constexpr float kGlossyAlpha = 0.5F;  // rougher measured materials are approximated as diffuse
 
-void warn_stand_in(const Statement& statement, const std::string& instead, Assets& assets) {
+void warn_approximated(const Statement& statement, const std::string& instead, Assets& assets) {
     assets.log.warn(statement.where,
                     "material " + in_quotes(statement.type) + " is not simulated: " + instead);
 }
 
-/// Per radius. Eumelanin and pheomelanin: d'Eon et al., An Energy-Conserving Hair Reflectance Model
-/// (2011), in the numbers of pbrt-v4; of brown hair where nothing is said.
+/// Returns the absorption per radius. Eumelanin and pheomelanin: d'Eon et al., An Energy-Conserving
+/// Hair Reflectance Model (2011), with the numbers of pbrt-v4; brown hair by default.
 Spectrum hair_absorption(const Statement& statement, float beta, Assets& assets) {
     const auto given = even_curve(statement, "sigma_a", SpectrumUse::unbounded, assets);
     auto colour = even_curve(statement, "reflectance", SpectrumUse::reflectance, assets);
@@ -49,7 +49,7 @@ float positive_eta(const Statement& statement, float fallback, Assets& assets) {
                 "use 1.55 for hair, 1.33 for skin, or another number above 0");
 }
 
-/// Scattering over extinction, without what is scattered straight on, for one wavelength.
+/// Single-scattering albedo of one wavelength, reduced by forward scattering.
 struct Cloudiness {
     Spectrum scattering;
     Spectrum absorption;
@@ -80,9 +80,8 @@ Cloudiness cloudiness_of(const Statement& statement, Assets& assets) {
 
 }  // namespace
 
-Material hair_stand_in(const Statement& statement, Assets& assets) {
-    warn_stand_in(statement, "each fibre spreads evenly what it reflects, and what it lets through",
-                  assets);
+Material approximate_hair(const Statement& statement, Assets& assets) {
+    warn_approximated(statement, "each fibre reflects and transmits diffusely instead", assets);
     const float eta = positive_eta(statement, 1.55F, assets);
     const float beta = even_number(statement, "beta_n", assets).value_or(0.3F);
     statement.ignore({"beta_m", "alpha"});
@@ -92,8 +91,8 @@ Material hair_stand_in(const Statement& statement, Assets& assets) {
                                        tabulated([&](float nm) { return fibre(nm).through; })};
 }
 
-Material subsurface_stand_in(const Statement& statement, Assets& assets) {
-    warn_stand_in(statement, "light comes out where it went in, as much as should", assets);
+Material approximate_subsurface(const Statement& statement, Assets& assets) {
+    warn_approximated(statement, "a coated diffuse material of the same albedo is used", assets);
     const double g = statement.real("g", 0);
     if (!(g > -1 && g < 1))
         throw Error(statement.find("g")->where, "\"g\" is not in (-1, 1)",
@@ -112,7 +111,7 @@ Material subsurface_stand_in(const Statement& statement, Assets& assets) {
                                  true};
 }
 
-Material measured_stand_in(const Statement& statement, Assets& assets) {
+Material approximate_measured(const Statement& statement, Assets& assets) {
     const Parameter* file = statement.find("filename", ParameterType::text);
     if (!file || file->texts.size() != 1)
         throw Error(statement.where, "a measured material without a file",
@@ -124,10 +123,10 @@ Material measured_stand_in(const Statement& statement, Assets& assets) {
             return summary_of_measured(data.bytes, file->where);
         });
     const bool glossy = measured.alpha < kGlossyAlpha;
-    warn_stand_in(statement,
-                  glossy ? "it is metal of its mean colour and about its roughness"
-                         : "it is diffuse, with its mean reflectance",
-                  assets);
+    warn_approximated(statement,
+                      glossy ? "a metal of its mean colour and similar roughness is used"
+                             : "a diffuse material of its mean reflectance is used",
+                      assets);
     if (!glossy) return DiffuseMaterial{measured.albedo};
     ConductorMaterial metal;
     metal.reflectance = measured.albedo;

@@ -1,4 +1,4 @@
-// LightPicture: an image as a distribution of light over the unit square, sampled by luminance.
+// LightImage: an image as a distribution of light over the unit square, sampled by luminance.
 //
 // In:  texels in linear sRGB, constant over their squares, x to the right and y down; negative
 // components count as zero.
@@ -17,7 +17,7 @@ namespace sunfleck::engine {
 /// Light of a texel: luminance times an RGB factor.
 struct TexelLight {
     double luminance = 0;
-    Vec3 tint{1};  // RGB of luminance one
+    Vec3 rgb{1};  // RGB of luminance one
 };
 
 /// Splits a colour in linear sRGB; negative components count as zero.
@@ -27,7 +27,7 @@ TexelLight texel_light(const Vec3& given);
 /// the table may not be built.
 void prepare_colours(const Image& image);
 
-class LightPicture {
+class LightImage {
 public:
     struct Drawn {
         Vec2d place;  // in the unit square
@@ -39,7 +39,7 @@ public:
 
     /// @param image  with finite texels. The constructor calls prepare_colours().
     /// @param share  weights; all one if empty.
-    explicit LightPicture(Image image, const Share& share = {});
+    explicit LightImage(Image image, const Share& share = {});
 
     const Vec2i& resolution() const { return image_.resolution(); }
     /// Returns the mean of luminance times weight.

@@ -1,4 +1,4 @@
-// Hair, skin and measured materials: what stands in for them, and with which energy.
+// Hair, skin and measured materials: how they are approximated, and with which energy.
 #include "import/pbrt/scene_text.h"
 #include "import/pbrt/tensors.h"
 #include "material/fibre_albedo.h"
@@ -144,7 +144,7 @@ TEST(Measured, broken_files_are_errors) {
     EXPECT_EQ(error(good), "");
     for (std::size_t size = 0; size < good.size(); size += size < 300 ? 1 : 97)
         EXPECT_NE(error(good.substr(0, size)), "") << size;
-    EXPECT_TRUE(contains(error("no " + good), "begin"));
+    EXPECT_TRUE(contains(error("no " + good), "signature"));
     test::TensorFile without = measured(0.2F, 0.8F, 0.2F);
     without.drop("ndf");
     EXPECT_TRUE(contains(error(without.bytes()), "\"ndf\""));

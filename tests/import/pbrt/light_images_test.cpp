@@ -1,5 +1,5 @@
 // Infinite lights with pictures: directions, scale, illuminance, and what cannot be.
-#include "import/pbrt/light_pictures.h"
+#include "import/pbrt/light_images.h"
 
 #include "image/image_files.h"
 #include "import/pbrt/scene_text.h"
@@ -23,8 +23,8 @@ const std::string kSky = "LightSource \"infinite\" \"string filename\" \"sky.pfm
 
 Vec3 radiance(const SceneDescription& scene, const Vec3& w, const Vec3& from = Vec3(0)) {
     const Light& light = scene.lights.at(0);
-    const Beyond met = beyond(light, from, w.normalized());
-    return met.tint.value_or(Vec3(1)) * (met.factor * curve(light).luminance());
+    const EnvironmentRadiance met = environment_radiance(light, from, w.normalized());
+    return met.rgb.value_or(Vec3(1)) * (met.factor * curve(light).luminance());
 }
 
 void expect_near(const Vec3& a, const Vec3& b) {
@@ -46,7 +46,7 @@ TEST(LightPictures, are_turned_by_the_matrix) {
     EXPECT_EQ(sky.warnings.entries().size(), 0U);
     const SceneDescription stretched = read_world("Scale 1 2 3 " + kSky, kFiles);
     expect_near(radiance(stretched, {1, -0.1F, 2}), Vec3(8, 0, 0));
-    EXPECT_EQ(warnings_with(stretched, "not stretched"), 1);
+    EXPECT_EQ(warnings_with(stretched, "scale and shear are ignored"), 1);
 }
 
 /// As pbrt-v4 has it: twice what the name says.
@@ -65,7 +65,7 @@ Vec3 intensity(const SceneDescription& scene, const Vec3& point) {
     const Light& light = scene.lights.at(0);
     const auto s = sample_direct(light, point, {0.5F, 0.5F}, {});
     if (!s) return Vec3(0);
-    return s->tint.value_or(Vec3(1)) *
+    return s->rgb.value_or(Vec3(1)) *
            (s->factor * s->distance * s->distance * curve(light).luminance());
 }
 
@@ -82,7 +82,7 @@ TEST(LightPictures, of_goniometric_lights_are_means_of_colours) {
                 10, 1e-3);
     const SceneDescription bare = read_world("LightSource \"goniometric\"");
     EXPECT_TRUE(std::holds_alternative<PointLight>(bare.lights.at(0)));
-    EXPECT_EQ(warnings_with(bare, "without a picture"), 1);
+    EXPECT_EQ(warnings_with(bare, "is read as a point light"), 1);
 }
 
 /// Along z, y up, x to the right; the upper right texel of 2 x 2 is (8, 0, 0).
@@ -105,7 +105,7 @@ TEST(LightPictures, of_projections_stand_upright) {
                     static_cast<double>(curve(wide.lights[0]).luminance()),
                 7, 1e-3);
     const auto error = [&](const std::string& text) { return world_error(text, kFiles); };
-    EXPECT_TRUE(contains(error("LightSource \"projection\""), "without its picture"));
+    EXPECT_TRUE(contains(error("LightSource \"projection\""), "without its image"));
     EXPECT_NE(error(light + "\"sky.pfm\" \"float fov\" 180"), "");
 }
 
@@ -116,7 +116,7 @@ TEST(LightPictures, of_area_lights_lie_on_their_shapes) {
     const AreaEmission& emission = scene.shapes.at(0).emission.value();
     EXPECT_NEAR(emission.radiance.luminance(), 3, 1e-3);
     EXPECT_EQ(emission.power, 5);
-    EXPECT_EQ(emission.picture->resolution(), Vec2i(2, 1));
+    EXPECT_EQ(emission.image->resolution(), Vec2i(2, 1));
     EXPECT_TRUE(scene.warnings.entries().empty());
     EXPECT_TRUE(contains(world_error(light + "\"rgb L\" [1 1 1]", kFiles), "\"L\" and"));
 }
@@ -168,7 +168,7 @@ TEST(LightPictures, behind_bad_portals_are_errors) {
     EXPECT_TRUE(contains(error("0 0 0 1 0 0 1 1 0"), "a portal of 3 points"));
     for (const char* points : {"0 0 0  1 0 0  1 1 0  0 1 0.1", "0 0 0  1 0 0  2 1 0  1 1 0",
                                "0 0 0  0 0 0  1 1 0  1 1 0", "0 0 0  1 1 0  1 0 0  0 1 0"})
-        EXPECT_TRUE(contains(error(points), "no rectangle")) << points;
+        EXPECT_TRUE(contains(error(points), "not a rectangle")) << points;
 }
 
 TEST(LightPictures, that_cannot_be_are_errors) {
@@ -176,7 +176,7 @@ TEST(LightPictures, that_cannot_be_are_errors) {
     const std::string light = "LightSource \"infinite\" \"string filename\" ";
     EXPECT_TRUE(contains(error(light + "\"wide.pfm\""), "2 x 1 texels"));
     const SceneDescription odd = read_world(light + "\"odd.pfm\"", kFiles);
-    EXPECT_EQ(warnings_with(odd, "no finite numbers, the first at (0, 0)"), 1);
+    EXPECT_EQ(warnings_with(odd, "are not finite, the first at (0, 0)"), 1);
     EXPECT_TRUE(contains(error(light + "\"none.pfm\""), "none.pfm"));
     EXPECT_NE(error(light + "\"sky.pfm\" \"rgb L\" [1 1 1]"), "");
     EXPECT_NE(error("Scale 0 1 1 " + kSky), "");

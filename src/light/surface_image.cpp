@@ -1,5 +1,5 @@
 // Image lookups, and tables of the emission of textured area lights.
-#include "light/surface_picture.h"
+#include "light/surface_image.h"
 
 #include "image/lookup.h"
 
@@ -13,7 +13,7 @@ constexpr double kEverywhere = 0.02;
 
 }  // namespace
 
-SurfacePicture::SurfacePicture(Image image) : image_(std::move(image)) {
+SurfaceImage::SurfaceImage(Image image) : image_(std::move(image)) {
     const Vec2i size = image_.resolution();
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) mean_ += texel_light(image_.rgb(x, y)).luminance;
@@ -21,15 +21,15 @@ SurfacePicture::SurfacePicture(Image image) : image_(std::move(image)) {
     prepare_colours(image_);
 }
 
-TexelLight SurfacePicture::at(const Vec2& uv) const {
+TexelLight SurfaceImage::at(const Vec2& uv) const {
     const auto v = bilinear(image_, {uv.x, 1 - uv.y}, Wrap::clamp);
     return texel_light(image_.channels() < 3 ? Vec3(v[0]) : Vec3(v[0], v[1], v[2]));
 }
 
 // NOLINTNEXTLINE(modernize-pass-by-value): moving it costs as much, and GCC 12 warns of it
-LaidPicture::LaidPicture(std::shared_ptr<const SurfacePicture> picture, const CornerUvs& uvs,
+PlacedImage::PlacedImage(std::shared_ptr<const SurfaceImage> image, const CornerUvs& uvs,
                          const EmittingSurface& surface, int most_cells)
-    : picture_(std::move(picture)), uvs_(uvs) {
+    : image_(std::move(image)), uvs_(uvs) {
     if (!has_corners(surface)) uvs_ = {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)};
     if (std::holds_alternative<EmittingTriangle>(surface)) uvs_[3] = uvs_[2];
     const int side = cells_across(most_cells);
@@ -42,11 +42,11 @@ LaidPicture::LaidPicture(std::shared_ptr<const SurfacePicture> picture, const Co
         }
     const auto floor = static_cast<float>(kEverywhere * flux_);
     for (float& cell : cells) cell += floor;
-    slots_ = std::make_unique<const LightPicture>(Image({side, side}, 1, std::move(cells)));
+    slots_ = std::make_unique<const LightImage>(Image({side, side}, 1, std::move(cells)));
 }
 
 /// Returns luminance by area of one of side x side cells, from four samples.
-double LaidPicture::mean_over(const EmittingSurface& surface, const Vec2i& cell, int side) const {
+double PlacedImage::mean_over(const EmittingSurface& surface, const Vec2i& cell, int side) const {
     double sum = 0;
     for (const double right : {0.25, 0.75})
         for (const double below : {0.25, 0.75}) {
@@ -58,37 +58,37 @@ double LaidPicture::mean_over(const EmittingSurface& surface, const Vec2i& cell,
 }
 
 /// Returns eight cells per texel, limited by `most_cells`.
-int LaidPicture::cells_across(int most_cells) const {
+int PlacedImage::cells_across(int most_cells) const {
     Vec2 low = uvs_[0];
     Vec2 high = uvs_[0];
     for (const Vec2& uv : uvs_) {
         low = {std::min(low.x, uv.x), std::min(low.y, uv.y)};
         high = {std::max(high.x, uv.x), std::max(high.y, uv.y)};
     }
-    const Vec2 texels = (high - low) * Vec2(picture_->resolution());
+    const Vec2 texels = (high - low) * Vec2(image_->resolution());
     const float wanted = std::clamp(8 * std::max(texels.x, texels.y), 4.0F, 256.0F);
     const auto room = std::sqrt(static_cast<float>(most_cells));
     return std::max(static_cast<int>(std::min(wanted, room)), 1);
 }
 
-LaidPicture::Drawn LaidPicture::draw(const EmittingSurface& surface, const Vec2d& u) const {
-    const LightPicture::Drawn slot = slots_->draw(u);
+PlacedImage::Drawn PlacedImage::draw(const EmittingSurface& surface, const Vec2d& u) const {
+    const LightImage::Drawn slot = slots_->draw(u);
     const SurfaceSample on = sample_surface(surface, slot.place);
     return {on, at(surface, on.position, on.normal), slot.density};
 }
 
-Vec2d LaidPicture::numbers(const EmittingSurface& surface, const Vec3d& on,
+Vec2d PlacedImage::numbers(const EmittingSurface& surface, const Vec3d& on,
                            const Vec3d& normal) const {
     return slots_->numbers(surface_square(surface, on, normal));
 }
 
-double LaidPicture::density(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal,
+double PlacedImage::density(const EmittingSurface& surface, const Vec3d& on, const Vec3d& normal,
                             double spread) const {
     const double luminance = at(surface, on, normal).luminance;
     return (luminance / flux_ + kEverywhere / spread) / (1 + kEverywhere);
 }
 
-TexelLight LaidPicture::at(const EmittingSurface& surface, const Vec3d& on,
+TexelLight PlacedImage::at(const EmittingSurface& surface, const Vec3d& on,
                            const Vec3d& normal) const {
     return at(uv_at(surface, uvs_, on, normal));
 }

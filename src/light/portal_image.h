@@ -1,4 +1,4 @@
-// PortalPicture: a rectified environment map, in which a portal is an axis-aligned rectangle from
+// PortalImage: a rectified environment map, in which a portal is an axis-aligned rectangle from
 // every point.
 //
 // In:  radiance by direction. Out: radiance that is constant in cells, with sampling of cells in
@@ -9,7 +9,7 @@
 // is by angles.
 #pragma once
 
-#include "light/light_picture.h"
+#include "light/light_image.h"
 
 #include <functional>
 #include <optional>
@@ -36,18 +36,18 @@ struct PortalWindow {
     }
 };
 
-class PortalPicture {
+class PortalImage {
 public:
     /// Returns linear sRGB for a direction of the portal's frame.
     using Sky = std::function<Vec3(const Vec3d& w)>;
 
     /// @param side  cells per axis: each takes 4 x 4 samples of the environment, weighted by solid
     /// angle.
-    PortalPicture(int side, const Sky& sky);
+    PortalImage(int side, const Sky& sky);
 
     /// Returns the light through a unit of the portal's area: radiance times cosine over the
     /// hemisphere.
-    const LightPicture& through() const { return through_; }
+    const LightImage& through() const { return through_; }
 
     struct Drawn {
         Vec2d uv;
@@ -65,7 +65,7 @@ private:
     double mass(const PortalWindow& window) const;
     double weight(int column, int row) const;
 
-    LightPicture through_;
+    LightImage through_;
     int side_;
     /// Summed-area table: the weights of all cells left of and above each cell corner, side_ + 1
     /// squared.

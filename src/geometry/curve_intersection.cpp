@@ -62,9 +62,9 @@ double bend_of(const Bezier& p) {
 
 class Search {
 public:
-    using Found = std::array<CurveMeeting, CurvePiece::kMostCrossings>;
+    using Hits = std::array<CurveHit, CurvePiece::kMostCrossings>;
 
-    Search(CurvePiece piece, const Vec3d& origin, const Vec3d& direction, Found& found)
+    Search(CurvePiece piece, const Vec3d& origin, const Vec3d& direction, Hits& found)
         : piece_(std::move(piece)), found_(found), length_(direction.length()) {
         const Vec3d z = direction / length_;
         const Vec3d aside = std::abs(z.x) < 0.7 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
@@ -77,13 +77,13 @@ public:
         }
         if (piece_.kind == CurveKind::ribbon) {
             for (Vec3d& n : piece_.normal) n = turned(n);
-            turn_ = sin_cos(piece_.turn);
+            normal_angle_ = sin_cos(piece_.normal_angle);
         }
         cubic_ = Cubic(piece_.curve);
     }
 
     std::size_t run() {
-        const Bezier part = part_of(piece_.curve, piece_.from, piece_.to);
+        const Bezier part = subcurve(piece_.curve, piece_.from, piece_.to);
         int depth = 0;
         const double widest = std::max(piece_.width_at(piece_.from), piece_.width_at(piece_.to));
         const double straight = 0.05 * widest;
@@ -109,9 +109,9 @@ private:
             descend(halves[1], middle, to, depth - 1);
             return;
         }
-        if (piece_.kind == CurveKind::flat) return meet_flat(from, to);
-        if (piece_.kind == CurveKind::ribbon) return meet_ribbon(from, to);
-        meet_tube(part, from, to);
+        if (piece_.kind == CurveKind::flat) return intersect_flat(from, to);
+        if (piece_.kind == CurveKind::ribbon) return intersect_ribbon(from, to);
+        intersect_tube(part, from, to);
     }
 
     void add(double z, double u, double across) {
@@ -144,7 +144,7 @@ private:
     }
 
     /// A flat strip faces the line, so the intersection is where the curve is nearest to the line.
-    void meet_flat(double from, double to) {
+    void intersect_flat(double from, double to) {
         const auto slope = [&](double u) {
             const CurvePoint c = cubic_.at(u);
             return c.position.x * c.first.x + c.position.y * c.first.y;
@@ -162,14 +162,14 @@ private:
     /// Returns the normal of a ribbon, not normalised: sin((1 - u) t) by the angles t and u t
     /// alone.
     Vec3d normal_at(double u) const {
-        if (!(piece_.turn > 0)) return piece_.normal[0] * (1 - u) + piece_.normal[1] * u;
-        const SinCos part = sin_cos(u * piece_.turn);
-        return piece_.normal[0] * (turn_.sin * part.cos - turn_.cos * part.sin) +
+        if (!(piece_.normal_angle > 0)) return piece_.normal[0] * (1 - u) + piece_.normal[1] * u;
+        const SinCos part = sin_cos(u * piece_.normal_angle);
+        return piece_.normal[0] * (normal_angle_.sin * part.cos - normal_angle_.cos * part.sin) +
                piece_.normal[1] * part.sin;
     }
 
     /// A ribbon is a ruled surface: the line intersects the ruling at distance zero.
-    void meet_ribbon(double from, double to) {
+    void intersect_ribbon(double from, double to) {
         const auto distance = [&](double u) {
             const CurvePoint c = cubic_.at(u);
             const Vec3d b = normal_at(u).cross(c.first);
@@ -187,7 +187,7 @@ private:
 
     /// Starts from the straight cylinder around the chord, widened by a bound of the curve's bulge.
     /// From outside, Newton's method converges to the nearer of two close roots.
-    void meet_tube(const Bezier& part, double from, double to) {
+    void intersect_tube(const Bezier& part, double from, double to) {
         const Vec3d& start = part[0];
         const Vec3d chord = part[3] - start;
         const double chord2 = chord.length2();
@@ -252,9 +252,9 @@ private:
     }
 
     CurvePiece piece_;
-    Cubic cubic_;        // piece_.curve
-    SinCos turn_{0, 1};  // of the angle between a ribbon's normals
-    Found& found_;
+    Cubic cubic_;                // piece_.curve
+    SinCos normal_angle_{0, 1};  // of the angle between a ribbon's normals
+    Hits& found_;
     std::size_t count_ = 0;
     double length_;
     double size_ = 0;  // magnitude of the added numbers: 2^-53 of it is the rounding error
@@ -262,8 +262,8 @@ private:
 
 }  // namespace
 
-std::size_t meet(const CurvePiece& piece, const Vec3d& origin, const Vec3d& direction,
-                 std::array<CurveMeeting, CurvePiece::kMostCrossings>& found) {
+std::size_t intersect(const CurvePiece& piece, const Vec3d& origin, const Vec3d& direction,
+                      std::array<CurveHit, CurvePiece::kMostCrossings>& found) {
     return Search(piece, origin, direction, found).run();
 }
 

@@ -1,6 +1,6 @@
 // Goniometric light: texels of equal solid angle. Projection light: texels of equal area on a
 // plane.
-#include "light/picture_point_lights.h"
+#include "light/image_point_lights.h"
 
 #include "light/towards_point.h"
 #include "math/warp.h"
@@ -24,44 +24,43 @@ std::optional<DirectSample> sample_at(const TowardsPoint& way, const TexelLight&
     if (!(light.luminance > 0)) return {};
     return DirectSample{Vec3(way.direction), static_cast<float>(way.distance),
                         static_cast<float>(light.luminance / way.distance2), std::nullopt,
-                        light.tint};
+                        light.rgb};
 }
 
 }  // namespace
 
 Emission GoniometricLight::sample_emission(const std::array<double, 4>& u,
                                            const SceneSphere& sphere) const {
-    const auto drawn = picture->draw({u[2], u[3]});
-    return {
-        position,        to_world.vector(uniform_sphere(drawn.place)), power(sphere), Vec3(0), 0,
-        drawn.light.tint};
+    const auto drawn = image->draw({u[2], u[3]});
+    return {position,       to_world.vector(uniform_sphere(drawn.place)), power(sphere), Vec3(0), 0,
+            drawn.light.rgb};
 }
 
 EmissionDimensions GoniometricLight::emission_dimensions(const LightRay& ray,
                                                          const SceneSphere&) const {
-    const Vec2d way = picture->numbers(sphere_to_square(to_local(to_world, ray.direction)));
+    const Vec2d way = image->numbers(sphere_to_square(to_local(to_world, ray.direction)));
     return {0.5, 0.5, way.x, way.y};
 }
 
 double GoniometricLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
-    const TexelLight light = picture->at(sphere_to_square(to_local(to_world, ray.direction)));
-    return light.luminance / (4 * kPiDouble * picture->mean());
+    const TexelLight light = image->at(sphere_to_square(to_local(to_world, ray.direction)));
+    return light.luminance / (4 * kPiDouble * image->mean());
 }
 
 std::optional<DirectSample> GoniometricLight::sample_direct(const Vec3& point, const Vec2&,
                                                             const SceneSphere&) const {
     const auto way = towards_point(position, point);
     if (!way) return {};
-    return sample_at(*way, picture->at(sphere_to_square(to_local(to_world, -way->direction))));
+    return sample_at(*way, image->at(sphere_to_square(to_local(to_world, -way->direction))));
 }
 
 double GoniometricLight::power(const SceneSphere&) const {
-    return 4 * kPiDouble * picture->mean();
+    return 4 * kPiDouble * image->mean();
 }
 
 Emission ProjectionLight::sample_emission(const std::array<double, 4>& u,
                                           const SceneSphere&) const {
-    const auto drawn = picture->draw({u[2], u[3]});
+    const auto drawn = image->draw({u[2], u[3]});
     const double x = (2 * drawn.place.x - 1) * half.x;
     const double y = (2 * drawn.place.y - 1) * half.y;
     const double intensity = drawn.light.luminance * cosine3(x, y);
@@ -70,7 +69,7 @@ Emission ProjectionLight::sample_emission(const std::array<double, 4>& u,
             intensity * 4 * half.x * half.y / drawn.density,
             Vec3(0),
             0,
-            drawn.light.tint};
+            drawn.light.rgb};
 }
 
 /// Returns the image point in the unit square; nothing outside the image.
@@ -82,7 +81,7 @@ std::optional<Vec2d> ProjectionLight::place_of(const Vec3d& direction) const {
 
 EmissionDimensions ProjectionLight::emission_dimensions(const LightRay& ray,
                                                         const SceneSphere&) const {
-    const Vec2d way = picture->numbers(place_of(ray.direction).value_or(Vec2d(0.5)));
+    const Vec2d way = image->numbers(place_of(ray.direction).value_or(Vec2d(0.5)));
     return {0.5, 0.5, way.x, way.y};
 }
 
@@ -90,7 +89,7 @@ double ProjectionLight::emission_pdf(const LightRay& ray, const SceneSphere&) co
     const auto place = place_of(ray.direction);
     if (!place) return 0;
     const double solid_angle = cosine3((2 * place->x - 1) * half.x, (2 * place->y - 1) * half.y);
-    return picture->density(*place) / (4 * half.x * half.y * solid_angle);
+    return image->density(*place) / (4 * half.x * half.y * solid_angle);
 }
 
 std::optional<DirectSample> ProjectionLight::sample_direct(const Vec3& point, const Vec2&,
@@ -99,14 +98,14 @@ std::optional<DirectSample> ProjectionLight::sample_direct(const Vec3& point, co
     if (!way) return {};
     const auto place = place_of(-way->direction);
     if (!place) return {};
-    return sample_at(*way, picture->at(*place));
+    return sample_at(*way, image->at(*place));
 }
 
 double ProjectionLight::power(const SceneSphere&) const {
-    return 4 * half.x * half.y * picture->mean();
+    return 4 * half.x * half.y * image->mean();
 }
 
-std::shared_ptr<const LightPicture> projected_picture(Image image, const Vec2d& half) {
+std::shared_ptr<const LightImage> projected_image(Image image, const Vec2d& half) {
     const Vec2i size = image.resolution();
     // Gauss's rule of three points per axis.
     const double off = std::sqrt(0.15);
@@ -121,7 +120,7 @@ std::shared_ptr<const LightPicture> projected_picture(Image image, const Vec2d& 
                                (2 * (y + down.x) / size.y - 1) * half.y);
         return sum;
     };
-    return std::make_shared<const LightPicture>(std::move(image), share);
+    return std::make_shared<const LightImage>(std::move(image), share);
 }
 
 }  // namespace sunfleck::engine

@@ -1,5 +1,5 @@
 // Sums over texels, and their inversion.
-#include "light/light_picture.h"
+#include "light/light_image.h"
 
 #include "core/parallel.h"
 #include "math/colour.h"
@@ -48,13 +48,13 @@ TexelLight texel_light(const Vec3& given) {
 void prepare_colours(const Image& image) {
     for (int y = 0; y < image.resolution().y; ++y)
         for (int x = 0; x < image.resolution().x; ++x)
-            if (texel_light(image.rgb(x, y)).tint != Vec3(1)) {
+            if (texel_light(image.rgb(x, y)).rgb != Vec3(1)) {
                 SigmoidTable::srgb();
                 return;
             }
 }
 
-LightPicture::LightPicture(Image image, const Share& share) : image_(std::move(image)) {
+LightImage::LightImage(Image image, const Share& share) : image_(std::move(image)) {
     const Vec2i size = image_.resolution();
     const auto width = static_cast<std::size_t>(size.x);
     const auto height = static_cast<std::size_t>(size.y);
@@ -67,7 +67,7 @@ LightPicture::LightPicture(Image image, const Share& share) : image_(std::move(i
     prepare_colours(image_);
 }
 
-void LightPicture::sum_row(int y, const Share& share) {
+void LightImage::sum_row(int y, const Share& share) {
     const auto width = static_cast<std::size_t>(image_.resolution().x);
     double* row = &columns_[static_cast<std::size_t>(y) * width];
     double sum = 0;
@@ -80,7 +80,7 @@ void LightPicture::sum_row(int y, const Share& share) {
     normalise(row, width);
 }
 
-Vec2i LightPicture::cell(const Vec2d& place) const {
+Vec2i LightImage::cell(const Vec2d& place) const {
     const auto along = [](double x, int count) {
         return std::clamp(static_cast<int>(x * count), 0, count - 1);
     };
@@ -88,12 +88,12 @@ Vec2i LightPicture::cell(const Vec2d& place) const {
     return {along(place.x, size.x), along(place.y, size.y)};
 }
 
-TexelLight LightPicture::at(const Vec2d& place) const {
+TexelLight LightImage::at(const Vec2d& place) const {
     const Vec2i at = cell(place);
     return texel(at.x, at.y);
 }
 
-Vec2d LightPicture::numbers(const Vec2d& place) const {
+Vec2d LightImage::numbers(const Vec2d& place) const {
     const Vec2i size = image_.resolution();
     const Vec2i at = cell(place);
     const auto number = [](const double* ends, int i, double along) {
@@ -105,7 +105,7 @@ Vec2d LightPicture::numbers(const Vec2d& place) const {
     return {number(row, at.x, place.x * size.x), number(rows_.data(), at.y, place.y * size.y)};
 }
 
-double LightPicture::density(const Vec2d& place) const {
+double LightImage::density(const Vec2d& place) const {
     const Vec2i size = image_.resolution();
     const Vec2i at = cell(place);
     const auto share = [](const double* ends, int i) {
@@ -116,7 +116,7 @@ double LightPicture::density(const Vec2d& place) const {
     return share(rows_.data(), at.y) * size.y * share(row, at.x) * size.x;
 }
 
-LightPicture::Drawn LightPicture::draw(const Vec2d& u) const {
+LightImage::Drawn LightImage::draw(const Vec2d& u) const {
     const auto width = static_cast<std::size_t>(image_.resolution().x);
     const Place row = invert(rows_.data(), rows_.size(), u.y);
     const Place column = invert(&columns_[row.cell * width], width, u.x);

@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing_support;
 
-class BeyondLaws : public testing::TestWithParam<LightExample> {
+class EnvironmentLaws : public testing::TestWithParam<LightExample> {
 protected:
     const Light& light() const { return light_; }
     Vec2 random_2d() { return {random_.next_float(), random_.next_float()}; }
@@ -24,50 +24,52 @@ protected:
 };
 
 /// The two halves of MIS agree but where rounding takes a direction over the edge of a texel.
-TEST_P(BeyondLaws, from_beyond_comes_what_samples_of_it_bring) {
+TEST_P(EnvironmentLaws, radiance_is_that_which_samples_bring) {
     int lost = 0;
     for (int i = 0; i < 10000; ++i) {
         const auto s = sample_direct(light(), GetParam().point, random_2d(), kExampleSphere);
         ASSERT_TRUE(s);
-        const Beyond met = beyond(light(), GetParam().point, s->direction);
+        const EnvironmentRadiance met =
+            environment_radiance(light(), GetParam().point, s->direction);
         if (!(std::abs(met.pdf / *s->pdf - 1) < 1e-4F)) {
             ++lost;
             continue;
         }
         ASSERT_NEAR(s->factor * *s->pdf / met.factor, 1, 1e-4F);
-        ASSERT_EQ(met.tint, s->tint);
-        ASSERT_FALSE(met.tint && std::abs(met.tint->dot({0.2126F, 0.7152F, 0.0722F}) - 1) > 1e-5F);
+        ASSERT_EQ(met.rgb, s->rgb);
+        ASSERT_FALSE(met.rgb && std::abs(met.rgb->dot({0.2126F, 0.7152F, 0.0722F}) - 1) > 1e-5F);
     }
     EXPECT_LE(lost, 5);
 }
 
-/// Means of tint * factor: photons and direct samples bring the picture's integral, in colour, and
+/// Means of rgb * factor: photons and direct samples bring the picture's integral, in colour, and
 /// so do uniform directions. Sees 3%. (Photons through a portal: LightLaws.)
-TEST_P(BeyondLaws, all_ways_bring_the_same_colour_from_beyond) {
+TEST_P(EnvironmentLaws, all_ways_bring_the_same_colour) {
     constexpr int kSamples = 1 << 18;
     const double disc = kPiDouble * kExampleSphere.radius * kExampleSphere.radius;
     const bool is_portal = std::holds_alternative<PortalLight>(light());
     std::array<Vec3d, 3> sums = {Vec3d(0), Vec3d(0), Vec3d(0)};
-    const auto add = [&](std::size_t way, double factor, const std::optional<Vec3>& tint) {
-        sums.at(way) += Vec3d(tint.value_or(Vec3(1))) * factor / kSamples;
+    const auto add = [&](std::size_t way, double factor, const std::optional<Vec3>& rgb) {
+        sums.at(way) += Vec3d(rgb.value_or(Vec3(1))) * factor / kSamples;
     };
     for (int i = 0; i < kSamples; ++i) {
         const std::array<double, 4> u = {0.5, 0.5, random_.next(), random_.next()};
         const Emission e = sample_emission(light(), u, kExampleSphere);
-        add(0, is_portal ? 0 : e.factor / disc, e.tint);
+        add(0, is_portal ? 0 : e.factor / disc, e.rgb);
         const auto s = sample_direct(light(), GetParam().point, random_2d(), kExampleSphere);
-        add(1, static_cast<double>(s->factor), s->tint);
+        add(1, static_cast<double>(s->factor), s->rgb);
         const Vec3 w(uniform_sphere({random_.next(), random_.next()}));
-        const Beyond met = beyond(light(), GetParam().point, w);
-        add(2, static_cast<double>(met.factor) * 4 * kPiDouble, met.tint);
+        const EnvironmentRadiance met = environment_radiance(light(), GetParam().point, w);
+        add(2, static_cast<double>(met.factor) * 4 * kPiDouble, met.rgb);
     }
     for (int c = 0; c < 3; ++c)
         for (const std::size_t way : {is_portal ? 1U : 0U, 1U})
             EXPECT_NEAR(sums.at(way)[c], sums[2][c], 0.03 * sums[2][c]) << way << ' ' << c;
 }
 
-/// The density of direct samples, in bins of directions, is the one that beyond() tells.
-TEST_P(BeyondLaws, directions_from_beyond_have_their_density) {
+/// The density of direct samples, in bins of directions, is the one that environment_radiance()
+/// tells.
+TEST_P(EnvironmentLaws, directions_have_their_density) {
     constexpr int kSide = 16;
     constexpr int kSamples = 1 << 18;
     constexpr int kFine = 72;                          // midpoints along the side of a bin
@@ -85,7 +87,7 @@ TEST_P(BeyondLaws, directions_from_beyond_have_their_density) {
         for (int x = 0; x < kAll; ++x) {
             const Vec2d place((x + 0.5) / kAll, (y + 0.5) / kAll);
             const double pdf = static_cast<double>(
-                beyond(light(), GetParam().point, Vec3(uniform_sphere(place))).pdf);
+                environment_radiance(light(), GetParam().point, Vec3(uniform_sphere(place))).pdf);
             bins[bin(place)].y += pdf * 4 * kPiDouble / (double{kAll} * kAll) * kSamples;
         }
     double statistic = 0;
@@ -99,7 +101,7 @@ TEST_P(BeyondLaws, directions_from_beyond_have_their_density) {
     EXPECT_GT(chi_square_p(statistic, used), kSignificance) << statistic << " of " << used;
 }
 
-INSTANTIATE_TEST_SUITE_P(Examples, BeyondLaws, testing::ValuesIn(infinite_examples()),
+INSTANTIATE_TEST_SUITE_P(Examples, EnvironmentLaws, testing::ValuesIn(infinite_examples()),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
