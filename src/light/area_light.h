@@ -22,6 +22,7 @@ class LaidPicture;     // light/surface_picture.h
 class PartialEmitter;  // light/partial_emitter.h
 
 struct AreaLight {
+    static constexpr std::string_view name = "area";
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     EmittingSurface surface;

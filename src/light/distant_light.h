@@ -9,6 +9,7 @@
 namespace sunfleck {
 
 struct DistantLight {
+    static constexpr std::string_view name = "distant";
     static constexpr bool comes_from_afar = true;
     Spectrum curve;
     Vec3d direction;  // unit; the way that the light travels

@@ -14,6 +14,7 @@ namespace sunfleck {
 
 /// The picture is an equal-area octahedral map of directions (uniform_sphere() in math/warp.h).
 struct GoniometricLight {
+    static constexpr std::string_view name = "goniometric";
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;
@@ -31,6 +32,7 @@ struct GoniometricLight {
 /// The picture lies on the plane z = 1 of the light's frame, x to the right and y down. Within a
 /// texel the factor of emission follows the third power of the cosine.
 struct ProjectionLight {
+    static constexpr std::string_view name = "projection";
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;

@@ -9,6 +9,7 @@
 namespace sunfleck {
 
 struct SpotLight {
+    static constexpr std::string_view name = "spot";
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;

@@ -1,7 +1,7 @@
 // What a surface is made of, as a scene says it; bsdf_of() makes the Bsdf of one pass, and of one
 // point where textures vary, from it.
 //
-// To add one: its header in bsdf/, its alternative here, a row in import/pbrt/materials.cpp.
+// To add one: docs/develop/adding.md.
 #pragma once
 
 #include "bsdf/bsdf.h"
@@ -9,8 +9,10 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <variant>
 
 namespace sunfleck {
@@ -25,6 +27,7 @@ inline float alpha_from_roughness(float roughness) {
 }
 
 struct DiffuseMaterial {
+    static constexpr std::string_view name = "diffuse";
     SpectrumTexture reflectance = Spectrum::constant(0.5F);
 };
 
@@ -43,15 +46,18 @@ struct Roughness {
 };
 
 struct DielectricMaterial {
+    static constexpr std::string_view name = "dielectric";
     Spectrum eta = Spectrum::constant(1.5F);  // inside over outside
     Roughness roughness;
 };
 
 struct ThinDielectricMaterial {
+    static constexpr std::string_view name = "thindielectric";
     Spectrum eta = Spectrum::constant(1.5F);
 };
 
 struct ConductorMaterial {
+    static constexpr std::string_view name = "conductor";
     SpectrumTexture eta;
     SpectrumTexture k;
     std::optional<SpectrumTexture> reflectance;  // instead: eta 1, k = 2 sqrt(r) / sqrt(1 - r)
@@ -60,6 +66,7 @@ struct ConductorMaterial {
 
 /// Diffuse under a clear coat.
 struct CoatedDiffuseMaterial {
+    static constexpr std::string_view name = "coateddiffuse";
     SpectrumTexture reflectance = Spectrum::constant(0.5F);  // of the base, without the coat
     std::shared_ptr<const Coat> coat;                        // not null
     bool whole = false;  // the reflectance is that of the light which enters the coat, as it leaves
@@ -67,18 +74,21 @@ struct CoatedDiffuseMaterial {
 
 /// Metal under a clear coat.
 struct CoatedConductorMaterial {
+    static constexpr std::string_view name = "coatedconductor";
     ConductorMaterial metal;
     std::shared_ptr<const Coat> coat;  // not null
 };
 
 /// Scattered evenly, back and through. Together at most one: a larger sum is scaled down.
 struct DiffuseTransmissionMaterial {
+    static constexpr std::string_view name = "diffusetransmission";
     SpectrumTexture reflectance = Spectrum::constant(0.25F);
     SpectrumTexture transmittance = Spectrum::constant(0.25F);
 };
 
 /// Two materials, one of which a ray meets.
 struct MixMaterial {
+    static constexpr std::string_view name = "mix";
     std::array<std::uint32_t, 2> parts{};  // numbers of materials; never interfaces
     FloatTexture amount = 0.5F;            // the chance of the second
 
@@ -87,11 +97,27 @@ struct MixMaterial {
 };
 
 /// A surface that is not there: light passes straight, and it is no bounce.
-struct InterfaceMaterial {};
+struct InterfaceMaterial {
+    static constexpr std::string_view name = "interface";
+};
 
-using Material = std::variant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
-                              ConductorMaterial, CoatedDiffuseMaterial, CoatedConductorMaterial,
-                              DiffuseTransmissionMaterial, MixMaterial, InterfaceMaterial>;
+/// name: as `sunfleck info` says it.
+template <class M>
+concept MaterialModel = std::copyable<M> && requires {
+    { M::name } -> std::convertible_to<std::string_view>;
+};
+
+template <MaterialModel... Models>
+using MaterialVariant = std::variant<Models...>;
+
+using Material = MaterialVariant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
+                                 ConductorMaterial, CoatedDiffuseMaterial, CoatedConductorMaterial,
+                                 DiffuseTransmissionMaterial, MixMaterial, InterfaceMaterial>;
+
+/// As `sunfleck info` says it.
+inline std::string_view name_of(const Material& material) {
+    return std::visit([](const auto& m) { return m.name; }, material);
+}
 
 /// Does the Bsdf depend on the point?
 bool is_textured(const Material& material);
