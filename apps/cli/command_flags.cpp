@@ -2,11 +2,11 @@
 #include "apps/cli/command_flags.h"
 
 #include "apps/cli/flag_rows.h"
-#include "core/error.h"
 #include "experiment/figure.h"
 #include "procedural/scenes.h"
+#include "sunfleck/error.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// An output that may be repeated.
@@ -150,4 +150,4 @@ void check_experiment(const CLI::App& given) {
         throw Error({"--minutes"}, "given together with --passes", "give one");
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@ namespace CLI {
 class App;
 }
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the program says of itself.
 struct ManualOptions {
@@ -30,4 +30,4 @@ void add_manual_flags(CLI::App& app, ManualOptions& options);
 /// @throws Error for flags of `sunfleck experiment` that do not go together.
 void check_experiment(const CLI::App& given);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,12 +5,12 @@
 #include "apps/cli/manual.h"
 #include "apps/cli/render_options.h"
 #include "apps/cli/wrapped_help.h"
-#include "core/error.h"
 #include "flags/renamed_flags.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// All commands; one of them is given.
@@ -167,4 +167,4 @@ std::optional<Options> read_options(int count, const char* const* words) {
     return line.finish(count, words);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

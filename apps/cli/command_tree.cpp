@@ -5,7 +5,7 @@
 
 #include <cctype>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::vector<std::string> parts_of(const std::string& text, char separator) {
@@ -74,4 +74,4 @@ std::string short_help(const std::string& help) {
     return text.substr(0, text.find(": "));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@ namespace CLI {
 class App;
 }
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A flag, or a word that stands without one.
 struct CommandFlag {
@@ -39,4 +39,4 @@ Command command_tree(const CLI::App& app);
 /// The first sentence of a help text, without what is in parentheses.
 std::string short_help(const std::string& help);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

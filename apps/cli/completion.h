@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Shell {
     std::string_view name;
@@ -24,4 +24,4 @@ inline constexpr std::array<Shell, 3> kShells = {{
     {.name = "fish", .script = fish_completion, .file = "fish/vendor_completions.d/sunfleck.fish"},
 }};
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

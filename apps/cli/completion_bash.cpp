@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// What follows a flag of this kind, or stands at a word of this kind.
@@ -90,4 +90,4 @@ complete -o default -F _{0} {0}
                        bash_flags(program), flags, words);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

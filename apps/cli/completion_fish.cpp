@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// In single quotes.
@@ -58,4 +58,4 @@ std::string fish_completion(const Command& program) {
     return text;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Within single quotes and within [ ] or between colons of _arguments.
@@ -88,4 +88,4 @@ _{0} "$@"
                        program.name, flags, commands, cases);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

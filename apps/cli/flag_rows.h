@@ -1,14 +1,14 @@
 // Rows of flags for CLI11: each flag is read by a function of its text, into its place.
 #pragma once
 
-#include "core/error.h"
 #include "flags/render_flags.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The names of a table's rows as a form: "bash|zsh|fish".
 template <class Rows>
@@ -74,4 +74,4 @@ inline std::string read_name(const std::string& text, const std::string& flag) {
     return text;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

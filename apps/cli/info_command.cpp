@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 // In the order of the variants.
@@ -129,4 +129,4 @@ int run_info(const InfoOptions& options) {
     return 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const char* const kExitCodes =
@@ -110,4 +110,4 @@ std::string man_page(const Command& program, const Command& command) {
     return page + kExitCodes + see_also(program, command.name);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

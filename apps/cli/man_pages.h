@@ -3,7 +3,7 @@
 
 #include "apps/cli/command_tree.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The page sunfleck(1), in roff.
 std::string man_page(const Command& program);
@@ -11,4 +11,4 @@ std::string man_page(const Command& program);
 /// The page of a command, sunfleck-NAME(1). @param command  one of the program's.
 std::string man_page(const Command& program, const Command& command);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

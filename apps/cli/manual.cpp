@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,4 +30,4 @@ void write_manual(const Command& program, const std::string& folder) {
     for (const Shell& shell : kShells) write_below(folder, shell.file, shell.script(program));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,10 +3,10 @@
 
 #include "apps/cli/command_tree.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Writes man/man1/*.1 and the completion file of each shell.
 /// @throws Error for a folder that cannot be written to.
 void write_manual(const Command& program, const std::string& folder);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is said on standard error beside errors.
 enum class LogLevel {
@@ -83,4 +83,4 @@ struct Options {
     std::optional<CompareOptions> compare;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// May it be written on: standard error is one whose lines can be erased?
@@ -88,4 +88,4 @@ std::string ProgressLine::text_now(std::size_t width) const {
     return progress_text(now, width);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <string>
 #include <thread>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class ProgressLine {
 public:
@@ -47,4 +47,4 @@ private:
     std::thread thread_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

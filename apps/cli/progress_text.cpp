@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::string count_text(std::uint64_t count, const char* what) {
@@ -100,4 +100,4 @@ std::string progress_text(const Progress& progress, std::size_t width) {
     return joined(parts_of(progress), width);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// In whole seconds: 7 s, 3m12s, 2h05m.
 std::string duration_text(double seconds);
@@ -19,4 +19,4 @@ std::string reading_text(double seconds, std::size_t width);
 /// As much of the progress as a line of `width` characters holds, what matters most first.
 std::string progress_text(const Progress& progress, std::size_t width);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

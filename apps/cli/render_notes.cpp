@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::vector<std::string> machine_warnings(const std::string& isa) {
     if (isa != "avx2" || cpu_has_avx2()) return {};
@@ -65,4 +65,4 @@ std::vector<std::string> doubts_of(const RenderSetup& setup, const RenderResult&
     return doubts;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// That pictures may differ from those of other machines.
 std::vector<std::string> machine_warnings(const std::string& isa);
@@ -21,4 +21,4 @@ std::vector<std::string> notes_of(const RenderSetup& setup);
 /// What is doubtful in the picture: light that is missing, brightness that is uncertain.
 std::vector<std::string> doubts_of(const RenderSetup& setup, const RenderResult& result);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,12 +2,12 @@
 #include "apps/cli/render_options.h"
 
 #include "apps/cli/flag_rows.h"
-#include "core/error.h"
 #include "image/picture_file.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 LogLevel read_log_level(const std::string& text, const std::string& flag) {
@@ -99,4 +99,4 @@ void finish_render(const CLI::App& given, const RenderFlags& flags, RenderOption
     check_aovs_fit(given, o);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

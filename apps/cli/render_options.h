@@ -8,7 +8,7 @@ namespace CLI {
 class App;
 }
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param flags  takes the flags of renders.
 void add_render_flags(CLI::App& app, RenderOptions& options, RenderFlags& flags);
@@ -16,4 +16,4 @@ void add_render_flags(CLI::App& app, RenderOptions& options, RenderFlags& flags)
 /// To be called when all flags have been read. @throws Error naming a flag that cannot be used.
 void finish_render(const CLI::App& given, const RenderFlags& flags, RenderOptions& options);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class WrappedHelp : public CLI::Formatter {
 public:
@@ -35,4 +35,4 @@ public:
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include "bsdf/coat.h"
 #include "bsdf/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct CoatReflection {
     const Coat* coat;  // its material's: outlives all that scatters from it
@@ -53,4 +53,4 @@ struct CoatReflection {
     bool gathers(float z_from, float z_to) const { return coat->facets() && z_from * z_to > 0; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

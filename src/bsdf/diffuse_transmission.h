@@ -6,7 +6,7 @@
 
 #include "bsdf/lambert.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct DiffuseTransmission {
     SampledSpectrum reflectance;    // per wavelength; with the transmittance at most one
@@ -46,4 +46,4 @@ private:
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include "bsdf/model.h"
 #include "math/float_disc.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Lambert {
     SampledSpectrum albedo;  // per wavelength, in [0,1]
@@ -34,4 +34,4 @@ struct Lambert {
     static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <concepts>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the path being sampled carries: radiance from the eye, flux from a light. The two differ
 /// by the squared ratio of refractive indices at a refraction (Veach 1997, section 5.2).
@@ -71,4 +71,4 @@ concept TwoLobedModel = BsdfModel<B> &&
     { b.mirror_share(w, hero) } -> std::same_as<float>;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include "bsdf/fresnel.h"
 #include "bsdf/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SmoothConductor {
     SampledSpectrum eta;
@@ -25,4 +25,4 @@ struct SmoothConductor {
     static constexpr bool gathers(float, float) { return false; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include "bsdf/fresnel.h"
 #include "bsdf/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ThinDielectric {
     SampledSpectrum eta;  // per wavelength, positive
@@ -60,4 +60,4 @@ struct ThinDielectric {
     static constexpr bool gathers(float, float) { return false; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

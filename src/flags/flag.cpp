@@ -1,7 +1,7 @@
 // The help of a flag, put together from its row.
 #include "flags/flag.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::string help_text(const RenderFlag& flag) {
     std::string text = flag.help;
@@ -17,4 +17,4 @@ std::string help_text(const RenderFlag& flag) {
     return text + " (" + range + (range.empty() || standard.empty() ? "" : "; ") + standard + ")";
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A word that a flag takes.
 struct FlagChoice {
@@ -114,4 +114,4 @@ FlagValue whole(std::int64_t low, std::int64_t high, Set set) {
     return value;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

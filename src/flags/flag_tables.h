@@ -3,7 +3,7 @@
 
 #include "flags/flag.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// When a render ends: passes, time, error.
 std::vector<RenderFlag> end_flags();
@@ -21,4 +21,4 @@ std::vector<RenderFlag> paper_flags();
 /// Random numbers and instructions.
 std::vector<RenderFlag> run_flags();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

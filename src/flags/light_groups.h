@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Scene;
 
@@ -29,4 +29,4 @@ void add_light_group(const std::string& text, std::vector<AskedLightGroup>& grou
 ///         groups than there may be.
 LightGroups light_groups_of(const Scene& scene, const std::vector<AskedLightGroup>& asked);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

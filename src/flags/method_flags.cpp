@@ -1,7 +1,7 @@
 // The rows of the flags about the method.
 #include "flags/flag_tables.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Sets the sampler, and with `paper` all that belongs to it.
@@ -101,4 +101,4 @@ std::vector<RenderFlag> method_flags() {
     return rows;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const char* const kIndependentPasses = "needs passes that do not build on one another";
@@ -159,4 +159,4 @@ std::vector<RenderFlag> run_flags() {
     };
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,9 +1,9 @@
 // Flags of a render: looked up, checked against one another, read into the request.
 #include "flags/render_flags.h"
 
-#include "core/error.h"
 #include "flags/flag_tables.h"
 #include "flags/renamed_flags.h"
+#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Only this sampler has a use for the flag.
@@ -137,4 +137,4 @@ RenderRequest RenderFlags::finish() const {
     return request;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// All flags of a render, in the order of the help. --photon-sampler stands before the flags that
 /// change what a sampler prescribes: texts are read in this order.
@@ -37,4 +37,4 @@ private:
     std::map<std::string, std::vector<std::string>> texts_;  // by the flag's name
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

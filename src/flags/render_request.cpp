@@ -4,7 +4,7 @@
 #include "scene/adjust.h"
 #include "scene/scene.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void adjust_scene(SceneDescription& scene, const RenderRequest& request) {
     if (request.resolution) set_resolution(scene, *request.resolution);
@@ -23,4 +23,4 @@ RenderSettings settings_for(const Scene& scene, const RenderRequest& request) {
     return settings;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SceneDescription;
 
@@ -36,4 +36,4 @@ void adjust_scene(SceneDescription& scene, const RenderRequest& request);
 /// the lights of each light group. @throws Error for lights that the scene does not have.
 RenderSettings settings_for(const Scene& scene, const RenderRequest& request);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // The rows of the flags of single samplers.
 #include "flags/flag_tables.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Another part of the sampler, without which this one does nothing.
@@ -90,4 +90,4 @@ std::vector<RenderFlag> paper_flags() {
     };
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

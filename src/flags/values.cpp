@@ -1,7 +1,7 @@
 // Values of flags that are more than a number: durations, shares, sizes, rectangles, ranges.
 #include "flags/values.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A number at the start of `text`; `rest` is what follows it. NaN if there is none.
@@ -172,4 +172,4 @@ std::array<std::uint32_t, 2> read_pass_range(const std::string& text, const std:
     return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

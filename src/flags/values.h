@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// "60s", "5m", "2h", "90" (seconds). @throws Error naming the flag.
 double read_duration(const std::string& text, const std::string& flag);
@@ -48,4 +48,4 @@ std::array<double, 4> read_crop_window(const std::string& text, const std::strin
 /// "a:b": the first pass, and the one after the last. @throws Error naming the flag.
 std::array<std::uint32_t, 2> read_pass_range(const std::string& text, const std::string& flag);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct DistantLight {
     Spectrum curve;
@@ -20,4 +20,4 @@ struct DistantLight {
     double power(const SceneSphere& sphere) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

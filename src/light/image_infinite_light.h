@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ImageInfiniteLight {
     Spectrum curve;
@@ -33,4 +33,4 @@ struct ImageInfiniteLight {
 /// its texels are nits.
 double illuminance_from_above(const LightPicture& picture);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct InfiniteLight {
     Spectrum curve;
@@ -20,4 +20,4 @@ struct InfiniteLight {
     Beyond beyond(const Vec3& from, const Vec3& direction) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <concepts>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The sphere around everything: where distant and infinite lights shoot from.
 struct SceneSphere {
@@ -89,4 +89,4 @@ concept LightModel = std::copyable<L> &&
     { light.curve } -> std::convertible_to<Spectrum>;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PointLight {
     Spectrum curve;
@@ -19,4 +19,4 @@ struct PointLight {
     double power(const SceneSphere&) const { return 4 * kPiDouble; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

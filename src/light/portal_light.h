@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PortalLight {
     Spectrum curve;
@@ -34,4 +34,4 @@ private:
     Vec3d to_local(const Vec3d& v) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

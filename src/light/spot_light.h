@@ -6,7 +6,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SpotLight {
     Spectrum curve;
@@ -26,4 +26,4 @@ struct SpotLight {
     double falloff(double cos_angle) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PaperMemory {
     /// @param pixels  of the window.
@@ -44,4 +44,4 @@ struct PaperMemory {
     std::uint64_t floor_counted = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Section 7.
@@ -99,4 +99,4 @@ void PaperRender::count(Film& film) {
     memory_.floor_counted = size.floor_held();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 
 #include <atomic>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class PaperRender {
 public:
@@ -37,4 +37,4 @@ private:
     std::atomic<std::uint64_t> saturated_{0};  // the same, and of its differences
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Where the primary samples of photon paths come from.
 enum class PhotonSampler { random, uniform, adaptive, paper };
@@ -85,4 +85,4 @@ inline constexpr std::array<AdaptivePart, 7> kAdaptiveParts = {{
     {&PhotonSettings::pass_weights, "pass-weights"},
 }};
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

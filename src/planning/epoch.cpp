@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The first epoch is too short for a budget to pay, and for trials as large as those of others;
@@ -99,4 +99,4 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     return epoch;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

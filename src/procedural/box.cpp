@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr SceneHead kHead = {.unit = "Unit: about half the width of the box; y is up",
@@ -185,4 +185,4 @@ std::vector<SceneFile> box_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include "procedural/revolution.h"
 #include "procedural/scene_folder.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr SceneHead kHead = {.unit = "Unit: centimetres; z is up",
@@ -123,4 +123,4 @@ std::vector<SceneFile> cornell_door_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr SceneHead kHead = {.unit = "Unit: centimetres; z is up",
@@ -187,4 +187,4 @@ std::vector<SceneFile> magnifier_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

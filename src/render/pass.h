@@ -8,7 +8,7 @@
 #include "planning/epoch.h"
 #include "stages/pass_result.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param epoch  of that pass.
 PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::uint32_t number,
@@ -20,4 +20,4 @@ inline PassResult render_pass(const Scene& scene, const RenderSettings& settings
     return render_pass(scene, settings, number, learn_epoch(scene, settings, number));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

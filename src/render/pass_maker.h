@@ -9,7 +9,7 @@
 #include <functional>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is asked and told while a pass is made. Each may be absent.
 struct PassHooks {
@@ -39,4 +39,4 @@ private:
     std::optional<PaperRender> paper_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

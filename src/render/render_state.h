@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// All that goes from one pass to the next. What adaptive sampling has learned is no part of it: an
 /// epoch's plan is learned again, to the same bits, from the number of the pass (planning/epoch.h).
@@ -27,4 +27,4 @@ struct RenderResult : RenderState {
     bool is_unlearned = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The side of the triangle that rays will call outside: by its winding in the object's frame,
@@ -110,4 +110,4 @@ std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32
     return lights;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

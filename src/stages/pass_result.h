@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Seconds.
 struct PassTimes {
@@ -39,4 +39,4 @@ struct PassResult {
     std::uint32_t weight = 1;  // how often it counts in the picture
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

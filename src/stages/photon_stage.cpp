@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 class PhotonStage {
@@ -81,4 +81,4 @@ double count_uniform(Statistics& counts, Statistics& all) {
     return static_cast<double>(visible) / static_cast<double>(counts[Count::uniform_paths]);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

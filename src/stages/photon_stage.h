@@ -12,7 +12,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What photons counted.
 struct PhotonTotals {
@@ -38,4 +38,4 @@ PhotonTotals trace_photons(const PhotonContext& view, PassId id, PhotonSampler s
 /// Counts uniform paths: each visible one brought light once. @return the share of these.
 double count_uniform(Statistics& counts, Statistics& all);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void use_paper_mode(RenderSettings& settings) {
     settings.photon.sampler = PhotonSampler::paper;
@@ -44,4 +44,4 @@ std::string RenderSettings::text() const {
                               paper.target_acceptance);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class Integrator { sppm, path, light, bdpt, mlt };
 
@@ -76,4 +76,4 @@ struct StopSettings {
     ErrorTerms error_terms{};               // what counts for it
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 
 #include <regex>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::ProgramTest;
@@ -64,4 +64,4 @@ TEST_F(Documentation, has_each_layer) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

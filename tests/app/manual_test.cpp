@@ -5,7 +5,7 @@
 #include <regex>
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::Process;
@@ -143,4 +143,4 @@ TEST_F(Manual, is_valid_to_man_and_the_shells_that_are_here) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,11 +1,11 @@
 // Light groups as users ask for them.
 #include "flags/light_groups.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::vector<AskedLightGroup> groups_of(const std::vector<std::string>& texts) {
@@ -33,4 +33,4 @@ TEST(AskedLightGroups, are_named_apart_or_each_alone) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

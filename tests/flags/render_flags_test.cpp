@@ -1,14 +1,14 @@
 // The flags of a render: one table, and what it refuses.
 #include "flags/render_flags.h"
 
-#include "core/error.h"
 #include "flags/renamed_flags.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Given = std::vector<std::pair<std::string, std::string>>;
@@ -217,4 +217,4 @@ TEST(RenderFlags, of_the_paper_are_changed_by_others) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,11 +1,11 @@
 // Values of flags as users write them.
 #include "flags/values.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The text is refused in words that name the flag and the text itself.
@@ -70,4 +70,4 @@ TEST(Values, factors_of_light_groups) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

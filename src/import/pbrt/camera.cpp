@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void want(bool right, const Statement& camera, const std::string& fault, const std::string& mend) {
@@ -93,4 +93,4 @@ void finish_camera(Reading& reading) {
     reading.log.warn_unused(camera);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // The Camera statement as a perspective camera.
 #pragma once
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -10,4 +10,4 @@ struct Reading;
 /// @throws Error for other cameras than "perspective", and for values out of range.
 void finish_camera(Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr auto kExact = Treatment::exact;
 inline constexpr auto kApproximated = Treatment::approximated;
@@ -208,4 +208,4 @@ inline constexpr auto kVocabulary = std::to_array<WordRow>({
     {"MakeNamedMedium", "nanovdb", kIgnored, "light passes unchanged"},
 });
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kLongestSide = 65536;
@@ -191,4 +191,4 @@ void finish_guide_samples(Reading& reading) {
     if (reading.options.sampler) read_sampler(*reading.options.sampler, reading);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

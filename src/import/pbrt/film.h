@@ -3,7 +3,7 @@
 
 #include "import/pbrt/parameters.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -13,4 +13,4 @@ void finish_film(Reading& reading);
 void finish_filter(Reading& reading);
 void finish_guide_samples(Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "import/pbrt/parameters.h"
 #include "scene/description.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -16,4 +16,4 @@ void add_light(const Statement& statement, Reading& reading);
 /// @throws Error as add_light() does.
 AreaEmission area_emission(const Statement& statement, Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::array<std::string_view, 5> kTypes = {"homogeneous", "uniformgrid", "rgbgrid",
@@ -110,4 +110,4 @@ void MediumTable::finish(SpectrumReader& spectra, ImportLog& log, Media& media) 
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "import/pbrt/parameters.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -11,4 +11,4 @@ struct Reading;
 /// @throws Error for an unknown type and for parameters that no such shape can have.
 void add_shape(const Statement& statement, Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class Treatment {
     exact,         // as pbrt-v4 means it
@@ -19,4 +19,4 @@ struct WordRow {
     std::string_view read_as;  // Markdown, within a table's cell
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

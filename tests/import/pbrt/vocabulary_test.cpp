@@ -11,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void expect_known(std::string_view directive, std::string_view word) {
@@ -80,4 +80,4 @@ TEST(Vocabulary, is_what_the_documentation_shows) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine
