@@ -8,7 +8,8 @@ FUZZ_SECONDS ?= 600
 N ?= 200
 SEED ?= 0
 
-.PHONY: demo test check browser mpi sanitize differential nightly bench tidy format clean deps build
+.PHONY: demo test check browser mpi python install sanitize differential nightly bench tidy format \
+  clean deps build
 
 # Renders a glass of brandy in the sun into out/demo: two minutes of two cores.
 demo: build
@@ -37,9 +38,22 @@ mpi:
 	cmake --build build/mpi -j $(JOBS) --target sunfleck tests_mpi
 	ctest --test-dir build/mpi -L mpi --output-on-failure --no-tests=error
 
+# The Python module, by Debian's Python, and its tests: build/release/python is for PYTHONPATH.
+PYTHON ?= /usr/bin/python3
+python:
+	tools/setup.sh build python
+	cmake --preset release -DSUNFLECK_PYTHON=ON -DPython3_EXECUTABLE=$(PYTHON)
+	cmake --build $(BUILD) -j $(JOBS) --target sunfleck_python
+	PYTHONPATH=$(BUILD)/python $(PYTHON) -m pytest -q -p no:cacheprovider python/tests
+
+# Program, library, headers, man pages and completion.
+PREFIX ?= /usr/local
+install: build
+	cmake --install $(BUILD) --prefix $(PREFIX)
+
 # Installs what is missing of Debian for all of this.
 deps:
-	tools/setup.sh build test browser mpi nightly
+	tools/setup.sh build test browser mpi python nightly
 
 build:
 	tools/setup.sh build

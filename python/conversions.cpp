@@ -2,6 +2,7 @@
 #include "conversions.h"
 
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include <algorithm>
 
@@ -28,10 +29,10 @@ Value value_of_array(const py::array& array) {
 
 Value value_of(const py::handle& value) {
     if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
-    if (py::isinstance<py::int_>(value)) return value.cast<int>();
-    if (py::isinstance<py::float_>(value)) return value.cast<double>();
     if (py::isinstance<py::str>(value)) return value.cast<std::string>();
     if (py::isinstance<py::array>(value)) return value_of_array(value.cast<py::array>());
+    if (PyIndex_Check(value.ptr()) != 0) return value.cast<int>();  // NumPy's whole numbers, too
+    if (py::hasattr(value, "__float__")) return value.cast<double>();
     if (py::isinstance<py::sequence>(value)) return value_of_list(value.cast<py::sequence>());
     throw py::type_error("a parameter is a number, a string, a bool, a list of these or an array");
 }

@@ -31,8 +31,8 @@ class Renderer(_sunfleck._Renderer):
     called with warnings; without it they are Python's.
 
     run(report), step(passes, report) and wait() return whether the render came to its end, and was
-    not cancelled. report(progress) is called after each pass. Other threads of Python run meanwhile;
-    Ctrl-C and what a callback raises end the render, which can go on.
+    not cancelled. report(progress) is called after each pass. Other threads of Python run
+    meanwhile; Ctrl-C and what a callback raises end the render, which can go on.
     """
 
     def statistics(self):

@@ -1,0 +1,41 @@
+// Pictures as values, written and read again.
+#include "library/support.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace sunfleck {
+namespace {
+
+TEST(Picture, keeps_its_channels_when_it_is_written_and_read) {
+    Renderer renderer(Scene::parse(testing_support::kBall, "ball.pbrt"),
+                      testing_support::quick_settings().set("aovs", "caustic,depth"));
+    renderer.step(1);
+    const Picture picture = renderer.picture();
+    EXPECT_TRUE(picture.has("caustic.G"));
+    EXPECT_TRUE(picture.has("depth.Z"));
+    EXPECT_THROW(static_cast<void>(picture.channel("no.G")), Error);
+    EXPECT_EQ(picture.channel("R").size(), 24U * 16U);
+
+    const auto path = std::filesystem::path(testing::TempDir()) / "library_picture.exr";
+    picture.save(path.string());
+    const Picture again = Picture::load(path.string());
+    ASSERT_EQ(again.channels().size(), picture.channels().size());
+    EXPECT_EQ(testing_support::green(again), testing_support::green(picture));
+    std::filesystem::remove(path);
+    EXPECT_THROW(Picture::load(path.string()), Error);
+    EXPECT_THROW(picture.save("picture.gif"), Error);
+}
+
+TEST(Picture, outlives_its_renderer) {
+    const auto picture = [] {
+        Renderer renderer(Scene::parse(testing_support::kBall, "ball.pbrt"));
+        return renderer.picture();
+    }();
+    EXPECT_EQ(picture.width(), 24);
+    EXPECT_EQ(picture.channel("R")[0], 0);
+}
+
+}  // namespace
+}  // namespace sunfleck
