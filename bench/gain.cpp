@@ -29,7 +29,7 @@
 #include <string_view>
 #include <utility>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 namespace {
 
 /// The sampler `adaptive` without a part, or all of them, or with all light by photons.
@@ -223,17 +223,18 @@ void run(const Settings& settings) {
 }
 
 }  // namespace
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench
 
 int main(int count, char** words) {
-    sunfleck::bench::Settings settings;
+    sunfleck::engine::bench::Settings settings;
     CLI::App app("Error times processor time of photon samplers, over that of the last one");
     app.add_option("SCENE", settings.scene, "Scene file")->required();
     const auto is_sampler = [](const std::string& name) {
-        sunfleck::RenderSettings unused;
-        const bool known = sunfleck::sampler_named(name) || sunfleck::integrator_named(name) ||
-                           sunfleck::bench::apply_variant(name, unused) ||
-                           sunfleck::bench::is_number(name);
+        sunfleck::engine::RenderSettings unused;
+        const bool known = sunfleck::engine::sampler_named(name) ||
+                           sunfleck::engine::integrator_named(name) ||
+                           sunfleck::engine::bench::apply_variant(name, unused) ||
+                           sunfleck::engine::bench::is_number(name);
         return known ? std::string() : "there is no sampler or integrator " + name;
     };
     app.add_option("--samplers", settings.samplers,
@@ -260,5 +261,6 @@ int main(int count, char** words) {
         ->delimiter(',')
         ->expected(4)
         ->check(CLI::Range(0.0, 1.0));
-    return sunfleck::bench::run_program(app, count, words, [&] { sunfleck::bench::run(settings); });
+    return sunfleck::engine::bench::run_program(app, count, words,
+                                                [&] { sunfleck::engine::bench::run(settings); });
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 
 inline double mean_of(const std::vector<double>& values) {
     double sum = 0;
@@ -139,4 +139,4 @@ inline void print_ratios(const std::string& names, const std::vector<Sample>& a,
     print_ratio(names + ", MSE x cpu s", a, b, &Error::plain);
 }
 
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench

@@ -25,7 +25,7 @@
 #include <functional>
 #include <stdexcept>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 namespace {
 
 /// A field of low hills, in a square of side one.
@@ -163,7 +163,7 @@ void run(const std::vector<std::size_t>& triangles, int repeats) {
 }
 
 }  // namespace
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench
 
 int main(int count, char** words) {
     CLI::App app("loading of meshes, against Embree's own build");
@@ -171,6 +171,6 @@ int main(int count, char** words) {
     int repeats = 3;
     app.add_option("--triangles", triangles);
     app.add_option("--repeats", repeats);
-    return sunfleck::bench::run_program(app, count, words,
-                                        [&] { sunfleck::bench::run(triangles, repeats); });
+    return sunfleck::engine::bench::run_program(
+        app, count, words, [&] { sunfleck::engine::bench::run(triangles, repeats); });
 }

@@ -20,7 +20,7 @@
 
 #include <optional>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 namespace {
 
 struct Settings {
@@ -161,10 +161,10 @@ void run(const Settings& settings) {
 }
 
 }  // namespace
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench
 
 int main(int count, char** words) {
-    sunfleck::bench::Settings settings;
+    sunfleck::engine::bench::Settings settings;
     CLI::App app("Error after some processor time, against another renderer's picture");
     app.add_option("SCENE", settings.scene, "Scene file")->required();
     app.add_option("REFERENCE", settings.reference, "Its picture, in linear light")->required();
@@ -176,5 +176,6 @@ int main(int count, char** words) {
         ->expected(4);
     app.add_option("--threads", settings.threads, "Default 1");
     app.add_option("--seed", settings.seed, "Default 0");
-    return sunfleck::bench::run_program(app, count, words, [&] { sunfleck::bench::run(settings); });
+    return sunfleck::engine::bench::run_program(app, count, words,
+                                                [&] { sunfleck::engine::bench::run(settings); });
 }

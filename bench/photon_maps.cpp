@@ -5,7 +5,6 @@
 // random, paper, adaptive; and DIR/SCENE-splitting.png: the states of each set but the last, and
 // the sets themselves.
 #include "camera_paths/trace_camera_paths.h"
-#include "core/error.h"
 #include "image/png.h"
 #include "import/load.h"
 #include "photon/paper_chain.h"
@@ -14,13 +13,14 @@
 #include "program.h"
 #include "random_numbers/emission_points.h"
 #include "render/pass.h"
+#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 namespace {
 
 struct Settings {
@@ -237,15 +237,16 @@ void run(const Settings& settings) {
 }
 
 }  // namespace
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench
 
 int main(int count, char** words) {
-    sunfleck::bench::Settings settings;
+    sunfleck::engine::bench::Settings settings;
     CLI::App app("Pictures of where photons land");
     app.add_option("SCENE", settings.scene, "Scene file")->required();
     app.add_option("-o,--output", settings.folder, "Folder (default: here)");
     app.add_option("--centre", settings.centre, "Middle of the square: x y");
     app.add_option("--width", settings.width, "Of the square");
     app.add_option("--paths", settings.paths, "Uniform ones");
-    return sunfleck::bench::run_program(app, count, words, [&] { sunfleck::bench::run(settings); });
+    return sunfleck::engine::bench::run_program(app, count, words,
+                                                [&] { sunfleck::engine::bench::run(settings); });
 }

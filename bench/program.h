@@ -1,14 +1,14 @@
 // What every benchmark's main() ends with.
 #pragma once
 
-#include "core/error.h"
 #include "core/kept_memory.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 
 /// Reads the command line and does the work. @return the program's exit code: 2, after one line,
 /// for words or files that cannot be used.
@@ -27,4 +27,4 @@ int run_program(CLI::App& app, int count, char** words, const Work& work) {
     return 0;
 }
 
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench

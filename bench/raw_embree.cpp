@@ -9,7 +9,7 @@
 #include <atomic>
 #include <limits>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 namespace {
 
 constexpr std::size_t kBlock = 1024;
@@ -97,14 +97,14 @@ std::size_t RawEmbree::trace() const {
     return hits;
 }
 
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench
 
 void rtcIntersect1(RTCScene scene, RTCIntersectContext* context, RTCRayHit* ray) {
-    sunfleck::bench::Recorder::keep(scene, ray->ray, false);
-    sunfleck::bench::intersect(scene, context, ray);
+    sunfleck::engine::bench::Recorder::keep(scene, ray->ray, false);
+    sunfleck::engine::bench::intersect(scene, context, ray);
 }
 
 void rtcOccluded1(RTCScene scene, RTCIntersectContext* context, RTCRay* ray) {
-    sunfleck::bench::Recorder::keep(scene, *ray, true);
-    sunfleck::bench::occluded(scene, context, ray);
+    sunfleck::engine::bench::Recorder::keep(scene, *ray, true);
+    sunfleck::engine::bench::occluded(scene, context, ray);
 }

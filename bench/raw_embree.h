@@ -13,7 +13,7 @@
 #include <functional>
 #include <vector>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 
 struct RecordedRay {
     Ray ray;
@@ -41,4 +41,4 @@ private:
     friend struct Recorder;
 };
 
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench

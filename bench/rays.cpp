@@ -20,7 +20,7 @@
 
 #include <map>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 namespace {
 
 struct Settings {
@@ -207,17 +207,18 @@ void run(const Settings& settings, std::size_t threads) {
 }
 
 }  // namespace
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench
 
 int main(int count, char** words) {
-    sunfleck::bench::Settings settings;
+    sunfleck::engine::bench::Settings settings;
     std::size_t threads = 2;
     CLI::App app("Rays a second of the photon and the camera pass over those of Embree alone");
     app.add_option("scene", settings.scene, "Of triangles alone (default a bumpy room)");
     app.add_option("--triangles", settings.triangles, "Of that room, about (default 131072)");
-    std::map<std::string, sunfleck::PhotonSampler> samplers;
-    for (const sunfleck::PhotonSamplerRow& row : sunfleck::kPhotonSamplers)
-        if (row.sampler != sunfleck::PhotonSampler::paper) samplers.emplace(row.name, row.sampler);
+    std::map<std::string, sunfleck::engine::PhotonSampler> samplers;
+    for (const sunfleck::engine::PhotonSamplerRow& row : sunfleck::engine::kPhotonSamplers)
+        if (row.sampler != sunfleck::engine::PhotonSampler::paper)
+            samplers.emplace(row.name, row.sampler);
     app.add_option("--sampler", settings.sampler, "Of photons (default uniform)")
         ->transform(CLI::CheckedTransformer(samplers));
     app.add_option("--paths", settings.paths, "Photon paths (default 100000)");
@@ -226,10 +227,10 @@ int main(int count, char** words) {
     app.add_option("--threads", threads, "Compared with one thread (default 2)");
     app.add_option("--profile", settings.profile,
                    "Only run the photons of so many passes on one thread, for a profiler");
-    return sunfleck::bench::run_program(app, count, words, [&] {
+    return sunfleck::engine::bench::run_program(app, count, words, [&] {
         if (settings.profile > 0)
-            sunfleck::bench::profile(settings);
+            sunfleck::engine::bench::profile(settings);
         else
-            sunfleck::bench::run(settings, threads);
+            sunfleck::engine::bench::run(settings, threads);
     });
 }

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 namespace {
 
 constexpr const char* kWalls = R"(
@@ -72,4 +72,4 @@ SceneDescription bumpy_room(const RoomSettings& settings) {
     return scene;
 }
 
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench

@@ -3,7 +3,7 @@
 
 #include "scene/description.h"
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 
 struct RoomSettings {
     std::size_t triangles = 131'072;  // of the floor, about
@@ -13,4 +13,4 @@ struct RoomSettings {
 /// Diffuse walls of albedo 0.7, a ceiling lamp, the camera in one corner. Nothing can escape.
 SceneDescription bumpy_room(const RoomSettings& settings);
 
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench

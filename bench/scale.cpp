@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 namespace {
 
 struct Case {
@@ -117,7 +117,7 @@ void run(bool large, int repeats) {
 }
 
 }  // namespace
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench
 
 int main(int count, char** words) {
     bool large = false;
@@ -125,6 +125,6 @@ int main(int count, char** words) {
     CLI::App app("What a pass costs against triangles, photons, pixels and threads");
     app.add_flag("--large", large, "Also ten million triangles (some 3 GB)");
     app.add_option("--repeats", repeats, "Passes of each (default 3)");
-    return sunfleck::bench::run_program(app, count, words,
-                                        [&] { sunfleck::bench::run(large, repeats); });
+    return sunfleck::engine::bench::run_program(
+        app, count, words, [&] { sunfleck::engine::bench::run(large, repeats); });
 }

@@ -9,7 +9,7 @@
 #include <ctime>
 #include <vector>
 
-namespace sunfleck::bench {
+namespace sunfleck::engine::bench {
 
 /// Seconds.
 struct Elapsed {
@@ -40,4 +40,4 @@ inline double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-}  // namespace sunfleck::bench
+}  // namespace sunfleck::engine::bench

@@ -2,7 +2,7 @@
 #   cmake -DOUT=file.cpp -DHEADER=report/assets.h "-DPARTS=kName=a.js,b.js|kOther=c.css" -P embed.cmake
 # Several files of one name follow each other.
 string(REPLACE "|" ";" parts "${PARTS}")
-set(text "// Made by cmake/embed.cmake.\n#include \"${HEADER}\"\n\nnamespace sunfleck {\n")
+set(text "// Made by cmake/embed.cmake.\n#include \"${HEADER}\"\n\nnamespace sunfleck::engine {\n")
 foreach(part IN LISTS parts)
   string(REGEX MATCH "^([^=]+)=(.*)$" _ "${part}")
   set(name "${CMAKE_MATCH_1}")
@@ -14,5 +14,5 @@ foreach(part IN LISTS parts)
   endforeach()
   string(APPEND text ";\n")
 endforeach()
-string(APPEND text "\n}  // namespace sunfleck\n")
+string(APPEND text "\n}  // namespace sunfleck::engine\n")
 file(WRITE "${OUT}" "${text}")

@@ -1,11 +1,11 @@
 // Reading the flags of the sampler `adaptive`, and refusing them where they say nothing.
 #include "apps/cli/adaptive_options.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::string flag_of(const AdaptivePart& part) {
     return "--" + std::string(part.name);
@@ -39,4 +39,4 @@ void finish_adaptive(const CLI::App& given, const AdaptiveTexts& texts, PhotonSe
                         "give one");
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

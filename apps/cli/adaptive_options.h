@@ -9,7 +9,7 @@ namespace CLI {
 class App;
 }
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// auto or off, by part; empty: not given.
 using AdaptiveTexts = std::array<std::string, kAdaptiveParts.size()>;
@@ -24,4 +24,4 @@ void add_adaptive_flags(CLI::App& app, AdaptiveTexts& texts);
 ///         paths whose number is given.
 void finish_adaptive(const CLI::App& given, const AdaptiveTexts& texts, PhotonSettings& photon);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

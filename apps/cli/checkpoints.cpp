@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::optional<Checkpoint> open_checkpoints(const RenderOptions& options) {
     namespace fs = std::filesystem;
@@ -28,4 +28,4 @@ void CheckpointKeeper::save(const Origin& origin, const RenderState& state) {
     });
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

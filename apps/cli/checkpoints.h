@@ -4,7 +4,7 @@
 #include "apps/cli/deferred_error.h"
 #include "render/checkpoint.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Tries --checkpoint and reads --resume, as far as they are given.
 /// @throws Error if either cannot be used; also if --checkpoint would replace what is not resumed.
@@ -27,4 +27,4 @@ private:
     DeferredError fault_;  // of the last save
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,11 +6,11 @@
 #include "apps/cli/renamed_flags.h"
 #include "apps/cli/render_options.h"
 #include "apps/cli/values.h"
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void add_merge(CLI::App& app, MergeOptions& o, ErrorTexts& t) {
@@ -170,4 +170,4 @@ std::optional<Options> read_options(int count, const char* const* words) {
     return line.finish(count, words);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,10 +6,10 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Reads the command line. @return nothing when all has been said (--help, --version): exit 0.
 /// @throws Error with place "sunfleck" or the flag for anything that cannot be used.
 std::optional<Options> read_options(int count, const char* const* words);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

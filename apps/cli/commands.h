@@ -4,7 +4,7 @@
 #include "apps/cli/options.h"
 #include "ranks/ranks.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Renders, together with all other ranks; rank 0 writes the outputs.
 /// @return 0, or on rank 0 130 when interrupted.
@@ -23,4 +23,4 @@ int run_relight(const RelightOptions& options);
 /// Measures pictures against a reference, and writes the page that shows them.
 int run_compare(const CompareOptions& options);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

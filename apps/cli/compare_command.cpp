@@ -10,7 +10,7 @@
 
 #include <cstdio>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -47,4 +47,4 @@ int run_compare(const CompareOptions& options) {
     return 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

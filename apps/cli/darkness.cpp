@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kNoticed = 0.01;  // of the picture's light, or of its pixels
@@ -62,4 +62,4 @@ std::vector<std::string> darkness_warnings(const Film& film,
     return lines;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A line for each doubt.
 /// @param share_lit  asked where no pass has brought any photon: the share of the picture that
@@ -15,4 +15,4 @@ namespace sunfleck {
 std::vector<std::string> darkness_warnings(const Film& film,
                                            const std::function<double()>& share_lit = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 
 #include <exception>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class DeferredError {
 public:
@@ -47,4 +47,4 @@ private:
     std::exception_ptr fault_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

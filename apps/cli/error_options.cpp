@@ -1,11 +1,11 @@
 // Reading the flags about bias, and refusing them where there is none to know.
 #include "apps/cli/error_options.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void add_extrapolate_flag(CLI::App& app, ErrorTexts& texts) {
     app.add_option("--extrapolate", texts.extrapolate,
@@ -38,4 +38,4 @@ void finish_error(const CLI::App& given, const ErrorTexts& texts, RenderOptions&
     options.stop.error_terms = {texts.target_error_of == "all", texts.extrapolate == "on"};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Flags whose text is a choice.
 struct ErrorTexts {
@@ -23,4 +23,4 @@ void add_error_flags(CLI::App& app, ErrorTexts& texts);
 /// @throws Error for a flag where nothing is gathered from discs that shrink.
 void finish_error(const CLI::App& given, const ErrorTexts& texts, RenderOptions& options);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

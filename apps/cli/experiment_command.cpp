@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr InterruptAnswer kExperimentAnswer{
@@ -63,4 +63,4 @@ int run_experiment(const ExperimentOptions& options) {
     return 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

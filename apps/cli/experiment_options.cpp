@@ -3,11 +3,11 @@
 
 #include "apps/cli/number_check.h"
 #include "apps/cli/values.h"
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 OtherPicture read_other(const std::string& text) {
@@ -57,4 +57,4 @@ void finish_experiment(const ExperimentTexts& t, ExperimentOptions& o) {
     for (const std::string& other : t.others) o.run.others.push_back(read_other(other));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

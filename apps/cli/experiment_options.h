@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Flags whose text needs a reader of its own.
 struct ExperimentTexts {
@@ -20,4 +20,4 @@ void add_experiment_flags(CLI::App& app, ExperimentOptions& options, ExperimentT
 /// To be called when all flags have been read. @throws Error naming a flag that cannot be used.
 void finish_experiment(const ExperimentTexts& texts, ExperimentOptions& options);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,14 +1,14 @@
 // No output over an input or another output: files are known by device and inode.
 #include "apps/cli/outputs.h"
 #include "apps/cli/snapshots.h"
-#include "core/error.h"
 #include "core/file_identity.h"
 #include "core/small_letters.h"
+#include "sunfleck/error.h"
 
 #include <filesystem>
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ void check_apart(const CommandFiles& files) {
     if (!files.snapshots.empty()) check_snapshots_apart(files.snapshots, files);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

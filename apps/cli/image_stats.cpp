@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Widened. Nothing where it is zero and the picture is not black, which says nothing.
@@ -53,4 +53,4 @@ std::vector<std::string> extrapolation_warnings(const Film& film, bool wanted) {
     return {what + "radii have hardly shrunk over its passes, so its bias is not known"};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

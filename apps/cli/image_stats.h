@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// `image` of stats.json: names appear as soon as their values are known.
 nlohmann::ordered_json image_json(const Film& film, ErrorTerms terms);
@@ -17,4 +17,4 @@ nlohmann::ordered_json image_json(const Film& film, ErrorTerms terms);
 /// That a picture which was to be extrapolated is not, and why: a line, or none.
 std::vector<std::string> extrapolation_warnings(const Film& film, bool wanted);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

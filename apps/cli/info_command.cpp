@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void print_lights(const Scene& scene) {
@@ -111,4 +111,4 @@ int run_info(const InfoOptions& options) {
     return 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

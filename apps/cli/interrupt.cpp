@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <ctime>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
@@ -93,4 +93,4 @@ const std::atomic<bool>& InterruptGuard::interrupted() {
     return interrupted_flag;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <functional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// How signals are answered. Null texts: nothing is said.
 struct InterruptAnswer {
@@ -36,4 +36,4 @@ public:
     static void finish_first(const std::function<void()>& task);
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,8 +2,8 @@
 #include "apps/cli/light_groups.h"
 
 #include "aovs/channels.h"
-#include "core/error.h"
 #include "scene/scene.h"
+#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <charconv>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr const char* kFlag = "--light-group";
@@ -120,4 +120,4 @@ LightGroups light_groups_of(const Scene& scene, const std::vector<AskedLightGrou
     return groups;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Scene;
 
@@ -31,4 +31,4 @@ std::vector<AskedLightGroup> read_light_groups(const std::vector<std::string>& t
 ///         groups than there may be.
 LightGroups light_groups_of(const Scene& scene, const std::vector<AskedLightGroup>& asked);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -19,19 +19,19 @@
 
 namespace {
 
-using sunfleck::Ranks;
+using sunfleck::engine::Ranks;
 
 int run(int count, char** words, const Ranks& ranks) {
-    const auto options =
-        sunfleck::together(ranks, [&] { return sunfleck::read_options(count, words); });
+    const auto options = sunfleck::engine::together(
+        ranks, [&] { return sunfleck::engine::read_options(count, words); });
     if (!options) return 0;
-    if (options->render) return sunfleck::run_render(*options->render, ranks);
-    if (options->info) return sunfleck::run_info(*options->info);
-    if (options->scene) return sunfleck::run_scene(*options->scene);
-    if (options->merge) return sunfleck::run_merge(*options->merge);
-    if (options->relight) return sunfleck::run_relight(*options->relight);
-    if (options->experiment) return sunfleck::run_experiment(*options->experiment);
-    return sunfleck::run_compare(*options->compare);
+    if (options->render) return sunfleck::engine::run_render(*options->render, ranks);
+    if (options->info) return sunfleck::engine::run_info(*options->info);
+    if (options->scene) return sunfleck::engine::run_scene(*options->scene);
+    if (options->merge) return sunfleck::engine::run_merge(*options->merge);
+    if (options->relight) return sunfleck::engine::run_relight(*options->relight);
+    if (options->experiment) return sunfleck::engine::run_experiment(*options->experiment);
+    return sunfleck::engine::run_compare(*options->compare);
 }
 
 /// Ends the program in place of abort(): an exception that nobody can catch, as of a thread of a
@@ -44,14 +44,14 @@ int run(int count, char** words, const Ranks& ranks) {
     } catch (const std::exception& error) {
         what = error.what();
     }
-    sunfleck::say(std::string("sunfleck: ") + what);
-    sunfleck::remove_own_temporaries();
+    sunfleck::engine::say(std::string("sunfleck: ") + what);
+    sunfleck::engine::remove_own_temporaries();
     _exit(1);
 }
 
 /// Leaves no temporary file, and ends by the signal as ever.
 void end_by_signal(int signal) {
-    sunfleck::remove_own_temporaries();
+    sunfleck::engine::remove_own_temporaries();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
@@ -66,8 +66,8 @@ void set_ends(bool is_render) {
 }
 
 /// @return code, where it returns.
-int fail(const sunfleck::Job& job, int code, const std::string& line) {
-    sunfleck::say(line);
+int fail(const sunfleck::engine::Job& job, int code, const std::string& line) {
+    sunfleck::engine::say(line);
     job.abort(code);
     return code;
 }
@@ -75,19 +75,19 @@ int fail(const sunfleck::Job& job, int code, const std::string& line) {
 }  // namespace
 
 int main(int count, char** words) {
-    sunfleck::keep_streams();
+    sunfleck::engine::keep_streams();
     const bool is_render = count > 1 && std::string_view(words[1]) == "render";
     set_ends(is_render);
-    sunfleck::keep_freed_memory();
-    const sunfleck::Job job(is_render);
+    sunfleck::engine::keep_freed_memory();
+    const sunfleck::engine::Job job(is_render);
     try {
         int code = 0;
-        sunfleck::print_all([&] { code = run(count, words, job.ranks()); });
+        sunfleck::engine::print_all([&] { code = run(count, words, job.ranks()); });
         return code;
-    } catch (const sunfleck::FaultOfAll& fault) {
-        if (job.ranks().is_first()) sunfleck::say(fault.what());
+    } catch (const sunfleck::engine::FaultOfAll& fault) {
+        if (job.ranks().is_first()) sunfleck::engine::say(fault.what());
         return fault.code();
-    } catch (const sunfleck::MachineFault& fault) {
+    } catch (const sunfleck::engine::MachineFault& fault) {
         return fail(job, 1, fault.what());
     } catch (const sunfleck::Error& error) {
         return fail(job, 2, error.what());

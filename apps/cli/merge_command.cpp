@@ -5,12 +5,12 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/stats.h"
-#include "core/error.h"
 #include "core/thread_trial.h"
 #include "film/film_file.h"
 #include "image/atomic_file.h"
+#include "sunfleck/error.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 int run_merge(const MergeOptions& options) {
     try_threads();
@@ -46,4 +46,4 @@ int run_merge(const MergeOptions& options) {
     return 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

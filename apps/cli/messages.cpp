@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kErase = "\r\033[J";  // from the first column on
@@ -68,4 +68,4 @@ void print_all(const std::function<void()>& task) {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) fail(errno);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

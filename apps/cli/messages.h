@@ -4,7 +4,7 @@
 #include <functional>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// To be called before all else. A standard stream that is closed stays closed: no file that the
 /// program opens takes its number, and with it what was meant for the stream. A pipe whose reader
@@ -24,4 +24,4 @@ void draw_live_line(std::string_view line);
 /// lost.
 void print_all(const std::function<void()>& task);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

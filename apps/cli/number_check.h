@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 template <class Number>
 CLI::Validator number_check(Number low, Number high, const char* kind) {
@@ -33,4 +33,4 @@ inline CLI::Validator whole(std::int64_t low, std::int64_t high) {
     return number_check(low, high, "whole number");
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is said on standard error beside errors.
 enum class LogLevel {
@@ -94,4 +94,4 @@ struct Options {
     std::optional<CompareOptions> compare;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 OutOfMemory::OutOfMemory(std::size_t bytes) noexcept {
     constexpr double kMebibyte = 1 << 20;
@@ -14,19 +14,19 @@ OutOfMemory::OutOfMemory(std::size_t bytes) noexcept {
                   static_cast<double>(bytes) / kMebibyte);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine
 
 // NOLINTBEGIN(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory): these are `new` itself
 void* operator new(std::size_t bytes) {
     if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
-    throw sunfleck::OutOfMemory(bytes);
+    throw sunfleck::engine::OutOfMemory(bytes);
 }
 
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
     const auto step = static_cast<std::size_t>(alignment);
     const std::size_t whole = (bytes + step - 1) / step * step;
     if (void* memory = std::aligned_alloc(step, whole == 0 ? step : whole)) return memory;
-    throw sunfleck::OutOfMemory(bytes);
+    throw sunfleck::engine::OutOfMemory(bytes);
 }
 
 void operator delete(void* memory) noexcept {

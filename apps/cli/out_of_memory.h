@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <new>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What `new` throws in this program.
 class OutOfMemory : public std::bad_alloc {
@@ -18,4 +18,4 @@ private:
     std::array<char, 200> text_{};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,12 +1,12 @@
 // Output files of render and merge.
 #include "apps/cli/outputs.h"
 
-#include "core/error.h"
 #include "film/film_file.h"
 #include "film/film_picture.h"
 #include "image/picture_file.h"
+#include "sunfleck/error.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 bool is_film(const std::string& path) {
@@ -47,4 +47,4 @@ std::vector<std::string> write_outputs(const std::vector<std::string>& outputs, 
     return written;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param others  other files that the command writes; empty names are none.
 /// @throws Error if one of the files cannot be written, or an output's ending is unknown.
@@ -44,4 +44,4 @@ struct OutputOptions {
 std::vector<std::string> write_outputs(const std::vector<std::string>& outputs, const Film& film,
                                        const OutputOptions& options, DeferredError& faults);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,11 +2,11 @@
 #include "apps/cli/paper_options.h"
 
 #include "apps/cli/values.h"
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void refuse(const CLI::App& given, const char* flag, const std::string& why,
@@ -63,4 +63,4 @@ void finish_paper(const CLI::App& given, const PaperTexts& texts, RenderOptions&
             read_positive(texts.target_acceptance, "--target-acceptance", 1);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

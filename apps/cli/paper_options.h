@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Flags whose text needs a reader of its own.
 struct PaperTexts {
@@ -24,4 +24,4 @@ void add_paper_flags(CLI::App& app, PaperTexts& texts);
 /// @throws Error naming a flag that does not go with the sampler, whichever it is.
 void finish_paper(const CLI::App& given, const PaperTexts& texts, RenderOptions& options);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::string count_text(std::uint64_t count, const char* what) {
@@ -170,4 +170,4 @@ std::string ProgressLine::text_now(std::size_t width) const {
     return joined(parts_of(now), width);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

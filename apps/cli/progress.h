@@ -14,7 +14,7 @@
 #include <string>
 #include <thread>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// In whole seconds: 7 s, 3m12s, 2h05m.
 std::string duration_text(double seconds);
@@ -53,4 +53,4 @@ private:
     std::thread thread_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 int run_relight(const RelightOptions& options) {
     for (const std::string& path : options.outputs) check_picture_path(path);
@@ -28,4 +28,4 @@ int run_relight(const RelightOptions& options) {
     return 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct RenamedFlag {
     std::string_view before;
@@ -32,4 +32,4 @@ constexpr std::string_view name_now(std::string_view word) {
     return {};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

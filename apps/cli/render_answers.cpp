@@ -1,7 +1,7 @@
 // What is said at a first signal, and at a second one.
 #include "apps/cli/render_answers.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr InterruptAnswer kQuiet{};
@@ -47,4 +47,4 @@ const InterruptAnswer& answer_while(RenderStep step, const RenderOptions& option
     return kWriting;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "apps/cli/interrupt.h"
 #include "apps/cli/options.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Until the first pass begins there is nothing to finish, and a signal ends the program at once.
 enum class RenderStep { reading, learning, first_pass, later_pass, writing };
@@ -12,4 +12,4 @@ enum class RenderStep { reading, learning, first_pass, later_pass, writing };
 /// @return the answer, which is never destroyed.
 const InterruptAnswer& answer_while(RenderStep step, const RenderOptions& options);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

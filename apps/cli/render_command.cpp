@@ -25,7 +25,7 @@
 #include <optional>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void print_lines(const std::vector<std::string>& lines, LogLevel log) {
@@ -217,4 +217,4 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     return result.interrupted ? 130 : 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,17 +3,17 @@
 
 #include "apps/cli/number_check.h"
 #include "apps/cli/values.h"
-#include "core/error.h"
 #include "core/named_rows.h"
 #include "image/picture_file.h"
 #include "photon_samplers/samplers.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// An option that takes one of the names of a table, whose rows say what each means.
@@ -214,4 +214,4 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
     check_layers_fit(given, o);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@ namespace CLI {
 class App;
 }
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Flags whose text needs a reader of its own.
 struct RenderTexts {
@@ -48,4 +48,4 @@ void add_render_flags(CLI::App& app, RenderOptions& options, RenderTexts& texts)
 /// To be called when all flags have been read. @throws Error naming a flag that cannot be used.
 void finish_render(const CLI::App& given, const RenderTexts& texts, RenderOptions& options);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The scene's own film name, as a picture that we write, where no -o is given.
@@ -138,4 +138,4 @@ std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& 
     return setup;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A render that can begin.
 struct RenderSetup {
@@ -31,4 +31,4 @@ std::vector<std::string> written_files(const RenderSetup& setup);
 /// @throws Error for whatever cannot be used.
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,15 +1,15 @@
 // `sunfleck scene`: writes one of our own scenes as pbrt-v4 files, or lists them.
 #include "apps/cli/commands.h"
-#include "core/error.h"
 #include "image/atomic_file.h"
 #include "image/read_file.h"
 #include "procedural/scenes.h"
+#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -55,4 +55,4 @@ int run_scene(const SceneOptions& options) {
     return 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

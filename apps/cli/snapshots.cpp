@@ -1,16 +1,16 @@
 // Snapshots: picture and statistics of a render under way, a pair of files each.
 #include "apps/cli/snapshots.h"
 
-#include "core/error.h"
 #include "film/film_picture.h"
 #include "image/atomic_file.h"
 #include "image/picture_file.h"
+#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace fs = std::filesystem;
 
@@ -43,4 +43,4 @@ void write_snapshot(const std::string& folder, const Film& film, const RunFacts&
     write_picture(name + ".exr", film_picture(film, {facts.error_terms.extrapolated}));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The file of the folder that a render claims which writes snapshots to it.
 std::string claim_of_snapshots(const std::string& folder);
@@ -21,4 +21,4 @@ bool is_snapshot(const std::string& name);
 /// Writes passes-NNNNNN.exr and .json, each whole or not at all, the picture last.
 void write_snapshot(const std::string& folder, const Film& film, const RunFacts& facts);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

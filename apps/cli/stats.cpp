@@ -14,7 +14,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -253,4 +253,4 @@ std::vector<std::string> reliability_warnings(const Film& film) {
     return lines;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the film does not hold.
 struct RunFacts {
@@ -31,4 +31,4 @@ std::string stats_json(const Film& film, const RunFacts& facts);
 /// What makes the picture unreliable, a line each: starved passes, an uncertain brightness.
 std::vector<std::string> reliability_warnings(const Film& film);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

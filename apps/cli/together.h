@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Thrown on every rank of several when the work has failed on any: what() is for rank 0 to say,
 /// and the program's exit code is code().
@@ -40,4 +40,4 @@ auto together(const Ranks& ranks, const Task& task) {
     return std::move(*result);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,13 @@
 // Values of flags that are more than a number: durations, shares, sizes, rectangles, ranges.
 #include "apps/cli/values.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A number at the start of `text`; `rest` is what follows it. NaN if there is none.
@@ -174,4 +174,4 @@ void read_pass_range(const std::string& text, const std::string& flag, StopSetti
     stop.end_pass = static_cast<std::uint32_t>(end);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// "60s", "5m", "2h", "90" (seconds). @throws Error naming the flag.
 double read_duration(const std::string& text, const std::string& flag);
@@ -35,4 +35,4 @@ AovSet read_aovs(const std::string& text, const std::string& flag);
 /// "a:b", into first and end pass. @throws Error naming the flag.
 void read_pass_range(const std::string& text, const std::string& flag, StopSettings& stop);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

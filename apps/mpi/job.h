@@ -3,7 +3,7 @@
 
 #include "ranks/ranks.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// While it lives, the process belongs to the job; its end waits for all others. One a process.
 class Job {
@@ -27,4 +27,4 @@ private:
     Ranks ranks_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

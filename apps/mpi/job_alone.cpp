@@ -1,7 +1,7 @@
 // Without MPI there is one rank.
 #include "apps/mpi/job.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Job::Job(bool) {}
 
@@ -9,4 +9,4 @@ Job::~Job() = default;
 
 void Job::abort(int) const {}
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <chrono>
 #include <thread>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kReady = 1;  // tags
@@ -69,4 +69,4 @@ void Job::abort(int code) const {
     if (!ranks_.is_alone()) MPI_Abort(MPI_COMM_WORLD, code);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class Aov : std::size_t {
     total,     // all light, radiance
@@ -57,4 +57,4 @@ constexpr bool is_taken_aov_name(std::string_view name) {
     return row_named(kAovs, name) != nullptr || name == "error" || name == "bias";
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

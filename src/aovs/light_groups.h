@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::size_t kMostLightGroups = 64;
 /// The group of a light that is in none.
@@ -24,4 +24,4 @@ struct LightGroups {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

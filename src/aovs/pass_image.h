@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Which AOVs are measured; the total always is.
 using AovSet = std::array<bool, kAovCount>;
@@ -155,4 +155,4 @@ private:
     std::vector<std::atomic<std::uint64_t>> counts_ = std::vector<std::atomic<std::uint64_t>>(2);
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class Count : std::size_t {
     camera_rays,        // rays of camera paths and of direct light
@@ -70,4 +70,4 @@ struct Statistics {
     friend bool operator==(const Statistics&, const Statistics&) = default;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

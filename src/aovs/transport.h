@@ -4,7 +4,7 @@
 
 #include "aovs/light_groups.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Who brings the light that comes straight from an emitter to a surface that gathers.
 enum class DirectLight {
@@ -21,4 +21,4 @@ struct TransportSettings {
     LightGroups light_groups{};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

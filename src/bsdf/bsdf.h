@@ -14,7 +14,7 @@
 
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 template <BsdfModel... Models>
 using BsdfVariant = std::variant<Models...>;
@@ -84,4 +84,4 @@ inline Bsdf at_wavelength(const Bsdf& bsdf, std::size_t wavelength) {
         bsdf);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

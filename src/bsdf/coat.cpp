@@ -1,7 +1,7 @@
 // What a coat lets through and sends back, by quadrature.
 #include "bsdf/coat.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kFacets = 24;  // each way, of those that a direction sees
@@ -84,4 +84,4 @@ float Coat::returned_rough(float cosine) const {
            });
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

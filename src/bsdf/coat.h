@@ -13,7 +13,7 @@
 #include <array>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Coat {
 public:
@@ -59,4 +59,4 @@ private:
     float returning_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include "bsdf/coat.h"
 #include "bsdf/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct CoatReflection {
     const Coat* coat;  // its material's: outlives all that scatters from it
@@ -55,4 +55,4 @@ struct CoatReflection {
     static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // The metal's lobe seen through the coat, and how both lobes are sampled.
 #include "bsdf/coated_conductor.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Facets that spread light as those of the metal do after two crossings of the coat's.
@@ -129,4 +129,4 @@ std::optional<BsdfSample> CoatedConductor::sample(const Vec3& wo, const BsdfDraw
     return BsdfSample{eval(wo, *wi, draw.transport) * (std::abs(wi->z) / density), *wi, density};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 
 #include "bsdf/coat_reflection.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class CoatedConductor {
 public:
@@ -51,4 +51,4 @@ private:
     bool is_smooth_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

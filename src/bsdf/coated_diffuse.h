@@ -10,7 +10,7 @@
 #include "bsdf/coat_reflection.h"
 #include "bsdf/lambert.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What comes back from the base; both sides alike.
 struct CoatedBase {
@@ -100,4 +100,4 @@ private:
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

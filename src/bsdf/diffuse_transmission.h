@@ -6,7 +6,7 @@
 
 #include "bsdf/lambert.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct DiffuseTransmission {
     SampledSpectrum reflectance;    // per wavelength; with the transmittance at most one
@@ -48,4 +48,4 @@ private:
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include "bsdf/facet_losses.h"
 #include "bsdf/fresnel.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct MetalCompensation {
     const FacetLosses& losses;
@@ -73,4 +73,4 @@ private:
     float far_over_near(float z) const { return z > 0 ? eta : 1 / eta; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

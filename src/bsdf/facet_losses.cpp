@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 // Of the facets that a direction sees, Fibonacci's lattice: no ring of facets, as the critical
@@ -122,4 +122,4 @@ void FacetLosses::take_means(Slice& slice) const {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 #include <array>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class FacetLosses {
 public:
@@ -112,4 +112,4 @@ private:
     Slice mirror_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The cosine on the far side of the boundary; 0 under total reflection.
 /// @param sin2  squared sine of the incident angle. @param eta  far index over near index, > 0.
@@ -68,4 +68,4 @@ inline SampledSpectrum conductor_reflectance(float cosine, const SampledSpectrum
     return reflectance;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

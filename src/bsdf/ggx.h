@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Ggx {
     float alpha_x = 0.1F;  // positive
@@ -76,4 +76,4 @@ struct Ggx {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

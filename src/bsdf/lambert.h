@@ -7,7 +7,7 @@
 #include "bsdf/model.h"
 #include "math/float_disc.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Lambert {
     SampledSpectrum albedo;  // per wavelength, in [0,1]
@@ -36,4 +36,4 @@ struct Lambert {
     static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <concepts>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the path being sampled carries: radiance from the eye, flux from a light. The two differ
 /// by the squared ratio of refractive indices at a refraction (Veach 1997, section 5.2).
@@ -71,4 +71,4 @@ concept DispersiveModel = BsdfModel<B> && requires(const B& b, std::size_t wavel
     { b.at_wavelength(wavelength) } -> std::same_as<B>;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

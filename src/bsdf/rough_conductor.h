@@ -11,7 +11,7 @@
 #include "bsdf/lambert.h"
 #include "bsdf/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct RoughConductor {
     SampledSpectrum eta;
@@ -77,4 +77,4 @@ private:
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

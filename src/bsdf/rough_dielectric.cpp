@@ -4,7 +4,7 @@
 #include "bsdf/fresnel.h"
 #include "bsdf/lambert.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -194,4 +194,4 @@ std::optional<BsdfSample> RoughDielectric::sample(const Vec3& wo, const BsdfDraw
     return drawn;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

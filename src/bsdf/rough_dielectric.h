@@ -11,7 +11,7 @@
 #include "bsdf/ggx.h"
 #include "bsdf/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class RoughDielectric {
 public:
@@ -58,4 +58,4 @@ private:
     bool dispersive_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

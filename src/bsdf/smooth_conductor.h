@@ -6,7 +6,7 @@
 #include "bsdf/fresnel.h"
 #include "bsdf/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SmoothConductor {
     SampledSpectrum eta;
@@ -27,4 +27,4 @@ struct SmoothConductor {
     static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

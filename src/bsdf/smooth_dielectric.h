@@ -8,7 +8,7 @@
 #include "bsdf/fresnel.h"
 #include "bsdf/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class SmoothDielectric {
 public:
@@ -102,4 +102,4 @@ private:
     bool dispersive_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include "bsdf/fresnel.h"
 #include "bsdf/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ThinDielectric {
     SampledSpectrum eta;  // per wavelength, positive
@@ -61,4 +61,4 @@ struct ThinDielectric {
     static SampledSpectrum spread_share(const Vec3&) { return {}; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

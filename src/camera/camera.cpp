@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 CameraRay PerspectiveCamera::ray(const Vec2d& film, const Vec2d& lens) const {
     const Vec2d pixel = pixel_of(*this);
@@ -105,4 +105,4 @@ void set_resolution(Camera& camera, const Vec2i& resolution) {
     std::visit([&](auto& c) { c.resolution = resolution; }, camera);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <optional>
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A camera path's first segment, in double: far worlds need it.
 struct CameraRay {
@@ -75,4 +75,4 @@ PerspectiveCamera make_perspective(const Matrix& camera_to_world, const Vec2i& r
 /// Changes the picture's size. A screen keeps its middle and its shorter axis.
 void set_resolution(Camera& camera, const Vec2i& resolution);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Images of a point by the symmetries of each map, on the unit square.
 #include "camera/film_images.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Azimuth has a period of one; beyond a pole it is half a turn further.
@@ -41,4 +41,4 @@ FilmPoints film_images(const Camera& camera, const Vec2d& film) {
     return images;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

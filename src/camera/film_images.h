@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Points of a film, and around it.
 class FilmPoints {
@@ -26,4 +26,4 @@ private:
 /// film.
 FilmPoints film_images(const Camera& camera, const Vec2d& film);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

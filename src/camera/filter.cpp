@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -146,4 +146,4 @@ FilterSample FilterSampler::sample(const Vec2d& u) const {
     return {Vec2d(x, y), static_cast<float>(weight)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

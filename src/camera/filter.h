@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class FilterKind { box, triangle, gaussian, mitchell, sinc };
 
@@ -57,4 +57,4 @@ private:
     Axis y_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

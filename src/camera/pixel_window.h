@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Pixels [x0, x1) x [y0, y1) of the film, row by row: pixel i of a pass.
 struct PixelWindow {
@@ -53,4 +53,4 @@ struct PixelCells {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Film area (pixels) by area of the plane z = 1 (or of the screen).
@@ -72,4 +72,4 @@ std::optional<Sight> Projection::sight_of(const Vec3d& point, const Vec2d& lens)
                  by_solid_angle * size.x * size.y / (distance * distance)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Sight {
     Vec2d film;       // pixels from the top left corner, as camera_ray() takes them; may be outside
@@ -30,4 +30,4 @@ private:
     double volume_ = 1;  // of the unit cube of the camera's frame, in the world
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

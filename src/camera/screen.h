@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Matrix without its translation, applied to v.
 inline Vec3d turn(const Matrix& matrix, const Vec3d& v) {
@@ -48,4 +48,4 @@ inline Vec3d on_lens(const ScreenCamera& camera, const Vec2d& lens) {
     return {point.x, point.y, 0};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

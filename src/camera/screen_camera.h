@@ -3,7 +3,7 @@
 
 #include "math/vector.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Left-handed camera frame: looks along +z, x right, y up.
 struct ScreenCamera {
@@ -17,4 +17,4 @@ struct ScreenCamera {
     double focal_distance = 1e6;  // z of the plane that is sharp, camera frame
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

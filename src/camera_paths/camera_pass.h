@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Pixel i has 2^log2_samples[i] camera paths, each with that share of its light; one if empty.
 using Log2Samples = std::vector<std::uint8_t>;
@@ -24,10 +24,10 @@ struct CameraPass {
     double radius_factor = 1;  // r_p / r_0
     /// Of discs for other photons, in pixels.
     float first_radius =
-        static_cast<float>(sunfleck::first_radius(settings, scene.scene.film().resolution));
+        static_cast<float>(sunfleck::engine::first_radius(settings, scene.scene.film().resolution));
     /// Of discs for indirect photons, over that.
     float indirect_radius_scale = static_cast<float>(
-        sunfleck::indirect_radius_scale(settings, scene.scene.film().resolution));
+        sunfleck::engine::indirect_radius_scale(settings, scene.scene.film().resolution));
     std::span<const std::uint8_t> log2_samples = {};  // Log2Samples
     /// Rays of each pixel's paths are added, unless empty.
     std::span<std::uint64_t> rays = {};
@@ -35,4 +35,4 @@ struct CameraPass {
     int cells = 1;  // one pixel of each PixelCells of that side has paths
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

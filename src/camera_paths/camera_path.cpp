@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint8_t kCausticOnly = static_cast<std::uint8_t>(PhotonKind::caustic) |
@@ -288,4 +288,4 @@ void CameraPath::add_features(const Hit& hit, const SampledSpectrum& reflectance
         add(pass_.scene.wavelengths.to_rgb(reflectance * pass_.scene.white), Aov::albedo);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

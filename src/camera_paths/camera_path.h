@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class CameraPath {
 public:
@@ -89,4 +89,4 @@ private:
     LightParts parts_;       // of light that is about to be added
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Area lights at a hit; infinite lights beyond the scene.
 #include "camera_paths/emitter_hits.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void note(LightParts* parts, std::size_t light, const SampledSpectrum& radiance) {
     if (parts != nullptr && !radiance.is_zero())
@@ -36,4 +36,4 @@ EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& d
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Radiance that an emitter sends along a ray, and how else it could have been found.
 struct EmitterMet {
@@ -34,4 +34,4 @@ EmitterMet emitter_at(const PassScene& pass, const Hit& hit, const Receiver* fro
 EmitterMet emitter_beyond(const PassScene& pass, const Vec3& from, const Vec3& direction,
                           LightParts* parts = nullptr);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <bit>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Density with which a RIS candidates takes a direction, for the weights: infinite lights lie
@@ -178,4 +178,4 @@ SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& ve
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A vertex of a camera path where a rough surface scatters.
 struct CameraVertex {
@@ -74,4 +74,4 @@ inline float mis_weight(float mine, float other) {
     return 1 / (1 + ratio * ratio);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

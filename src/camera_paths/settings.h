@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct CameraPathSettings {
     std::optional<double> radius_pixels{};    // first radius over the pixel's footprint at the
@@ -46,4 +46,4 @@ inline double indirect_radius_scale(const CameraPathSettings& settings, const Ve
                                                       : 2 * reach / first_radius({}, resolution));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "camera_paths/camera_path.h"
 #include "core/parallel.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 VisiblePointLists trace_camera_paths(const CameraPass& pass, PassImage& image,
                                      Statistics& statistics) {
     constexpr std::size_t kBlock = 256;
@@ -34,4 +34,4 @@ VisiblePointLists trace_camera_paths(const CameraPass& pass, PassImage& image,
     return lists;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,10 +12,10 @@
 #include "camera_paths/camera_pass.h"
 #include "visible_points/visible_point.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// All camera paths of all pixels. The order of the points, list after list, is that of the pixels.
 VisiblePointLists trace_camera_paths(const CameraPass& pass, PassImage& image,
                                      Statistics& statistics);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

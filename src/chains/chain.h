@@ -12,7 +12,7 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 template <PathSpace Space>
 class Chain {
@@ -77,4 +77,4 @@ private:
     bool proposed_is_covered_ = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

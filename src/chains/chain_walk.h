@@ -6,7 +6,7 @@
 
 #include "chains/splitting.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a pilot's random numbers are named by, but for its iterations.
 struct PilotName {
@@ -81,4 +81,4 @@ private:
     std::uint64_t paths_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Guided paths, and how the light of the guided region is shared: these paths bring some of it
 /// themselves; the last chains of splitting, which start from the visible ones, bring the rest.
@@ -68,4 +68,4 @@ UniformLevel guided_level(const Space& space, PassId pass, const GuidedPlan& pla
     return level;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a guide covers.
 enum class GuideCoverage {
@@ -189,4 +189,4 @@ private:
     Tally& tally_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

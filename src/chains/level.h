@@ -16,7 +16,7 @@
 #include <concepts>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is fixed for a level before the pass.
 struct LevelPlan {
@@ -168,4 +168,4 @@ private:
     std::uint64_t states_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

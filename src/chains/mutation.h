@@ -15,7 +15,7 @@
 #include <bit>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::size_t kMutationKinds = 2;
 /// Of bounce dimensions over emission dimensions, by kind.
@@ -117,4 +117,4 @@ inline MutationScales adapted(const MutationScales& scales, const Acceptances& c
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

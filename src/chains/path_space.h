@@ -7,7 +7,7 @@
 #include <concepts>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Heights rank paths: the higher, the nearer to what is seen. Sets { height >= h } are nested.
 inline constexpr int kHeights = 27;
@@ -38,4 +38,4 @@ concept PathSink = requires(S& sink, typename S::Collector& collect,
     {sink.take(std::vector<typename S::Collector>())};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a pilot found.
 struct PilotResult {
@@ -282,4 +282,4 @@ void Pilot<Space, Points>::climb() {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

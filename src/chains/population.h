@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A state with the number of steps that it stood.
 struct Survivor {
@@ -71,4 +71,4 @@ private:
     double weight_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

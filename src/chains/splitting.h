@@ -11,7 +11,7 @@
 
 #include "chains/guided_level.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SplittingPlan {
     std::uint32_t uniform_paths = 0;  // level 0
@@ -189,4 +189,4 @@ private:
     const GuidedPlan& guided_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kUniformOnly = 0.05;
@@ -161,4 +161,4 @@ int next_height(const HeightCounts& heights, int from) {
     return lowest;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// P(height >= h) of a uniform path, by h; zero where none was found.
 using HeightTail = std::array<double, kHeights>;
@@ -50,4 +50,4 @@ SharedPlan shared_plan(HeightTail tail, const LearnedGuide& map, std::uint32_t p
 /// @param from  the height of the set that the states are of.
 int next_height(const HeightCounts& heights, int from);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class StoredSample {
 public:
@@ -112,4 +112,4 @@ private:
     Move move_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

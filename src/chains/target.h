@@ -7,7 +7,7 @@
 #include "chains/stored_sample.h"
 #include "guide/emission_guide.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A sample's emission. Where guides are used, every path reads all of these numbers: whether it is
 /// in the guided region must not depend on chance.
@@ -33,4 +33,4 @@ struct Target {
     GuidedRegion cover = {};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "chains/level.h"
 #include "random_numbers/path_range.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Consecutive paths, traced by one thread.
 template <PathSpace Space>
@@ -73,4 +73,4 @@ UniformLevel uniform_level(const Space& space, const Points& points, std::uint32
     return level;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

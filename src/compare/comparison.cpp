@@ -1,12 +1,12 @@
 // Reads the pictures, checks that they can be compared, and measures them.
 #include "compare/comparison.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <filesystem>
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ Comparison compare(const CompareInput& reference, const std::vector<CompareInput
     return comparison;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

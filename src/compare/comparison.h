@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the user names: a picture, or a folder that is a series (series.h).
 struct CompareInput {
@@ -50,4 +50,4 @@ std::string comparison_table(const Comparison& comparison);
 /// is null.
 std::string comparison_json(const Comparison& comparison);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using flip::Plane;
@@ -173,4 +173,4 @@ std::vector<float> hdr_flip(const RgbImage& reference, const RgbImage& test,
     return greatest;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

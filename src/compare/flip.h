@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// 0.7 m before a screen of 3840 pixels on 0.7 m: the papers' default.
 inline constexpr float kPixelsPerDegree = 0.7F * 3840 / 0.7F * kPi / 180;
@@ -29,4 +29,4 @@ std::vector<float> hdr_exposures(const RgbImage& reference);
 std::vector<float> hdr_flip(const RgbImage& reference, const RgbImage& test,
                             float pixels_per_degree = kPixelsPerDegree);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck::flip {
+namespace sunfleck::engine::flip {
 
 using Rows = std::array<Vec3, 3>;
 
@@ -70,4 +70,4 @@ inline Vec3 clamp01(const Vec3& v) {
     return {std::clamp(v.x, 0.0F, 1.0F), std::clamp(v.y, 0.0F, 1.0F), std::clamp(v.z, 0.0F, 1.0F)};
 }
 
-}  // namespace sunfleck::flip
+}  // namespace sunfleck::engine::flip

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck::flip {
+namespace sunfleck::engine::flip {
 namespace {
 
 constexpr std::size_t kRowsOfTask = 16;
@@ -125,4 +125,4 @@ FeatureKernels feature_kernels(float pixels_per_degree) {
     return kernels;
 }
 
-}  // namespace sunfleck::flip
+}  // namespace sunfleck::engine::flip

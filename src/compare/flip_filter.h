@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace sunfleck::flip {
+namespace sunfleck::engine::flip {
 
 /// One number a pixel.
 struct Plane {
@@ -45,4 +45,4 @@ struct FeatureKernels {
 };
 FeatureKernels feature_kernels(float pixels_per_degree);
 
-}  // namespace sunfleck::flip
+}  // namespace sunfleck::engine::flip

@@ -3,7 +3,7 @@
 
 #include "compare/flip.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Both pictures, with zero in place of what is not finite in one of them.
@@ -85,4 +85,4 @@ Measured measure(const RgbImage& reference, const RgbImage& test, bool with_hdr)
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

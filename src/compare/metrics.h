@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What has no value is NaN. Means are over pixels that are finite in both pictures, and over R, G
 /// and B.
@@ -52,4 +52,4 @@ inline constexpr double kEpsilon = 0.01;
 /// @param test  of the reference's size. @param with_hdr  computes HDR-FLIP, the slowest, too.
 Measured measure(const RgbImage& reference, const RgbImage& test, bool with_hdr = true);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 RgbImage read_rgb(const std::string& path) {
     const Image image = parse_image(read_file(path), path);
@@ -24,4 +24,4 @@ std::size_t broken_pixels(const RgbImage& image) {
                       [](const Vec3& pixel) { return !is_finite(pixel); }));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

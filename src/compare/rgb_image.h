@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct RgbImage {
     int width = 0;
@@ -32,4 +32,4 @@ inline float luminance(const Vec3& rgb) {
     return weight(0) * rgb.x + weight(1) * rgb.y + weight(2) * rgb.z;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,8 +1,8 @@
 // Snapshots from a folder, and their bands over seeds.
 #include "compare/series.h"
 
-#include "core/error.h"
 #include "core/statistics_file.h"
+#include "sunfleck/error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,4 +143,4 @@ std::vector<SeriesPoint> series_points(const std::vector<std::vector<SeriesSampl
     return points;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

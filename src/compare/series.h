@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One picture on the way.
 struct Snapshot {
@@ -56,4 +56,4 @@ struct SeriesPoint {
 /// differs. Ascending in seconds.
 std::vector<SeriesPoint> series_points(const std::vector<std::vector<SeriesSample>>& seeds);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

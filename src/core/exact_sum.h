@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A number of the exact sums: value = high + low / 2^64.
 struct FixedPoint {
@@ -98,4 +98,4 @@ private:
     std::atomic<std::uint64_t> low_{0};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,13 @@
 // The table of first bytes, and texts that are told by more than these.
 #include "core/file_content.h"
 
-#include "core/error.h"
 #include "core/small_letters.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using std::string_view_literals::operator""sv;
@@ -183,4 +183,4 @@ void refuse_other_content(std::string_view bytes, const std::string& name,
                 content->mend.empty() ? "give " + wanted : std::string(content->mend));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A kind of content that can be told by its bytes.
 struct FileContent {
@@ -30,4 +30,4 @@ inline std::string_view without_mark(std::string_view text) {
     return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,13 @@
 // Names followed to their files: stat() and readlink().
 #include "core/file_identity.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <sys/stat.h>
 
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,4 +49,4 @@ std::optional<FileIdentity> identity_of(const std::string& path) {
     return parent;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

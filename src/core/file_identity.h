@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Device and inode of a file. Of a file that is yet to be made: those of its folder, and its name.
 struct FileIdentity {
@@ -24,4 +24,4 @@ std::optional<FileIdentity> identity_of(const std::string& path);
 /// @throws Error for links that lead back to themselves, or to a file that has no name any more.
 std::string link_target(const std::string& path);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,8 +1,8 @@
 // gzip by way of zlib: the output comes in pieces, so that a file's claim is never believed.
 #include "core/gzip.h"
 
-#include "core/error.h"
 #include "core/memory_room.h"
+#include "sunfleck/error.h"
 
 #include <zlib.h>
 
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 20U;
@@ -98,4 +98,4 @@ std::string gunzip(std::string_view bytes, const std::string& name) {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

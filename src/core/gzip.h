@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Do the bytes begin as a gzip file does (RFC 1952)?
 inline bool is_gzip(std::string_view bytes) {
@@ -17,4 +17,4 @@ inline bool is_gzip(std::string_view bytes) {
 ///         memory that is free.
 std::string gunzip(std::string_view bytes, const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

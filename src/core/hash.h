@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A bijection of 64 bits after which all of them depend on all.
 /// Source: Stafford, Better Bit Mixing (2011), variant 13, as used by SplitMix64.
@@ -23,4 +23,4 @@ constexpr float hash_to_unit(std::uint64_t hash) {
     return static_cast<float>(hash >> 40U) * 0x1p-24F;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

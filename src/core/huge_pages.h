@@ -11,7 +11,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// An allocator that asks for large pages for all that fills one. Nothing else differs.
 template <class T>
@@ -52,4 +52,4 @@ private:
 template <class T>
 using HugeVector = std::vector<T, HugePages<T>>;
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,4 +195,4 @@ std::string read_standard_input(const std::string& name) {
     return bytes;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,13 @@
 // Input files: whole as bytes, for the readers that parse in memory, or open to be read in pieces.
 #pragma once
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <cstdint>
 #include <fstream>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A file that is not there, or not under that very name.
 class MissingFile : public Error {
@@ -44,4 +44,4 @@ std::string read_input_file(const std::string& path, const SourceLocation& from)
 /// All of standard input. @param name  of it, for messages. @throws Error  beyond free memory.
 std::string read_standard_input(const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <malloc.h>
 #endif
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// From now on no memory goes back to the system before the program ends. To be called at its
 /// start; does nothing where the C library is not glibc.
@@ -24,4 +24,4 @@ inline void keep_freed_memory() {
 #endif
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,9 +1,9 @@
 // Faults of the machine: no room, no memory, no thread. The user's words are right; exit code 1.
 #pragma once
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class MachineFault : public Error {
 public:
@@ -12,4 +12,4 @@ public:
     explicit MachineFault(const Error& error) : Error(error) {}
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

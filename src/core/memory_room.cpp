@@ -13,7 +13,7 @@
 #include <optional>
 #include <sstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ std::string memory_text(std::uint64_t bytes) {
     return text.data();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Bytes of memory that this process has; zero where the system does not say.
 std::uint64_t memory_in_use();
@@ -28,4 +28,4 @@ std::uint64_t free_memory();
 /// "1.5 GiB", "230 MiB".
 std::string memory_text(std::uint64_t bytes);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

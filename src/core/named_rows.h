@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param rows  each with a `name`. @return the row of that name, or null.
 template <class Rows>
@@ -15,4 +15,4 @@ constexpr auto row_named(const Rows& rows, std::string_view name) -> decltype(st
     return found == std::end(rows) ? nullptr : &*found;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

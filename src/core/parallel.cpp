@@ -17,7 +17,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Denormals are flushed to zero and read as zero while it lives, on every thread alike.
@@ -162,4 +162,4 @@ void parallel_blocks(std::size_t count, std::size_t block,
                  [&](std::size_t i) { task(i * block, std::min(count, (i + 1) * block)); });
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <functional>
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// All later work runs on `count` threads, even where there are fewer cores, for as long as it
 /// lives; 0 changes nothing: as many threads as cores. Made by the main thread, outside of loops;
@@ -49,4 +49,4 @@ void parallel_blocks(std::size_t count, std::size_t block,
 /// task() was left, and what it has written is of no use.
 bool run_unless(const std::function<bool()>& is_over, const std::function<void()>& task);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The text, its control characters replaced by '?', and "..." for what is beyond `most` bytes.
 inline std::string printable(std::string_view text, std::size_t most) {
@@ -19,4 +19,4 @@ inline std::string in_quotes(std::string_view text, std::size_t most = 60) {
     return '"' + printable(text, most) + '"';
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

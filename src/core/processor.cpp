@@ -1,7 +1,7 @@
 // Asks the processor by the compiler's built-in.
 #include "core/processor.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 bool cpu_has_avx2() {
     const bool vectors = static_cast<bool>(__builtin_cpu_supports("avx2"));
@@ -11,4 +11,4 @@ bool cpu_has_avx2() {
     return vectors && fused && bits && more_bits;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 using RandomBlock = std::array<std::uint32_t, 4>;
 
@@ -138,4 +138,4 @@ struct PassId {
     static constexpr std::uint32_t kParts = 512;  // of a draw
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param text  ASCII; other bytes stay.
 inline std::string small_letters(std::string text) {
@@ -14,4 +14,4 @@ inline std::string small_letters(std::string text) {
     return text;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The text of the file, not parsed.
 /// @throws Error  for a file that is not there, or that is something else by its first bytes.
@@ -16,4 +16,4 @@ inline std::string read_statistics_file(const std::string& path) {
     return text;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Stopwatch {
 public:
@@ -62,4 +62,4 @@ private:
     double aside_cpu_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Threads that end when it does.
@@ -68,4 +68,4 @@ void try_threads() {
     parallel_for(2, [](std::size_t) {});
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// An allocator that leaves items that are given no value as the memory is.
 template <class T>
@@ -26,4 +26,4 @@ struct Unfilled : std::allocator<T> {
 template <class T>
 using UnfilledVector = std::vector<T, Unfilled<T>>;
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

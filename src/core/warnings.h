@@ -1,13 +1,13 @@
 // Warnings: what a scene asks for and does not get, each said once, with what was done instead.
 #pragma once
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A list in the order of first appearance. A second warning of the same text adds to a count.
 /// For one thread at a time.
@@ -40,4 +40,4 @@ private:
     std::vector<Entry> entries_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

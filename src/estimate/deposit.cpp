@@ -4,7 +4,7 @@
 #include "core/parallel.h"
 #include "estimate/gatherer.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Statistics Depositor::operator()(std::vector<PhotonChunk>& chunks) const {
     constexpr std::size_t kBlocks = 256;
@@ -29,4 +29,4 @@ Statistics Depositor::operator()(std::vector<PhotonChunk>& chunks) const {
     return total;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

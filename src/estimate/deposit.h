@@ -10,7 +10,7 @@
 #include "visible_points/photon_chunk.h"
 #include "visible_points/visible_point_index.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Depositor {
 public:
@@ -34,4 +34,4 @@ private:
     PhotonCounts* counts_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

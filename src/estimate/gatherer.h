@@ -18,7 +18,7 @@
 #include <mutex>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::array<PhotonKind, 4> kKinds = {
     PhotonKind::direct, PhotonKind::caustic, PhotonKind::indirect, PhotonKind::long_specular_chain};
@@ -223,4 +223,4 @@ private:
     std::array<BlockLight, kKinds.size()> light_;  // all zero between blocks
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

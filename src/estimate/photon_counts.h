@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 using PhotonCounts = std::vector<std::atomic<std::uint64_t>>;
 
@@ -20,4 +20,4 @@ inline void add_samples(const PhotonCounts& counts, PassImage& image) {
         image.add_term(Aov::samples, i, 0, {static_cast<std::int64_t>(counts[i].load()), 0});
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include "visible_points/photon_chunk.h"
 #include "visible_points/visible_point.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// f of the visible point towards the camera for light that comes from the photon's side, without
 /// the part that its throughput holds already.
@@ -56,4 +56,4 @@ inline Aov owner_of(const VisiblePoint& point, PhotonKind kind) {
     return kind == PhotonKind::direct ? Aov::direct : Aov::caustic;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

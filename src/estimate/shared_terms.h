@@ -11,7 +11,7 @@
 #include <mutex>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One lock a stripe of the image's pixels.
 class PixelLocks {
@@ -81,4 +81,4 @@ private:
     std::vector<std::uint32_t> order_;  // of terms, by stripe
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A way of rendering: its name in tables and folders, and the flags of `sunfleck render`.
 struct Method {
@@ -46,4 +46,4 @@ struct RunSettings {
     std::vector<OtherPicture> others;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

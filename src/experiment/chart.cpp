@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kWidth = 640;
@@ -159,4 +159,4 @@ std::string chart_svg(const Chart& chart) {
     return svg + "</svg>\n";
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ChartPoint {
     double x = 0;
@@ -32,4 +32,4 @@ struct Chart {
 /// Color Universal Design (2008): told apart by all eyes.
 std::string chart_svg(const Chart& chart);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

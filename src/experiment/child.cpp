@@ -1,7 +1,7 @@
 // posix_spawn, and waiting with an eye on interruptions.
 #include "experiment/child.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -14,7 +14,7 @@
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): glibc has it for GNU alone
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 int run_child(const std::vector<std::string>& words, const std::string& log,
               const std::atomic<bool>* interrupted) {
@@ -45,4 +45,4 @@ int run_child(const std::vector<std::string>& words, const std::string& log,
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

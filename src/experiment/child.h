@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Runs words[0] with the other words, standard output and error going to the file `log`.
 /// @param interrupted  asked some times a second: when set, the child is told (SIGINT) and waited
@@ -15,4 +15,4 @@ namespace sunfleck {
 int run_child(const std::vector<std::string>& words, const std::string& log,
               const std::atomic<bool>* interrupted);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

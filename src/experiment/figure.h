@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A picture of a cell on the page, with what stands below it.
 struct ShownPicture {
@@ -61,4 +61,4 @@ Figure fig11();
 Figure fig12();
 Figure fig13();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::vector<Cell> cells_of(const Figure& figure, const RunSettings& settings) {
     std::vector<Cell> cells;
@@ -23,4 +23,4 @@ std::vector<Cell> cells_of(const std::vector<Figure>& figures, const RunSettings
     return cells;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

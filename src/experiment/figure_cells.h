@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Cells of a figure and references of its scenes, in the order of rendering.
 std::vector<Cell> cells_of(const Figure& figure, const RunSettings& settings);
@@ -13,4 +13,4 @@ std::vector<Cell> cells_of(const Figure& figure, const RunSettings& settings);
 /// The same of several figures, each cell once.
 std::vector<Cell> cells_of(const std::vector<Figure>& figures, const RunSettings& settings);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

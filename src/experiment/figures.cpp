@@ -1,9 +1,9 @@
 // The list of figures.
-#include "core/error.h"
 #include "core/named_rows.h"
 #include "experiment/figure.h"
+#include "sunfleck/error.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 const std::vector<Figure>& figures() {
     static const std::vector<Figure> all = {table1(), fig1(),  fig5(),  fig6(),  fig7(), fig8(),
@@ -19,4 +19,4 @@ const Figure& figure_named(const std::string& name) {
                 "use some of: " + known + ", or all");
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct FinishedFigure {
     const Figure* figure = nullptr;
@@ -13,4 +13,4 @@ struct FinishedFigure {
     std::string html;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

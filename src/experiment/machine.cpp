@@ -7,7 +7,7 @@
 
 #include <fstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::string machine_text() {
     std::ifstream file("/proc/cpuinfo");
@@ -20,4 +20,4 @@ std::string machine_text() {
     return fmt::format("{}, {} threads.", name, thread_count());
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

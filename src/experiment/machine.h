@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The processor's name and how many of its threads this process may use.
 std::string machine_text();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct ReferenceRow {
@@ -68,4 +68,4 @@ Cell reference_cell(const std::string& scene, const RunSettings& settings) {
     return {scene, method, 1000, settings.reference_budget};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

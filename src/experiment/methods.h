@@ -7,7 +7,7 @@
 
 #include "experiment/cell.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One of the photon samplers "random", "uniform", "adaptive", "paper".
 Method sampler_method(const std::string& name);
@@ -27,4 +27,4 @@ Method paper_method(const std::string& name, const std::vector<std::string>& fla
 /// How a scene's reference is made: by a method that is not under test there, where one converges.
 Cell reference_cell(const std::string& scene, const RunSettings& settings);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

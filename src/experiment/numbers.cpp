@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -83,4 +83,4 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
     return xy / std::sqrt(xx * yy);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A number and its 95% interval.
 struct Interval {
@@ -28,4 +28,4 @@ Interval ratio_interval(const std::vector<double>& a, const std::vector<double>&
 /// Spearman's rank correlation; ties share their mean rank. Both have the same size, at least two.
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

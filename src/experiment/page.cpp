@@ -16,7 +16,7 @@
 #include <filesystem>
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -163,4 +163,4 @@ void write_results(const Results& results, const std::vector<FinishedFigure>& fi
                results_json(results, finished));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

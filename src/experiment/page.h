@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Makes what the page shows of a figure, and writes its tables, charts and rows of pictures to the
 /// folder of the run: once, however often the page is written.
@@ -16,4 +16,4 @@ FinishedFigure finish_figure(const Results& results, const Figure& figure);
 /// Writes index.html and results.json of the figures so far.
 void write_results(const Results& results, const std::vector<FinishedFigure>& finished);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -87,4 +87,4 @@ std::string results_json(const Results& results, const std::vector<FinishedFigur
     return json.dump(2) + "\n";
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @return JSON text, ending in a new line (docs/guide/experiments.md).
 std::string results_json(const Results& results, const std::vector<FinishedFigure>& finished);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

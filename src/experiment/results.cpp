@@ -1,12 +1,12 @@
 // Statistics from JSON, errors from pictures.
 #include "experiment/results.h"
 
-#include "core/error.h"
 #include "core/statistics_file.h"
 #include "experiment/methods.h"
 #include "experiment/numbers.h"
 #include "film/luminance.h"
 #include "image/exr.h"
+#include "sunfleck/error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,7 +14,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -189,4 +189,4 @@ std::vector<double> Results::costs(const std::string& scene, const Method& metho
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A render as it stood after some passes. What its statistics do not say is not a number.
 struct CellFacts {
@@ -93,4 +93,4 @@ private:
 /// @throws Error for what is no picture of R, G and B.
 MeasuredPicture read_measured(const std::string& exr);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

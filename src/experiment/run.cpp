@@ -4,7 +4,7 @@
 #include "experiment/figure_cells.h"
 #include "experiment/page.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void run_figures(const CellStore& store, const std::vector<Figure>& figures,
                  const std::atomic<bool>* interrupted,
@@ -34,4 +34,4 @@ void run_figures(const CellStore& store, const std::vector<Figure>& figures,
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

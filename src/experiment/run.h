@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is about to be rendered.
 struct RunProgress {
@@ -25,4 +25,4 @@ void run_figures(const CellStore& store, const std::vector<Figure>& figures,
                  const std::atomic<bool>* interrupted,
                  const std::function<void(const RunProgress&)>& say);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

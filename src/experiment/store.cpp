@@ -1,11 +1,11 @@
 // Cells on the disk.
 #include "experiment/store.h"
 
-#include "core/error.h"
 #include "experiment/child.h"
 #include "image/atomic_file.h"
 #include "image/read_file.h"
 #include "procedural/scenes.h"
+#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +173,4 @@ void CellStore::run(const Cell& cell, const std::atomic<bool>* interrupted) cons
     fs::rename(part, done);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <atomic>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Thrown when the user has asked to stop; finished cells stay.
 struct Interrupted {};
@@ -44,4 +44,4 @@ private:
     RunSettings settings_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::string csv_field(const std::string& text) {
@@ -88,4 +88,4 @@ std::string escaped(const std::string& text) {
     return html;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Every row has as many texts as there are columns.
 struct Table {
@@ -28,4 +28,4 @@ std::string table_html(const Table& table);
 /// Text as HTML shows it.
 std::string escaped(const std::string& text);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Luminance brought by photons over complete batches: of a block or the picture.
@@ -165,4 +165,4 @@ std::vector<double> extrapolated_block_errors(const Film& film) {
     return errors;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Of each pixel: RGB to subtract from its mean. Empty where disc_areas() has nothing.
 std::vector<std::array<double, 3>> pixel_biases(const Film& film);
@@ -49,4 +49,4 @@ std::vector<double> extrapolated_pixel_errors(const Film& film);
 /// The same for blocks, without that reserve.
 std::vector<double> extrapolated_block_errors(const Film& film);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "math/wavelengths.h"
 #include "visible_points/radius.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A batch, and those of its passes that a film holds.
@@ -87,4 +87,4 @@ std::optional<DiscAreas> disc_areas(const Film& film) {
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Complete batches that a slope needs: from fewer, its standard error is itself too uncertain.
 inline constexpr std::uint64_t kBiasBatches = 4;
@@ -39,4 +39,4 @@ struct DiscAreas {
 /// Nothing without discs, with too few batches, or where radii have hardly shrunk.
 std::optional<DiscAreas> disc_areas(const Film& film);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

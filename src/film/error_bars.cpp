@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Exact sum of a pixel over the passes of complete batches.
@@ -151,4 +151,4 @@ double image_mean_by_photons(const Film& film) {
     return rgb.empty() ? 0 : mean_luminance(film, rgb);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Of pictures that are darker the squares say nothing.
 inline constexpr double kDimmestMean = 0x1p-18;
@@ -66,4 +66,4 @@ inline bool is_too_dim(const Film& film) {
     return mean > 0 && mean < kDimmestMean;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

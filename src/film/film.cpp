@@ -1,16 +1,16 @@
 // Adding passes, folding complete batches, merging films.
 #include "film/film.h"
 
-#include "core/error.h"
 #include "film/pass_groups.h"
 #include "film/pass_terms.h"
 #include "math/wavelengths.h"
+#include "sunfleck/error.h"
 #include "visible_points/radius.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void check_image(const FilmKey& key, std::uint32_t number, const PassImage& image) {
@@ -248,4 +248,4 @@ void Film::merge(const Film& other, const std::string& other_name) {
     close_batches();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Film {
 public:
@@ -99,4 +99,4 @@ std::uint64_t complete_batches(const PassSet& passes);
 /// A batch whose passes do not all count alike, if there is one. @param heavy  of the passes.
 std::optional<std::uint64_t> uneven_batch(const PassSet& passes, const HeavyPasses& heavy);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr WordFileKind kKind{kFilmMagic, "film file",
@@ -61,4 +61,4 @@ Film read_film(const std::string& path) {
     return read_film(file.stream, file.size, path);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

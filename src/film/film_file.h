@@ -18,7 +18,7 @@
 #include <istream>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Writes the film, atomically.
 /// @throws Error if the file cannot be written.
@@ -36,4 +36,4 @@ void put_film(WordWriter& out, const Film& film);
 /// The same back: all words that are left.
 Film take_film(WordReader& in);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint64_t kVersion = 7;
@@ -147,4 +147,4 @@ FilmSums empty_sums(FilmHead head) {
     return sums;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

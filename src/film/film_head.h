@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The first word of a film: "sunfilm\n".
 inline constexpr std::uint64_t kFilmMagic = 0x0A'6D'6C'69'66'6E'75'73;
@@ -31,4 +31,4 @@ std::vector<PassRange> open_groups(const FilmHead& head);
 /// A film of that head, all its sums zero.
 FilmSums empty_sums(FilmHead head);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::string resolution(const FilmKey& key) {
@@ -57,4 +57,4 @@ std::optional<KeyDifference> difference(const FilmKey& here, const FilmKey& ther
     return {};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

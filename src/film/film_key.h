@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct FilmKey {
     int width = 0;
@@ -50,4 +50,4 @@ struct KeyDifference {
 /// The first; nothing if the keys are equal.
 std::optional<KeyDifference> difference(const FilmKey& here, const FilmKey& there);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// An AOV's sums, and those of open groups with what of them does not count in the picture.
@@ -103,4 +103,4 @@ Picture film_picture(const Film& film, FilmPictureOptions options) {
     return picture;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "film/film.h"
 #include "image/picture.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Name of the metadata that says of a picture that its bias has been subtracted.
 inline constexpr const char* kExtrapolated = "extrapolated";
@@ -26,4 +26,4 @@ struct FilmPictureOptions {
 /// bias. Black without passes.
 Picture film_picture(const Film& film, FilmPictureOptions options = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

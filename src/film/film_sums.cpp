@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Those of all passes or of an open group.
@@ -99,4 +99,4 @@ std::vector<std::span<const FixedPoint>> all_arrays(const FilmSums& sums) {
     return everything<const FixedPoint>(sums);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

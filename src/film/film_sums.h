@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Errors are also measured for square blocks of that many pixels a side.
 inline constexpr int kErrorBlock = 8;
@@ -89,4 +89,4 @@ std::vector<std::span<const FixedPoint>> all_arrays(const FilmSums& sums);
 std::vector<std::span<FixedPoint>> arrays(OpenGroup& group);
 std::vector<std::span<const FixedPoint>> arrays(const OpenGroup& group);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline double luminance(const Triple& rgb) {
     return kLuminanceWeights[0] * rgb[0] + kLuminanceWeights[1] * rgb[1] +
@@ -82,4 +82,4 @@ private:
     std::size_t size_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

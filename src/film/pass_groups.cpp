@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Passes of a batch at which groups begin and end.
@@ -43,4 +43,4 @@ double share_of_group(const PassSet& passes, const PassRange& group) {
     return part * part;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include "film/pass_set.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The group in which a pass of an open batch is summed: all passes before the first of 1, 2, 4, 8
 /// or 12 up to which some are missing; after these, the passes between two of these numbers.
@@ -22,4 +22,4 @@ std::vector<PassRange> open_groups(const PassSet& passes);
 /// the square of their number if they are fewer, not at all while some are missing.
 double share_of_group(const PassSet& passes, const PassRange& group);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

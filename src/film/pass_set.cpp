@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void PassSet::insert(const PassRange& range) {
     auto next =
@@ -29,4 +29,4 @@ std::uint64_t PassSet::count_in(const PassRange& range) const {
     return count;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

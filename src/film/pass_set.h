@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Passes begin, begin + 1, ... end - 1.
 struct PassRange {
@@ -32,4 +32,4 @@ private:
     std::vector<PassRange> ranges_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

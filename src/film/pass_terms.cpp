@@ -7,7 +7,7 @@
 
 #include <atomic>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kPixelsPerTask = 1U << 14U;
@@ -118,4 +118,4 @@ std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group, std::uint32_t 
     return term.cut();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Adds each term to its sum.
 void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms);
@@ -34,4 +34,4 @@ std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const BatchTer
 /// @return terms beyond kLargestTerm, which were cut there.
 std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group, std::uint32_t weight);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

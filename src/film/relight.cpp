@@ -1,8 +1,8 @@
 // Adds what each group of lights gains, channel by channel.
 #include "film/relight.h"
 
-#include "core/error.h"
 #include "film/film_picture.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kRgb = "RGB";
@@ -86,4 +86,4 @@ Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

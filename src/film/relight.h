@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What to multiply a light group by.
 struct LightGroupFactor {
@@ -29,4 +29,4 @@ struct Relit {
 Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors,
             const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

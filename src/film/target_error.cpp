@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct BrightBlock {
@@ -88,4 +88,4 @@ std::optional<double> relative_bias(const Film& film) {
     return bias_of(film, bright);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

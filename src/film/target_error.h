@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Batches that target_error() needs: from fewer a standard error is itself too uncertain.
 inline constexpr std::uint64_t kTargetBatches = 4;
@@ -46,4 +46,4 @@ std::optional<TargetError> target_error(const Film& film, ErrorTerms terms);
 /// times less well than its mean.
 std::optional<double> relative_bias(const Film& film);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

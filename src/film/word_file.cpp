@@ -1,8 +1,8 @@
 // Buffers of words on their way to a file and back.
 #include "film/word_file.h"
 
-#include "core/error.h"
 #include "core/file_content.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 static_assert(std::endian::native == std::endian::little, "words are stored as they stand");
 static_assert(sizeof(FixedPoint) == 16, "sums are stored as two words");
@@ -105,4 +105,4 @@ void WordReader::refill() {
     if (buffer_.empty()) damaged();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A text as words: its length in bytes and those, padded with zeros.
 std::vector<std::uint64_t> words_of(const std::string& text);
@@ -134,4 +134,4 @@ private:
     std::size_t next_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

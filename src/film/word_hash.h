@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class WordHash {
 public:
@@ -20,4 +20,4 @@ private:
     std::uint64_t state_ = 0xCBF29CE484222325;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

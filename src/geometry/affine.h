@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// p -> p.x * x + p.y * y + p.z * z + origin.
 struct Affine {
@@ -74,4 +74,4 @@ struct Placement {
     Vec3d normal(const Vec3d& n) const { return normals.vector(n); }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

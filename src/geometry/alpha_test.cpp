@@ -5,7 +5,7 @@
 
 #include <bit>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::uint64_t hash_of(const Vec3d& origin, const Vec3d& direction) {
@@ -27,4 +27,4 @@ bool passes_alpha_test(float cover, const Vec3d& origin, const Vec3d& direction,
     return hash_to_unit(hash) < cover;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The part of a surface that is there at a hit: 1 all, 0 nothing; in between, a ray meets it with
 /// that probability. Called by any number of threads; shape and instance of the hit are not set.
@@ -35,4 +35,4 @@ struct CrossingName {
 bool passes_alpha_test(float cover, const Vec3d& origin, const Vec3d& direction,
                        const CrossingName& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "geometry/cover.h"
 #include "geometry/exact_shapes.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void attach_shapes(ShapeGroup& group, RTCDevice device, std::uint32_t exact_number) {
     group.scene = embree::new_scene(device);
@@ -23,4 +23,4 @@ void attach_shapes(ShapeGroup& group, RTCDevice device, std::uint32_t exact_numb
     if (!group.exact.empty()) attach_exact_shapes(group, device, exact_number);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// u and v this far outside belong to the patch, so that rounding leaves no gap between patches.
@@ -147,4 +147,4 @@ Bounds Bilinear::bounds() const {
     return box;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

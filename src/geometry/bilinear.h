@@ -6,7 +6,7 @@
 
 #include "geometry/local_surface.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What four values at the corners give at (u, v). Order of corners: 00, 10, 01, 11.
 template <class V>
@@ -51,4 +51,4 @@ struct Bilinear {
     Bounds bounds() const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// dP/ds of texture coordinates (s, t) that are bilinear in (u, v). Nothing where they have no
@@ -66,4 +66,4 @@ double BilinearMesh::area(const Affine& map) const {
     return sum;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

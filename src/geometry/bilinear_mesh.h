@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One patch with what its corners bring along. The normal is dP/du x dP/dv, or on the side of the
 /// corners' normals.
@@ -39,4 +39,4 @@ struct BilinearMesh {
 
 static_assert(ExactShapes<BilinearMesh> && HasArea<BilinearMesh>);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

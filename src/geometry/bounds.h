@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A box; empty until extended.
 struct Bounds {
@@ -28,4 +28,4 @@ struct Bounds {
     double radius() const { return is_empty() ? 0 : (max - min).length() * 0.5; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Matrix rounded_to_float(const Matrix& m) {
@@ -76,7 +76,7 @@ BuiltShape::BuiltShape(const PlacedShape& source, RTCDevice device,
 }
 
 std::uint32_t BuiltShape::exact_count() const {
-    return std::visit([](const auto& s) { return sunfleck::exact_count(s); }, shape());
+    return std::visit([](const auto& s) { return sunfleck::engine::exact_count(s); }, shape());
 }
 
 Bounds BuiltShape::bounds_of(std::uint32_t element) const {
@@ -151,4 +151,4 @@ double BuiltInstance::ray_uncertainty(const Vec3d& normal, const Vec3d& local,
     return kFloatRounding * absolute_dot(normal, moved);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One shape in the frame of its group. The input must stay where it is.
 class BuiltShape {
@@ -112,4 +112,4 @@ struct BuiltInstance {
     double ray_uncertainty(const Vec3d& normal, const Vec3d& local, const Vec3d& world) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A surface around a point, in the frame of the group.
@@ -190,4 +190,4 @@ void complete_hit(const Found& found, const Line& line, Hit& hit) {
     hit.primitive = found.primitive;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What Embree found, by the numbers of the input.
 struct Found {
@@ -26,4 +26,4 @@ struct Found {
 /// @param line  in the world, direction unit.
 void complete_hit(const Found& found, const Line& line, Hit& hit);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

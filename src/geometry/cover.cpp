@@ -3,7 +3,7 @@
 
 #include <embree3/rtcore_ray.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void filter(const RTCFilterFunctionNArguments* args) {
@@ -39,4 +39,4 @@ void attach_cover(const BuiltShape& mesh) {
     rtcCommitGeometry(g);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Is the surface there where a query's ray meets it? Always, without an alpha test.
 /// @param crossing  tells apart the points where a ray meets one primitive several times.
@@ -16,4 +16,4 @@ bool is_there(const Found& found, const Query& query, std::uint32_t geometry,
 /// Makes Embree ask is_there() for each hit on the mesh, whose place in memory must last.
 void attach_cover(const BuiltShape& mesh);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

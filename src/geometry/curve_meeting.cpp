@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Part ends belong to both neighbours, this far out, so that no line slips through.
@@ -266,4 +266,4 @@ std::size_t meet(const CurvePiece& piece, const Vec3d& origin, const Vec3d& dire
     return Search(piece, origin, direction, found).run();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include "geometry/local_surface.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class CurveKind { flat, cylinder, ribbon };
 
@@ -61,4 +61,4 @@ static_assert(ExactShape<CurvePiece>);
 std::size_t meet(const CurvePiece& piece, const Vec3d& origin, const Vec3d& direction,
                  std::array<CurveMeeting, CurvePiece::kMostCrossings>& found);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

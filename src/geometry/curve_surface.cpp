@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
@@ -87,4 +87,4 @@ LocalSurface CurvePiece::at(const Vec3d& near, const Vec3d& direction) const {
     return surface;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Vec3d unit_or_zero(const Vec3d& v) {
@@ -88,4 +88,4 @@ CrossingsOf<CurvePiece::kMostCrossings> CurvePiece::crossings(const Vec3d& origi
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct CurveSegment {
     std::array<Vec3, 4> points;                    // control points
@@ -26,4 +26,4 @@ struct Curves {
 
 static_assert(ExactShapes<Curves>);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// From the middle of the chord that the circle cuts off, as for spheres (sphere.cpp), seen along
 /// the axis.
@@ -76,4 +76,4 @@ double Cylinder::area(const Affine& map) const {
     return flat / turn * integrate_rectangle(stretch, {0, turn}, {0, 1}, 1e-8);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 
 #include "geometry/local_surface.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The part with z in [z_min, z_max] and azimuth in [0, phi_max]. The normal points outwards.
 struct Cylinder {
@@ -23,4 +23,4 @@ struct Cylinder {
 
 static_assert(ExactShape<Cylinder> && HasArea<Cylinder>);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

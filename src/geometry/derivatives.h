@@ -3,7 +3,7 @@
 
 #include "math/vector.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// In the world, per unit of u and of v, of the surface that shading sees: across vertex normals
 /// and given tangents, tangents are perpendicular and of one length, as in pbrt-v4.
@@ -14,4 +14,4 @@ struct SurfaceDerivatives {
     Vec3 dn_dv{0};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

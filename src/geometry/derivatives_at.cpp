@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The linear map from uv to some quantity, by its values at the corners.
@@ -105,4 +105,4 @@ SurfaceDerivatives derivatives_at(const BuiltShape& shape, const BuiltInstance* 
     return d;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,10 +5,10 @@
 #include "geometry/derivatives.h"
 #include "geometry/ray.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param instance  that the hit is on, or null.
 SurfaceDerivatives derivatives_at(const BuiltShape& shape, const BuiltInstance* instance,
                                   const Hit& hit);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

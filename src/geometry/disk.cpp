@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Crossings Disk::crossings(const Vec3d& origin, const Vec3d& direction) const {
     if (direction.z == 0) return {};
@@ -47,4 +47,4 @@ double Disk::area(const Affine& map) const {
     return std::abs(0.5 * Sweep(phi_max).angle() * ring) * map.x.cross(map.y).length();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "geometry/local_surface.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Points with distance from the axis in [inner_radius, radius] and azimuth in [0, phi_max].
 struct Disk {
@@ -23,4 +23,4 @@ struct Disk {
 
 static_assert(ExactShape<Disk> && HasArea<Disk>);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

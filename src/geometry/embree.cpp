@@ -7,7 +7,7 @@
 #include <mutex>
 #include <stdexcept>
 
-namespace sunfleck::embree {
+namespace sunfleck::engine::embree {
 namespace {
 
 const char* describe(RTCError code) {
@@ -73,4 +73,4 @@ void commit(RTCScene scene) {
     check(device.get());
 }
 
-}  // namespace sunfleck::embree
+}  // namespace sunfleck::engine::embree

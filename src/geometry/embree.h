@@ -7,7 +7,7 @@
 #include <string>
 #include <type_traits>
 
-namespace sunfleck::embree {
+namespace sunfleck::engine::embree {
 
 /// Coordinates beyond this are too large for the library, which may stop the program at them.
 inline constexpr double kLargest = 1e18;
@@ -38,4 +38,4 @@ void commit(RTCScene scene);
 /// @throws std::runtime_error when an earlier call of this thread went wrong.
 void check(RTCDevice device);
 
-}  // namespace sunfleck::embree
+}  // namespace sunfleck::engine::embree

@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The float next to x, and a little more, in the direction of `sign`.
@@ -110,4 +110,4 @@ void attach_exact_shapes(ShapeGroup& group, RTCDevice device, std::uint32_t numb
     rtcAttachGeometryByID(group.scene.get(), g, number);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

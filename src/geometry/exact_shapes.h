@@ -5,10 +5,10 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Lets Embree call the exact shapes of a group, which must stay where it is.
 /// @param number  Embree's, for all of them together.
 void attach_exact_shapes(ShapeGroup& group, RTCDevice device, std::uint32_t number);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <limits>
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Hits at t = 0 are none: t must be at least this.
@@ -288,4 +288,4 @@ std::size_t Geometry::triangle_count() const {
     return impl_->triangles;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

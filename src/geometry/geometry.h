@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a ray meets, by name alone: where on it, is to be worked out.
 struct Meeting {
@@ -90,4 +90,4 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One shape in the world or in an object.
 struct PlacedShape {
@@ -31,4 +31,4 @@ struct GeometryInput {
     std::vector<PlacedInstance> instances;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

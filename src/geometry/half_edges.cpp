@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 HalfEdges::HalfEdges(const Triangles& triangles, std::size_t vertices)
     : triangles_(triangles), twin_(3 * triangles.size(), kNoEdge), leaving_(vertices, kNoEdge) {
@@ -49,4 +49,4 @@ void HalfEdges::ring(std::uint32_t vertex, std::vector<std::uint32_t>& result) c
     } while (edge != kNoEdge && edge != first && result.size() <= triangles_.size() + 1);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

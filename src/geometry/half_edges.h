@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class HalfEdges {
 public:
@@ -41,4 +41,4 @@ private:
     bool is_regular_ = true;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

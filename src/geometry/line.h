@@ -3,7 +3,7 @@
 
 #include "geometry/affine.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A line origin + t * direction.
 struct Line {
@@ -15,4 +15,4 @@ struct Line {
     Line from(double t) const { return {origin + direction * t, direction}; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

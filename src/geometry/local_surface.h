@@ -10,7 +10,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Points where a line meets a surface, in any order. Those on a part that was cut away, or that
 /// do not exist, are not `on`.
@@ -81,4 +81,4 @@ Result with_exact(const S& shape, [[maybe_unused]] std::uint32_t i, const Use& u
         return nothing;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Triangles = HalfEdges::Triangles;
@@ -166,4 +166,4 @@ TriangleMesh loop_subdivided(const TriangleMesh& control, int levels) {
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

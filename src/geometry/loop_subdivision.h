@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What keeps a mesh from being subdivided: an edge with more than two triangles, or with two that
 /// run along it the same way; a triangle that names a vertex twice; a vertex where triangles meet
@@ -22,4 +22,4 @@ std::string fault_of_control_mesh(const TriangleMesh& mesh);
 /// @param control  without a fault; its normals, uvs and tangents are not used. @param levels >= 0.
 TriangleMesh loop_subdivided(const TriangleMesh& control, int levels);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

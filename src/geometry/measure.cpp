@@ -5,7 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 double mesh_area(const TriangleMesh& mesh, const Affine& to_world) {
@@ -77,4 +77,4 @@ double surface_area(const PlacedShape& placed) {
         placed.shape);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include "geometry/geometry_input.h"
 #include "geometry/triangle.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A box around the image of a box; empty for an empty one.
 Bounds image_of(const Bounds& box, const Affine& map);
@@ -29,4 +29,4 @@ double surface_area(const PlacedShape& placed);
 /// the turned box of the vertices that are used.
 Bounds bounds_of(const PlacedShape& placed);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The upper one of two. @param values  not empty; their order changes.
@@ -43,4 +43,4 @@ Vec3d origin_near(const Middle& middle) {
             std::round(c.z / step) * step};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A point and a distance within which things stand.
 struct Middle {
@@ -29,4 +29,4 @@ Middle middle_of(const std::vector<Bounds>& boxes);
 /// the same coordinates.
 Vec3d origin_near(const Middle& middle);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "geometry/sweep.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Node {
@@ -60,4 +60,4 @@ double arc_cosine(double x) {
     return angle;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

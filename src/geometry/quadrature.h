@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Interval {
     double from = 0;
@@ -21,4 +21,4 @@ double integrate_rectangle(const std::function<double(double, double)>& f, const
 /// Arc cosine in double from + - * / and square roots, in [0, pi]. @param x  in [-1, 1].
 double arc_cosine(double x);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Query : RTCIntersectContext {
     Line whole;  // the ray, in the world: the alpha test hashes it
@@ -36,4 +36,4 @@ struct Query : RTCIntersectContext {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
@@ -42,4 +42,4 @@ inline Vec3 offset_origin(const Vec3& position, const Vec3& normal, float error,
     return position + normal * side;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

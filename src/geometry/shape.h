@@ -11,8 +11,8 @@
 
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 using Shape = std::variant<TriangleMesh, Sphere, Disk, Cylinder, BilinearMesh, Curves>;
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Heights of the part that is there, in units of the radius, in [-1, 1].
@@ -103,4 +103,4 @@ double Sphere::area(const Affine& map) const {
     return radius * radius * integrate_rectangle(stretch, {from, to}, {0, turn}, 1e-8);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "geometry/local_surface.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The part with z in [z_min, z_max] and azimuth in [0, phi_max]. The normal points outwards.
 struct Sphere {
@@ -22,4 +22,4 @@ struct Sphere {
 
 static_assert(ExactShape<Sphere> && HasArea<Sphere>);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

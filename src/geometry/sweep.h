@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr double kFullCircle = 2 * kPiDouble;
 
@@ -44,4 +44,4 @@ private:
 /// Azimuth of (x, y) in [0, 2 pi), to float precision.
 float azimuth(double x, double y);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

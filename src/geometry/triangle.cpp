@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Vec3d weights_on_border(const Triangle& triangle, const Vec3d& weights) {
     const Vec3d place = triangle.point(weights);
@@ -32,4 +32,4 @@ double plane_uncertainty(const Triangle& triangle, const Vec3d& area_vector,
     return kFloatRounding * sum / twice_area;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

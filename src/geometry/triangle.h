@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Triangle {
     std::array<Vec3d, 3> corner;
@@ -121,4 +121,4 @@ inline double rounding_uncertainty(const Vec3d& normal, const Vec3d& position) {
     return kStoringRoundings * kFloatRounding * absolute_dot(normal, position);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

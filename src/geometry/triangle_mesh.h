@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The geometric normal of a triangle is (p1 - p0) x (p2 - p0); with vertex normals it is turned
 /// to agree with the interpolated one (pbrt-v4).
@@ -19,4 +19,4 @@ struct TriangleMesh {
     std::vector<Vec3> tangents;  // one a vertex, or empty
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 EmissionGuide::Image EmissionGuide::operator()(const EmissionPoint& uniform) const {
     Image image{uniform, 1};
@@ -104,4 +104,4 @@ EmissionGuide EmissionGuide::with_masses(std::vector<double> masses) const {
     return map;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

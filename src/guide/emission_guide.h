@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class EmissionGuide {
 public:
@@ -88,4 +88,4 @@ private:
     std::vector<EmissionShear> shears_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

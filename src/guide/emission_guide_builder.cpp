@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kBins = 8;         // places where a box may be cut, by dimension
@@ -189,4 +189,4 @@ EmissionGuide EmissionGuide::learned(std::vector<WeightedEmission> points, const
     return EmissionGuideBuilder(std::move(points), growth).build();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

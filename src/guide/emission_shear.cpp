@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Matrix = std::array<EmissionPoint, kGuidedDimensions>;
@@ -90,4 +90,4 @@ FoundShear best_shear(std::span<const WeightedEmission> points, const EmissionBo
     return best;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

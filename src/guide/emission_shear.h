@@ -11,7 +11,7 @@
 #include <optional>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct EmissionBox {
     EmissionPoint low{};
@@ -48,4 +48,4 @@ struct FoundShear {
 /// @param points  of the box.
 FoundShear best_shear(std::span<const WeightedEmission> points, const EmissionBox& box);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What importons found.
 struct WalkedEmission {
@@ -36,4 +36,4 @@ struct GuideSource {
     std::size_t most_walks = std::numeric_limits<std::size_t>::max();
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class GuidedPoints {
 public:
@@ -49,4 +49,4 @@ private:
 
 static_assert(PrimarySampleReader<GuidedPoints::Reader>);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -253,4 +253,4 @@ void write_file(const std::string& path, std::span<const std::byte> bytes) {
     file.commit();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A file under way. Without commit() it leaves nothing behind. All faults throw Error; those that
 /// no other name would mend, MachineFault.
@@ -79,4 +79,4 @@ inline void write_file(const std::string& path, const std::string& text) {
     write_file(path, std::as_bytes(std::span(text)));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,14 +1,14 @@
 // A file in memory, read from its front to its end and never beyond.
 #pragma once
 
-#include "core/error.h"
 #include "image/image_memory.h"
+#include "sunfleck/error.h"
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class ByteSource {
 public:
@@ -72,4 +72,4 @@ private:
     std::string format_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -17,7 +17,7 @@
 #include <exception>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr float kLargestHalf = 65504;
@@ -119,4 +119,4 @@ void write_exr(const std::string& path, const Picture& picture, const ExrOptions
     file.commit();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

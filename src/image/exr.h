@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ExrOptions {
     bool half = false;  // 16-bit floats: half the size, 3 digits, at most 65504
@@ -23,4 +23,4 @@ void write_exr(const std::string& path, const Picture& picture, const ExrOptions
 ///         claims more values than its size can hold.
 Picture read_exr(const std::string& path);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

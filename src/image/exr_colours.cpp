@@ -1,15 +1,15 @@
 // The choice of channels, by their names.
 #include "image/exr_colours.h"
 
-#include "core/error.h"
 #include "core/printable.h"
 #include "core/small_letters.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -83,4 +83,4 @@ ExrColours exr_colours(const Names& all, const std::string& name) {
     return {all, false, ""};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ExrColours {
     std::vector<std::string> channels;  // 1 grey, 3 colours, 4 colours and alpha
@@ -18,4 +18,4 @@ struct ExrColours {
 /// @throws Error  for files without colours, or of several layers that have some.
 ExrColours exr_colours(const std::vector<std::string>& all, const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

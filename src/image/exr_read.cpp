@@ -1,5 +1,4 @@
 // Reads OpenEXR files from memory by way of the OpenEXR library.
-#include "core/error.h"
 #include "core/file_content.h"
 #include "core/printable.h"
 #include "image/exr.h"
@@ -8,6 +7,7 @@
 #include "image/image_memory.h"
 #include "image/read_file.h"
 #include "math/colour.h"
+#include "sunfleck/error.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -25,7 +25,7 @@
 #include <exception>
 #include <stdexcept>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A claim beyond this many values for each byte of the file is refused before it is believed:
@@ -218,4 +218,4 @@ Image parse_exr_image(std::string_view bytes, const std::string& name) {
     return guarded(name, [&] { return read_image(bytes, name); });
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

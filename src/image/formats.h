@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Image parse_png_image(std::string_view bytes, const std::string& name, const Encoding& encoding);
 /// Grey, RGB, or the inks CMYK, 8 bits.
@@ -22,4 +22,4 @@ Image parse_hdr(std::string_view bytes, const std::string& name);
 /// Portable float map, grey or RGB, of either byte order; times the size of its scale.
 Image parse_pfm(std::string_view bytes, const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
@@ -87,4 +87,4 @@ Image parse_hdr(std::string_view bytes, const std::string& name) {
     return {resolution, 3, std::move(texels)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 constexpr float kGreatestHalf = 65504;
 
@@ -96,4 +96,4 @@ bool Image::has_holes() const {
     return false;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

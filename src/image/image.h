@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// How integers stand for light.
 struct Encoding {
@@ -88,4 +88,4 @@ private:
     BrokenTexels broken_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

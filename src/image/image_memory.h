@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is wrong with a picture that takes so many bytes while it is decoded: empty, or that they
 /// are more than is free.
@@ -17,4 +17,4 @@ inline std::string fault_of_size(std::uint64_t bytes) {
     return "its pixels take " + std::to_string(bytes / kMebi) + " MiB, more than is free";
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

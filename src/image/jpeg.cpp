@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <cstdio>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A coefficient costs at least a bit, and stands for 64 pixels of one channel.
@@ -132,4 +132,4 @@ Image parse_jpeg(std::string_view bytes, const std::string& name) {
     return {job.resolution, static_cast<int>(job.components), std::move(job.texels)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

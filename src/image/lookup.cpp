@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Values = std::array<float, 4>;
@@ -73,4 +73,4 @@ std::array<float, 4> nearest(const Image& image, const Vec2& place, Wrap wrap) {
     return texel(image, static_cast<int>(x), static_cast<int>(y), wrap);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

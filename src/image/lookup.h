@@ -6,7 +6,7 @@
 
 #include "image/image.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is beyond the edges (pbrt-v4). octahedral_sphere: the image is an octahedral map of the
 /// sphere, whose edges meet each other.
@@ -18,4 +18,4 @@ std::array<float, 4> bilinear(const Image& image, const Vec2& place, Wrap wrap);
 /// The same of the nearest texel.
 std::array<float, 4> nearest(const Image& image, const Vec2& place, Wrap wrap);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

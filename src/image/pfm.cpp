@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Head {
@@ -74,4 +74,4 @@ Image parse_pfm(std::string_view bytes, const std::string& name) {
     return {head.resolution, head.channels, std::move(texels)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

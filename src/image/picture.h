@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Channel {
     std::string name;
@@ -46,4 +46,4 @@ struct Picture {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

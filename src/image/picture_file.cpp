@@ -1,17 +1,17 @@
 // One row for each ending.
 #include "image/picture_file.h"
 
-#include "core/error.h"
 #include "core/small_letters.h"
 #include "image/atomic_file.h"
 #include "image/exr.h"
 #include "image/png.h"
+#include "sunfleck/error.h"
 
 #include <array>
 #include <filesystem>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Format {
@@ -69,4 +69,4 @@ void write_picture(const std::string& path, const Picture& picture,
     format_of(path).write(path, picture, options);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PictureFileOptions {
     float exposure = 0;  // stops; for formats of limited range (.png) alone
@@ -27,4 +27,4 @@ void check_picture_path(const std::string& path);
 void write_picture(const std::string& path, const Picture& picture,
                    const PictureFileOptions& options = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,12 +3,12 @@
 // libpng leaves by longjmp: the two functions that call it hold nothing with a destructor.
 #include "image/png.h"
 
-#include "core/error.h"
 #include "image/atomic_file.h"
 #include "image/formats.h"
 #include "image/image_memory.h"
 #include "image/read_file.h"
 #include "image/srgb.h"
+#include "sunfleck/error.h"
 
 #include <png.h>
 
@@ -21,7 +21,7 @@
 #include <span>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint32_t kMostPixelsAcross = 1U << 17U;
@@ -184,4 +184,4 @@ Image parse_png_image(std::string_view bytes, const std::string& name, const Enc
     return {resolution, png.channels, std::move(texels)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

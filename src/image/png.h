@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Writes the channels R, G, B as 8-bit sRGB, atomically.
 /// @param exposure  in stops: light is multiplied by 2^exposure first.
@@ -39,4 +39,4 @@ PngImage read_png(const std::string& path);
 /// The same of a file in memory. @param name  for messages.
 PngImage parse_png(std::string_view bytes, const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

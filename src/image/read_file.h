@@ -5,11 +5,11 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @throws Error if there is no such file, or it cannot be read.
 inline std::string read_file(const std::string& path) {
     return read_input_file(path, {path});
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

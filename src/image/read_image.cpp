@@ -1,14 +1,14 @@
 // Which format it is, by the first bytes; a TGA has none of its own, and is known by its ending.
 #include "image/read_image.h"
 
-#include "core/error.h"
 #include "core/file_content.h"
 #include "core/small_letters.h"
 #include "image/formats.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 bool ends_in_tga(const std::string& name) {
@@ -47,4 +47,4 @@ Image parse_image(std::string_view bytes, const std::string& name, const Encodin
     return image;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

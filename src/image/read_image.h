@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Decodes a file that is in memory. As in pbrt-v4: 8 bits stay 8 bits, halves stay halves, 16 bits
 /// become floats; grey with alpha loses the alpha, and so does an image whose alpha is one
@@ -17,4 +17,4 @@ namespace sunfleck {
 /// size can hold; for an EXR without channels R, G, B or a single one.
 Image parse_image(std::string_view bytes, const std::string& name, const Encoding& encoding = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Encoded value of linear light; below 0 and NaN give 0, above 1 gives 1.
 inline float srgb_encode(float linear) {
@@ -27,4 +27,4 @@ inline std::uint8_t srgb_byte(float linear) {
     return static_cast<std::uint8_t>(std::lround(255 * srgb_encode(linear)));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Header {
@@ -143,4 +143,4 @@ Image parse_tga(std::string_view bytes, const std::string& name) {
             std::move(texels)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,13 @@
 // Chooses the importer for a scene file: one so far.
 #include "import/load.h"
 
-#include "core/error.h"
 #include "core/small_letters.h"
 #include "import/pbrt/reader.h"
+#include "sunfleck/error.h"
 
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 SceneDescription load_scene(const std::string& path) {
     if (path == "-") return read_pbrt_input();
@@ -18,4 +18,4 @@ SceneDescription load_scene(const std::string& path) {
     return read_pbrt(path);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

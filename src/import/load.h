@@ -5,9 +5,9 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param path  of the scene, or "-" for standard input. @throws Error for what cannot be read.
 SceneDescription load_scene(const std::string& path);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The image of a patch of unit area: its length is the new area, its direction the new normal,
 /// on the same side of the surface (mirroring included). @param n  unit.
@@ -37,4 +37,4 @@ inline bool is_similarity(const Affine& map) {
     return skew <= 1e-6 * scale2 && stretch <= 1e-6 * scale2;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

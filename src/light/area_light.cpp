@@ -6,7 +6,7 @@
 #include "light/surface_picture.h"
 #include "math/warp.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -149,4 +149,4 @@ float AreaLight::direct_pdf(const Vec3& point, const Vec3& on, const Vec3& norma
     return static_cast<float>(std::visit(density, surface));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class LaidPicture;     // light/surface_picture.h
 class PartialEmitter;  // light/partial_emitter.h
@@ -54,4 +54,4 @@ struct AreaLight {
     float direct_pdf(const Vec3& point, const Vec3& on, const Vec3& normal) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

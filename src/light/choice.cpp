@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 LightChoice::LightChoice(const std::vector<double>& powers) {
     cdf_.reserve(powers.size() + 1);
@@ -32,4 +32,4 @@ LightChoice::Chosen LightChoice::choose(double u) const {
     return {index, probability(index)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

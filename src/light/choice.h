@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class LightChoice {
 public:
@@ -42,4 +42,4 @@ private:
     double total_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "light/scene_disc.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Emission DistantLight::sample_emission(const std::array<double, 4>& u,
                                        const SceneSphere& sphere) const {
@@ -30,4 +30,4 @@ double DistantLight::power(const SceneSphere& sphere) const {
     return scene_disc_area(sphere);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

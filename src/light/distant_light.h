@@ -6,7 +6,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct DistantLight {
     static constexpr std::string_view name = "distant";
@@ -22,4 +22,4 @@ struct DistantLight {
     double power(const SceneSphere& sphere) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Density in (u, v) up to a factor: the area at the corners, bilinear between them. Where the
@@ -72,4 +72,4 @@ double surface_area(const EmittingPatch& patch) {
     return patch.surface.area();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

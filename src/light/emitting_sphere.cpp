@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -115,4 +115,4 @@ std::optional<VisibleCap> visible_cap(const EmittingQuadric<Sphere>& sphere, con
                       sine2 / (1 + std::sqrt(1 - sine2))};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

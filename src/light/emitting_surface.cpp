@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -120,4 +120,4 @@ float surface_error(const EmittingQuadric<Disk>& disk, const SurfaceSample& on) 
     return as_bound(quadric_error(disk, on));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -18,7 +18,7 @@
 #include <optional>
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A triangle in the world's frame. Emits on the side of `normal` (unit, geometric).
 struct EmittingTriangle {
@@ -125,4 +125,4 @@ std::optional<VisibleCap> visible_cap(const Surface&, const Vec3d&) {
     return {};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "light/scene_disc.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Where on the picture light from a direction of the world is. @param to_world  a rotation.
@@ -69,4 +69,4 @@ double illuminance_from_above(const LightPicture& picture) {
     return sum * 4 * kPiDouble / (static_cast<double>(size.x) * size.y);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ImageInfiniteLight {
     static constexpr std::string_view name = "infinite with a picture";
@@ -35,4 +35,4 @@ struct ImageInfiniteLight {
 /// its texels are nits.
 double illuminance_from_above(const LightPicture& picture);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "light/scene_disc.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Emission InfiniteLight::sample_emission(const std::array<double, 4>& u,
                                         const SceneSphere& sphere) const {
@@ -37,4 +37,4 @@ Beyond InfiniteLight::beyond(const Vec3&, const Vec3&) const {
     return {1, 1 / (4 * kPi)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct InfiniteLight {
     static constexpr std::string_view name = "infinite";
@@ -22,4 +22,4 @@ struct InfiniteLight {
     Beyond beyond(const Vec3& from, const Vec3& direction) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 template <LightModel... Models>
 using LightVariant = std::variant<Models...>;
@@ -79,4 +79,4 @@ inline Beyond beyond(const Light& light, const Vec3& from, const Vec3& direction
     return std::visit(ask, light);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kAllWays = -1;
@@ -197,4 +197,4 @@ double LightCluster::importance(const Receiver& at) const {
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

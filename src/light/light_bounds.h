@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A point that light is wanted at.
 struct Receiver {
@@ -62,4 +62,4 @@ private:
     bool two_sided_ = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 double power_of(const LightRange& source, const LightChoice& weights) {
@@ -49,4 +49,4 @@ std::vector<std::vector<std::uint32_t>> light_clusters(const std::vector<LightRa
     return clusters;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include "light/choice.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Lights first .. first + count - 1 of a scene's list.
 struct LightRange {
@@ -21,4 +21,4 @@ std::vector<std::vector<std::uint32_t>> light_clusters(const std::vector<LightRa
                                                        const LightChoice& weights,
                                                        std::size_t most);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

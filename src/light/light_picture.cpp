@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A place on [0,1]: the cell, and how far it is from the left; its density.
@@ -125,4 +125,4 @@ LightPicture::Drawn LightPicture::draw(const Vec2d& u) const {
             row.density * column.density};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

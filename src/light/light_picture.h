@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a texel shines: luminance times tint.
 struct TexelLight {
@@ -64,4 +64,4 @@ private:
     double mean_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// So many lights that are somewhere (two square lamps) are chosen by weight, where far lights do
@@ -206,4 +206,4 @@ double LightTree::probability(const Receiver& at, std::size_t index) const {
     return probability;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class LightTree {
 public:
@@ -65,4 +65,4 @@ private:
     double weight_share_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 #include <optional>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The sphere around everything: where distant and infinite lights shoot from.
 struct SceneSphere {
@@ -94,4 +94,4 @@ concept LightModel = std::copyable<L> &&
     { L::comes_from_afar } -> std::convertible_to<bool>;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 PartialEmitter::PartialEmitter(Cover cover, const CornerUvs& uvs, const EmittingSurface& surface)
     : cover_(std::move(cover)), uvs_(uvs) {
@@ -29,4 +29,4 @@ float PartialEmitter::at(const EmittingSurface& surface, const Vec3d& on,
     return std::clamp(cover_(hit), 0.0F, 1.0F);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

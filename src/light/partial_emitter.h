@@ -5,7 +5,7 @@
 #include "geometry/geometry.h"
 #include "light/surface_uv.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class PartialEmitter {
 public:
@@ -24,4 +24,4 @@ private:
     double mean_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

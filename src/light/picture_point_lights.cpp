@@ -4,7 +4,7 @@
 #include "light/towards_point.h"
 #include "math/warp.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The direction in the light's frame, of its rotation.
@@ -123,4 +123,4 @@ std::shared_ptr<const LightPicture> projected_picture(Image image, const Vec2d& 
     return std::make_shared<const LightPicture>(std::move(image), share);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

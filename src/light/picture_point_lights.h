@@ -10,7 +10,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The picture is an equal-area octahedral map of directions (uniform_sphere() in math/warp.h).
 struct GoniometricLight {
@@ -54,4 +54,4 @@ private:
 /// A picture for a projector, texels weighed by their solid angles.
 std::shared_ptr<const LightPicture> projected_picture(Image image, const Vec2d& half);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "light/towards_point.h"
 #include "math/warp.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Emission PointLight::sample_emission(const std::array<double, 4>& u, const SceneSphere&) const {
     return {position, uniform_sphere({u[2], u[3]}), 4 * kPiDouble, Vec3(0), 0};
@@ -27,4 +27,4 @@ std::optional<DirectSample> PointLight::sample_direct(const Vec3& point, const V
                         static_cast<float>(1 / way->distance2), std::nullopt};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

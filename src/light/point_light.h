@@ -5,7 +5,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PointLight {
     static constexpr std::string_view name = "point";
@@ -21,4 +21,4 @@ struct PointLight {
     double power(const SceneSphere&) const { return 4 * kPiDouble; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

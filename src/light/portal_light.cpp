@@ -1,7 +1,7 @@
 // Portal light: lines through a rectangle.
 #include "light/portal_light.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Vec3d PortalLight::to_local(const Vec3d& v) const {
     return {frame.x.dot(v), frame.y.dot(v), frame.z.dot(v)};
@@ -77,4 +77,4 @@ Beyond PortalLight::beyond(const Vec3& from, const Vec3& direction) const {
     return {static_cast<float>(light.luminance), static_cast<float>(pdf), light.tint};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PortalLight {
     static constexpr std::string_view name = "infinite with a portal";
@@ -36,4 +36,4 @@ private:
     Vec3d to_local(const Vec3d& v) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

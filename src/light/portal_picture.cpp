@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kLooks = 4;  // each way, in a cell
@@ -175,4 +175,4 @@ double PortalPicture::density(const PortalWindow& window, const Vec2d& uv) const
     return here * side_ * side_ / total;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

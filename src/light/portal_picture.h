@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A direction, and what the map does to areas there.
 struct PortalDirection {
@@ -69,4 +69,4 @@ private:
     std::vector<double> sums_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

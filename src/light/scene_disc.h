@@ -6,7 +6,7 @@
 #include "light/model.h"
 #include "math/warp.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// In m^2.
 inline double scene_disc_area(const SceneSphere& sphere) {
@@ -29,4 +29,4 @@ inline Vec2d scene_disc_square(const SceneSphere& sphere, const Vec3d& direction
     return disc_to_square({local.x, local.y});
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

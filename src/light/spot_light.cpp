@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -92,4 +92,4 @@ double SpotLight::falloff(double cos_angle) const {
     return t * t * (3 - 2 * t);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include "light/model.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SpotLight {
     static constexpr std::string_view name = "spot";
@@ -28,4 +28,4 @@ struct SpotLight {
     double falloff(double cos_angle) const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

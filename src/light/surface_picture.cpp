@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Share of the mean that each cell of the slots has at least.
@@ -93,4 +93,4 @@ TexelLight LaidPicture::at(const EmittingSurface& surface, const Vec3d& on,
     return at(uv_at(surface, uvs_, on, normal));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class SurfacePicture {
 public:
@@ -70,4 +70,4 @@ private:
     std::unique_ptr<const LightPicture> slots_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Barycentrics, bilinear coordinates, and those of quadrics.
 #include "light/surface_uv.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Vec2 uv_of(const EmittingTriangle& t, const CornerUvs& uvs, const Vec3d& on, const Vec3d&) {
@@ -36,4 +36,4 @@ Vec2 uv_at(const EmittingSurface& surface, const CornerUvs& uvs, const Vec3d& on
     return std::visit([&](const auto& s) { return uv_of(s, uvs, on, normal); }, surface);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

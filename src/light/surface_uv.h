@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// (u, v) at the corners of a triangle (the first three) or of a patch; of no meaning for others.
 using CornerUvs = std::array<Vec2, 4>;
@@ -18,4 +18,4 @@ bool has_corners(const EmittingSurface& surface);
 Vec2 uv_at(const EmittingSurface& surface, const CornerUvs& uvs, const Vec3d& on,
            const Vec3d& normal);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

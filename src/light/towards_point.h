@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct TowardsPoint {
     Vec3d direction;  // unit
@@ -22,4 +22,4 @@ inline std::optional<TowardsPoint> towards_point(const Vec3d& light, const Vec3&
     return TowardsPoint{way / distance, distance2, distance};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Tangents {
@@ -57,4 +57,4 @@ void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit, con
     hit.tangent = bent.u;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <memory>
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The surface is moved by so much along its normal, in the world's units.
 struct Bumps {
@@ -35,4 +35,4 @@ inline bool is_flat(const Relief& relief) {
 void bend(const Relief& relief, const SurfaceDerivatives& surface, Hit& hit,
           const Vec3d& origin = Vec3d(0));
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

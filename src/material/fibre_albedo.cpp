@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Light at one offset from the axis. @param cosine, sine  of the angle to the normal plane.
@@ -59,4 +59,4 @@ float absorption_of_hair(float colour, float beta) {
     return root * root;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

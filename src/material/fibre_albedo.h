@@ -5,7 +5,7 @@
 // colour of what absorbs in it, as pbrt-v4 has it. Scales, roughness and tilt move no energy.
 #pragma once
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Of the light that meets a fibre; the rest is absorbed.
 struct FibreAlbedo {
@@ -21,4 +21,4 @@ FibreAlbedo fibre_albedo(float absorption, float eta);
 /// @param colour  in (0,1]. @param beta  azimuthal roughness, in [0.01, 1].
 float absorption_of_hair(float colour, float beta);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <bit>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::optional<Bsdf> bsdf_of(const Material& material, const Wavelengths& wavelen
     return std::visit(BsdfOf{wavelengths, point}, material);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Below this in both alphas facets are not seen: the surface is perfectly smooth (pbrt-v4).
 inline constexpr float kSmoothAlpha = 1e-3F;
@@ -136,4 +136,4 @@ bool may_gather(const Material& material);
 std::optional<Bsdf> bsdf_of(const Material& material, const Wavelengths& wavelengths,
                             const TexturePoint& point = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kDepths = 48;
@@ -119,4 +119,4 @@ float SubsurfaceAlbedo::operator()(float single) const {
     return table_[cell] + (table_[cell + 1] - table_[cell]) * beyond;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class SubsurfaceAlbedo {
 public:
@@ -25,4 +25,4 @@ private:
     std::array<float, kCells + 1> table_{};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -92,4 +92,4 @@ Triple rgb_of_xyz(const Triple& xyz) {
     return colour().rgb_of_xyz * xyz;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <array>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Where the observer's tables begin and end; nothing outside is seen.
 inline constexpr int kFirstNm = 360;
@@ -40,4 +40,4 @@ const std::array<double, kVisibleCount>& luminance_response();
 Triple xyz_of_rgb(const Triple& rgb);
 Triple rgb_of_xyz(const Triple& xyz);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "math/triple.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 using Rows = std::array<Triple, 3>;
 
@@ -53,4 +53,4 @@ inline Rows xyz_of_primaries(const Rows& primaries, const Triple& white) {
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

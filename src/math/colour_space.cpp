@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Space {
@@ -65,4 +65,4 @@ Triple srgb_of_surface(ColourSpace space, const Triple& rgb) {
     return rgb_of_xyz(adapted(xyz_of(own, rgb), white_of(own), xyz_of_rgb({1, 1, 1})));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class ColourSpace { srgb, dci_p3, rec2020, aces2065_1 };
 
@@ -22,4 +22,4 @@ Triple srgb_of_light(ColourSpace space, const Triple& rgb);
 /// Linear sRGB of a surface: what is white under the white of its space is white under D65.
 Triple srgb_of_surface(ColourSpace space, const Triple& rgb);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <array>
 
 // clang-format off
-namespace sunfleck::spectra_data {
+namespace sunfleck::engine::spectra_data {
 inline constexpr std::array<double, 29> kBK7Nm = {
     300, 322, 344, 366, 388, 410, 432, 454, 476, 498, 520, 542, 564, 586, 608, 630, 652, 674, 696,
     718, 740, 762, 784, 806, 828, 850, 872, 894, 916};

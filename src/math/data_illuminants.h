@@ -8,7 +8,7 @@
 #include <array>
 
 // clang-format off
-namespace sunfleck::spectra_data {
+namespace sunfleck::engine::spectra_data {
 inline constexpr std::array<double, 107> kIlluminantD50 = {
     0.01922, 1.03486, 2.0505, 4.91445, 7.7784, 11.26295, 14.7475, 16.34775, 17.948, 19.47885,
     21.0097, 22.4758, 23.9419, 25.4513, 26.9607, 25.7241, 24.4875, 27.17905, 29.8706, 39.58935,

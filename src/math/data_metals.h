@@ -7,7 +7,7 @@
 #include <array>
 
 // clang-format off
-namespace sunfleck::spectra_data {
+namespace sunfleck::engine::spectra_data {
 inline constexpr std::array<double, 56> kAgNm = {
     298.75705, 302.40042, 306.13376, 309.96045, 313.884, 317.90814, 322.03683, 326.27414,
     330.62448, 335.09238, 339.68268, 344.40048, 349.25122, 354.24051, 359.37442, 364.65933,

@@ -6,7 +6,7 @@
 #include <array>
 
 // clang-format off
-namespace sunfleck::spectra_data {
+namespace sunfleck::engine::spectra_data {
 inline constexpr std::array<double, 471> kObserverX = {
     0.0001299, 0.000145847, 0.0001638021, 0.0001840037, 0.0002066902, 0.0002321, 0.000260728,
     0.000293075, 0.000329388, 0.000369914, 0.0004149, 0.0004641587, 0.000518986, 0.000581854,

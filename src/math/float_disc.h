@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A point of the unit disc, and how high above it the unit sphere is, squared, with all digits.
 struct FloatDiscPoint {
@@ -37,4 +37,4 @@ inline FloatDiscPoint float_disc_point(const Vec2& u) {
     return {{radius * along_x, radius * along_y}, (1 - radius) * (1 + radius)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

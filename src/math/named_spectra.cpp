@@ -8,7 +8,7 @@
 #include <map>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -115,4 +115,4 @@ std::vector<std::string> named_spectra() {
     return names;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

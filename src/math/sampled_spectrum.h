@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::size_t kWavelengths = 8;
 
@@ -101,4 +101,4 @@ inline void terminate_secondary(SampledSpectrum& throughput, HeroWavelength& her
     hero.single = true;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 template <class Real>
 Real sigmoid(Real x) {
@@ -228,4 +228,4 @@ Triple fit_sigmoid_coarsely(const Triple& rgb, const Triple* near) {
                            : descend(nodes, *near, target_lab(rgb), 1e-10, 30);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

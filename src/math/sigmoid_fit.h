@@ -7,7 +7,7 @@
 
 #include "math/colour.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// 1/2 + x / (2 sqrt(1 + x^2)), without cancellation for x far below zero; 0 and 1 at infinity.
 template <class Real>
@@ -29,4 +29,4 @@ inline constexpr double kHalfRangeNm = 0.5 * (kLastNm - kFirstNm);
 /// @param near  those of a colour close by, to start from (then some microseconds); or null.
 Triple fit_sigmoid_coarsely(const Triple& rgb, const Triple* near);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

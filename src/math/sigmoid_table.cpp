@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Slow at both ends, where coefficients grow without bound.
@@ -114,4 +114,4 @@ SampledSpectrum SigmoidTable::unbounded(const Vec3& rgb, const Wavelengths& wave
     return albedo(rgb * (0.5F / most), wavelengths) * (2 * most);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

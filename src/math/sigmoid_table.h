@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class SigmoidTable {
 public:
@@ -45,4 +45,4 @@ private:
     std::vector<std::array<float, 3>> nodes_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

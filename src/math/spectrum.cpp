@@ -1,14 +1,14 @@
 // Evaluation of the kinds of spectra, the colours that they look like, and spectra from colours.
 #include "math/spectrum.h"
 
-#include "core/error.h"
 #include "math/colour.h"
 #include "math/sigmoid_fit.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -157,4 +157,4 @@ Vec3 Spectrum::to_rgb() const {
     return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ConstantSpectrum {
     float value = 0;
@@ -88,4 +88,4 @@ std::optional<Spectrum> named_spectrum(const std::string& name);
 /// All the names, sorted: for messages.
 std::vector<std::string> named_spectra();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class RunningMean {
 public:
@@ -46,4 +46,4 @@ private:
     double squares_ = 0;  // sum of squared deviations from the mean
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 double student_quantile(double within, double degrees) {
     constexpr std::size_t kSteps = 4096;
@@ -30,4 +30,4 @@ double student_quantile(double within, double degrees) {
     return std::sqrt(n) * std::tan(x * kStep);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Student's t: how far a mean may lie from the truth where its standard error is estimated, too.
 #pragma once
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Probability that a normal number lies within two standard deviations of its mean.
 inline constexpr double kWithinTwo = 0.954499736;
@@ -19,4 +19,4 @@ inline double student_widening(double degrees) {
     return student_quantile(kWithinTwo, degrees) / 2;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

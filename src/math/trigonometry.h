@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SinCos {
     double sin = 0;
@@ -53,4 +53,4 @@ inline SinCos sin_cos_2pi(double fraction) {
     return {-rest.cos, rest.sin};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// XYZ or linear sRGB, as said where it is used.
 using Triple = std::array<double, 3>;
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 // Like numbers that are not initialised, Vec2{} and Vec3{} have no value: zero is Vec3(0).
 using Vec2 = Imath::V2f;
@@ -52,4 +52,4 @@ struct Frame {
     Vec3 to_world(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

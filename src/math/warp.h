@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A point of the unit disc in polar form, for maps that stretch the radius.
 struct DiscPoint {
@@ -125,4 +125,4 @@ inline Vec3d rotate_to_z(const Vec3d& axis, const Vec3d& world) {
     return rotate_z_to({-axis.x, -axis.y, axis.z}, world);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

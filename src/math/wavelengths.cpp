@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -98,4 +98,4 @@ void Wavelengths::transform_rgb(const Rows& rows) {
                         before[2] * static_cast<float>(rows[i][2]);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

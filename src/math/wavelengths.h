@@ -11,7 +11,7 @@
 #include "math/sampled_spectrum.h"
 #include "math/vector.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Consecutive passes whose wavelengths tile one lattice: the unit of error bars.
 inline constexpr std::uint32_t kBatchPasses = 16;
@@ -40,4 +40,4 @@ struct Wavelengths {
     std::array<SampledSpectrum, 3> rgb_weight{};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Chromaticity chromaticity(const Triple& xyz) {
@@ -43,4 +43,4 @@ Rows white_balance(double kelvin) {
     return balance;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "math/colour_matrix.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// CIE chromaticities.
 struct Chromaticity {
@@ -20,4 +20,4 @@ Chromaticity daylight(double kelvin);
 /// adapted(), as pbrt-v4 does for "whitebalance".
 Rows white_balance(double kelvin);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

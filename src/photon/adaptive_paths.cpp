@@ -4,7 +4,7 @@
 #include "photon/photon_space.h"
 #include "random_numbers/emission_points.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// One chunk a chain, or a block of paths through a guide.
@@ -67,4 +67,4 @@ AdaptivePaths trace_adaptive_paths(const PhotonContext& view, const VisiblePoint
     return paths;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

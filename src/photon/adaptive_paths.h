@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Called with chunks of whole paths: marks the photons that were taken. @return counts.
 using DepositChunks = std::function<Statistics(std::vector<PhotonChunk>&)>;
@@ -26,4 +26,4 @@ AdaptivePaths trace_adaptive_paths(const PhotonContext& view, const VisiblePoint
                                    PassId pass, const LightStratum& stratum,
                                    const DepositChunks& deposit);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

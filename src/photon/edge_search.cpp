@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Edge {
@@ -138,4 +138,4 @@ std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

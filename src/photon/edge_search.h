@@ -12,7 +12,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Tries begin .. end - 1, a point by an edge each. @param pass  names their random numbers.
 /// @return what arrives, all of the same weight: none in a scene without edges.
@@ -20,4 +20,4 @@ std::vector<WeightedEmission> emission_past_edges(const PhotonContext& view,
                                                   const LightChoice& lights, PassId pass,
                                                   const PathRange& tries);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

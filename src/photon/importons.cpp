@@ -6,7 +6,7 @@
 #include "photon/initial_guide_samples.h"
 #include "photon/scattering_event.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kMostBounces = 16;
@@ -160,4 +160,4 @@ double flux_seen(const PhotonContext& view, PassId pass) {
     return flux / kWalks;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include "guide/guide_source.h"
 #include "photon/light_stratum.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Of walks begin .. end - 1. @param view  with one visible point at least. @param pass  names the
 /// walks' random numbers.
@@ -22,4 +22,4 @@ WalkedEmission trace_importons(const PhotonContext& view, const LightChoice& lig
 /// points included, whoever brings it. In the unit of the guide samples' weights.
 double flux_seen(const PhotonContext& view, PassId pass);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::optional<LightAtPoint> InitialGuideSamples::sample(const Vec3& at,
                                                         RandomStream& stream) const {
@@ -37,7 +37,8 @@ bool InitialGuideSamples::is_clear(Hit& hit, const Vec3& direction) const {
     if (scattering(bsdf) != Scattering::specular) return false;
     const Vec3 wo = Frame(hit.shading_normal, hit.tangent).to_local(-direction);
     constexpr float kLast = 1 - 0x1p-20F;  // of the lobes: transmission
-    const auto through = sunfleck::sample(bsdf, wo, {{kLast, 0.5F, 0.5F}, Transport::radiance, {}});
+    const auto through =
+        sunfleck::engine::sample(bsdf, wo, {{kLast, 0.5F, 0.5F}, Transport::radiance, {}});
     return through && through->wi.z * wo.z < 0;
 }
 
@@ -59,4 +60,4 @@ std::optional<WeightedEmission> InitialGuideSamples::guide_sample(const LightAtP
     return WeightedEmission{point, weight};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr int kMostPanes = 32;  // surfaces passed on one way
 
@@ -45,4 +45,4 @@ private:
     const LightChoice& lights_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param Points  path(number) gives a dimension reader.
 /// @param Visit   called with each photon and the number of its path.
@@ -159,4 +159,4 @@ private:
     std::array<Walk, kSideBySide> walks_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kMostClusters = 64;
@@ -199,4 +199,4 @@ std::vector<LightStratum> LightPlanner::plan(std::uint32_t paths) {
     return l.apart->plan(paths);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Explores once, plans for any number of paths.
 class LightPlanner {
@@ -35,4 +35,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What photons of a pass go through and towards.
 struct PhotonContext {
@@ -58,4 +58,4 @@ struct StratumCounts {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

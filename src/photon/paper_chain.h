@@ -13,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Eq. 9: a step of xi^exponent events to either side, wrapped: symmetric to the last bit.
 /// @param exponent  1/theta + 1, at least 1.
@@ -185,4 +185,4 @@ private:
     std::uint32_t steps_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Iterations whose photons are splatted together.
@@ -164,4 +164,4 @@ Statistics trace_paper_paths(const PhotonContext& view, const PaperPass& pass, P
     return counts;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include "photon/adaptive_paths.h"
 #include "photon/paper_chain.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PaperPass {
     PassId id;
@@ -20,4 +20,4 @@ struct PaperPass {
 Statistics trace_paper_paths(const PhotonContext& view, const PaperPass& pass, PaperState& state,
                              const DepositChunks& deposit);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

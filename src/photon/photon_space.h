@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a photon path leaves behind. Photons that no disc can reach are not kept.
 struct PhotonPath {
@@ -58,4 +58,4 @@ private:
 
 static_assert(PathSpace<PhotonSpace>);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

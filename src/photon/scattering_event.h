@@ -15,7 +15,7 @@
 #include <cmath>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A photon on its way: what the next event needs to know.
 struct PhotonState {
@@ -148,4 +148,4 @@ inline bool apply_event(const ScatteringEvent& event, PhotonState& state) {
     return true;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Which sampler chooses the photon paths (photon_samplers/samplers.h).
 enum class PhotonSampler { random, uniform, adaptive, paper, count };
@@ -69,4 +69,4 @@ inline constexpr std::array<AdaptivePart, 7> kAdaptiveParts = {{
      "auto: passes are weighted by their inverse variance, up to four times; off: equally"},
 }};
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kLittlePower = 0.1;
@@ -97,4 +97,4 @@ std::vector<std::uint32_t> shared_paths(const std::vector<StratumFlux>& strata,
     return numbers;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::size_t kMostStrata = 4;
 /// Visible fractions that differ by no more than that may share a stratum.
@@ -44,4 +44,4 @@ struct StratumFlux {
 std::vector<std::uint32_t> shared_paths(const std::vector<StratumFlux>& strata,
                                         std::uint32_t paths);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <concepts>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Called with each photon.
 template <class V>
@@ -251,4 +251,4 @@ private:
     const bool has_media_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <numeric>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class UniformKind { random, uniform };
 
@@ -91,4 +91,4 @@ Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& p
     return total;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

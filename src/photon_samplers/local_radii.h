@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class LocalRadii {
 public:
@@ -64,4 +64,4 @@ private:
     std::vector<double> factors_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void PhotonTotals::add_stratum(StratumCounts counts) {
     visible_fraction += counts.power_share * counts.visible_fraction;
@@ -18,4 +18,4 @@ void PhotonTotals::add(const PhotonTotals& subpass, double share) {
     sums.insert(sums.end(), subpass.sums.begin(), subpass.sums.end());
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The photon paths of a pass, or of one of its subpasses.
 struct PhotonPass {
@@ -96,4 +96,4 @@ concept SamplerStateModel = std::copyable<T> &&
     { state.shrink(points) } -> std::same_as<double>;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PaperMemory {
     /// @param alpha  of the local radii. @param pixels  of the window.
@@ -52,4 +52,4 @@ struct PaperMemory {
     std::uint64_t floor_counted = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <atomic>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// What the estimate gained by one pass.
@@ -107,4 +107,4 @@ PhotonTotals PaperSampler::trace(const PhotonPass& pass, const PhotonTarget& tar
     return totals;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PaperSampler {
     using State = PaperMemory;
@@ -28,4 +28,4 @@ struct PaperSampler {
     static PhotonTotals trace(const PhotonPass& pass, const PhotonTarget& target, State& state);
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Each question goes to the sampler that is asked for.
 #include "photon_samplers/samplers.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 template <class... Samplers>
@@ -85,4 +85,4 @@ bool is_sound(const SamplerState& state, std::size_t pixels, std::uint64_t passe
         state);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 template <PhotonSamplerModel... Samplers>
 using PhotonSamplerVariant = std::variant<Samplers...>;
@@ -81,4 +81,4 @@ std::optional<double> shrink_radii(const SamplerState& state, VisiblePointLists&
 /// Can it be the state after so many passes of a picture of so many pixels?
 bool is_sound(const SamplerState& state, std::size_t pixels, std::uint64_t passes);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 PhotonTotals SplittingSampler::trace(const PhotonPass& pass, const PhotonTarget& target, State&) {
     const PhotonContext& view = pass.view;
@@ -32,4 +32,4 @@ PhotonTotals SplittingSampler::trace(const PhotonPass& pass, const PhotonTarget&
     return totals;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

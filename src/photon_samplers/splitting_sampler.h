@@ -3,7 +3,7 @@
 
 #include "photon_samplers/uniform_sampler.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SplittingSampler {
     using State = NoState;
@@ -19,4 +19,4 @@ struct SplittingSampler {
     static PhotonTotals trace(const PhotonPass& pass, const PhotonTarget& target, State&);
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

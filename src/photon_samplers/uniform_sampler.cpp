@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::uint32_t usual_photon_paths(std::size_t pixels) {
     constexpr std::size_t kLeast = 200'000;
@@ -44,4 +44,4 @@ PhotonTotals trace_uniform_strata(const PhotonPass& pass, UniformKind kind,
     return totals;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

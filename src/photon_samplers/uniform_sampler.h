@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// max(200,000, 2 a pixel).
 std::uint32_t usual_photon_paths(std::size_t pixels);
@@ -54,4 +54,4 @@ struct RandomSampler {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kDarkOfMean = 0.1;  // of the mean brightness: what is darker counts as that
@@ -117,4 +117,4 @@ double remaining_variance(const CameraShares& shares, const PixelTrials& trials,
     return sum / static_cast<double>(2 * grid.block(block).pixels());
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A way to share them out.
 struct CameraShares {
@@ -46,4 +46,4 @@ std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTr
 double remaining_variance(const CameraShares& shares, const PixelTrials& trials,
                           const BlockGrid& grid, std::size_t block);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

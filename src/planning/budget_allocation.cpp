@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kFewest = -4;  // powers of two of the usual number
@@ -50,4 +50,4 @@ PhotonBudget allocated_budget(const SubpassMeasures& subpass, std::uint32_t usua
             whole(1 / worse, kMostWeight)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

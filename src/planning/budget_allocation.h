@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Of one block of pixels in one subpass, relative to the square of its brightness. An estimate
 /// that is negative counts as none.
@@ -60,4 +60,4 @@ double error_of_subpass(const SubpassMeasures& subpass, double paths);
 /// @param paths  photon paths of a subpass.
 double error_of_subpasses(const SubpassMeasures& subpass, double paths);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

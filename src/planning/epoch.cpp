@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The first epoch is too short for a budget to pay, and for trials as large as those of others;
@@ -92,4 +92,4 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     return epoch;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

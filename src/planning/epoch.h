@@ -16,7 +16,7 @@
 #include <functional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// 0 for passes 0 .. 15, 1 for 16 .. 127, 2 for 128 .. 1023, and so on by factors of eight.
 constexpr std::uint32_t epoch_of(std::uint32_t pass) {
@@ -49,4 +49,4 @@ bool needs_learning(const Scene& scene, const RenderSettings& settings);
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
                   const std::function<void(double)>& view_traced = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

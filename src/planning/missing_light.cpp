@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kBlocks = 16;                          // a side
@@ -43,4 +43,4 @@ double share_lit_by_photons(const Scene& scene, const RenderSettings& settings) 
     return static_cast<double>(lit) / static_cast<double>(whole.pixels());
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

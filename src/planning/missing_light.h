@@ -7,11 +7,11 @@
 #include "scene/scene.h"
 #include "stages/settings.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Share of the pixels by whose side walks meet light that photons are to bring there: by way of
 /// rough surfaces, or through glass. Light that reaches the view by mirrors alone, or through glass
 /// that bends it far, is not met. Zero with other integrators, which have no photons.
 double share_lit_by_photons(const Scene& scene, const RenderSettings& settings);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

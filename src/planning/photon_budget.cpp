@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kSurvivors = 128;  // or more in a subpass, where splitting has one level set
@@ -130,4 +130,4 @@ SubpassPlan measured_plan(const CameraPass& first, const CameraTrial& seen,
     return {budgets[best], std::move(shares[best].log2_samples)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

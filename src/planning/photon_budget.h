@@ -7,7 +7,7 @@
 
 #include "planning/photon_trials.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// How the subpasses of an epoch share their paths.
 struct SubpassPlan {
@@ -33,4 +33,4 @@ SubpassPlan measured_plan(const CameraPass& first, const CameraTrial& seen,
                           const std::vector<LightStratum>& plan, const PilotName& name,
                           const SubpassRequest& request);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

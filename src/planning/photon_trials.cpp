@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The first view's points, and the second's as pixels behind those of the first.
@@ -84,4 +84,4 @@ PhotonTrials photon_trials(const CameraPass& second, const CameraTrial& seen,
     return trials;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the camera paths of a pass brought.
 struct CameraTrial {
@@ -37,4 +37,4 @@ struct PhotonTrials {
 PhotonTrials photon_trials(const CameraPass& second, const CameraTrial& seen,
                            const std::vector<LightStratum>& strata, const PilotName& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Weights of a pixel's part of a column or row: the one before, itself, the one behind.
@@ -65,4 +65,4 @@ PixelValues upsampled(const PixelValues& pixels, const PixelCells& cells) {
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Of each pixel, such as its luminance.
 using PixelValues = std::vector<double>;
@@ -24,4 +24,4 @@ PixelValues smoothed(const PixelValues& pixels, const PixelWindow& window);
 /// What one pixel of each cell tells of all: smoothed among themselves, then each for its cell.
 PixelValues upsampled(const PixelValues& pixels, const PixelCells& cells);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

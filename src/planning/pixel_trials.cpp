@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint32_t kNet = 4;  // views of a net
@@ -138,4 +138,4 @@ PixelTrials trials_of_pixels(const CameraPass& first, const PilotName& name,
     return {std::move(spread.within), of_all(rays), std::move(nets)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

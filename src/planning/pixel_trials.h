@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::size_t kTrialBlock = 16;  // pixels a side: enough of them to tell a variance
 
@@ -54,4 +54,4 @@ struct TrialEffort {
 PixelTrials trials_of_pixels(const CameraPass& first, const PilotName& name,
                              const TrialEffort& views);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::uint32_t kPixelTrialsIteration = 466;  // subpasses of it: nets of trial paths
 inline constexpr std::uint32_t kSecondTrialIteration = 482;
@@ -28,4 +28,4 @@ static_assert(block_of_iteration(kPixelTrialsIteration) !=
 static_assert(block_of_iteration(kSecondTrialIteration) !=
               block_of_iteration(kExploredTrialIteration));
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

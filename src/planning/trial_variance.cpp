@@ -1,7 +1,7 @@
 // Sums over blocks of products of differences.
 #include "planning/trial_variance.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kDark = 0.01;  // of the picture's brightness
@@ -77,4 +77,4 @@ std::vector<BlockVariance> block_variances(const PixelWindow& window, const Tria
     return variances;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::uint32_t kPhotonSets = 2;  // that light both views
 
@@ -38,4 +38,4 @@ struct TrialPair {
 std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
                                            const PixelTrials& trials, const CameraShares& shares);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 
 #include "math/trigonometry.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint32_t kFold = 8;
@@ -60,4 +60,4 @@ Mesh brilliant(const BrilliantCut& cut) {
     return mesh;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

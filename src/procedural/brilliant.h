@@ -3,7 +3,7 @@
 
 #include "procedural/mesh.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Proportions of the cut; lengths in units of the girdle's radius.
 struct BrilliantCut {
@@ -21,4 +21,4 @@ struct BrilliantCut {
 /// Design (1919), gives 34.5 and 40.75 degrees.
 Mesh brilliant(const BrilliantCut& cut);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "procedural/cognac_glass.h"
 #include "procedural/scene_folder.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kHead = R"(# Sunfleck, scene @NAME@: @WHAT@.
@@ -61,4 +61,4 @@ std::vector<SceneFile> cognac_scene(const CognacView& view) {
             {"geometry/brandy-air.ply", ply_bytes(glass.liquid_air)}};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Half the side of the square table, in cm: the one number that sets which share of uniformly
 /// emitted photon paths is visible in cognac-0. The sun shines from a disc over the bounding
@@ -39,4 +39,4 @@ inline constexpr std::array<CognacView, 7> kCognacViews = {{
 /// The files of one view. @param view  one of kCognacViews.
 std::vector<SceneFile> cognac_scene(const CognacView& view);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

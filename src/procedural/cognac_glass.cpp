@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Points of the inner curve from the widest place down to the axis that are still in air.
@@ -43,4 +43,4 @@ CognacGlass cognac_glass() {
             fill_ring(upwards.back(), kCognacSegments)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Corners of every ring. With the 60 rings of the glass, the liquid's top (segments - 2
 /// triangles) and a table of two triangles: 136 * 121 = 16,456 triangles, as in the paper's Table I
@@ -40,4 +40,4 @@ struct CognacGlass {
 
 CognacGlass cognac_glass();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kLarge = 100;
@@ -61,4 +61,4 @@ void add_polygon(Mesh& mesh, const Polygon& polygon) {
         mesh.triangles.push_back({first, first + i, first + i + 1});
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The points x with dot(normal, x) <= offset.
 struct HalfSpace {
@@ -28,4 +28,4 @@ Polygon facet(const std::vector<HalfSpace>& half_spaces, std::size_t index);
 /// Adds a convex polygon as a fan of triangles.
 void add_polygon(Mesh& mesh, const Polygon& polygon);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kHead = R"(# Sunfleck, scene cornell: the Cornell box.
@@ -115,4 +115,4 @@ std::vector<SceneFile> cornell_scene() {
     return {{"cornell.pbrt", text}};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

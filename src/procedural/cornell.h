@@ -5,9 +5,9 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One file. Millimetres, y up, camera outside the open front.
 std::vector<SceneFile> cornell_scene();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include "procedural/revolution.h"
 #include "procedural/scene_folder.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr SceneHead kHead = {"Unit: centimetres; z is up",
@@ -121,4 +121,4 @@ std::vector<SceneFile> cornell_door_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

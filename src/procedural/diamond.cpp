@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kRadius = 3.25;  // of the girdle: a stone of one carat
@@ -88,4 +88,4 @@ std::vector<SceneFile> diamond_scene() {
             {"geometry/sky.pfm", clear_sky_pfm(Vec3d(0.45, 0.62, 0.643).normalized(), 64)}};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The scene's file, the stone and the sky. Millimetres, z up.
 std::vector<SceneFile> diamond_scene();
@@ -14,4 +14,4 @@ std::vector<SceneFile> diamond_scene();
 /// The stone as it lies: on one facet of its pavilion, a hundredth of a millimetre above z = 0.
 Mesh lying_brilliant();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "math/trigonometry.h"
 #include "procedural/flat_fill.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Polygon lifted(Polygon polygon, double height) {
@@ -58,4 +58,4 @@ Polygon arched(double left, double low, double right, double spring, std::size_t
     return polygon;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

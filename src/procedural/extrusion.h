@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A closed body over a flat shape, with its normals outwards.
 /// @param edge, holes  counter-clockwise from above, at any height, as for fill(); no three corners
@@ -25,4 +25,4 @@ Polygon ellipse(double half_x, double half_y, std::size_t corners);
 /// @param steps   edges of the half circle.
 Polygon arched(double left, double low, double right, double spring, std::size_t steps);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

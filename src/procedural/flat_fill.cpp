@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Twice the area of a triangle seen from above; positive when counter-clockwise.
@@ -86,4 +86,4 @@ void fill(Mesh& mesh, const Polygon& edge, const std::vector<Polygon>& holes) {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

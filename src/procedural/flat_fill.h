@@ -6,11 +6,11 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Adds the part of a horizontal polygon that its holes leave, facing up.
 /// @param edge   without self-crossing, counter-clockwise from above; all at one height.
 /// @param holes  within the edge, apart from it and from each other; counter-clockwise from above.
 void fill(Mesh& mesh, const Polygon& edge, const std::vector<Polygon>& holes);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

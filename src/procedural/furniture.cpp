@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Mesh cushion(const Vec3d& half, const Vec3d& middle, float power = 0.4F) {
@@ -186,4 +186,4 @@ Mesh net_curtain(double width, double height) {
     return net;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

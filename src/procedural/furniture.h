@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the upholstery and the woodwork of a piece are made of differs.
 struct Seat {
@@ -43,4 +43,4 @@ Mesh folded_curtain(double width, double height);
 /// A net of one layer, in shallow folds, as folded_curtain().
 Mesh net_curtain(double width, double height);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

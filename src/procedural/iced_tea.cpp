@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kHead =
@@ -85,4 +85,4 @@ std::vector<SceneFile> iced_tea_scene() {
             {"geometry/tea-sky.pfm", clear_sky_pfm(Vec3d(-0.52, 0.53, 0.67).normalized(), 64)}};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,9 +5,9 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The scene's file, five meshes and the sky. Centimetres, z up.
 std::vector<SceneFile> iced_tea_scene();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kHalfEdge = 1.12;
@@ -107,4 +107,4 @@ IcedTea iced_tea() {
     return tea;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

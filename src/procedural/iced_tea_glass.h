@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::size_t kTumblerSegments = 128;
 inline constexpr double kTeaLevel = 7.5;
@@ -27,4 +27,4 @@ IcedTea iced_tea();
 /// The pieces of ice: cubes with bevelled edges and corners, convex, without touching.
 std::vector<std::vector<HalfSpace>> ice_cubes();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "procedural/placement.h"
 #include "procedural/scene_folder.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr SceneHead kHead = {"Unit: metres; z is up",
@@ -94,4 +94,4 @@ std::vector<SceneFile> keyhole_scene(const Keyhole& keyhole) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

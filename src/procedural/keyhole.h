@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class KeyholeLight { sun, lamp };
 
@@ -71,4 +71,4 @@ std::vector<SceneFile> keyhole_scene(const Keyhole& keyhole);
 Mesh keyhole_walls(double hole_width);
 Mesh keyhole_floor();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include "procedural/placement.h"
 #include "procedural/scene_folder.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 // What is seen ends below kLamp, the height from which the lamp shines upwards.
@@ -114,4 +114,4 @@ std::vector<SceneFile> lamp_room_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline void append_word(std::string& bytes, std::uint32_t word) {
     for (unsigned shift = 0; shift < 32; shift += 8)
@@ -16,4 +16,4 @@ inline void append_float(std::string& bytes, float value) {
     append_word(bytes, std::bit_cast<std::uint32_t>(value));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr SceneHead kHead = {"Unit: centimetres; z is up",
@@ -185,4 +185,4 @@ std::vector<SceneFile> magnifier_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Radius of the glowing body in the lamp, cm: the smaller, the harder for paths from the eye,
 /// which must meet it through the glass of the lamp.
@@ -15,4 +15,4 @@ inline constexpr double kGlowRadius = 0.7;
 /// mirror, or in a ball of glass. Centimetres, z up.
 std::vector<SceneFile> magnifier_scene(const ProceduralScene& scene);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

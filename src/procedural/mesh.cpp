@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::string shortest(float value) {
@@ -100,4 +100,4 @@ Mesh box_mesh(const std::array<float, 3>& low, const std::array<float, 3>& high)
     return mesh;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

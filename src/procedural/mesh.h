@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Mesh {
     std::vector<std::array<float, 3>> points;
@@ -40,4 +40,4 @@ Mesh square_mesh(float half_side, float height);
 /// A closed box with outward normals: 8 points, 12 triangles. @param low, high  opposite corners.
 Mesh box_mesh(const std::array<float, 3>& low, const std::array<float, 3>& high);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

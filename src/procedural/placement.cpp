@@ -4,7 +4,7 @@
 
 #include "math/trigonometry.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 std::array<float, 3> rounded_point(const Vec3d& p) {
     return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
@@ -40,4 +40,4 @@ Mesh placed(Mesh mesh, const Placement& placement) {
     return mesh;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "math/vector.h"
 #include "procedural/mesh.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Local axes in the world, right-handed and of length one, and the local origin.
 struct Placement {
@@ -37,4 +37,4 @@ Mesh placed(Mesh mesh, const Placement& placement);
 
 std::array<float, 3> rounded_point(const Vec3d& p);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 
 #include "math/trigonometry.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 ProfilePoint bezier_point(const std::array<ProfilePoint, 4>& p, double t) {
@@ -76,4 +76,4 @@ Mesh fill_ring(const ProfilePoint& ring, std::size_t segments) {
     return mesh;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

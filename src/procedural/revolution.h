@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A point of a profile: distance from the z axis and height, in the scene's unit.
 struct ProfilePoint {
@@ -34,4 +34,4 @@ Mesh revolve(const Profile& profile, std::size_t segments);
 /// The flat polygon inside one ring, with its normal up: segments - 2 triangles, no centre.
 Mesh fill_ring(const ProfilePoint& ring, std::size_t segments);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

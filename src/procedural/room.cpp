@@ -9,7 +9,7 @@
 #include "procedural/scene_folder.h"
 #include "procedural/surfaces.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr SceneHead kHead = {"Unit: metres; z is up",
@@ -198,4 +198,4 @@ std::vector<SceneFile> room_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Half the width and depth of the ground around the room, m: it sets which share of the photon
 /// paths of the sun is visible (2.4e-2 in the paper).
@@ -14,4 +14,4 @@ inline constexpr double kRoomGroundHalfWidth = 4;
 /// About as many triangles as in Table I of Hachisuka and Jensen (2011). Metres, z up.
 std::vector<SceneFile> room_scene(const ProceduralScene& scene);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

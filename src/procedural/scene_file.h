@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ProceduralScene {
     std::string name;
@@ -15,4 +15,4 @@ struct SceneFile {
     std::string bytes;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

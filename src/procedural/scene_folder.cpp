@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kReadable = 60;  // triangles
@@ -57,4 +57,4 @@ std::vector<SceneFile> SceneFolder::files() && {
     return std::move(files_);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What stands before WorldBegin.
 struct SceneHead {
@@ -43,4 +43,4 @@ private:
 /// The text with each mark replaced.
 std::string replaced(std::string text, std::string_view mark, std::string_view by);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

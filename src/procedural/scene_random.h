@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Numbers of [0, 1) that vary from piece to piece, of a linear congruential rule (Numerical
 /// Recipes).
@@ -20,4 +20,4 @@ private:
     std::uint32_t state_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,7 +2,6 @@
 
 #include "procedural/scenes.h"
 
-#include "core/error.h"
 #include "procedural/box.h"
 #include "procedural/cognac.h"
 #include "procedural/cornell.h"
@@ -17,10 +16,11 @@
 #include "procedural/two_windows.h"
 #include "procedural/watch.h"
 #include "procedural/window_room.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Entry {
@@ -94,4 +94,4 @@ std::vector<SceneFile> make_scene(const std::string& name) {
     throw Error({"sunfleck scene"}, "there is no scene \"" + name + "\"", "use one of: " + known);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// All of them, in the order of listing.
 std::vector<ProceduralScene> procedural_scenes();
@@ -19,4 +19,4 @@ std::vector<ProceduralScene> procedural_scenes();
 /// @throws Error for a name that procedural_scenes() does not have; the message lists them.
 std::vector<SceneFile> make_scene(const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

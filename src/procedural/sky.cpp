@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kTurbidity = 3;
@@ -100,4 +100,4 @@ std::string clear_sky_pfm(const Vec3d& sun, int side) {
     return bytes;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

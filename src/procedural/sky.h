@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The sky without the sun's disc, in an equal-area octahedral map (uniform_sphere() in
 /// math/warp.h, z up), as the bytes of a PFM file in linear sRGB. The lower half is a dim ground.
@@ -15,4 +15,4 @@ namespace sunfleck {
 /// @param sun   unit vector to the sun, above the horizon. @param side  of the picture, in texels.
 std::string clear_sky_pfm(const Vec3d& sun, int side);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include "procedural/scene_folder.h"
 #include "procedural/surfaces.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kFar = R"(LookAt -47 -196 120  0 0 92  0 0 1
@@ -117,4 +117,4 @@ std::vector<SceneFile> statue_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

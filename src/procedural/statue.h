@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Half the width and depth of the studio, cm: its walls send light back, so that it sets which
 /// share of the photon paths is visible from far (0.15 in the paper).
@@ -23,4 +23,4 @@ std::vector<SceneFile> statue_scene(const ProceduralScene& scene);
 /// A fluted tube, twisted along a trefoil knot around the z axis; closed.
 Mesh fluted_knot(std::size_t along, std::size_t around);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

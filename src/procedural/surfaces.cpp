@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 double share(std::size_t i, std::size_t of) {
@@ -105,4 +105,4 @@ Mesh torus(double radius, double thickness, std::size_t along, std::size_t aroun
     });
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 using SurfacePoint = std::function<Vec3d(double, double)>;
 
@@ -37,4 +37,4 @@ Mesh closed_tube(const std::vector<Vec3d>& chain, double radius, std::size_t aro
 /// A ring about the z axis. @param radius  of its middle. @param thickness  radius of the tube.
 Mesh torus(double radius, double thickness, std::size_t along, std::size_t around);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include "procedural/scene_folder.h"
 #include "procedural/surfaces.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr SceneHead kHead = {"Unit: metres; z is up",
@@ -125,4 +125,4 @@ std::vector<SceneFile> two_windows_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Half the width and depth of the ground around the hall, m: it sets how rarely a photon path of
 /// the sun is visible.
@@ -14,4 +14,4 @@ inline constexpr double kGroundHalfWidth = 14;
 /// Metres, z up.
 std::vector<SceneFile> two_windows_scene(const ProceduralScene& scene);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include "procedural/scene_folder.h"
 #include "procedural/watch_parts.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr SceneHead kHead = {"Unit: millimetres; z is up",
@@ -55,4 +55,4 @@ std::vector<SceneFile> watch_scene(const ProceduralScene& scene) {
     return std::move(folder).files();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

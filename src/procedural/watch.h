@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Half the side of the square table, mm: it sets which share of the photon paths is visible
 /// (3.7e-3 in the paper, all light by photons): sun and sky send them towards the whole table.
@@ -14,4 +14,4 @@ inline constexpr double kWatchTableHalfWidth = 850;
 /// About as many triangles as in Table I of Hachisuka and Jensen (2011). Millimetres, z up.
 std::vector<SceneFile> watch_scene(const ProceduralScene& scene);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

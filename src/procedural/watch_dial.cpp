@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kDial = 5.9;       // height of its face
@@ -139,4 +139,4 @@ Mesh watch_hands() {
     return hands;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

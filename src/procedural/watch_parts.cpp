@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kRound = 384;  // corners of a ring of the case
@@ -159,4 +159,4 @@ Mesh watch_chain() {
     return chain;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

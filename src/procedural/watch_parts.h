@@ -6,7 +6,7 @@
 
 #include "procedural/mesh.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Mesh watch_case();
 /// A hollow bowl, concave towards the dial, standing open at its hinge.
@@ -22,4 +22,4 @@ Mesh watch_dial();
 Mesh watch_marks();
 Mesh watch_hands();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kHead =
@@ -160,4 +160,4 @@ std::vector<SceneFile> window_room_scene(const ProceduralScene& scene) {
     return {{scene.name + ".pbrt", text}};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One file. Metres, z up. @param scene  one of both.
 std::vector<SceneFile> window_room_scene(const ProceduralScene& scene);
@@ -18,4 +18,4 @@ Mesh room_walls();
 /// The pane: a closed slab, 6 mm thick, 1 cm of each edge within the wall.
 Mesh window_pane();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

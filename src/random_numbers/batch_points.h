@@ -13,7 +13,7 @@
 
 #include <bit>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace batch_detail {
 
@@ -99,4 +99,4 @@ private:
     RandomBlock name_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::size_t kGuidedDimensions = 5;  // EmissionDimension::position_u .. light
 static_assert(kGuidedDimensions == kSobolDimensions &&
@@ -21,4 +21,4 @@ struct WeightedEmission {
     double weight = 1;  // positive
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class EmissionPoints {
 public:
@@ -62,4 +62,4 @@ private:
 
 static_assert(PrimarySampleReader<EmissionPoints::Reader>);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

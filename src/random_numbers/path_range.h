@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Paths begin .. end - 1.
 struct PathRange {
@@ -25,4 +25,4 @@ constexpr std::uint64_t paths_at_once(std::uint64_t count) {
                         1, (count + kMostDeposits * kLeast - 1) / (kMostDeposits * kLeast));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

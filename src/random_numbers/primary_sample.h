@@ -10,7 +10,7 @@
 
 #include <concepts>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class EmissionDimension : std::uint32_t {
     position_u,
@@ -80,4 +80,4 @@ private:
     PassId pass_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr std::size_t kSobolDimensions = 5;
 
@@ -59,4 +59,4 @@ constexpr std::uint32_t sobol(std::uint32_t index, std::size_t dimension) {
            table[2][(index >> 16U) & 255U] ^ table[3][index >> 24U];
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Uniform in [0, n), up to a part in 2^32. @param n  1 to 2^32 - 1.
 constexpr std::uint64_t below(std::uint64_t fraction, std::uint64_t n) {
@@ -32,4 +32,4 @@ private:
     std::uint64_t offset_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Words = std::vector<std::uint64_t>;
@@ -58,4 +58,4 @@ Film receive_film(const Ranks& ranks, int from) {
     return Film(std::move(sums));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Numbers whose count the receiver knows.
 void send_words(const Ranks& ranks, int to, const std::vector<std::uint64_t>& words);
@@ -19,4 +19,4 @@ std::vector<std::uint64_t> receive_words(const Ranks& ranks, int from, std::size
 void send_film(const Ranks& ranks, int to, const Film& film);
 Film receive_film(const Ranks& ranks, int from);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

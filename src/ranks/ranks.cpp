@@ -1,7 +1,7 @@
 // The binary tree over neighbours, up and down.
 #include "ranks/ranks.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Does rank `r` take from rank r + step? It gives to r - step otherwise, unless it is below.
@@ -59,4 +59,4 @@ std::string first_text(const Ranks& ranks, const std::string& mine) {
     return first;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// One rank's view of all. Without a word: alone.
 struct Ranks {
@@ -40,4 +40,4 @@ std::string receive_text(const Ranks& ranks, int from);
 /// The text of the lowest rank that has one, on every rank; empty if none has.
 std::string first_text(const Ranks& ranks, const std::string& mine);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

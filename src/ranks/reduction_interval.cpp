@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 PassRange block_of(const PassRange& interval, int rank, int size) {
     const auto r = static_cast<std::uint64_t>(rank);
@@ -42,4 +42,4 @@ std::uint64_t passes_of_interval(const IntervalLimits& limits) {
     return limits.at_most ? std::min(passes, *limits.at_most) : passes;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

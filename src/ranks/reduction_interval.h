@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Passes of rank `rank` of `size`; may be empty.
 PassRange block_of(const PassRange& interval, int rank, int size);
@@ -35,4 +35,4 @@ struct IntervalLimits {
 /// Its passes: so many for each rank that it lasts `seconds`, one at least. With one rank: one.
 std::uint64_t passes_of_interval(const IntervalLimits& limits);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

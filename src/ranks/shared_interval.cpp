@@ -1,15 +1,15 @@
 // Blocks are rendered first and handed up after, so that no rank waits for one that is at work.
 #include "ranks/shared_interval.h"
 
-#include "core/error.h"
 #include "ranks/film_transfer.h"
 #include "ranks/reduction_interval.h"
+#include "sunfleck/error.h"
 
 #include <array>
 #include <bit>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Passes of one part that a rank holds, its own and those handed up to it.
@@ -96,4 +96,4 @@ RankNote SharedInterval::render(
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <functional>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a rank says at the end of an interval.
 struct RankNote {
@@ -54,4 +54,4 @@ private:
     MakePass make_pass_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <mutex>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image,
                                Statistics& statistics) {
@@ -38,4 +38,4 @@ void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image,
     });
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

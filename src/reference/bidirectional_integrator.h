@@ -9,9 +9,9 @@
 
 #include "reference/path_integrator.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Adds, for each pixel, a camera path and a light path with all that joins them to the total.
 void trace_bidirectional_paths(const ReferencePass& pass, PassImage& image, Statistics& statistics);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

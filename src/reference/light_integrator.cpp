@@ -9,7 +9,7 @@
 
 #include <mutex>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 class LightPath {
@@ -161,4 +161,4 @@ void trace_light_paths(const ReferencePass& pass, std::uint32_t paths, PassImage
     });
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,10 +11,10 @@
 
 #include "reference/path_integrator.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Adds `paths` light paths, and one camera ray a pixel, to the total of the image.
 void trace_light_paths(const ReferencePass& pass, std::uint32_t paths, PassImage& image,
                        Statistics& statistics);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

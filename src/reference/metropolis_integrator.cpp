@@ -8,7 +8,7 @@
 #include <cmath>
 #include <mutex>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Of steps that start afresh (pbrt-v4's "largestepprobability").
@@ -222,4 +222,4 @@ double trace_metropolis_chains(const ReferencePass& pass, PassImage& image,
     return static_cast<double>(start.visible) / static_cast<double>(plan.bootstrap);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 
 #include "reference/path_integrator.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a pass is made of.
 struct MetropolisPlan {
@@ -27,4 +27,4 @@ MetropolisPlan metropolis_plan(std::size_t pixels);
 /// Adds a pass to the total. @return the share of the bootstrap that brought light.
 double trace_metropolis_chains(const ReferencePass& pass, PassImage& image, Statistics& statistics);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A vertex as its own subpath made it.
 struct PathWeights {
@@ -105,4 +105,4 @@ inline double light_image_weight(const PathWeights& light, const Departure& from
     return 1 / (1 + at_light * from_other_end(light, from_light) / light_paths);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 class ReferencePath {
@@ -184,4 +184,4 @@ void trace_emitters(const ReferencePass& pass, PassImage& image, Statistics& sta
     trace_reference_paths({pass.scene, alone, pass.window, pass.id}, image, statistics);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include "camera/pixel_window.h"
 #include "scene/pass_scene.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct ReferencePass {
     const PassScene& scene;
@@ -26,4 +26,4 @@ void trace_reference_paths(const ReferencePass& pass, PassImage& image, Statisti
 /// The same, of light that nothing scatters: emitters as the camera sees them.
 void trace_emitters(const ReferencePass& pass, PassImage& image, Statistics& statistics);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

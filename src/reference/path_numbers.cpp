@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Kelemen et al. 2002, section 3.1: moves between these, their logarithms uniform.
@@ -23,4 +23,4 @@ double PathNumbers::moved(double value, double u) {
     return std::clamp(sum - std::floor(sum), 0x1p-53, 1 - 0x1p-53);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

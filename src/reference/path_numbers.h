@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class PathNumbers {
 public:
@@ -41,4 +41,4 @@ private:
     std::vector<double>* read_ = nullptr;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,7 +2,7 @@
 // camera looks at the light's subpath.
 #include "reference/path_pair.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 SampledSpectrum PathPair::trace(const Vec2d& film, Numbers& numbers) {
     splats_.clear();
@@ -119,4 +119,4 @@ void PathPair::splat(const SubpathVertex& vertex, PathNumbers& numbers) {
                                         static_cast<float>(sight->area * weight)});
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include "reference/splatter.h"
 #include "reference/subpath.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a path pair brings to a point of the film.
 struct FilmLight {
@@ -65,4 +65,4 @@ private:
     std::uint64_t light_rays_ = 0;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

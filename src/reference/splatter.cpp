@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A spherical film goes on beyond its edges: a point of it may reach any pixel.
@@ -50,4 +50,4 @@ void Splatter::add_at(const Vec2d& film, const Vec3& rgb) const {
         }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

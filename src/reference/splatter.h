@@ -4,7 +4,7 @@
 #include "camera/filter.h"
 #include "reference/path_integrator.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Splatter {
 public:
@@ -33,4 +33,4 @@ private:
     PassImage& image_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// As floats: what is larger than one stays below it.
@@ -222,4 +222,4 @@ float SubpathTracer::survival(const SampledSpectrum& before) const {
                                                             : throughput_.sum() / before.sum());
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

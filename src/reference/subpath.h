@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A surface that scatters. Local: the frame of its shading normal.
 struct SubpathVertex {
@@ -102,4 +102,4 @@ private:
     LightRay start_;  // or the camera's ray
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "scene/pass_scene.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The Bsdf at a hit, as the path sees it: where wavelengths part and the surface is not smooth,
 /// the path keeps its chosen wavelength from here on; a path of one wavelength sees that
@@ -18,4 +18,4 @@ inline Bsdf met_bsdf(const PassScene& scene, Hit& hit, SampledSpectrum& throughp
     return hero.single ? at_wavelength(bsdf, hero.chosen) : bsdf;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,14 +1,14 @@
 // Checkpoints, word by word.
 #include "render/checkpoint.h"
 
-#include "core/error.h"
 #include "core/input_file.h"
 #include "film/film_file.h"
+#include "sunfleck/error.h"
 
 #include <bit>
 #include <type_traits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x0A'74'70'6B'63'6E'75'73;     // "sunckpt\n"
@@ -219,4 +219,4 @@ void check_same_render(const std::string& name, const Checkpoint& checkpoint, co
                     "ask for " + std::to_string(passes.end) + " or more");
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

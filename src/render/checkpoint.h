@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct SceneFileHash {
     std::string name;  // as read
@@ -53,4 +53,4 @@ Checkpoint read_checkpoint(std::istream& stream, std::uint64_t size, const std::
 void check_same_render(const std::string& name, const Checkpoint& checkpoint, const Origin& origin,
                        const FilmKey& key, const StopSettings& stop);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Level by level, as sums over passes.
@@ -75,4 +75,4 @@ void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     count_strata(film, pass.strata);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "film/film.h"
 #include "stages/pass_result.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The statistic "visible_fraction_square" is in units of 1 / this: squares of 1e-9 have digits.
 inline constexpr double kSquareUnits = 0x1p32;
@@ -13,4 +13,4 @@ inline constexpr double kSquareUnits = 0x1p32;
 /// "stratum.G.", G from 0; else the one splitting's are under "splitting.".
 void add_pass(Film& film, std::uint32_t number, const PassResult& pass);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 // Bytes, fitted to the scenes and sizes of docs/reference/render.md.
@@ -59,4 +59,4 @@ MemoryEstimate render_bytes(const RenderJob& job) {
     return {of_kind.usual + more, of_kind.most + more};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Bytes beside the scene.
 struct MemoryEstimate {
@@ -17,4 +17,4 @@ struct MemoryEstimate {
 /// docs/reference/render.md.
 MemoryEstimate render_bytes(const RenderJob& job);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Adds one subpass: camera paths and the photon paths that belong to them.
@@ -106,4 +106,4 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

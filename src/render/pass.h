@@ -10,7 +10,7 @@
 #include "planning/epoch.h"
 #include "stages/pass_result.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param epoch  of that pass.
 /// @param state  of the photon sampler: as the pass before left it, and as this pass leaves it.
@@ -30,4 +30,4 @@ inline PassResult render_pass(const Scene& scene, const RenderSettings& settings
     return render_pass(scene, settings, number, learn_epoch(scene, settings, number));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

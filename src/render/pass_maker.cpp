@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 PassMaker::PassMaker(const RenderJob& job, RenderState& state, PassHooks hooks)
     : job_(job), state_(state), hooks_(std::move(hooks)) {
@@ -44,4 +44,4 @@ std::optional<double> PassMaker::make(std::uint32_t number, Film& film) {
     return pass->radius_factor;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

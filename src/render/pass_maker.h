@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is asked and told while a pass is made. Each may be absent.
 struct PassHooks {
@@ -37,4 +37,4 @@ private:
     std::optional<Epoch> epoch_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

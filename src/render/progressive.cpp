@@ -1,15 +1,15 @@
 // The loop over intervals.
 #include "render/progressive.h"
 
-#include "core/error.h"
 #include "ranks/shared_interval.h"
 #include "render/pass_maker.h"
 #include "render/render_scheduler.h"
+#include "sunfleck/error.h"
 
 #include <array>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 RenderResult begin_of(const RenderJob& job, std::optional<RenderState> earlier) {
@@ -104,4 +104,4 @@ RenderResult render(const RenderJob& job, const RenderHooks& hooks,
     return render_among(ranks, job, hooks, std::move(begin));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @throws Error for several ranks and a sampler whose passes build on those before.
 void check_shareable(const RenderSettings& settings, const Ranks& ranks);
@@ -26,4 +26,4 @@ void check_shareable(const RenderSettings& settings, const Ranks& ranks);
 RenderResult render(const RenderJob& job, const RenderHooks& hooks,
                     std::optional<RenderState> earlier = {}, const Ranks& ranks = {});
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <functional>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What is known after a pass.
 struct Progress {
@@ -37,4 +37,4 @@ struct RenderHooks {
     double save_every = 60;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // The key of a render's films: size, settings and files, in words.
 #include "render/render_job.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 FilmKey key_of(const RenderJob& job) {
     const PixelWindow window = window_of(job.scene.film());
@@ -18,4 +18,4 @@ FilmKey key_of(const RenderJob& job) {
     return key;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "scene/scene.h"
 #include "stages/settings.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a render is to be compared by: scene_hash is of all that the scene's files hold.
 struct RenderJob {
@@ -18,4 +18,4 @@ struct RenderJob {
 /// What parts of one render have in common.
 FilmKey key_of(const RenderJob& job);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

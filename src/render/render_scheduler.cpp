@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// An interval should not take longer where it takes more than a pass a rank: Ctrl-C waits for its
@@ -208,4 +208,4 @@ void RenderScheduler::follow() {
     progress_.seconds_left = seconds_left(progress_, job_, film);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include "render/render_job.h"
 #include "render/render_state.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class RenderScheduler {
 public:
@@ -72,4 +72,4 @@ private:
     bool shown_ = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

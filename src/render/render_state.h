@@ -5,7 +5,7 @@
 #include "photon_samplers/samplers.h"
 #include "stages/pass_result.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// All that goes from one pass to the next. What adaptive sampling has learned is no part of it: an
 /// epoch's plan is learned again, to the same bits, from the number of the pass (planning/epoch.h).
@@ -25,4 +25,4 @@ struct RenderResult : RenderState {
     bool is_unlearned = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

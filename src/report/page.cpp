@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// What stands in the template for a part that is put in.
@@ -126,4 +126,4 @@ std::string report_page(const Comparison& comparison) {
     return filled(kPage, parts);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

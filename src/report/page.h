@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @return HTML5 in UTF-8.
 std::string report_page(const Comparison& comparison);
@@ -27,4 +27,4 @@ struct HalfPixels {
 };
 HalfPixels half_pixels(const RgbImage& image);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

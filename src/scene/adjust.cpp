@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The same share of another extent, of one pixel at least. @param low, high  of `before` pixels.
@@ -61,4 +61,4 @@ void compensate_energy(SceneDescription& scene) {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

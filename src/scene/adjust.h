@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Another film size. The view keeps the extent of its shorter axis; a crop keeps its share, of a
 /// pixel at least each way.
@@ -24,4 +24,4 @@ void set_crop(SceneDescription& scene, const std::array<int, 4>& crop, const std
 /// Rough metals and glass give back what their facets lose (bsdf/facet_losses.h); coats do not.
 void compensate_energy(SceneDescription& scene);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The side of the triangle that rays will call outside: by its winding in the object's frame,
@@ -130,4 +130,4 @@ std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32
     return lights.take();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,10 +5,10 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @param shape  with an emission. @param index  its Hit::shape.
 /// @return light i is that of primitive i; triangles without area get lights without power.
 std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32_t index);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

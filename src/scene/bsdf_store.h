@@ -7,7 +7,7 @@
 #include <deque>
 #include <mutex>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Grows by any number of threads; is read when all growing has ended.
 class BsdfStore {
@@ -26,4 +26,4 @@ private:
     std::deque<Bsdf> bsdfs_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "camera/camera.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct CameraView {
     const Camera& camera;
@@ -16,4 +16,4 @@ struct CameraView {
     CameraRay middle_ray() const { return ray_at(Vec2d(0.5)); }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

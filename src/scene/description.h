@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Light as the scene's file states it: one statement may make many lights.
 struct LightStatement {
@@ -115,4 +115,4 @@ struct SceneDescription {
     std::vector<UsedWord> words;      // sorted
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 bool absorbs(const Spectrum& curve) {
@@ -18,4 +18,4 @@ bool Media::absorb() const {
     return std::any_of(absorption.begin(), absorption.end(), absorbs);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Place in Media::absorption; 0 is empty space.
 using MediumNumber = std::uint32_t;
@@ -48,4 +48,4 @@ inline SampledSpectrum transmittance(const SampledSpectrum& absorption, float di
     return left;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

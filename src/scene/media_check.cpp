@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Shapes stand in each other: those within are looked at when those around them are right.
@@ -122,4 +122,4 @@ void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
                      "the shape: rays go around the edge of an open one");
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Where the scene's file speaks of its shapes.
 struct ScenePlaces {
@@ -31,4 +31,4 @@ struct ScenePlaces {
 void mend_media(Surfaces& surfaces, Media& media, const PathOrigins& origins,
                 const ScenePlaces& places, Warnings& warnings);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

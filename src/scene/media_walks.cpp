@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kWalks = 2048;  // from the camera, and from all lights of a kind together
@@ -210,4 +210,4 @@ void MediaWalks::look_around(const Hit* hit, const Ray& ray, MediumNumber medium
     if (*found != start.sides.towards(sample->normal, -sample->direction)) ++start.wrong;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

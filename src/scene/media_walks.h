@@ -16,7 +16,7 @@
 #include <set>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// How often walks found the media of a shape to be so.
 struct MediaVotes {
@@ -88,4 +88,4 @@ private:
     std::map<std::uint32_t, ShapeVotes> votes_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kMostSurfaces = 1000;
@@ -39,4 +39,4 @@ MediumNumber outer_medium_of(const Surfaces& surfaces, const CameraView& view,
     return 0;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "scene/media.h"
 #include "scene/surfaces.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Found by rays that leave the scene from the camera's position, through nothing that stops light;
 /// empty space when there is none (then no light of far away comes to the camera).
@@ -14,4 +14,4 @@ namespace sunfleck {
 MediumNumber outer_medium_of(const Surfaces& surfaces, const CameraView& view,
                              MediumNumber at_camera);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "math/sigmoid_table.h"
 #include "math/white_balance.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 namespace {
 
@@ -51,7 +51,7 @@ bool PassScene::find_whether_gathers(std::uint32_t material) const {
         return find_whether_gathers(mix->parts[0]) || find_whether_gathers(mix->parts[1]);
     for (const auto* constant : {&bsdfs[material], &bent_[material]})
         if (*constant) return scattering(**constant) != Scattering::specular;
-    return sunfleck::may_gather(here);
+    return sunfleck::engine::may_gather(here);
 }
 
 MediumNumber PassScene::start_medium(std::size_t light, const Emission& start,
@@ -99,4 +99,4 @@ const Bsdf& PassScene::make_bsdf(Hit& hit, std::optional<Bsdf>& room) const {
     return *room;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PassScene {
     const Scene& scene;
@@ -49,7 +49,7 @@ struct PassScene {
 
     /// Share of the light that is left after a way through a medium; of an endless way, too.
     SampledSpectrum transmittance(MediumNumber medium, float distance) const {
-        return sunfleck::transmittance(absorption[medium], distance);
+        return sunfleck::engine::transmittance(absorption[medium], distance);
     }
     /// The medium in which light leaves a light, and what is left of its flux: that from afar has
     /// come an endless way already.
@@ -86,4 +86,4 @@ private:
     mutable BsdfStore kept_;  // which number a Bsdf has depends on the threads, no picture does
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

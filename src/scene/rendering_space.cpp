@@ -6,7 +6,7 @@
 
 #include <type_traits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Shapes = std::vector<ShapeDescription>;
@@ -89,4 +89,4 @@ Vec3d move_to_rendering_space(SceneDescription& scene) {
     return origin;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,11 +10,11 @@
 
 #include "scene/description.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Moves shapes, instances, lights, the camera and the frames of objects.
 /// @return where the origin of rendering space is in the world: origin_near() the middle of what
 /// does not emit, or of what does if there is nothing else.
 Vec3d move_to_rendering_space(SceneDescription& scene);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

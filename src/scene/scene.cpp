@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Can no path tell that a shape is there? Interfaces that neither emit nor part media are left
@@ -134,4 +134,4 @@ void Scene::join_media(Media media) {
     media_.at_camera = media.at_camera;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Scene {
 public:
@@ -93,4 +93,4 @@ private:
     std::string path_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Lights are weighed by what they emit in the visible range: power times luminance.
@@ -42,4 +42,4 @@ void SceneLights::finish(const SceneSphere& sphere) {
     tree_ = LightTree(all_, weights);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

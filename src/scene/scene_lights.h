@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class SceneLights {
 public:
@@ -57,4 +57,4 @@ private:
     bool has_power_ = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

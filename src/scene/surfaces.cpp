@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Surfaces::Surfaces(GeometryInput geometry, const std::string& isa, std::vector<ShapeRecord> records,
                    std::vector<Material> materials)
@@ -25,7 +25,7 @@ std::uint32_t Surfaces::light_of(const Hit& hit) const {
 }
 
 bool Surfaces::lets_light_through(const Hit& hit) const {
-    return sunfleck::lets_light_through(materials_, material_of(hit));
+    return sunfleck::engine::lets_light_through(materials_, material_of(hit));
 }
 
 bool Surfaces::is_free(const Ray& ray) const {
@@ -46,4 +46,4 @@ void Surfaces::exchange_media(std::uint32_t shape) {
     std::swap(media.inside, media.outside);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

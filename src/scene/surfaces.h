@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the scene knows of one shape beyond its geometry.
 struct ShapeRecord {
@@ -75,4 +75,4 @@ inline Ray shadow_ray(const Hit& hit, const Vec3& direction, float distance) {
     return ray;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // By the kind of material; of a mix, by its parts.
 #include "scene/transmission.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 bool lets_light_through(const std::vector<Material>& materials, std::uint32_t material) {
     const Material& here = materials[material];
@@ -14,4 +14,4 @@ bool lets_light_through(const std::vector<Material>& materials, std::uint32_t ma
            std::holds_alternative<DiffuseTransmissionMaterial>(here);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

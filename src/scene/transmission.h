@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Does any light go on beyond surfaces of that material? Behind others there is no path, so that
 /// they part no media.
 bool lets_light_through(const std::vector<Material>& materials, std::uint32_t material);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Seconds.
 struct PassTimes {
@@ -40,4 +40,4 @@ struct PassResult {
     std::vector<SamplerSum> sums{};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void use_paper_mode(RenderSettings& settings) {
     settings.photon.sampler = PhotonSampler::paper;
@@ -39,4 +39,4 @@ std::string RenderSettings::text() const {
     return text + sampler_settings_text(photon);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class Integrator { sppm, path, light, bdpt, mlt };
 
@@ -69,4 +69,4 @@ struct StopSettings {
     ErrorTerms error_terms{};               // what counts for it
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

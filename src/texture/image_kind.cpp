@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::array<float, 4> texel(const ImageKind& m, const TexturePoint& point) {
@@ -36,4 +36,4 @@ Vec3 image_rgb(const ImageKind& m, const TexturePoint& point) {
     return {channel(0), channel(1), channel(2)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

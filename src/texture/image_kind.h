@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a spectrum stands for: it says what the colour of a texel means.
 enum class ColourUse {
@@ -39,4 +39,4 @@ float image_number(const FloatImageKind& image, const TexturePoint& point);
 /// Linear RGB of an image at a place, scaled and inverted, not below zero.
 Vec3 image_rgb(const ImageKind& image, const TexturePoint& point);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

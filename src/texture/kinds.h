@@ -7,7 +7,7 @@
 
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// texture * factor.
 /// @tparam T  the texture: FloatTexture or SpectrumTexture, here and below. T::Number is the
@@ -84,4 +84,4 @@ struct MarbleKind {
     float variation = 0.2F;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Vec2 SphericalMapping::at(const TexturePoint& point) const {
     const Vec3 p(to_texture.point(point.in_world()));
@@ -24,4 +24,4 @@ Vec2 PlanarMapping::at(const TexturePoint& point) const {
     return Vec2(p.dot(v1), p.dot(v2)) + shift;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a texture may know of the point where it is asked.
 struct TexturePoint {
@@ -67,4 +67,4 @@ struct PointMapping {
     Vec3 at(const TexturePoint& point) const { return Vec3{to_texture.point(point.in_world())}; }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

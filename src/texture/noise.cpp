@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Perlin's permutation of 0..255.
@@ -116,4 +116,4 @@ float turbulence(Vec3 p, const Octaves& octaves) {
     return total.sum + total.next_strength * 0.2F;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

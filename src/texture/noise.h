@@ -7,7 +7,7 @@
 
 #include "math/vector.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// In about [-1,1], zero at whole numbers; repeats every 256 along each axis.
 float noise(const Vec3& p);
@@ -23,4 +23,4 @@ float fbm(Vec3 p, const Octaves& octaves);
 /// Sum of the size of noise over the octaves, and 0.2 for the mean of the next one.
 float turbulence(Vec3 p, const Octaves& octaves);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

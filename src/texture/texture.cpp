@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Whether a whole number is odd; of any size.
@@ -164,4 +164,4 @@ SampledSpectrum SpectrumTexture::varied(const TexturePoint& point,
     return std::visit(SpectrumValue<decltype(at)>(point, at, wavelengths), kind_->kind);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <memory>
 #include <variant>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct FloatKind;
 struct SpectrumKind;
@@ -76,4 +76,4 @@ struct SpectrumKind {
         kind;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct BlockBoxes {
     BlockBoxes() = default;
@@ -23,4 +23,4 @@ struct BlockBoxes {
     Occupancy occupancy;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "core/parallel.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The node over boxes first .. first + 7 (those that exist); an empty box is touched by nothing.
@@ -40,4 +40,4 @@ BoxTree::BoxTree(std::vector<Box> leaves) {
     } while (boxes.size() > 1);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

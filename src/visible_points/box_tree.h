@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Closed; empty until extended.
 struct Box {
@@ -101,4 +101,4 @@ private:
     std::vector<std::vector<BoxNode>> levels_;  // lowest first; the last has one node
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct alignas(32) DiscBlock {
     static constexpr std::size_t kWidth = 8;
@@ -36,4 +36,4 @@ struct alignas(32) DiscBlock {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

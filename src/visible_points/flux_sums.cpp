@@ -13,7 +13,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace sunfleck::HWY_NAMESPACE {
+namespace sunfleck::engine::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -71,11 +71,11 @@ void add_flux(const SortedPhotons& photons, std::span<const TakenPhoton> taken, 
         add_lanes(photons, taken, {kind, points}, first, light);
 }
 
-}  // namespace sunfleck::HWY_NAMESPACE
+}  // namespace sunfleck::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace sunfleck {
+namespace sunfleck::engine {
 
 HWY_EXPORT(add_flux);
 
@@ -84,5 +84,5 @@ void add_flux(const SortedPhotons& photons, std::span<const TakenPhoton> taken, 
     HWY_DYNAMIC_DISPATCH(add_flux)(photons, taken, kind, points, light);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine
 #endif

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Light that arrives at the eight points of a block.
 using BlockLight = std::array<SampledSpectrum, DiscBlock::kWidth>;
@@ -15,4 +15,4 @@ using BlockLight = std::array<SampledSpectrum, DiscBlock::kWidth>;
 void add_flux(const SortedPhotons& photons, std::span<const TakenPhoton> taken, PhotonKind kind,
               unsigned points, BlockLight& light);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace sunfleck::HWY_NAMESPACE {
+namespace sunfleck::engine::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -219,11 +219,11 @@ bool is_any_taken(const VisiblePointIndex& index, std::span<const Photon> path) 
     return false;
 }
 
-}  // namespace sunfleck::HWY_NAMESPACE
+}  // namespace sunfleck::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace sunfleck {
+namespace sunfleck::engine {
 
 HWY_EXPORT(find_taken);
 HWY_EXPORT(is_any_taken);
@@ -237,5 +237,5 @@ bool VisiblePointIndex::any(std::span<const Photon> path) const {
     return HWY_DYNAMIC_DISPATCH(is_any_taken)(*this, path);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine
 #endif

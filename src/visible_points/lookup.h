@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A photon, and which points of a block take it.
 struct TakenPhoton {
@@ -41,4 +41,4 @@ struct TakenPhotons {
 bool find_taken(const VisiblePointIndex& index, const SortedPhotons& photons, std::size_t begin,
                 std::size_t end, TakenPhotons& taken);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

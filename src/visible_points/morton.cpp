@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr float kCells = 0x1FFFFF;
@@ -85,4 +85,4 @@ void sort_by_code(MortonKeys& keys, unsigned bits) {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct MortonKey {
     std::uint64_t code = 0;
@@ -37,4 +37,4 @@ private:
 /// to 63.
 void sort_by_code(MortonKeys& keys, unsigned bits);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

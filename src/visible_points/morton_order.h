@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Equal codes are in the order of the lists.
 /// @param size_of  size_of(list). @param code_of  code_of(list, item), of 63 bits. @param bits  as
@@ -27,4 +27,4 @@ MortonKeys in_morton_order(std::size_t lists, const SizeOf& size_of, const CodeO
     return keys;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Occupancy::Occupancy(const std::vector<Box>& boxes) : rows_(kCells * kCells, 0) {
     constexpr std::size_t kBlock = 4096;
@@ -29,4 +29,4 @@ void Occupancy::mark(const Box& box) {
         }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Occupancy {
 public:
@@ -40,4 +40,4 @@ private:
     std::vector<std::uint64_t> rows_;  // along x
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

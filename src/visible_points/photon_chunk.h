@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Photon i belongs to path paths[i], a number within the pass or the chunk, and is marked in
 /// taken[i] when deposited.
@@ -43,4 +43,4 @@ struct PhotonChunk {
     }
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The areas of a disc in passes 0, 1, 2 ... over that in pass 0, one after the other.
 class DiscAreaSequence {
@@ -46,4 +46,4 @@ inline double batch_area(std::uint64_t batch, double alpha) {
     return sum / kBatchPasses;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

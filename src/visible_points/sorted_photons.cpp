@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 bool is_long_chain(const Photon& photon) {
@@ -78,4 +78,4 @@ void SortedPhotons::hand_back(const std::vector<std::uint8_t>& taken,
     });
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

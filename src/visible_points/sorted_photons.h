@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Positions of eight photons. Places that are not set are in no box.
 struct alignas(32) PhotonLeaf {
@@ -50,4 +50,4 @@ private:
         0;  // photons from this one on are long specular chains, and no others
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// How a photon reached the surface that it meets: exactly one.
 enum class PhotonKind : std::uint8_t {
@@ -131,4 +131,4 @@ inline constexpr std::uint32_t kLambertian = 0xFFFFFFFF;
 /// Visible points as they are found: a list for each block of pixels.
 using VisiblePointLists = std::vector<std::vector<VisiblePoint>>;
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

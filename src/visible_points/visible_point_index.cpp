@@ -8,7 +8,7 @@
 #include <atomic>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kBlock = 4096;
@@ -120,4 +120,4 @@ std::size_t VisiblePointIndex::bytes() const {
            usual_.bytes() + all_.bytes();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class VisiblePointIndex {
 public:
@@ -71,4 +71,4 @@ private:
     BlockBoxes all_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The root is larger than the scene and off its axes, so that walls do not lie on cell faces.
 VisiblePointOctree::VisiblePointOctree(std::span<const VisiblePoint> points, const Vec3d& centre,
@@ -122,4 +122,4 @@ void VisiblePointOctree::unite(Nodes& nodes, std::uint32_t into, std::uint32_t o
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

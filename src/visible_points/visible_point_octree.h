@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class VisiblePointOctree {
 public:
@@ -70,4 +70,4 @@ private:
     Nodes nodes_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 double by_photons(const PassImage& image, std::size_t channel) {
@@ -75,4 +75,4 @@ TEST(PassImage, layers_of_lights_count_nothing_twice) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 #include "app/determinism_support.h"
 #include "photon/settings.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::DeterminismTest;
@@ -79,4 +79,4 @@ TEST_F(AdaptiveParts, light_candidates_are_one_for_any_sampler) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <sys/resource.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -266,4 +266,4 @@ TEST_F(Resume, a_full_disk_is_said_and_does_not_end_the_render) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // `sunfleck compare` and the snapshots that it reads, from the outside.
 #include "app/program.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -122,4 +122,4 @@ TEST_F(Compare, snapshots_of_two_renders_do_not_mix) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

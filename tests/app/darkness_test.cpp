@@ -1,7 +1,7 @@
 // Dark pictures: what is said of them is true, and nothing is said of bright ones.
 #include "app/program.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -74,4 +74,4 @@ TEST_F(Darkness, that_is_known_before_is_written_at_once_with_its_reason) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,7 +2,7 @@
 // through a window; balance, light groups and light groups in two epochs.
 #include "app/determinism_support.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -66,4 +66,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

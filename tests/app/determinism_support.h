@@ -3,7 +3,7 @@
 
 #include "app/program.h"
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 class DeterminismTest : public ProgramTest {
 protected:
@@ -141,4 +141,4 @@ private:
     Words render_words_;  // "render", the scene, and what each render of it has
 };
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

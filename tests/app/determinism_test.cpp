@@ -1,7 +1,7 @@
 // The same bytes however a render is cut: the short table (determinism_slow_test.cpp: the long).
 #include "app/determinism_support.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::DeterminismTest;
@@ -22,4 +22,4 @@ TEST_F(Determinism, small_cornell) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 
 #include <regex>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::ProgramTest;
@@ -49,4 +49,4 @@ TEST_F(Documentation, has_each_layer) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

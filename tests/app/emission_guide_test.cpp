@@ -2,7 +2,7 @@
 // is cut.
 #include "app/determinism_support.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::DeterminismTest;
@@ -38,4 +38,4 @@ TEST_F(EmissionGuides, have_the_same_bytes_for_any_threads_and_parts) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

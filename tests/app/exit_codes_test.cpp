@@ -3,7 +3,7 @@
 
 #include <unistd.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::ProgramTest;
@@ -110,4 +110,4 @@ TEST_F(ExitCodes, help_and_version) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

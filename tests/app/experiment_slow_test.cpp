@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;
@@ -92,4 +92,4 @@ TEST_F(ExperimentRun, says_why_a_render_failed) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

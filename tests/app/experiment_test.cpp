@@ -1,7 +1,7 @@
 // `sunfleck experiment`: what it lists and what it refuses (experiment_slow_test.cpp: renders).
 #include "app/program.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;
@@ -28,4 +28,4 @@ TEST_F(Experiment, refuses_what_it_cannot_do) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -153,4 +153,4 @@ TEST_F(Extrapolate, the_target_error_holds_the_bias) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// A kind of call, and how it fails.
 struct FaultKind {
@@ -147,4 +147,4 @@ private:
     std::map<std::string, std::string> whole_;  // outputs by their names
 };
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -292,4 +292,4 @@ TEST_F(Flags, bad_values_are_refused_in_one_line) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <sys/stat.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -195,4 +195,4 @@ TEST_F(Interrupt, files_are_whole_or_absent) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Killed five hundred times at random moments.
 #include "app/kills_support.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Kills = testing_support::KillTest;
@@ -11,4 +11,4 @@ TEST_F(Kills, five_hundred_lose_nothing_but_time) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

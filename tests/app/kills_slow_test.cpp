@@ -1,7 +1,7 @@
 // Killed twenty times at random moments, half of them with a checkpoint after every pass.
 #include "app/kills_support.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Kills = testing_support::KillTest;
@@ -11,4 +11,4 @@ TEST_F(Kills, twenty_lose_nothing_but_time) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

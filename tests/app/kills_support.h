@@ -5,7 +5,7 @@
 #include "core/random.h"
 #include "render/checkpoint.h"
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 class KillTest : public ProgramTest {
 protected:
@@ -63,4 +63,4 @@ private:
     mutable int gained_ = 0;
 };
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

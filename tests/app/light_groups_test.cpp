@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::DeterminismTest;
@@ -160,4 +160,4 @@ TEST_F(LightGroupsApp, a_lamp_is_dimmed_after_the_render) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Light groups as a user meets them: the flag, the statistics.
 #include "app/determinism_support.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::DeterminismTest;
@@ -59,4 +59,4 @@ TEST_F(LightStrata, are_on_unless_they_are_switched_off) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // What the machine does not have is told in one line before the work, and ends no program by force.
 #include "app/program.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::Process;
@@ -69,4 +69,4 @@ TEST_F(MachineLimits, info_tells_how_much_memory_a_render_needs) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

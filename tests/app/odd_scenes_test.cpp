@@ -2,7 +2,7 @@
 #include "app/program.h"
 #include "image/exr.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -88,4 +88,4 @@ TEST_F(OddScenes, one_photon_a_pass) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

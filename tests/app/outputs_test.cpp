@@ -1,7 +1,7 @@
 // Where pictures and statistics go: told, never lost, never one over another.
 #include "app/program.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::Process;
@@ -202,4 +202,4 @@ TEST_F(Outputs, refusals_say_where_to_read_on) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

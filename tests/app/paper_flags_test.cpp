@@ -2,7 +2,7 @@
 #include "app/program.h"
 #include "image/exr.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -130,4 +130,4 @@ TEST_F(PaperFlags, films_are_not_merged) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

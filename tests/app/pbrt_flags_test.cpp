@@ -2,7 +2,7 @@
 #include "app/program.h"
 #include "image/exr.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -32,4 +32,4 @@ TEST_F(PbrtFlags, a_crop_window_is_the_crop_of_its_pixels) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // The photon budget and adaptive pixel sampling as a user meets them: the flags, the statistics.
 #include "app/determinism_support.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::DeterminismTest;
@@ -59,4 +59,4 @@ TEST_F(Balance, adaptive_pixels_are_told_in_the_statistics_and_can_be_left_out) 
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

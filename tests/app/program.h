@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 using Words = std::vector<std::string>;
 
@@ -184,4 +184,4 @@ private:
     }
 };
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -1,7 +1,7 @@
 // Flags by the names that they had: each is refused with the name that it has now.
 #include "app/program.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::ProgramTest;
@@ -38,4 +38,4 @@ INSTANTIATE_TEST_SUITE_P(All, RenamedFlags,
                                            OldName{"--noisy-pixels", "--adaptive-pixels"}));
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,7 +2,7 @@
 #include "app/program.h"
 #include "render/checkpoint.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -66,4 +66,4 @@ TEST_F(ResumeSlow, has_the_bytes_of_a_whole_render) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

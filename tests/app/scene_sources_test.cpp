@@ -1,7 +1,7 @@
 // Where a scene may come from: files of any name, standard input, a shell's pipe.
 #include "app/program.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::Process;
@@ -58,4 +58,4 @@ TEST_F(SceneSources, pipes_and_folders_are_told_from_missing_files) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "app/program.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::ProgramTest;
@@ -110,4 +110,4 @@ TEST_F(Scenes, info_repeats_warnings) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::ProgramTest;
@@ -157,4 +157,4 @@ Shape "sphere" "float radius" 0.1
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // When a render ends: at a finished pass, by number, time or error, whichever comes first.
 #include "app/program.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::operator+;
@@ -80,4 +80,4 @@ TEST_F(Stops, passes_come_first) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,7 +2,7 @@
 // what a command is asked to print is not lost in silence.
 #include "app/program.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::Process;
@@ -51,4 +51,4 @@ TEST_F(Streams, that_lose_what_was_asked_for_are_a_fault) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <pty.h>
 #include <sys/ioctl.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::ProgramTest;
@@ -126,4 +126,4 @@ TEST_F(Terminal, of_a_kind_that_erases_nothing_gets_whole_lines) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 static_assert(DispersiveModel<SmoothDielectric> && DispersiveModel<RoughDielectric>);
@@ -56,4 +56,4 @@ TEST(Bsdf, lambert_is_albedo_over_pi_on_the_lit_side) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Shares of the light from w that go on, of wavelength 0.
@@ -122,4 +122,4 @@ TEST(FacetLosses, colours_deepen) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

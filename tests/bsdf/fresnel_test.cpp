@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::array kCosines{1.0F, 0.97F, 0.8F, 0.5F, 0.2F, 0.03F, 1e-3F};
@@ -72,4 +72,4 @@ TEST(Fresnel, stays_within_zero_and_one) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::array<Ggx, 4> kFacets{{{0.3F, 0.3F}, {0.1F, 0.5F}, {1, 1}, {0.02F, 0.02F}}};
@@ -127,4 +127,4 @@ TEST(Ggx, grazing_is_finite) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// u.x = 1 - 2^-24 never reflects but under total reflection.
@@ -132,4 +132,4 @@ TEST(SmoothDielectric, index_one_is_not_there) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

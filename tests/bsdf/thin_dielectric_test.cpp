@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Echo by echo: what returns and what passes, until nothing is left.
@@ -50,4 +50,4 @@ TEST(ThinDielectric, keeps_all_wavelengths) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

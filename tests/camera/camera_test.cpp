@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const Matrix kIdentity;
@@ -194,4 +194,4 @@ TEST(Resolution, keeps_the_middle_and_the_shorter_axis) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

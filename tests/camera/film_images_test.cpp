@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Camera spherical(SphereMap map) {
@@ -64,4 +64,4 @@ TEST(FlatFilm, shows_each_point_once) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

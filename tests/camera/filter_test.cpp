@@ -12,7 +12,7 @@
 #include <cmath>
 #include <functional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::chi_square_p;
@@ -187,4 +187,4 @@ TEST(Filter, values_are_the_known_ones) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(PixelCells, have_one_pixel_each) {
@@ -40,4 +40,4 @@ TEST(PixelCells, leave_no_row_or_column_out) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kPixels = 16;
@@ -266,4 +266,4 @@ TEST(CameraPath, the_paths_of_a_pixel_share_its_light) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -167,4 +167,4 @@ TEST(MisWeight, densities_of_any_size) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

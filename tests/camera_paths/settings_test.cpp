@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(FirstRadius, is_one_pixel_in_small_pictures_and_two_in_large_ones) {
@@ -62,4 +62,4 @@ TEST(IndirectRadiusScale, of_radii_that_the_user_says_is_that_of_two_pixels) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

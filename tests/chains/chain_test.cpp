@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::Islands;
@@ -112,4 +112,4 @@ TEST(Chain, counts_each_proposal_of_its_kind) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

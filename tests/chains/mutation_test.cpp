@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 RandomStream numbers(std::uint32_t index) {
@@ -165,4 +165,4 @@ TEST(Adapted, each_kind_by_its_own_counts) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::first_dimensions;
@@ -283,4 +283,4 @@ TEST(Pilot, maps_what_is_seldom_seen) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Gives 1000 + dimension and counts how often it is asked.
@@ -113,4 +113,4 @@ TEST(MutatingReader, unread_dimensions_are_never_drawn) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

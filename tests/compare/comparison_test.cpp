@@ -1,16 +1,16 @@
 // From names on the command line to measured pictures, the table and JSON.
 #include "compare/comparison.h"
 
-#include "core/error.h"
 #include "image/picture_file.h"
 #include "image/temporary_folder.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 class Comparisons : public testing_support::TemporaryFolder {
@@ -121,4 +121,4 @@ TEST_F(Comparisons, what_cannot_be_compared_is_refused) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::picture;
@@ -123,4 +123,4 @@ TEST(HdrFlip, takes_light_of_any_size) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

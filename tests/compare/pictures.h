@@ -3,7 +3,7 @@
 
 #include "compare/rgb_image.h"
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// @param value  value(x, y, channel).
 template <class Value>
@@ -19,4 +19,4 @@ inline RgbImage plain(const Vec3& colour, int width = 32, int height = 24) {
     return picture([&](int, int, int c) { return colour[c]; }, width, height);
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -1,9 +1,9 @@
 // Pictures of every format as linear RGB.
 #include "compare/rgb_image.h"
 
-#include "core/error.h"
 #include "image/picture_file.h"
 #include "image/temporary_folder.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <bit>
 #include <fstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using RgbImages = testing_support::TemporaryFolder;
@@ -60,4 +60,4 @@ TEST_F(RgbImages, what_is_no_picture_is_refused) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,14 +1,14 @@
 // Folders of snapshots, and bands over seeds.
 #include "compare/series.h"
 
-#include "core/error.h"
 #include "image/temporary_folder.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 class Series : public testing_support::TemporaryFolder {
@@ -126,4 +126,4 @@ TEST(Points, of_equal_ends_are_not_doubled) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,11 +1,11 @@
 // Tests core/error.h: the one line that a user reads.
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Error, says_place_fault_and_remedy_in_one_line) {
@@ -26,4 +26,4 @@ TEST(Error, is_a_runtime_error) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint64_t kOnes = std::numeric_limits<std::uint64_t>::max();
@@ -163,4 +163,4 @@ TEST(AtomicFixedPoint, carries_as_the_plain_one_does) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,13 @@
 // What a file is by its first bytes.
 #include "core/file_content.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::string named(const std::string& bytes) {
@@ -94,4 +94,4 @@ TEST(FileContent, is_refused_with_what_to_do) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,15 +1,15 @@
 // One file is known under all of its names.
 #include "core/file_identity.h"
 
-#include "core/error.h"
 #include "image/temporary_folder.h"
+#include "sunfleck/error.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include <fstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,4 +50,4 @@ TEST_F(FileIdentities, links_that_lead_nowhere_are_refused) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(HugePages, arrays_below_and_above_a_page) {
@@ -26,4 +26,4 @@ TEST(HugePages, arrays_below_and_above_a_page) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The threads that a loop is run by, when its tasks wait for `hoped` of them (ten seconds at
@@ -184,4 +184,4 @@ TEST(ParallelFor, denormals_are_zero_on_every_thread_and_only_in_tasks) {
 #endif
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint32_t kOnes32 = std::numeric_limits<std::uint32_t>::max();
@@ -141,4 +141,4 @@ TEST(RandomStream, next_and_next_float_are_the_fraction_rounded_into_the_open_in
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace std::chrono_literals;
@@ -32,4 +32,4 @@ TEST(WorkClock, does_not_charge_the_processor_s_time_either) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Warnings, are_said_once_and_counted) {
@@ -21,4 +21,4 @@ TEST(Warnings, are_said_once_and_counted) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

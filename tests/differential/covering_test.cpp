@@ -1,11 +1,11 @@
 // Pairs of feature values: which can occur, which have occurred, and that choices cover them all.
 #include "differential/covering.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 /// A lamp has a shape only where it is an area light, and a shape a side only where it is a disk.
@@ -67,4 +67,4 @@ TEST(GuideCoverage, a_seed_gives_the_same_choices_and_another_one_others) {
 }
 
 }  // namespace
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 TEST(Equivalence, student_tails_are_those_of_closed_forms) {
@@ -68,4 +68,4 @@ TEST(Equivalence, a_prior_counts_as_so_many_values) {
 }
 
 }  // namespace
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 Picture grey(int width, int height, float value) {
@@ -82,4 +82,4 @@ TEST(Look, pictures_of_nothing_are_equal) {
 }
 
 }  // namespace
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 /// A choice with these values, and the first ones else.
@@ -58,4 +58,4 @@ TEST(MakeScene, references_are_those_that_find_all_light) {
 }
 
 }  // namespace
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

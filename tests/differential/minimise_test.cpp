@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 SceneText example() {
@@ -61,4 +61,4 @@ TEST(Minimise, asks_no_more_often_than_it_may) {
 }
 
 }  // namespace
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

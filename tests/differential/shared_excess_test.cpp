@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 const FeatureTable& table() {
@@ -58,4 +58,4 @@ TEST(SharedExcess, of_a_few_scenes_is_not_judged) {
 }
 
 }  // namespace
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

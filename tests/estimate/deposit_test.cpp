@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kPixels = 300;
@@ -259,4 +259,4 @@ TEST_F(Deposits, nothing_to_deposit_or_nowhere_to) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

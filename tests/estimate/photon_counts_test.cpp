@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kPixels = 40;
@@ -128,4 +128,4 @@ TEST_F(PhotonCopies, of_all_deposits_add_up_on_any_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kPixels = 40'000;
@@ -47,4 +47,4 @@ TEST(SharedTerms, sums_are_those_of_terms_added_one_by_one) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

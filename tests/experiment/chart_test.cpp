@@ -7,7 +7,7 @@
 #include <limits>
 #include <regex>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Mark {
@@ -75,4 +75,4 @@ TEST(Chart, may_have_a_plain_axis) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,14 +1,14 @@
 // The list of figures and their cells.
-#include "core/error.h"
 #include "experiment/figure_cells.h"
 #include "experiment/methods.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Figures, are_found_by_their_names) {
@@ -58,4 +58,4 @@ TEST(Reference, is_not_made_by_what_is_under_test_where_that_can_be) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

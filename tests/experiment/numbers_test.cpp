@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(StudentT, is_that_of_tables) {
@@ -71,4 +71,4 @@ TEST(RankCorrelation, of_orders_alike_reversed_and_tied) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

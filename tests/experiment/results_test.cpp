@@ -1,10 +1,10 @@
 // Errors of pictures made by hand, against references made by hand.
 #include "experiment/results.h"
 
-#include "core/error.h"
 #include "experiment/methods.h"
 #include "image/exr.h"
 #include "image/temporary_folder.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <fstream>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Floats = std::vector<float>;
@@ -104,4 +104,4 @@ TEST_F(ExperimentResults, another_size_is_refused) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(NumberText, is_short_and_says_what_is_no_number) {
@@ -29,4 +29,4 @@ TEST(Table, html_shows_text_as_it_is) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

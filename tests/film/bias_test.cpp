@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::Line;
@@ -200,4 +200,4 @@ TEST_F(NoisyCameraPaths, leave_the_bias_alone) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::film_by_batch;
@@ -235,4 +235,4 @@ TEST(ErrorBars, equal_batches_have_no_error) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

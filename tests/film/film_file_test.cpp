@@ -1,9 +1,9 @@
 // Film files: nothing is lost, merged parts give the same bytes, every damage is an Error.
 #include "film/film_file.h"
 
-#include "core/error.h"
 #include "film/word_hash.h"
 #include "image/read_file.h"
+#include "sunfleck/error.h"
 #include "synthetic.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 #include <map>
 #include <sstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::film_of;
@@ -226,4 +226,4 @@ TEST_F(FilmFile, light_layers_have_names_of_layers) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

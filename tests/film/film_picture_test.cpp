@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::film_of;
@@ -159,4 +159,4 @@ TEST(FilmPicture, without_passes_is_black) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,13 @@
 // The film depends on the set of passes alone: not on order, splits or the tree of merges.
 #include "film/film.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 #include "synthetic.h"
 #include "visible_points/radius.h"
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::film_of;
@@ -272,4 +272,4 @@ TEST(Film, layers_of_other_names_are_of_another_render) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// Light of a pass: by photons a + c s (grey), by camera paths `eye`; noise of even distribution.
 struct Line {
@@ -58,4 +58,4 @@ Film line_film(const FilmKey& key, const std::vector<std::uint32_t>& passes, con
     return film;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Ranges = std::vector<PassRange>;
@@ -88,4 +88,4 @@ TEST(PassGroups, fewer_than_eight_passes_count_less_and_incomplete_groups_not_at
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The set holds what the table holds, in its one form: ranges that ascend and do not touch.
@@ -51,4 +51,4 @@ TEST(PassSet, complete_batches) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,13 @@
 // A relit picture is the sum of its lights, each as bright as it is to be.
 #include "film/relight.h"
 
-#include "core/error.h"
 #include "film/film_picture.h"
+#include "sunfleck/error.h"
 #include "synthetic.h"
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::film_of;
@@ -97,4 +97,4 @@ TEST(Relight, refuses_what_is_not_there) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// With discs: photons bring a part of the light. With AOVs of two lights.
 inline FilmKey small_key(int width = 19, int height = 10) {
@@ -82,4 +82,4 @@ inline void shuffle(std::vector<std::uint32_t>& values, std::uint32_t which) {
                   values[static_cast<std::size_t>(random.next() * static_cast<double>(i))]);
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::film_by_batch;
@@ -125,4 +125,4 @@ TEST(TargetError, is_not_known_where_complete_batches_are_black) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

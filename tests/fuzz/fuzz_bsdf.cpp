@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters
         const std::string bytes(reinterpret_cast<const char*>(data), size);
-        const auto summary = sunfleck::summary_of_measured(bytes, {"fuzz.bsdf"});
+        const auto summary = sunfleck::engine::summary_of_measured(bytes, {"fuzz.bsdf"});
         const float albedo = summary.albedo(550);
         if (!(albedo >= 0 && albedo <= 1 && summary.alpha >= 0)) std::abort();
     } catch (const sunfleck::Error& error) {

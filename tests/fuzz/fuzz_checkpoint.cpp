@@ -1,8 +1,8 @@
 // Fuzz target: any bytes as a checkpoint end in a state that can be written again, or in an Error
 // of one line. They are taken as they stand, and again under a checksum that fits.
-#include "core/error.h"
 #include "film/word_hash.h"
 #include "render/checkpoint.h"
+#include "sunfleck/error.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -15,8 +15,9 @@ namespace {
 void read(const std::string& bytes) {
     std::istringstream stream(bytes);
     try {
-        const auto state = sunfleck::read_checkpoint(stream, bytes.size(), "fuzz.ckpt").state;
-        const sunfleck::FilmKey& key = state.film.key();
+        const auto state =
+            sunfleck::engine::read_checkpoint(stream, bytes.size(), "fuzz.ckpt").state;
+        const sunfleck::engine::FilmKey& key = state.film.key();
         if (key.pixels() == 0 || state.film.sums().aovs[0].size() != 3 * key.pixels() ||
             state.film.passes().ranges().size() != 1 ||
             (state.sampler.index() != 0) != key.sequential)
@@ -34,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string bytes(reinterpret_cast<const char*>(data), size);
     read(bytes);
     bytes.resize(size / 8 * 8);
-    sunfleck::WordHash hash;
+    sunfleck::engine::WordHash hash;
     for (std::size_t i = 0; i < bytes.size(); i += 8) {
         std::uint64_t word = 0;
         std::memcpy(&word, bytes.data() + i, 8);

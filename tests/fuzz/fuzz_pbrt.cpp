@@ -9,10 +9,10 @@
 namespace {
 
 /// What later stages take for granted.
-void check(const sunfleck::SceneDescription& scene) {
-    const auto check_shape = [&](const sunfleck::ShapeDescription& shape) {
+void check(const sunfleck::engine::SceneDescription& scene) {
+    const auto check_shape = [&](const sunfleck::engine::ShapeDescription& shape) {
         if (shape.material >= scene.materials.size()) std::abort();
-        const auto* mesh = std::get_if<sunfleck::TriangleMesh>(&shape.placed.shape);
+        const auto* mesh = std::get_if<sunfleck::engine::TriangleMesh>(&shape.placed.shape);
         if (!mesh) return;
         for (const auto& triangle : mesh->triangles)
             for (const std::uint32_t corner : triangle)
@@ -32,7 +32,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters
         const std::string text(reinterpret_cast<const char*>(data), size);
-        check(sunfleck::read_pbrt_text(text, "fuzz.pbrt", sunfleck::testing_support::no_access()));
+        check(sunfleck::engine::read_pbrt_text(text, "fuzz.pbrt",
+                                               sunfleck::engine::testing_support::no_access()));
     } catch (const sunfleck::Error& error) {
         if (std::string(error.what()).find('\n') != std::string::npos) std::abort();
     }

@@ -17,8 +17,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return std::string(reinterpret_cast<const char*>(data), size);
     };
     try {
-        const auto read = sunfleck::read_pbrt_text(scene, "fuzz.pbrt", files);
-        const sunfleck::Spectrum& light = sunfleck::curve(read.lights.at(0));
+        const auto read = sunfleck::engine::read_pbrt_text(scene, "fuzz.pbrt", files);
+        const sunfleck::engine::Spectrum& light = sunfleck::engine::curve(read.lights.at(0));
         for (const float nm : {360.0F, 555.0F, 830.0F})
             if (!(light(nm) >= 0 && std::isfinite(light(nm)))) std::abort();
     } catch (const sunfleck::Error& error) {

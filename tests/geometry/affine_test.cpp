@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using test::Dice;
@@ -59,4 +59,4 @@ TEST(Affine, flat_and_broken_matrices_have_no_inverse) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

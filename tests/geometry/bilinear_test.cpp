@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using test::Dice;
@@ -216,4 +216,4 @@ TEST(Bilinear, instances_are_where_their_flattened_copies_are) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck::test {
+namespace sunfleck::engine::test {
 namespace {
 
 TriangleMesh square(float z) {
@@ -105,4 +105,4 @@ TEST(Cover, of_a_far_ray_is_decided_once) {
 }
 
 }  // namespace
-}  // namespace sunfleck::test
+}  // namespace sunfleck::engine::test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck::test {
+namespace sunfleck::engine::test {
 namespace {
 
 Geometry alone(Shape shape, const Matrix& to_world) {
@@ -71,4 +71,4 @@ TEST(Derivatives, across_given_normals_are_perpendicular_and_of_one_length) {
 }
 
 }  // namespace
-}  // namespace sunfleck::test
+}  // namespace sunfleck::engine::test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using test::Dice;
@@ -68,4 +68,4 @@ TEST(Disk, an_edge_on_ray_hits_nothing) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using test::Dice;
@@ -81,4 +81,4 @@ TEST(Embree, native_kernels_find_the_same_surface) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TriangleMesh tetrahedron() {
@@ -148,4 +148,4 @@ TEST(LoopSubdivision, meshes_without_a_limit) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Bounds box_around(const Vec3d& center, double half) {
@@ -45,4 +45,4 @@ TEST(Middle, origins_are_within_a_radius_and_move_with_things_by_whole_steps) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

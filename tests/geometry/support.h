@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace sunfleck::test {
+namespace sunfleck::engine::test {
 
 /// Random things of one test; the number names the stream.
 class Dice {
@@ -107,4 +107,4 @@ inline double distance(const Vec3d& a, const Vec3d& b) {
     return (a - b).length();
 }
 
-}  // namespace sunfleck::test
+}  // namespace sunfleck::engine::test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Sweep, sine_and_cosine_are_good_to_the_last_bits) {
@@ -45,4 +45,4 @@ TEST(Sweep, azimuths_run_from_zero_to_a_whole_turn) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

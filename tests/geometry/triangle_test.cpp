@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const Triangle kRight{{Vec3d(0, 0, 0), Vec3d(2, 0, 0), Vec3d(0, 1, 0)}};
@@ -67,4 +67,4 @@ TEST(Triangle, the_bound_grows_with_size_and_with_flatness) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Points = std::vector<WeightedEmission>;
@@ -219,4 +219,4 @@ TEST(GuidedPoints, weigh_what_they_should) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

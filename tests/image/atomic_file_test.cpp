@@ -1,8 +1,8 @@
 // Output files are whole or absent, whatever goes wrong.
 #include "image/atomic_file.h"
 
-#include "core/error.h"
 #include "image/read_file.h"
+#include "sunfleck/error.h"
 #include "temporary_folder.h"
 
 #include <sys/resource.h>
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using AtomicFiles = testing_support::TemporaryFolder;
@@ -158,4 +158,4 @@ TEST_F(AtomicFiles, a_folder_without_permission_is_refused) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

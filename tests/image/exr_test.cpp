@@ -1,10 +1,10 @@
 // EXR files: channels, texts and bits come back; damaged files are Errors.
 #include "image/exr.h"
 
-#include "core/error.h"
 #include "core/random.h"
 #include "image/read_file.h"
 #include "image/read_image.h"
+#include "sunfleck/error.h"
 #include "temporary_folder.h"
 
 #include <OpenEXR/ImfChannelList.h>
@@ -18,7 +18,7 @@
 #include <limits>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Exr = testing_support::TemporaryFolder;
@@ -153,4 +153,4 @@ TEST_F(Exr, an_unwritable_place_is_an_error) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -17,7 +17,7 @@
 #include <cstring>
 #include <string>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -163,4 +163,4 @@ std::string exr_file(const Vec2i& size, const std::vector<std::string>& names,
     return stream.file;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

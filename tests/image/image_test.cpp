@@ -1,14 +1,14 @@
 // Pictures as other programs write them: inks, other channels, numbers that are none, other
 // formats.
-#include "core/error.h"
 #include "image/read_image.h"
 #include "image_files.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;
@@ -151,4 +151,4 @@ TEST(Image, that_claim_more_than_they_hold_are_refused_before_memory_is_asked_fo
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Texel (x, y) of 4 x 2 is x + 10 y.
@@ -73,4 +73,4 @@ TEST(Lookup, of_one_texel_is_that_texel) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,12 +1,12 @@
 // The ending of the name chooses the format.
 #include "image/picture_file.h"
 
-#include "core/error.h"
 #include "image/exr.h"
 #include "image/png.h"
+#include "sunfleck/error.h"
 #include "temporary_folder.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using PictureFile = testing_support::TemporaryFolder;
@@ -49,4 +49,4 @@ TEST_F(PictureFile, others_are_refused_before_work_begins) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,8 +1,8 @@
 // PNG files: the sRGB levels of known light, exposure, and damage that ends in an Error.
 #include "image/png.h"
 
-#include "core/error.h"
 #include "image/read_file.h"
+#include "sunfleck/error.h"
 #include "temporary_folder.h"
 
 #include <png.h>
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Png = testing_support::TemporaryFolder;
@@ -121,4 +121,4 @@ TEST_F(Png, a_picture_without_rgb_is_refused) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

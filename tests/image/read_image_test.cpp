@@ -1,16 +1,16 @@
 // Images of every format: known texels come back, and damage ends in an Error of one line.
 #include "image/read_image.h"
 
-#include "core/error.h"
 #include "core/random.h"
 #include "image/srgb.h"
 #include "image_files.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;
@@ -245,4 +245,4 @@ TEST(ReadImage, small_files_that_claim_large_images_are_refused) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Srgb, known_values) {
@@ -19,4 +19,4 @@ TEST(Srgb, every_level_survives_decoding_and_encoding) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

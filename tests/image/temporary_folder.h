@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 class TemporaryFolder : public testing::Test {
 protected:
@@ -30,4 +30,4 @@ private:
     std::string folder_;
 };
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;
@@ -103,4 +103,4 @@ INSTANTIATE_TEST_SUITE_P(Examples, BeyondLaws, testing::ValuesIn(infinite_exampl
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 namespace {
 
 constexpr std::size_t kStrata = 1U << 15U;
@@ -153,4 +153,4 @@ INSTANTIATE_TEST_SUITE_P(All, BsdfDeltaLaws, testing::ValuesIn(delta_examples())
                          [](const auto& info) { return name_of(info); });
 
 }  // namespace
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 
 struct BsdfExample {
     std::string name;
@@ -169,4 +169,4 @@ inline BsdfDraw subpass_number(std::size_t i, std::size_t n, RandomStream& strea
     return {Vec3(lobe, u, stream.next_float()), Transport::flux, {wavelength, false}};
 }
 
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 
 /// Reflected fraction of unpolarised light. @param index  far over near, eta + i k.
 inline double fresnel(double cosine, std::complex<double> index) {
@@ -16,4 +16,4 @@ inline double fresnel(double cosine, std::complex<double> index) {
     return (std::norm(across) + std::norm(parallel)) / 2;
 }
 
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

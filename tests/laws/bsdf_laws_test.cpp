@@ -8,7 +8,7 @@
 
 #include <set>
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 namespace {
 
 class BsdfLaws : public testing::TestWithParam<BsdfExample> {
@@ -221,4 +221,4 @@ INSTANTIATE_TEST_SUITE_P(All, BsdfLaws, testing::ValuesIn(bsdf_examples()),
                          [](const auto& info) { return name_of(info); });
 
 }  // namespace
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

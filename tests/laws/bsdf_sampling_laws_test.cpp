@@ -13,7 +13,7 @@
 #include <iostream>
 #include <sstream>
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 namespace {
 
 constexpr std::size_t kSamples = 1U << 18U;
@@ -146,4 +146,4 @@ INSTANTIATE_TEST_SUITE_P(All, BsdfSamplingLaws, testing::ValuesIn(spread_example
                          [](const auto& info) { return name_of(info); });
 
 }  // namespace
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;
@@ -109,4 +109,4 @@ INSTANTIATE_TEST_SUITE_P(Examples, EmissionLaws, testing::ValuesIn(light_example
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

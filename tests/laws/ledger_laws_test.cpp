@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint32_t kPaths = 200'000;
@@ -164,4 +164,4 @@ TEST(Ledger, an_open_scene_lets_the_rest_escape) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

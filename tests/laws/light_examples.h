@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// What the examples light stands in this sphere.
 inline const SceneSphere kExampleSphere = {Vec3d(0.5, -0.25, 1), 2.5};
@@ -256,4 +256,4 @@ inline std::vector<LightExample> light_examples() {
     return all;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

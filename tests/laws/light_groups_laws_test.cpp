@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 namespace {
 
 struct ToyStratum {
@@ -101,4 +101,4 @@ TEST(LightStratumLaws, strata_share_no_random_numbers) {
 }
 
 }  // namespace
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

@@ -15,7 +15,7 @@
 #include <map>
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;
@@ -249,4 +249,4 @@ INSTANTIATE_TEST_SUITE_P(Examples, LightLaws, testing::ValuesIn(light_examples()
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 struct SurfaceHit {
     Vec3d position;
@@ -143,4 +143,4 @@ inline std::vector<SurfaceHit> emitting_hits(const AreaLight& light, const Vec3d
     return hits;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

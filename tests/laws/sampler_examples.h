@@ -3,7 +3,7 @@
 
 #include "laws/sampler_runs.h"
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 
 using testing_support::first_dimensions;
 
@@ -167,4 +167,4 @@ inline std::vector<SamplerExample> sampler_examples() {
     };
 }
 
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 
 /// The mean's interval of that confidence lies within 1 -+ band.
 inline void expect_one(const RunningMean& ratio, double confidence, double band,
@@ -46,4 +46,4 @@ inline std::uint64_t bytes_of(const PassSums& sums) {
     return hash.bytes;
 }
 
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

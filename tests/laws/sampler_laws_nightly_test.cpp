@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 namespace {
 
 class SamplerLawsInFull : public testing::TestWithParam<SamplerExample> {};
@@ -21,4 +21,4 @@ INSTANTIATE_TEST_SUITE_P(All, SamplerLawsInFull, testing::ValuesIn(sampler_examp
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

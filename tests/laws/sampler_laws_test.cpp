@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 namespace {
 
 SamplerExample example_named(const std::string& name) {
@@ -109,4 +109,4 @@ TEST(OneSet, every_seed_counts) {
 }
 
 }  // namespace
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

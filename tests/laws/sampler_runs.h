@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace sunfleck::laws {
+namespace sunfleck::engine::laws {
 
 using testing_support::Islands;
 using testing_support::NestedBoxes;
@@ -144,4 +144,4 @@ inline Ratios run_passes(const SamplerExample& example, std::uint64_t seed, std:
     return all;
 }
 
-}  // namespace sunfleck::laws
+}  // namespace sunfleck::engine::laws

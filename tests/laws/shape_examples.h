@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::test {
+namespace sunfleck::engine::test {
 
 struct ShapeExample {
     std::string name;
@@ -78,4 +78,4 @@ inline std::vector<ShapeExample> shape_examples() {
             {"ribbon", bent_curve(CurveKind::ribbon), turned}};
 }
 
-}  // namespace sunfleck::test
+}  // namespace sunfleck::engine::test

@@ -7,7 +7,7 @@
 
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using test::Dice;
@@ -161,4 +161,4 @@ TEST(ShapeExamples, cover_each_alternative) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// Rays and the like of a toy: how many paths were traced.
 struct ToyTally {
@@ -142,4 +142,4 @@ inline std::vector<std::uint32_t> first_dimensions(std::uint32_t n) {
     return list;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

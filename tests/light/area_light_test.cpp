@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 template <class Surface>
@@ -213,4 +213,4 @@ TEST(AreaLight, that_is_there_in_part_shines_as_far_as_it_is) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

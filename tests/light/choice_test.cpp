@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(LightChoice, intervals_are_as_long_as_the_powers_and_in_order) {
@@ -66,4 +66,4 @@ TEST(LightChoice, probabilities_sum_to_one_and_belong_to_their_intervals) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const SceneSphere kFarWorld = {Vec3d(300, -2000, 40), 10000};
@@ -155,4 +155,4 @@ TEST(AreaLight, ground_of_ten_kilometres_covers_a_millimetre_evenly) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

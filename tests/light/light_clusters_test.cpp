@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Clusters = std::vector<std::vector<std::uint32_t>>;
@@ -43,4 +43,4 @@ TEST(LightChoice, among_some_lights_keeps_their_odds) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;
@@ -223,4 +223,4 @@ TEST(LightTree, of_one_light_takes_it_and_of_none_nothing) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 SpotLight spot(double cos_start, double cos_total) {
@@ -112,4 +112,4 @@ TEST(SpotLight, directions_move_gently_with_their_dimensions) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A plane of normal z; one of u is two units along x, one of v three along y.
@@ -100,4 +100,4 @@ TEST(Relief, that_gives_no_normal_changes_nothing) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

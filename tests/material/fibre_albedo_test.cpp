@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 float all_of(float absorption, float eta = 1.55F) {
@@ -84,4 +84,4 @@ TEST(FibreAlbedo, absorption_of_colours) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Wavelengths some_wavelengths() {
@@ -184,4 +184,4 @@ TEST(Mix, of_other_parts_choose_otherwise) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

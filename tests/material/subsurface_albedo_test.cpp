@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The moments of Fresnel's reflectance are fits in pbrt-v4, and rings end earlier there.
@@ -41,4 +41,4 @@ TEST(SubsurfaceAlbedo, is_less_where_light_goes_forwards) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void expect_near(const Triple& found, const Triple& expected, double tolerance) {
@@ -39,4 +39,4 @@ TEST(ColourSpace, whites_of_surfaces_are_white_and_of_lights_their_own) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Triple sum_of_responses(const std::array<double, kVisibleCount>& radiance) {
@@ -55,4 +55,4 @@ TEST(Colour, response_between_points_is_linear) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void expect_same(float u, float v) {
@@ -33,4 +33,4 @@ TEST(FloatDisc, at_the_border_and_in_the_middle) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Chromaticity {
@@ -117,4 +117,4 @@ TEST(NamedSpectra, names_are_listed_sorted_and_found) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 double error_of_fit(const Triple& rgb) {
@@ -63,4 +63,4 @@ TEST(FitSigmoid, nearly_grey_is_nearly_flat) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

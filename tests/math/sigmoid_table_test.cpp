@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// How the colour's reflectance looks under D65, by the observer at 1 nm.
@@ -81,4 +81,4 @@ TEST(SigmoidTable, bright_colours_are_scaled) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,13 +1,13 @@
 // Kinds of spectra, colours there and back, and figures measured with pbrt-v4.
 #include "math/spectrum.h"
 
-#include "core/error.h"
 #include "core/random.h"
 #include "math/colour.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void expect_near(const Vec3& a, const Vec3& b, float tolerance) {
@@ -148,4 +148,4 @@ TEST(Spectrum, flat_light_has_the_colour_that_pbrt_shows) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

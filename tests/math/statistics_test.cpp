@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(RunningMean, agrees_with_two_passes_far_from_zero) {
@@ -84,4 +84,4 @@ TEST(TailProbabilities, normal_as_printed) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Student, quantiles_of_one_and_two_degrees_are_closed_forms) {
@@ -39,4 +39,4 @@ TEST(Student, nothing_is_widened_where_the_error_is_known) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

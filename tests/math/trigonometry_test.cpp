@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr long double kTwoPi = 6.283185307179586476925286766559L;
@@ -46,4 +46,4 @@ TEST(Trigonometry, whole_turns_change_nothing) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

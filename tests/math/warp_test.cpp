@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::chi_square_p;
@@ -170,4 +170,4 @@ TEST(Warp, rotation_takes_z_to_the_axis_and_keeps_angles) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

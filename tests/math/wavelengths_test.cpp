@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::array<RunningMean, 3> colours(const Spectrum& curve, std::uint64_t seed, int batches,
@@ -158,4 +158,4 @@ TEST(Wavelengths, single_passes_are_unbiased) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

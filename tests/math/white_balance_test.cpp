@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Tabulated chromaticities of CIE illuminants (CIE 15:2004, table T.3) at the temperatures of
@@ -54,4 +54,4 @@ TEST(WhiteBalance, its_illuminant_becomes_white) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

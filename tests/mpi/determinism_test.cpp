@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::JobTest;
@@ -155,4 +155,4 @@ TEST_F(JobDeterminism, time_ends_without_a_hole) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,7 +2,7 @@
 #include "mpi/job.h"
 #include "render/checkpoint.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::JobTest;
@@ -139,4 +139,4 @@ TEST_F(JobFaults, a_rank_with_another_scene_or_none_is_named) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "app/program.h"
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 class JobTest : public ProgramTest {
 protected:
@@ -51,4 +51,4 @@ protected:
     }
 };
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -2,7 +2,7 @@
 // Refused with: constraint|BsdfModel
 #include "bsdf/bsdf.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 #ifdef FAULT
 using Density = SampledSpectrum;
@@ -23,4 +23,4 @@ struct Muddled {
 using WithMuddled = BsdfVariant<Muddled>;
 static_assert(std::variant_size_v<WithMuddled> == 1);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,7 +2,7 @@
 // Refused with: does not satisfy|constraint|BsdfModel
 #include "bsdf/bsdf.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Incomplete {
     SampledSpectrum eval(const Vec3&, const Vec3&, Transport) const { return SampledSpectrum(); }
@@ -31,4 +31,4 @@ struct Incomplete {
 using WithIncomplete = BsdfVariant<Lambert, Incomplete>;
 static_assert(std::variant_size_v<WithIncomplete> == 2);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,7 +2,7 @@
 // Refused with: does not satisfy|constraint|BsdfModel
 #include "bsdf/bsdf.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Chalk {
     SampledSpectrum eval(const Vec3&, const Vec3&, Transport) const { return SampledSpectrum(); }
@@ -23,4 +23,4 @@ struct Chalk {
 using WithChalk = BsdfVariant<Lambert, Chalk>;
 static_assert(std::variant_size_v<WithChalk> == 2);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

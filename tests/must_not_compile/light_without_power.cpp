@@ -2,7 +2,7 @@
 // Refused with: constraint|LightModel
 #include "light/light.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Powerless {
     static constexpr std::string_view name = "powerless";
@@ -25,4 +25,4 @@ struct Powerless {
 using WithPowerless = LightVariant<PointLight, Powerless>;
 static_assert(std::variant_size_v<WithPowerless> == 2);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

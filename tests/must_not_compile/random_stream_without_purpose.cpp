@@ -2,7 +2,7 @@
 // Refused with: no matching function|no matching constructor|could not convert
 #include "core/random.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 constexpr std::uint64_t first_number() {
 #ifdef FAULT
@@ -15,4 +15,4 @@ constexpr std::uint64_t first_number() {
 
 static_assert(first_number() == first_number());
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,7 +2,7 @@
 // Refused with: conversion from|could not convert|no viable conversion
 #include "math/sampled_spectrum.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 SampledSpectrum albedo() {
 #ifdef FAULT
@@ -12,4 +12,4 @@ SampledSpectrum albedo() {
 #endif
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kHalf = 5e-5;  // of the hole's side
@@ -138,4 +138,4 @@ TEST(EdgeSearch, leaves_out_triangles_with_corners_that_are_not_there) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

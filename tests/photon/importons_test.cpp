@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct LightFound {
@@ -49,4 +49,4 @@ TEST(Importons, find_a_light_that_is_dark_in_their_pass) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// One path after the other, all their photons.
@@ -135,4 +135,4 @@ INSTANTIATE_TEST_SUITE_P(replica_exchange, PaperPaths, ::testing::Bool(),
                          [](const auto& info) { return info.param ? "on" : "off"; });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A patch of the lower sheet that accepts some kinds of photons.
@@ -59,4 +59,4 @@ TEST(PhotonSpace, visible_is_what_the_index_accepts) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

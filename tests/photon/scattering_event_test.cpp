@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A photon that comes straight down onto a grey floor.
@@ -152,4 +152,4 @@ TEST(ScatteringEvent, no_direction_of_lambertian_flux_weighs_more_than_another) 
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

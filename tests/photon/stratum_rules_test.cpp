@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Groups = std::vector<std::vector<std::size_t>>;
@@ -92,4 +92,4 @@ TEST(StratumRules, every_group_gets_two_paths_at_least) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A square of side 4 at height z, facing up.
 inline ShapeDescription square(float z, std::uint32_t material) {
@@ -52,4 +52,4 @@ inline std::vector<Path> paths_of(const SceneDescription& description, int max_d
     return paths;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

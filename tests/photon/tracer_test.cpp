@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(PhotonTracer, first_photon_is_direct_and_comes_from_the_light) {
@@ -207,4 +207,4 @@ TEST(PhotonTracer, portals_bring_what_direct_samples_promise) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

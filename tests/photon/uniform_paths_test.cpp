@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::lantern;
@@ -127,4 +127,4 @@ INSTANTIATE_TEST_SUITE_P(kinds, UniformPathsTest,
                          });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

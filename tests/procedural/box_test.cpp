@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Box, has_the_triangles_of_its_nine_meshes_and_two_sources) {
@@ -16,4 +16,4 @@ TEST(Box, has_the_triangles_of_its_nine_meshes_and_two_sources) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Brilliant, is_closed_and_faces_out) {
@@ -51,4 +51,4 @@ TEST(Brilliant, lies_on_a_facet_just_above_the_table) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

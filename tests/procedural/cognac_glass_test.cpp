@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(CognacGlass, has_the_triangles_of_the_paper_less_the_table) {
@@ -114,4 +114,4 @@ TEST(CognacGlass, the_wall_of_the_bowl_is_a_millimetre_thick_or_more) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

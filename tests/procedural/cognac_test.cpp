@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::string world(const SceneFile& file) {
@@ -57,4 +57,4 @@ TEST(Cognac, the_table_is_as_wide_as_the_constant_says) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(CornellDoor, light_comes_into_the_cornell_box_through_the_doorway_only) {
@@ -28,4 +28,4 @@ TEST(CornellDoor, light_comes_into_the_cornell_box_through_the_doorway_only) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kLight = 0;
@@ -54,4 +54,4 @@ TEST(Cornell, each_reflectance_has_76_values_within_0_and_1) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Extrusion, a_board_with_two_openings_is_closed) {
@@ -37,4 +37,4 @@ TEST(Extrusion, an_ellipse_begins_on_the_x_axis) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Polygon square(double x, double y, double half, double z = 2) {
@@ -67,4 +67,4 @@ TEST(FlatFill, bridges_go_around_other_holes) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::vector<Mesh> closed_pieces() {
@@ -41,4 +41,4 @@ TEST(Furniture, the_net_is_one_layer) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

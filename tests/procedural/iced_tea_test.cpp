@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void append(Mesh& to, const Mesh& mesh) {
@@ -130,4 +130,4 @@ TEST(IcedTea, each_surface_has_the_ratio_of_its_two_media) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 class EveryKeyhole : public testing::TestWithParam<Keyhole> {
@@ -128,4 +128,4 @@ INSTANTIATE_TEST_SUITE_P(all, EveryKeyhole, testing::ValuesIn(kKeyholes), [](con
 });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

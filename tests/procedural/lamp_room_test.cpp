@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::string without(std::string text, const std::string& begin, const std::string& end) {
@@ -75,4 +75,4 @@ TEST(LampRoom, no_surface_in_view_sees_the_lamp) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A triangle in a plane across an axis, seen along it.
 struct Flat {
@@ -67,4 +67,4 @@ inline std::string doubled_face(const std::vector<Mesh>& meshes) {
     return {};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

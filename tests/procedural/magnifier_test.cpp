@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Magnifier, light_leaves_the_lamp_through_its_globe_only) {
@@ -34,4 +34,4 @@ TEST(Magnifier, light_leaves_the_lamp_through_its_globe_only) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

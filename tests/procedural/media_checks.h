@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Numbers of media that most of these scenes have; others follow from 2.
 inline constexpr int kAir = 0;
@@ -50,4 +50,4 @@ inline void expect_consistent(const std::vector<Crossing>& crossings, int outsid
     ASSERT_EQ(medium, outside);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

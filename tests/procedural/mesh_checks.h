@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline Vec3d corner(const Mesh& mesh, std::uint32_t index) {
     const auto& p = mesh.points.at(index);
@@ -87,4 +87,4 @@ inline std::vector<MeshHit> all_hits(const Mesh& mesh, const Vec3d& origin,
     return hits;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Placement, quarter_turns_are_exact) {
@@ -33,4 +33,4 @@ TEST(Placement, normals_turn_and_do_not_move) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

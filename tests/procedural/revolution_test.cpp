@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kSegments = 7;
@@ -64,4 +64,4 @@ TEST(Revolution, a_curve_passes_where_de_casteljau_says_and_ends_exactly) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Room, gets_the_sun_through_panes_only) {
@@ -14,4 +14,4 @@ TEST(Room, gets_the_sun_through_panes_only) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

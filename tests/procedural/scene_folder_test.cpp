@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(SceneFolder, puts_small_meshes_into_the_text_and_large_ones_beside_it) {
@@ -32,4 +32,4 @@ TEST(SceneFolder, every_mark_is_replaced) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Part {
     std::string material;
@@ -69,4 +69,4 @@ inline void expect_sun_through_panes_only(const std::string& scene, const Vec3d&
     EXPECT_GT(lit, 60);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

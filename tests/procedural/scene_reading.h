@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The words of a pbrt file: quoted strings with their opening quote, brackets, and the rest.
 /// @throws std::runtime_error for a string that its line does not close.
@@ -129,4 +129,4 @@ inline std::vector<Mesh> scene_meshes(const std::vector<SceneFile>& files) {
     return meshes;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,16 +2,16 @@
 
 #include "procedural/scenes.h"
 
-#include "core/error.h"
 #include "level_faces.h"
 #include "scene_parts.h"
 #include "scene_reading.h"
+#include "sunfleck/error.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 class EveryScene : public testing::TestWithParam<ProceduralScene> {
@@ -215,4 +215,4 @@ TEST(Scenes, an_unknown_name_is_answered_with_the_known_ones) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kSide = 64;
@@ -59,4 +59,4 @@ TEST(Sky, is_bright_around_the_sun_and_blue_away_from_it) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Statue, is_the_same_from_far_and_near) {
@@ -34,4 +34,4 @@ TEST(Statue, the_knot_is_closed_and_faces_out) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

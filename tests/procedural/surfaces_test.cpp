@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Surfaces, a_torus_is_closed_and_full) {
@@ -56,4 +56,4 @@ TEST(Surfaces, a_tube_closes_around_a_knotted_chain) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(TwoWindows, the_hall_gets_the_sun_through_panes_only) {
@@ -15,4 +15,4 @@ TEST(TwoWindows, the_hall_gets_the_sun_through_panes_only) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

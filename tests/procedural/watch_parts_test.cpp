@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(WatchParts, are_closed_and_face_out) {
@@ -59,4 +59,4 @@ TEST(WatchParts, the_lid_is_hollow_towards_the_dial) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

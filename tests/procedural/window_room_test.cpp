@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(WindowRoom, the_masonry_is_closed_and_faces_out) {
@@ -74,4 +74,4 @@ TEST(WindowRoom, the_lamp_has_one_five_hundredth_of_the_suns_power) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(BatchPoints, a_round_is_a_net_in_every_pair) {
@@ -110,4 +110,4 @@ TEST(BatchPoints, one_pass_is_uniform_over_pixels) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(EmissionPoints, same_dimension_same_number) {
@@ -69,4 +69,4 @@ TEST(EmissionPoints, fresh_shift_each_pass) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

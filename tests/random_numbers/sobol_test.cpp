@@ -6,7 +6,7 @@
 #include <array>
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 // First points of new-joe-kuo-6.21201 in natural (not Gray code) order, as fractions of 8.
@@ -41,4 +41,4 @@ TEST(Sobol, first_pair_is_a_net) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

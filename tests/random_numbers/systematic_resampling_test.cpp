@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The least fraction that below() maps to `offset` of n.
@@ -64,4 +64,4 @@ TEST(Systematic, large_numbers_do_not_overflow) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

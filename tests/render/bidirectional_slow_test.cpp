@@ -6,7 +6,7 @@
 
 #include <iostream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -44,4 +44,4 @@ INSTANTIATE_TEST_SUITE_P(Of, References, ::testing::ValuesIn(reference_scenes())
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint32_t kUsual = 160'000;
@@ -18,7 +18,8 @@ constexpr SubpassCost kCost{100'000, 2};
 /// Where a pass should be worth a subpass with the usual paths.
 PhotonBudget allocated_budget(const SubpassMeasures& subpass, std::uint32_t usual,
                               double fewest = 2) {
-    return sunfleck::allocated_budget(subpass, usual, fewest, error_of_subpass(subpass, usual));
+    return sunfleck::engine::allocated_budget(subpass, usual, fewest,
+                                              error_of_subpass(subpass, usual));
 }
 
 std::uint32_t of(std::vector<BlockVariance> blocks, const SubpassCost& cost = kCost) {
@@ -76,15 +77,16 @@ TEST(BudgetAllocation, better_passes_count_for_as_many_as_they_are_worth) {
     EXPECT_EQ(weight(1, 1), 2U);    // 2 over 1.25
     EXPECT_EQ(weight(4, 1), 1U);    // 5 over 4.25
     const SubpassMeasures subpass{{{1, 0}}, kCost};
-    EXPECT_EQ(sunfleck::allocated_budget(subpass, kUsual, 2, 100).weight, kMostWeight);
+    EXPECT_EQ(sunfleck::engine::allocated_budget(subpass, kUsual, 2, 100).weight, kMostWeight);
 }
 
 // Camera paths make variances of 4 in place of 1 and there are no photons: four subpasses.
 TEST(BudgetAllocation, a_pass_may_be_worth_more_than_any_subpass) {
     const SubpassMeasures subpass{{{4, 0}}, kCost};
-    EXPECT_EQ(sunfleck::allocated_budget(subpass, kUsual, 2, 1).subpasses, 4U);
-    EXPECT_EQ(sunfleck::allocated_budget(subpass, kUsual, kUsual, 0.1), (PhotonBudget{kUsual, 16}));
-    EXPECT_EQ(sunfleck::allocated_budget(subpass, kUsual, 2, 9).subpasses, 1U);
+    EXPECT_EQ(sunfleck::engine::allocated_budget(subpass, kUsual, 2, 1).subpasses, 4U);
+    EXPECT_EQ(sunfleck::engine::allocated_budget(subpass, kUsual, kUsual, 0.1),
+              (PhotonBudget{kUsual, 16}));
+    EXPECT_EQ(sunfleck::engine::allocated_budget(subpass, kUsual, 2, 9).subpasses, 1U);
 }
 
 // Of two blocks the roots add up: of 1 + 1 and of 4 + 0.
@@ -128,4 +130,4 @@ TEST(BudgetAllocation, keeps_to_the_fewest_that_are_allowed) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -2,12 +2,12 @@
 // that is full leaves the former one.
 #include "render/checkpoint.h"
 
-#include "core/error.h"
 #include "film/error_bars.h"
 #include "film/word_hash.h"
 #include "image/read_file.h"
 #include "image/temporary_folder.h"
 #include "render/progressive.h"
+#include "sunfleck/error.h"
 #include "support/renders.h"
 
 #include <sys/resource.h>
@@ -16,7 +16,7 @@
 #include <cstring>
 #include <sstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -232,4 +232,4 @@ TEST_F(Checkpoints, a_full_disk_leaves_the_former_one) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -16,7 +16,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -105,4 +105,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Coverage,
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

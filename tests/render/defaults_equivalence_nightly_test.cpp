@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -131,4 +131,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, DefaultsEquivalence,
                          });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

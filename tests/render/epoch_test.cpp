@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Epoch, begins_at_passes_0_16_128_1024) {
@@ -18,4 +18,4 @@ TEST(Epoch, begins_at_passes_0_16_128_1024) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -42,4 +42,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ErrorBars, testing::Values("cognac-2", "cognac-
                          });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <iomanip>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -179,4 +179,4 @@ TEST(FarFromOrigin, textures_and_masks_go_on_seeing_the_world) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

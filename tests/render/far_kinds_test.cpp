@@ -7,7 +7,7 @@
 
 #include <iomanip>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -156,4 +156,4 @@ TEST(FarKinds, lights_far_away_shine_as_they_do_near) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <iostream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -125,4 +125,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Furnace, ::testing::ValuesIn(rows()),
                          [](const auto& row) { return row.param.name; });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

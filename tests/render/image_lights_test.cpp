@@ -6,7 +6,7 @@
 #include "math/warp.h"
 #include "support/renders.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -173,4 +173,4 @@ TEST(ImageLightBytes, are_the_same_with_any_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

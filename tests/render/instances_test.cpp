@@ -4,7 +4,7 @@
 #include "import/pbrt/scene_text.h"
 #include "scene/pass_scene.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A shape of every kind, each of another grey, beside one another along x.
@@ -157,4 +157,4 @@ TEST(Instances, are_hit_like_what_is_written_out) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

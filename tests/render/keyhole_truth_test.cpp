@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::keyhole_truth;
@@ -91,4 +91,4 @@ TEST(KeyholeTruth, pictures_are_equally_bright) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -142,4 +142,4 @@ TEST(LayersAlone, a_bare_floor_has_direct_light_and_a_covered_one_caustics) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

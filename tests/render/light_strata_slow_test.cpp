@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -42,4 +42,4 @@ TEST(LightStrataSlow, bring_the_light_of_uniform_paths) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,14 +1,14 @@
 // One render by many ranks: film, end and snapshots are those of one machine.
-#include "core/error.h"
 #include "ranks/shared_interval.h"
 #include "render/pass_maker.h"
 #include "render/progressive.h"
+#include "sunfleck/error.h"
 #include "support/renders.h"
 #include "support/thread_ranks.h"
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -179,4 +179,4 @@ TEST_F(ManyRanks, refuse_to_render_two_scenes) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -138,4 +138,4 @@ INSTANTIATE_TEST_SUITE_P(Of, MediaOrientation, testing::ValuesIn(kBodies),
                          [](const auto& body) { return std::string(body.param.name); });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,18 +1,18 @@
 // The paper's own algorithm on whole scenes: the same bytes on any number of threads, the light of
 // other samplers within its known bias, the acceptance that it aims at.
-#include "core/error.h"
 #include "core/parallel.h"
 #include "film/bias.h"
 #include "film/film_file.h"
 #include "image/temporary_folder.h"
 #include "photon_samplers/samplers.h"
 #include "render/progressive.h"
+#include "sunfleck/error.h"
 #include "support/procedural.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -142,4 +142,4 @@ TEST_F(PaperFiles, films_have_no_error_bars_and_stay_alone) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

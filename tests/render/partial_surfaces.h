@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// A row of the table of equivalence.
 struct PartialScene {
@@ -226,4 +226,4 @@ inline std::vector<PartialScene> partial_scenes() {
     return all;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

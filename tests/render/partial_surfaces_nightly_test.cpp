@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -159,4 +159,4 @@ INSTANTIATE_TEST_SUITE_P(Table, PartialSurfaces, testing::ValuesIn(partial_scene
                          });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Raster, smooths_by_binomial_weights_and_keeps_an_even_light) {
@@ -34,4 +34,4 @@ TEST(Raster, tells_of_all_what_one_pixel_of_each_cell_says) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <array>
 #include <atomic>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -138,4 +138,4 @@ TEST(Turns, are_as_long_as_time_allows) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

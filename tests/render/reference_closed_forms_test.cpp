@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -103,4 +103,4 @@ INSTANTIATE_TEST_SUITE_P(Of, ReferenceClosedForms,
                          [](const auto& info) { return std::string(name_of(info.param)); });
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kDegree = kPiDouble / 180;
@@ -158,4 +158,4 @@ TEST(Refraction, primary_rainbow) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <thread>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -43,4 +43,4 @@ TEST(Snapshots, are_taken_at_powers_of_two_and_at_the_end) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

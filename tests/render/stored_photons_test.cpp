@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr float kSheet = 1;  // height; a grey floor lies at zero
@@ -92,4 +92,4 @@ TEST(StoredPhotons, lie_on_smooth_places_of_what_is_rough_elsewhere) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

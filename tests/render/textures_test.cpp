@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
@@ -196,4 +196,4 @@ Shape "sphere" "float radius" .4 "texture alpha" "d"
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(TrialIterations, of_views_stand_in_blocks_of_their_own) {
@@ -43,4 +43,4 @@ TEST(TrialIterations, of_views_have_points_that_know_nothing_of_each_other) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

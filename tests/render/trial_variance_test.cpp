@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kSize = 64;
@@ -147,4 +147,4 @@ TEST(TrialVariance, is_that_of_the_pixels_that_both_views_have) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <regex>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::vector<std::uint8_t> bytes_of(std::string_view text) {
@@ -115,4 +115,4 @@ TEST(Page, has_no_mark_left) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

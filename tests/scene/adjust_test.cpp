@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Crop = std::array<int, 4>;
@@ -166,4 +166,4 @@ TEST(Adjust, a_crop_that_is_no_part_of_the_picture_is_an_error) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr float kRadiance = 3;
@@ -207,4 +207,4 @@ TEST(AreaLights, power_is_spread_over_area_and_sides) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Rows from the top: red above blue at the left, green above white at the right.
@@ -152,4 +152,4 @@ TEST(PicturedLights, send_photons_from_where_they_are_bright) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

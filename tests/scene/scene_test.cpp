@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A square of side 2 at height z, facing up.
@@ -113,4 +113,4 @@ TEST(PassScene, evaluates_every_material_and_light) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

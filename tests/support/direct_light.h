@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 constexpr float kAlbedo = 0.5F;
 inline const Vec3d kPoint(0.3, -0.2, 0);  // on the floor z = 0, normal +z
@@ -172,4 +172,4 @@ inline double of_sight(const std::function<double(const Vec3d&)>& radiance) {
     return sum * 4 / (kSide * kSide);
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

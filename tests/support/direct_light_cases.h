@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 constexpr float kRadiance = 2;
 
@@ -139,4 +139,4 @@ inline std::vector<Case> mixed_cases() {
     };
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

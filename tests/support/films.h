@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// Of each epoch's passes, how often they count in place of once, and how many times as many photon
 /// paths they have: 512 passes are of three epochs.
@@ -36,4 +36,4 @@ inline Film film_of_batches(const Scene& scene, const RenderSettings& settings,
     return film;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

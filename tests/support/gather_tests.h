@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 inline bool is_inside(const Vec3& place, const Box& box) {
     for (int c = 0; c < 3; ++c)
@@ -31,4 +31,4 @@ bool for_each_accepting(const VisiblePointIndex& index, const Photon& photon, co
     return any;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

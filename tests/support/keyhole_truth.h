@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 struct KeyholeTruth {
     /// Mean luminance of the picture, which is white: R = G = B.
@@ -124,4 +124,4 @@ inline KeyholeTruth keyhole_truth(const Keyhole& keyhole) {
             on_view / keyhole_flux::power(room, keyhole.light)};
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// A part of the unit square.
 struct Window {
@@ -85,4 +85,4 @@ inline Aim aim_at_hole(const Scene& scene, const Keyhole& keyhole) {
             sun ? EmissionDimension::position_u : EmissionDimension::direction_u};
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -3,7 +3,7 @@
 
 #include "scene/description.h"
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// Two facing sheets with glass between, lit from within: paths of very different lengths.
 inline SceneDescription lantern() {
@@ -20,4 +20,4 @@ inline SceneDescription lantern() {
     return scene;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -1,11 +1,11 @@
 // A file access that refuses every file, for tests that read text alone.
 #pragma once
 
-#include "core/error.h"
 #include "import/pbrt/file_access.h"
 #include "import/pbrt/words.h"
+#include "sunfleck/error.h"
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// Refuses every file.
 inline FileAccess no_access() {
@@ -14,4 +14,4 @@ inline FileAccess no_access() {
     };
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -3,7 +3,7 @@
 
 #include "support/renders.h"
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// Of pictures, by pixel.
 struct PictureSpread {
@@ -45,4 +45,4 @@ inline PictureSpread spread_of(const Scene& scene, const RenderSettings& setting
     return spread;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// A scene of `sunfleck scene`, at n x n pixels.
 inline Scene procedural(const std::string& name, int n) {
@@ -25,4 +25,4 @@ inline Scene procedural(const std::string& name, int n) {
     return Scene(std::move(description));
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// The parameter is a target of Highway; 0: what the processor has.
 class OnProcessor : public ::testing::TestWithParam<std::int64_t> {
@@ -31,4 +31,4 @@ inline auto processors() {
     return ::testing::Values(0, HWY_SSSE3, HWY_AVX2);
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

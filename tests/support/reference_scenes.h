@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 struct ReferenceScene {
     const char* name;
@@ -143,4 +143,4 @@ inline std::vector<ReferenceScene> reference_scenes() {
     };
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// Film of n x n pixels with a box filter of one pixel: no light crosses between pixels.
 inline std::string film(int n) {
@@ -132,4 +132,4 @@ inline double worst_ratio(const Estimate& a, const Estimate& b) {
            2.58 * std::sqrt(relative_a * relative_a + relative_b * relative_b);
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

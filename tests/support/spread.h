@@ -3,7 +3,7 @@
 
 #include "film/error_bars.h"
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// Mean over renders of the reported variance, over the true variance between them.
 class Spread {
@@ -25,4 +25,4 @@ private:
     double squares_ = 0;
 };
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 namespace detail {
 
@@ -95,4 +95,4 @@ inline double shared_significance(double total, int count) {
     return total / count;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

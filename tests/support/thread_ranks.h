@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// Bytes on their way, by sender and receiver.
 class Post {
@@ -80,4 +80,4 @@ std::size_t on_ranks(int size, const Task& task) {
     return post.sent();
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

@@ -3,7 +3,7 @@
 
 #include "support/renders.h"
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// @param n  pixels each way. @param strength  radiance of the lamp above, whose area is a hundred
 /// times that of the lamp within (radiance 20).
@@ -31,4 +31,4 @@ inline Scene two_lamps(int n, int strength = 400) {
     return scene_of(two_lamps_text(n, strength));
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

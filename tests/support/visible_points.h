@@ -3,7 +3,7 @@
 
 #include "visible_points/visible_point.h"
 
-namespace sunfleck::testing_support {
+namespace sunfleck::engine::testing_support {
 
 /// In the order of the lists.
 inline std::vector<VisiblePoint> joined(const VisiblePointLists& lists) {
@@ -13,4 +13,4 @@ inline std::vector<VisiblePoint> joined(const VisiblePointLists& lists) {
     return all;
 }
 
-}  // namespace sunfleck::testing_support
+}  // namespace sunfleck::engine::testing_support

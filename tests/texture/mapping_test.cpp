@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TexturePoint at(const Vec3& position, const Vec2& uv = {0, 0}) {
@@ -54,4 +54,4 @@ TEST(Mapping, point_goes_into_the_texture_frame) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TEST(Noise, has_the_published_values) {
@@ -59,4 +59,4 @@ TEST(Noise, sums_over_octaves) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

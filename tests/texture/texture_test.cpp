@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 TexturePoint at_uv(float u, float v) {
@@ -184,4 +184,4 @@ TEST(Texture, marble_runs_along_y) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

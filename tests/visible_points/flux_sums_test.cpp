@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 class FluxSums : public testing_support::OnProcessor {
@@ -71,4 +71,4 @@ TEST_P(FluxSums, are_those_of_a_loop) {
 INSTANTIATE_TEST_SUITE_P(Targets, FluxSums, testing_support::processors());
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

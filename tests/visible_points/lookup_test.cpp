@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kMaxDepth = 5;
@@ -116,4 +116,4 @@ TEST_P(Lookup, finds_what_the_gather_test_accepts) {
 INSTANTIATE_TEST_SUITE_P(Targets, Lookup, testing_support::processors());
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

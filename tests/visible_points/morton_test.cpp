@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// @param clear  bits that are zero in all codes. Many codes are there more than once.
@@ -54,4 +54,4 @@ TEST(Morton, neighbours_in_a_cell_have_neighbouring_codes) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

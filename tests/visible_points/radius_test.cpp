@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kAlpha = 2.0 / 3;
@@ -47,4 +47,4 @@ TEST(RadiusSchedule, area_of_a_round_is_the_mean_over_its_passes) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Vec3 direction(RandomStream& stream) {
@@ -195,4 +195,4 @@ TEST_F(Accepts, curved_surfaces_lose_nothing) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

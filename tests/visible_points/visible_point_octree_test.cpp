@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kRadius = 20;  // of the scene
@@ -141,4 +141,4 @@ TEST(VisiblePointOctree, large_discs_small_scenes_and_places_outside) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

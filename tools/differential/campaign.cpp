@@ -14,7 +14,7 @@
 #include <mutex>
 #include <thread>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 /// A scene of the campaign.
@@ -145,4 +145,4 @@ bool run(const Campaign& campaign, const FeatureTable& table) {
     return Run(campaign, table).run();
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

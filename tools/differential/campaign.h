@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 struct Campaign {
     std::string program;
@@ -30,4 +30,4 @@ struct Campaign {
 /// @return true if there was no fault.
 bool run(const Campaign& campaign, const FeatureTable& table);
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

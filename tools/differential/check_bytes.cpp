@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 constexpr int kInterrupted = 130;
@@ -67,4 +67,4 @@ std::optional<Fault> check_bytes(Renders& renders) {
     return {};
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -5,9 +5,9 @@
 
 #include <optional>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// @throws RenderFault for a render that fails.
 std::optional<Fault> check_bytes(Renders& renders);
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

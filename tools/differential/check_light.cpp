@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 constexpr std::uint64_t kFirstLook = 4;
@@ -182,4 +182,4 @@ void check_light(Renders& renders, const Witnesses& witnesses, const Effort& eff
     LightCheck(renders, witnesses, effort).run(witnesses.second, findings);
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -6,11 +6,11 @@
 
 #include "differential/examine.h"
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// Adds faults of light, discs and error bars, and says whether the default equals the reference.
 /// @throws RenderFault for a render that fails.
 void check_light(Renders& renders, const Witnesses& witnesses, const Effort& effort,
                  Findings& findings);
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

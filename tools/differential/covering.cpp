@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 /// Choices tried for each that is taken.
@@ -134,4 +134,4 @@ Value CoveringChoices::best_value(const Choice& choice, const std::vector<std::s
     return best;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

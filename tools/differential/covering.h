@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// Which pairs of values occurred in a set of choices.
 class PairCoverage {
@@ -69,4 +69,4 @@ private:
     PairCoverage current_;  // of the covering under way
 };
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

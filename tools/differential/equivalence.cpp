@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 constexpr double kEqualSignificance = 0.01;
@@ -95,4 +95,4 @@ Verdict decide(const MeanOf& a, const MeanOf& b, double band, double significanc
     return Verdict::undecided;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

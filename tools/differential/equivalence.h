@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 enum class Verdict { equal, different, undecided };
 
@@ -46,4 +46,4 @@ double student_tail(double t, double degrees);
 /// true difference is beyond the band. Equal: within it, with 1%.
 Verdict decide(const MeanOf& a, const MeanOf& b, double band, double significance);
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -4,7 +4,7 @@
 #include "differential/check_bytes.h"
 #include "differential/check_light.h"
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 /// Runs a check; what stops its renders is its fault.
@@ -47,4 +47,4 @@ bool has_fault(Renders& renders, const Witnesses& witnesses, Kind kind) {
     return false;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

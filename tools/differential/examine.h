@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// How much is asked.
 struct Effort {
@@ -37,4 +37,4 @@ Findings examine(Renders& renders, const Witnesses& witnesses, const Effort& eff
 /// Whether the scene has a fault of that kind: asks no more than this needs.
 bool has_fault(Renders& renders, const Witnesses& witnesses, Kind kind);
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 enum class Kind {
     refused,     // exit code other than 0, or killed by a signal
@@ -35,4 +35,4 @@ private:
     Fault fault_;
 };
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -1,11 +1,11 @@
 // The rules of the table; what stands in it is in scene_features.cpp.
 #include "differential/features.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 FeatureTable::FeatureTable(std::vector<Feature> features) : features_(std::move(features)) {
     for (const Feature& feature : features_) {
@@ -59,4 +59,4 @@ void FeatureTable::require(Limits& limits, std::size_t feature, Value value) con
     narrow(limits, {feature, {value}});
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// A feature has a meaning where another one has one of these values.
 struct Need {
@@ -67,4 +67,4 @@ private:
 /// @throws Error for one that is not in the table, or for the last value of a feature.
 FeatureTable scene_features(const std::vector<std::string>& left_out = {});
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

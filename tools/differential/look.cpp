@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 constexpr int kBlock = 8;
@@ -135,4 +135,4 @@ Comparison compare(const std::vector<Look>& a, const std::vector<Look>& b, const
     return joined.found();
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// Mean luminance of the picture and of its blocks of 8 x 8 pixels.
 struct Look {
@@ -48,4 +48,4 @@ struct Comparison {
 /// @param a, b  looks at independent renders, at least two of each.
 Comparison compare(const std::vector<Look>& a, const std::vector<Look>& b, const Bands& bands);
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -1,7 +1,7 @@
 // The differential tester: random small scenes, rendered by several estimators, compared.
 // Usage, and what the report says: docs/develop/testing.md. Exit code 1 if there is any fault.
-#include "core/error.h"
 #include "differential/campaign.h"
+#include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,7 +9,8 @@
 #include <filesystem>
 
 int main(int argc, char** argv) {
-    using namespace sunfleck::differential;  // NOLINT(google-build-using-namespace): all of main
+    using namespace sunfleck::engine::differential;  // NOLINT(google-build-using-namespace): all of
+                                                     // main
     Campaign campaign;
     std::vector<std::string> left_out;
     CLI::App app("Renders random small scenes by several estimators and compares them");

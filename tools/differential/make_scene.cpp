@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 template <std::size_t N>
@@ -52,4 +52,4 @@ bool is_found_by_path(const FeatureTable& table, const Choice& choice) {
     return !(has_light_without_extent(scene) && has_smooth_surface(scene));
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// The same table, choice, seed and number give the same scene. Its files are those of write_files.
 SceneText make_scene(const FeatureTable& table, const Choice& choice, std::uint64_t seed,
@@ -21,4 +21,4 @@ void write_files(const std::string& folder);
 /// where no smooth surface lies between it and what it lights.
 bool is_found_by_path(const FeatureTable& table, const Choice& choice);
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 class Minimiser {
@@ -75,4 +75,4 @@ SceneText minimised(SceneText scene, const std::function<bool(const SceneText&)>
     return Minimiser(std::move(scene), still_fails, most_tries).run();
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

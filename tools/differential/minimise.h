@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// Drops blocks, then statements, then parameters, from the last to the first, until nothing more
 /// can go or the oracle was asked `most_tries` times.
@@ -13,4 +13,4 @@ namespace sunfleck::differential {
 SceneText minimised(SceneText scene, const std::function<bool(const SceneText&)>& still_fails,
                     int most_tries);
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <thread>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -83,4 +83,4 @@ Ended Program::run(const std::string& folder, const Words& words,
     return ended;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

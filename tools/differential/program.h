@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 using Words = std::vector<std::string>;
 
@@ -37,4 +37,4 @@ private:
     int seconds_;
 };
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

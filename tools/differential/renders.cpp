@@ -1,15 +1,15 @@
 // Flags of the estimators, and what is asked of each single render.
 #include "differential/renders.h"
 
-#include "core/error.h"
 #include "image/exr.h"
+#include "sunfleck/error.h"
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 /// Contributions that were not finite and were left out: see docs/reference/stats.md.
@@ -124,4 +124,4 @@ std::vector<Look> Renders::looks(const Way& way, std::uint64_t first, std::uint6
     return all;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

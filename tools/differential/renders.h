@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// An estimator: flags of `sunfleck render`, passes of one render, and a number that keeps its
 /// seeds apart from those of other estimators.
@@ -61,4 +61,4 @@ private:
     double seconds_ = 0;
 };
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 std::string text_of(const std::array<std::size_t, 3>& by_verdict) {
@@ -76,4 +76,4 @@ std::string Report::text_of_missing(const PairCoverage& coverage) const {
     return text;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -8,7 +8,7 @@
 #include <array>
 #include <string>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 class Report {
 public:
@@ -33,4 +33,4 @@ private:
     double seconds_ = 0;
 };
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

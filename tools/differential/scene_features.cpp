@@ -1,10 +1,10 @@
 // What the scenes are made of. A value that is added here is used in make_scene.cpp and its parts.
-#include "core/error.h"
 #include "differential/features.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 const std::vector<std::string> kAreaLights = {"area", "two-sided area", "area picture"};
@@ -117,4 +117,4 @@ FeatureTable scene_features(const std::vector<std::string>& left_out) {
     return FeatureTable(std::move(all));
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -1,13 +1,13 @@
 // The files that scenes name: pictures, a mesh and a spectrum, made by rule.
-#include "core/error.h"
 #include "differential/make_scene.h"
 #include "image/exr.h"
+#include "sunfleck/error.h"
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 constexpr const char* kOctahedron = R"(ply
@@ -79,4 +79,4 @@ void write_files(const std::string& folder) {
     write_text(files + "green.spd", kGreen);
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

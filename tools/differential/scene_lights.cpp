@@ -1,7 +1,7 @@
 // The lights of a scene.
 #include "differential/scene_parts.h"
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 /// Emission of a light whose colour is the parameter `name`, I or L.
@@ -113,4 +113,4 @@ std::vector<Block> light_blocks(Ingredients& scene) {
     return blocks;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -1,7 +1,7 @@
 // The object: its material, its place, its instances.
 #include "differential/scene_parts.h"
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 using Statements = std::vector<Statement>;
@@ -144,4 +144,4 @@ std::vector<Block> object_blocks(Ingredients& scene) {
     return blocks;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

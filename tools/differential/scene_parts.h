@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// What a scene is made from: its features by name, and random numbers.
 class Ingredients {
@@ -53,4 +53,4 @@ std::vector<Block> surroundings(Ingredients& scene);
 /// A rectangle by its corners, with (u, v).
 Statement quad(const std::string& corners);
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -2,7 +2,7 @@
 // outside.
 #include "differential/scene_parts.h"
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 constexpr const char* kBox =
@@ -54,4 +54,4 @@ Statement shape_statement(Ingredients& scene) {
             {R"("float width" )" + scene.number(0.2, 0.5)}};
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -1,7 +1,7 @@
 // Floor, walls and ceiling, and the ball beside the object.
 #include "differential/scene_parts.h"
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 std::string mapping(Ingredients& scene) {
@@ -120,4 +120,4 @@ std::vector<Block> surroundings(Ingredients& scene) {
     return blocks;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

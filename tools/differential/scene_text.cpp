@@ -1,7 +1,7 @@
 // Indented as a person would write it.
 #include "differential/scene_text.h"
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 void append(std::string& text, const Block& block, const char* indent) {
@@ -27,4 +27,4 @@ std::string text_of(const SceneText& scene) {
     return text;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

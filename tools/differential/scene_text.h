@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// A directive, its own words and its parameters: Shape "sphere" | "float radius" 1.
 struct Statement {
@@ -33,4 +33,4 @@ struct SceneText {
 /// The scene as pbrt-v4 reads it.
 std::string text_of(const SceneText& scene);
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -1,7 +1,7 @@
 // Camera, film, filter and depth of a scene.
 #include "differential/scene_parts.h"
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 Statement camera(Ingredients& scene) {
@@ -64,4 +64,4 @@ Block view_block(Ingredients& scene) {
     return block;
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 namespace {
 
 /// What does not matter of a shared excess.
@@ -75,4 +75,4 @@ std::vector<SharedExcess> FeatureEvidence::faults() const {
     }
 }
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::differential {
+namespace sunfleck::engine::differential {
 
 /// What the scenes with one value of a feature have in common.
 struct SharedExcess {
@@ -46,4 +46,4 @@ private:
     std::vector<Scene> scenes_;
 };
 
-}  // namespace sunfleck::differential
+}  // namespace sunfleck::engine::differential

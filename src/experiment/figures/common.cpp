@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 double mean_fact(const Results& results, const std::vector<Cell>& cells, double CellFacts::*fact) {
@@ -148,4 +148,4 @@ std::string ratio_sentence(const Results& results, const std::string& scene, con
         ratio(&PictureError::trimmed_mse));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

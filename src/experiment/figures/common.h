@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// An error, and what tables call it.
 struct Measure {
@@ -46,4 +46,4 @@ Interval cost_ratio(const Results& results, const std::string& scene, const Meth
 std::string ratio_sentence(const Results& results, const std::string& scene, const Method& a,
                            const Method& b);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

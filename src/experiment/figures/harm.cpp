@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const std::vector<std::string> kScenes = {"cornell", "box"};
@@ -49,4 +49,4 @@ Figure fig9() {
             fig9_section};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const std::vector<std::string> kFig7Scenes = {"watch", "room", "cognac-2"};
@@ -157,4 +157,4 @@ Figure fig8() {
             fig8_section};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

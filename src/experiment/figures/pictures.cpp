@@ -1,7 +1,7 @@
 // Figures 1, 10, 12 and 13: pictures after equal time, and their errors.
 #include "experiment/figures/common.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Figure equal_time(const std::string& name, const std::string& title, const std::string& claim,
@@ -68,4 +68,4 @@ Figure fig13() {
     return figure;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::vector<Cell> room_cells(const RunSettings& settings) {
@@ -108,4 +108,4 @@ Figure fig6() {
         fig6_section};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

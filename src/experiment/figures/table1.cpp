@@ -8,7 +8,7 @@
 #include <array>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A row as the paper prints it.
@@ -132,4 +132,4 @@ Figure table1() {
             table1_section};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

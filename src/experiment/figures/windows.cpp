@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const std::string kScene = "two-windows";
@@ -108,4 +108,4 @@ Figure fig11() {
         fig11_section};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

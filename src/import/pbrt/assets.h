@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Assets {
     /// @param log  must outlive this.
@@ -30,4 +30,4 @@ struct Assets {
     TextureTable textures{spectra, images, log};
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

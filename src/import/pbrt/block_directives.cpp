@@ -4,7 +4,7 @@
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kDeepestBlock = 500;
@@ -114,4 +114,4 @@ std::span<const Directive> block_directives() {
     return kDirectives;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void want(bool right, const Statement& camera, const std::string& fault, const std::string& mend) {
@@ -117,4 +117,4 @@ void finish_camera(Reading& reading) {
     reading.log.warn_unused(camera);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

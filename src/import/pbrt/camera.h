@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -17,4 +17,4 @@ std::span<const WordRow> camera_words();
 /// @throws Error for an unknown type, for "realistic", and for values out of range.
 void finish_camera(Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

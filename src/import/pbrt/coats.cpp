@@ -4,7 +4,7 @@
 #include "import/pbrt/even_textures.h"
 #include "import/pbrt/words.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The index of a coat: one for all wavelengths, the mean as the eye weighs them.
@@ -53,4 +53,4 @@ std::shared_ptr<const Coat> coat_of(const Statement& statement, const CoatWords&
                                   length(prefix + "thickness", words.thickness));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

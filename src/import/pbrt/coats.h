@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// How a material names its coat, and what it is when nothing is said.
 struct CoatWords {
@@ -21,4 +21,4 @@ struct CoatWords {
 std::shared_ptr<const Coat> coat_of(const Statement& statement, const CoatWords& words,
                                     Assets& assets);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 [[noreturn]] void fail(const Statement& statement, std::string_view name, const std::string& fault,
@@ -130,4 +130,4 @@ LocalShape curve(const Statement& statement, Reading& reading) {
     return {std::move(result), reading.curve_origin};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

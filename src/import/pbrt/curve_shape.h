@@ -4,7 +4,7 @@
 #include "import/pbrt/local_points.h"
 #include "import/pbrt/parameters.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -12,4 +12,4 @@ struct Reading;
 /// normals that make no whole segments, and for widths that are negative.
 LocalShape curve(const Statement& statement, Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,14 +4,14 @@
 // Narasimhan et al., Acquiring Scattering Properties of Participating Media by Dilution (2006).
 #pragma once
 
-#include "core/error.h"
 #include "math/vector.h"
+#include "sunfleck/error.h"
 
 #include <array>
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Substance {
     std::string_view word;
@@ -77,4 +77,4 @@ inline const std::array<Substance, 47> kSubstances = {{
 /// @throws Error when there is none of that name. @param from  that which names it.
 const Substance& substance_of(const std::string& name, const SourceLocation& from);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

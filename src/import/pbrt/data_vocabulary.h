@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 inline constexpr auto kDirectiveWords = std::to_array<WordRow>({
     {"Directive", "Identity Translate Scale Rotate LookAt Transform ConcatTransform", kExact,
@@ -102,4 +102,4 @@ inline constexpr auto kMediumWords = std::to_array<WordRow>({
     {"MakeNamedMedium", "nanovdb", kIgnored, "light passes unchanged"},
 });
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Table = std::map<std::string_view, Directive>;
@@ -67,4 +67,4 @@ void read_statements(Reading& reading, TokenStream& tokens) {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -33,4 +33,4 @@ std::span<const Directive> file_directives();
 /// may not.
 void read_statements(Reading& reading, TokenStream& tokens);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "import/pbrt/words.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Images are wanted now, not only when all is read.
@@ -61,4 +61,4 @@ Spectrum tabulated(const std::function<float(float)>& value) {
     return Spectrum::table(std::move(points));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A number, or the mean of a float texture over the unit square of (u, v), with a warning.
 /// @return nothing when not given.
@@ -22,4 +22,4 @@ std::optional<Spectrum> even_curve(const Statement& statement, const std::string
 /// A function of the wavelength as a curve, at 5 nm from 360 to 830.
 Spectrum tabulated(const std::function<float(float)>& value);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

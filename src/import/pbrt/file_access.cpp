@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Each backslash as a slash. One before n, r, t, b or f was read as the escape of a control
@@ -61,4 +61,4 @@ std::string resolved(const std::string& name, const std::string& folder) {
     return (std::filesystem::path(folder) / path).lexically_normal().string();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

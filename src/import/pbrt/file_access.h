@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The bytes of a file, unpacked if it is a gzip file.
 /// @param from  the statement that names it. @throws MissingFile if there is none, Error if it
@@ -38,4 +38,4 @@ NamedFile find_file(const std::string& name, const std::string& folder, const So
 /// A file named in a scene: relative names start at the folder of the main file.
 std::string resolved(const std::string& name, const std::string& folder);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Reads the file that a statement names, and puts it in front of the stream.
@@ -52,4 +52,4 @@ std::span<const Directive> file_directives() {
     return kDirectives;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kLongestSide = 65536;
@@ -203,4 +203,4 @@ void finish_guide_samples(Reading& reading) {
     if (reading.options.sampler) read_sampler(*reading.options.sampler, reading);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

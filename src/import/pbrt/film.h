@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -19,4 +19,4 @@ void finish_film(Reading& reading);
 void finish_filter(Reading& reading);
 void finish_guide_samples(Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The current matrix at the start and at the end of the exposure, object to world (before
 /// WorldBegin: world to camera), as row vectors have it.
@@ -37,4 +37,4 @@ struct Block {
     GraphicsState saved;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void warn_of_image(const Image& image, const std::string& path, const SourceLocation& from,
                    ImportLog& log) {
@@ -63,4 +63,4 @@ void ImageTable::load() {
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

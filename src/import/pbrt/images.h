@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Warns of what the picture's file has and the image has not: other primaries than sRGB's,
 /// channels that were chosen or left out, texels that are no finite numbers.
@@ -55,4 +55,4 @@ private:
     std::size_t loaded_ = 0;  // the first of them
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

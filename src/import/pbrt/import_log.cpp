@@ -1,7 +1,7 @@
 // Counting of words, and a limit for warnings.
 #include "import/pbrt/import_log.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void ImportLog::warn(const SourceLocation& where, const std::string& text) {
     constexpr std::size_t kMostWarnings = 500;
@@ -25,4 +25,4 @@ std::vector<UsedWord> ImportLog::words() const {
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class ImportLog {
 public:
@@ -31,4 +31,4 @@ private:
     std::map<std::pair<std::string, std::string>, std::size_t> words_;  // by directive and word
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // The count of words, file by file, each file once.
 #include "import/pbrt/inclusions.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Words in whose time a file is opened.
@@ -48,4 +48,4 @@ double Inclusions::words_of(const std::string& path, const std::string& text, co
     return known->second = all + own;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <set>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class Inclusions {
 public:
@@ -36,4 +36,4 @@ private:
     bool is_counted_ = false;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "core/file_content.h"
 #include "import/pbrt/odd_characters.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kLongestToken = 65536;
@@ -108,4 +108,4 @@ Token Lexer::word() {
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,13 +4,13 @@
 //      the end of the line) are skipped. Lines end in LF, CR LF or CR.
 #pragma once
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class TokenKind { word, string, open, close };
 
@@ -62,4 +62,4 @@ private:
     int line_ = 1;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Image light_image(const Statement& statement, Reading& reading) {
     const auto name = statement.text("filename");
@@ -66,4 +66,4 @@ Affine turn_of(const Statement& statement, Reading& reading) {
     return turn;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -26,4 +26,4 @@ std::shared_ptr<const LightPicture> intensity_picture(const Statement& statement
 /// the nearest in the order x, y, z of axes, and a warning.
 Affine turn_of(const Statement& statement, Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The spectrum of that name, or the white of the present colour space.
 inline Spectrum emission_of(const Statement& statement, std::string_view name, Reading& reading) {
@@ -31,4 +31,4 @@ inline Spectrum scaled(const Spectrum& curve, double factor) {
     return curve.scaled(static_cast<float>(std::min(factor, 1e30)));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

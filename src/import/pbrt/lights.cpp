@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The way from "from" to "to" in the world, as a unit vector.
@@ -185,4 +185,4 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
     return emission;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -22,4 +22,4 @@ void add_light(const Statement& statement, Reading& reading);
 /// @throws Error as add_light() does.
 AreaEmission area_emission(const Statement& statement, Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

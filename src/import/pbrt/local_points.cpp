@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 double largest_of(const Vec3d& p) {
@@ -70,4 +70,4 @@ std::string coarseness_of(const LocalPoints& local,
            ": write them relative to a point near them, under a Translate, or as doubles";
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A shape in a frame of its own.
 struct LocalShape {
@@ -38,4 +38,4 @@ std::span<const std::uint32_t> all_corners(const std::vector<std::array<std::uin
 std::string coarseness_of(const LocalPoints& local,
                           const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

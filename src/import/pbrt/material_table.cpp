@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void check_type(const Statement& statement) {
@@ -61,4 +61,4 @@ const Statement& MaterialTable::named(const std::string& name, const SourceLocat
                 "make it by MakeNamedMaterial; " + did_you_mean(known, name));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

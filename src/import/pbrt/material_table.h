@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Slot 0 is pbrt-v4's default, diffuse 0.5.
 class MaterialTable {
@@ -42,4 +42,4 @@ private:
     std::map<std::string, Statement> named_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr float kGrey = 0.5F;  // pbrt-v4's default
@@ -203,4 +203,4 @@ Relief relief_of(const Statement& statement, Assets& assets) {
     return {};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

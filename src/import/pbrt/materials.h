@@ -9,7 +9,7 @@
 
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The words that there are, "" (for an interface) among them.
 std::span<const std::string_view> material_types();
@@ -24,4 +24,4 @@ Material material_of(const Statement& statement, Assets& assets);
 /// "displacement" or "normalmap"; the map wins where there are both, as in pbrt-v4.
 Relief relief_of(const Statement& statement, Assets& assets);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

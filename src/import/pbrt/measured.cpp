@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr float kHalfPi = kPi / 2;
@@ -93,4 +93,4 @@ MeasuredSummary summary_of_measured(const std::string& bytes, const SourceLocati
     return {Spectrum::table(std::move(points)), median_slope(tensors.at("ndf"))};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,12 +1,12 @@
 // Measured materials: what of their files a simple stand-in needs.
 #pragma once
 
-#include "core/error.h"
 #include "math/spectrum.h"
+#include "sunfleck/error.h"
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct MeasuredSummary {
     Spectrum albedo;  // of evenly spread light, in [0,1]
@@ -20,4 +20,4 @@ struct MeasuredSummary {
 /// light of w that is scattered. Source: Dupuy and Jakob 2018, equations 8 and 9.
 MeasuredSummary summary_of_measured(const std::string& bytes, const SourceLocation& from);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

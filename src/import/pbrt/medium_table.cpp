@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr auto kTypes = words_of(kMediumWords);
@@ -109,4 +109,4 @@ void MediumTable::finish(SpectrumReader& spectra, ImportLog& log, Media& media) 
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class MediumTable {
 public:
@@ -34,4 +34,4 @@ private:
     std::vector<Use> uses_;  // by number, from 1
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

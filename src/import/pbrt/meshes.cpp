@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::vector<Vec2> pairs(const Parameter* parameter) {
@@ -194,4 +194,4 @@ LocalShape ply_mesh(const Statement& statement, Reading& reading) {
     return {std::move(mesh), origin};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

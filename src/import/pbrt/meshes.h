@@ -4,7 +4,7 @@
 #include "import/pbrt/local_points.h"
 #include "import/pbrt/parameters.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -26,4 +26,4 @@ LocalShape loop_mesh(const Statement& statement, Reading& reading);
 /// Shape "plymesh". @throws Error as triangle_mesh() does, and for files that cannot be read.
 LocalShape ply_mesh(const Statement& statement, Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Quaternion = Imath::Quatd;
@@ -76,4 +76,4 @@ Matrix between(const Matrix& from, const Matrix& to, double share) {
     return is_usable(result) ? result : from;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// from_chars takes no plus sign.
@@ -57,4 +57,4 @@ int integer_of(const Token& token) {
     return value;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

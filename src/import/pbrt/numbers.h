@@ -3,7 +3,7 @@
 
 #include "import/pbrt/lexer.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// @throws Error for what is no number, NaN, infinite, or beyond the range of a float.
 double real_of(const Token& token);
@@ -11,4 +11,4 @@ double real_of(const Token& token);
 /// @throws Error for what is no integer of 32 bits.
 int integer_of(const Token& token);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 struct Range {
@@ -90,4 +90,4 @@ std::optional<OddCharacter> odd_character_in(std::string_view text) {
     return OddCharacter{at, code + " (" + std::string(range->name) + ")", std::string(range->mend)};
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A character that no word of the language has.
 struct OddCharacter {
@@ -23,4 +23,4 @@ constexpr bool is_plain(char c) {
 /// The first character that is neither printable ASCII nor a space or tab, or nothing.
 std::optional<OddCharacter> odd_character_in(std::string_view text);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

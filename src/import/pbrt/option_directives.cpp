@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void camera(Reading& reading, TokenStream& tokens, const Token& keyword) {
@@ -119,4 +119,4 @@ std::span<const Directive> option_directives() {
     return kDirectives;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

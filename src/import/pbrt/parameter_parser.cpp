@@ -6,7 +6,7 @@
 #include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -130,4 +130,4 @@ Statement read_statement(TokenStream& tokens, const Token& keyword, ColourSpace 
     return statement;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

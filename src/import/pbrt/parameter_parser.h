@@ -4,7 +4,7 @@
 #include "import/pbrt/parameters.h"
 #include "import/pbrt/token_stream.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// All parameters that follow; ends before the next directive.
 /// @param space  that rgb values are in.
@@ -15,4 +15,4 @@ Parameters read_parameters(TokenStream& tokens, ColourSpace space = ColourSpace:
 Statement read_statement(TokenStream& tokens, const Token& keyword,
                          ColourSpace space = ColourSpace::srgb);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// The first word of a type is its name in messages.
@@ -163,4 +163,4 @@ std::vector<const Parameter*> Statement::unused() const {
     return result;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

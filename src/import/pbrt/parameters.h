@@ -1,9 +1,9 @@
 // Typed parameters of one statement, looked up by name; what nobody asked for is told.
 #pragma once
 
-#include "core/error.h"
 #include "math/colour_space.h"
 #include "math/vector.h"
+#include "sunfleck/error.h"
 
 #include <cstdint>
 #include <memory>
@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class ParameterType {
     boolean,
@@ -90,4 +90,4 @@ struct Statement {
     std::vector<const Parameter*> unused() const;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

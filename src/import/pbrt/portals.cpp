@@ -7,7 +7,7 @@
 #include "import/pbrt/reading.h"
 #include "math/warp.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Cells across where the sky has no picture: they only guide the choice of directions.
@@ -73,4 +73,4 @@ Light portal_light(const Statement& statement, Reading& reading) {
     return light;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "import/pbrt/parameters.h"
 #include "light/light.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -13,4 +13,4 @@ struct Reading;
 /// @throws Error for corners that are those of no rectangle.
 Light portal_light(const Statement& statement, Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Rays in the frame of such an instance would be out of the range of their floats.
@@ -113,4 +113,4 @@ SceneDescription read_pbrt_text(const std::string& text, const std::string& path
     return read_all(text, path, files);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

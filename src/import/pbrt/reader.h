@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Reads a scene from disk, plain or packed by gzip. Files named in it are found from its folder.
 /// What is not simulated is told in SceneDescription::warnings.
@@ -25,4 +25,4 @@ SceneDescription read_pbrt_text(const std::string& text, const std::string& path
 SceneDescription read_pbrt_text(const std::string& text, const std::string& path,
                                 const FileAccess& files);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 void Reading::warn_unused_defaults() {
     for (const auto& parameter : defaults)
@@ -37,4 +37,4 @@ Matrix Reading::still(const Motion& motion, const SourceLocation& where) {
     return between(motion[0], motion[1], share);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

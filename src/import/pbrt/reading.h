@@ -12,7 +12,7 @@
 
 #include <map>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Statements of which the last one counts, read when all files have ended.
 struct Options {
@@ -68,4 +68,4 @@ struct Reading {
     Matrix still(const Motion& motion, const SourceLocation& where);
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

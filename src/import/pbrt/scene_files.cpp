@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 SceneFiles::SceneFiles(const std::string& main_file, FileAccess access, ImportLog& log)
     : folder_(std::filesystem::path(main_file).parent_path().string()),
@@ -50,4 +50,4 @@ void SceneFiles::check_missing() const {
                 "check their names:" + list);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class SceneFiles {
 public:
@@ -58,4 +58,4 @@ private:
     std::vector<MissingFile> missing_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

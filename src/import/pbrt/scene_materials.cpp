@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kDeepestMix = 32;
@@ -99,4 +99,4 @@ void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& sc
     }
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include "import/pbrt/material_table.h"
 #include "scene/description.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Adds a material and a relief for each slot, in the order of the slots. Parts of mixes become
 /// further slots. Missing files are noted with the other missing ones.
@@ -13,4 +13,4 @@ namespace sunfleck {
 /// other in a circle, and for parameters that cannot be used.
 void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& scene);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void want(bool right, const Statement& statement, std::string_view name, const std::string& fault) {
@@ -203,4 +203,4 @@ void add_shape(const Statement& statement, Reading& reading) {
     list.push_back(std::move(shape));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct Reading;
 
@@ -17,4 +17,4 @@ std::span<const WordRow> shape_words();
 /// @throws Error for an unknown type and for parameters that no such shape can have.
 void add_shape(const Statement& statement, Reading& reading);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <array>
 #include <cstdio>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Points = std::vector<TabulatedSpectrum::Point>;
@@ -190,4 +190,4 @@ Spectrum SpectrumReader::emission(const Statement& statement, std::string_view n
     return white.scaled(1 / white.luminance());
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

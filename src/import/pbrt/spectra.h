@@ -6,7 +6,7 @@
 #include "import/pbrt/scene_files.h"
 #include "math/spectrum.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What the spectrum is for: it says what an rgb stands for (pbrt-v4).
 enum class SpectrumUse {
@@ -42,4 +42,4 @@ private:
     ImportLog& log_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

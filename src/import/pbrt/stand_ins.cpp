@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr float kGlossyAlpha = 0.5F;  // rougher measured materials are diffuse
@@ -135,4 +135,4 @@ Material measured_stand_in(const Statement& statement, Assets& assets) {
     return metal;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

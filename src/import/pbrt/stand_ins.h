@@ -5,7 +5,7 @@
 #include "import/pbrt/parameters.h"
 #include "material/material.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Hair: what a fibre reflects and lets through, each spread evenly (material/fibre_albedo.h).
 Material hair_stand_in(const Statement& statement, Assets& assets);
@@ -14,4 +14,4 @@ Material subsurface_stand_in(const Statement& statement, Assets& assets);
 /// Measured: a metal of about its roughness, or diffuse, with its mean reflectance.
 Material measured_stand_in(const Statement& statement, Assets& assets);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

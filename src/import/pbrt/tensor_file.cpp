@@ -8,7 +8,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::string_view kMagic("tensor_file\0\1\0", 14);
@@ -121,4 +121,4 @@ std::map<std::string, Tensor> read_tensors(const std::string& bytes,
     return tensors;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,14 +6,14 @@
 // Material Acquisition and Rendering (2018), and the files that came with it.
 #pragma once
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Floats, the last index running fastest.
 struct Tensor {
@@ -28,4 +28,4 @@ std::map<std::string, Tensor> read_tensors(const std::string& bytes,
                                            const std::map<std::string, std::size_t>& wanted,
                                            const SourceLocation& from);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// What the makers of all classes need.
@@ -232,4 +232,4 @@ template FloatTexture texture_of(const TextureInput&, const TextureParts<FloatTe
 template SpectrumTexture texture_of(const TextureInput&, const TextureParts<SpectrumTexture>&,
                                     ImageTable&, ImportLog&);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

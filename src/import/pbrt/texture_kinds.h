@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// All classes, of either kind.
 std::span<const std::string_view> texture_classes();
@@ -40,4 +40,4 @@ template <class T>
 T texture_of(const TextureInput& input, const TextureParts<T>& parts, ImageTable& images,
              ImportLog& log);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Encoding encoding_of(const Statement& statement) {
@@ -85,4 +85,4 @@ ImageKind image_of(const TextureInput& input, ImageTable& images, ImportLog& log
     return kind;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

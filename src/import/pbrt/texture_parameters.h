@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// What a Texture statement says, but for the textures that it is made of.
 struct TextureInput {
@@ -34,4 +34,4 @@ Octaves octaves_of(const TextureInput& input);
 /// The image enters the table. The log is told of filters that are not simulated.
 ImageKind image_of(const TextureInput& input, ImageTable& images, ImportLog& log);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr int kDeepest = 100;
@@ -126,4 +126,4 @@ std::optional<SpectrumTexture> TextureTable::find_spectrum(const Statement& stat
     return SpectrumTexture(spectra_.curve(*found, use));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 class TextureTable {
 public:
@@ -72,4 +72,4 @@ private:
     int open_ = 0;                         // textures that are being made
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

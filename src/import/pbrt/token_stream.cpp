@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 constexpr std::size_t kDeepestInclude = 100;
 
@@ -67,4 +67,4 @@ double TokenStream::require_number(const std::string& what) {
     return real_of(require(what));
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Included files are spliced in where they are pushed; a token's text lives until release().
 class TokenStream {
@@ -51,4 +51,4 @@ private:
     SourceLocation end_;  // of the last file
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

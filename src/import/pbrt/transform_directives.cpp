@@ -5,7 +5,7 @@
 #include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 [[noreturn]] void fail(const Token& keyword, const std::string& fault, const std::string& mend) {
@@ -147,4 +147,4 @@ std::span<const Directive> transform_directives() {
     return kDirectives;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

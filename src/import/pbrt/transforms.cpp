@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Matrix translation(const Vec3d& by) {
     return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, by.x, by.y, by.z, 1};
@@ -56,4 +56,4 @@ bool is_usable(const Matrix& m) {
     return affine && Affine(m).is_invertible();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 Matrix translation(const Vec3d& by);
 Matrix scaling(const Vec3d& by);
@@ -27,4 +27,4 @@ Matrix between(const Matrix& from, const Matrix& to, double share);
 /// Finite, affine, and with an inverse?
 bool is_usable(const Matrix& matrix);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

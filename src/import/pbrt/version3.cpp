@@ -9,7 +9,7 @@
 #include <array>
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::array<std::string_view, 5> kDirectivesOfV3 = {
@@ -88,4 +88,4 @@ void refuse_v3(const std::string& what, const SourceLocation& where) {
                 "convert the whole scene by pbrt-v4: pbrt --upgrade OLD.pbrt > NEW.pbrt");
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

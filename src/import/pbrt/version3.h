@@ -1,12 +1,12 @@
 // Words that pbrt-v3 had and pbrt-v4 has not: a scene with one of them is to be converted whole.
 #pragma once
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Is it a directive, a type of parameter, or a parameter, that only pbrt-v3 or older ones have?
 bool is_directive_of_v3(std::string_view word);
@@ -20,4 +20,4 @@ void check_not_of_v3(std::string_view directive, std::string_view type,
 /// @param what  the user's words. @throws Error, always.
 [[noreturn]] void refuse_v3(const std::string& what, const SourceLocation& where);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -13,7 +13,7 @@
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Is `word` one of those of a row, which blanks part?
@@ -89,4 +89,4 @@ std::vector<std::string_view> vocabulary_directives() {
     return all;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// As info and the documentation say it.
 std::string_view name_of(Treatment treatment);
@@ -26,4 +26,4 @@ std::string vocabulary_table(std::string_view directive);
 /// The directives that have rows, in the order of the documentation.
 std::vector<std::string_view> vocabulary_directives();
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class Treatment {
     exact,         // as pbrt-v4 means it
@@ -37,4 +37,4 @@ constexpr std::array<WordRow, N> word_rows(std::string_view directive,
     return words;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kLongestSimilar = 60;
@@ -64,4 +64,4 @@ std::string did_you_mean(std::span<const std::string_view> known, std::string_vi
     return "did you mean " + in_quotes(best) + "?";
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// `use "a", "b" or "c"`: the remedy for an unknown word, the most similar one first where one is
 /// close. @param known  not empty.
@@ -26,4 +26,4 @@ constexpr std::array<std::string_view, N> words_of(const std::array<Row, N>& row
 /// `did you mean "Shape"?` where a known word is close, or `check the spelling`.
 std::string did_you_mean(std::span<const std::string_view> known, std::string_view instead_of);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

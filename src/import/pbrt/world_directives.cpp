@@ -6,7 +6,7 @@
 #include "import/pbrt/shapes.h"
 #include "import/pbrt/words.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void material(Reading& reading, TokenStream& tokens, const Token& keyword) {
@@ -88,4 +88,4 @@ std::span<const Directive> world_directives() {
     return kDirectives;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

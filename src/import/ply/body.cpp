@@ -1,12 +1,12 @@
 // Polygons, vertices without a face, and remarks.
 #include "import/ply/body.h"
 
-#include "core/error.h"
 #include "import/ply/polygons.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::vector<Vec3d> corners_of(const PlyFan& fan, const PlyBody& body) {
@@ -82,4 +82,4 @@ PlyMesh finished_ply(PlyBody body, const std::string& name) {
     return std::move(body.mesh);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

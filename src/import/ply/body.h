@@ -5,11 +5,11 @@
 
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The mesh without what no face uses. @param name  of the file, for errors.
 /// @throws Error  for polygons that a fan does not cover, broken vertices that a face uses, and for
 ///         a body without triangles.
 PlyMesh finished_ply(PlyBody body, const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

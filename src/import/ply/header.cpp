@@ -1,14 +1,14 @@
 // Header of a PLY file, line by line, each fault with its line and column.
 #include "import/ply/header.h"
 
-#include "core/error.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, PlyType>, 16> kPlyTypes = {{
@@ -243,4 +243,4 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
     return HeaderParser(bytes, name).parse();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

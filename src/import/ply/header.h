@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 enum class PlyFormat { ascii, little_endian, big_endian };
 
@@ -65,4 +65,4 @@ inline bool is_vertex_list(const PlyProperty& property) {
     return property.name == "vertex_indices" || property.name == "vertex_index";
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 struct PlyMesh {
     std::vector<Vec3d> positions;  // as the file has them, within the range of floats
@@ -18,4 +18,4 @@ struct PlyMesh {
     std::vector<std::string> remarks;  // what of the file the mesh has not
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -14,7 +14,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// The bytes end, or hold what is no number; the reader adds where.
 struct PlyFault : std::runtime_error {
@@ -149,4 +149,4 @@ private:
     const char* end_;
 };
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

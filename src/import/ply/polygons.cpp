@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr double kOfSize = 1e-4;
@@ -57,4 +57,4 @@ bool is_planar_and_convex(std::span<const Vec3d> given) {
     return normal == Vec3d(0) || turn < kOneAndAHalfTurns;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

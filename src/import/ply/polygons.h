@@ -5,10 +5,10 @@
 
 #include <span>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// True if a fan from the first corner covers the polygon once: it is planar and convex within
 /// 10^-4 of its size, and within what six digits of its coordinates tell.
 bool is_planar_and_convex(std::span<const Vec3d> corners);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 #include "import/ply/header.h"
 #include "import/ply/rows.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 PlyMesh parse_plain_ply(std::string_view bytes, const std::string& name) {
@@ -24,4 +24,4 @@ PlyMesh parse_ply(std::string_view bytes, const std::string& name) {
     return parse_plain_ply(gunzip(bytes, name), name);
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,13 +4,13 @@
 // Source: Turk, The PLY Polygon File Format (1994); names of properties as in pbrt-v4.
 #pragma once
 
-#include "core/error.h"
 #include "import/ply/mesh.h"
+#include "sunfleck/error.h"
 
 #include <string>
 #include <string_view>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// Reads x y z, and where present nx ny nz and one pair of u v, s t, texture_u texture_v,
 /// texture_s texture_t of "vertex"; vertex_indices (or vertex_index) of "face". A quad becomes the
@@ -25,4 +25,4 @@ namespace sunfleck {
 ///         corners. For what is no PLY file, it says what the file is.
 PlyMesh parse_ply(std::string_view bytes, const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

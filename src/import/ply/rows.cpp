@@ -1,16 +1,16 @@
 // The rows of a PLY body, number by number.
 #include "import/ply/rows.h"
 
-#include "core/error.h"
 #include "core/printable.h"
 #include "import/ply/number_source.h"
+#include "sunfleck/error.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Where a vertex's number goes; one past the last is where the others go.
@@ -201,4 +201,4 @@ PlyBody read_rows(const PlyHeader& header, std::string_view body, const std::str
     return BodyReader<PlyBinarySource<std::endian::big>>(header, body, name).read();
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 /// A face of more than four corners, cut into a fan of triangles.
 struct PlyFan {
@@ -33,4 +33,4 @@ struct PlyBody {
 /// is no number, indices that name no vertex.
 PlyBody read_rows(const PlyHeader& header, std::string_view body, const std::string& name);
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "import/pbrt/scene_text.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 PerspectiveCamera with(const std::string& options) {
@@ -93,4 +93,4 @@ TEST(Camera, that_cannot_be_is_an_error) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

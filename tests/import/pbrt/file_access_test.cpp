@@ -1,7 +1,7 @@
 // Files that a scene names: missing ones, names from other systems, faults in them, floods of them.
 #include "import/pbrt/scene_text.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const std::string kPly =
@@ -120,4 +120,4 @@ TEST(FileAccess, that_include_each_other_beyond_measure_are_refused_before_they_
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

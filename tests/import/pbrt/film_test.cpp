@@ -3,7 +3,7 @@
 
 #include "import/pbrt/scene_text.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 SceneDescription with(const std::string& options) {
@@ -105,4 +105,4 @@ TEST(Film, that_cannot_be_is_an_error) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

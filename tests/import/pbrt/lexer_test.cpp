@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 std::vector<std::string> words_of(const std::string& text) {
@@ -112,4 +112,4 @@ TEST(Lexer, refuses_tokens_beyond_all_measure) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::pfm_file;
@@ -77,7 +77,7 @@ TEST(LightPictures, of_goniometric_lights_are_means_of_colours) {
     expect_near(intensity(plain, Vec3(1, 0, 0) + Vec3(1, 2, -1)), Vec3(8));
     expect_near(intensity(plain, Vec3(1, 0, 0) + Vec3(-1, 2, 1)), Vec3(3));
     const SceneDescription power = read_world(light + "\"float power\" 10", kFiles);
-    EXPECT_NEAR(sunfleck::power(power.lights[0], {}) *
+    EXPECT_NEAR(sunfleck::engine::power(power.lights[0], {}) *
                     static_cast<double>(curve(power.lights[0]).luminance()),
                 10, 1e-3);
     const SceneDescription bare = read_world("LightSource \"goniometric\"");
@@ -101,7 +101,7 @@ TEST(LightPictures, of_projections_stand_upright) {
     EXPECT_GT(intensity(wide, {1.14F, 0.56F, 1}).x, 0);
     EXPECT_EQ(intensity(wide, {1.17F, 0, 1}).x, 0);
     EXPECT_EQ(intensity(wide, {0, 0.6F, 1}).x, 0);
-    EXPECT_NEAR(sunfleck::power(wide.lights[0], {}) *
+    EXPECT_NEAR(sunfleck::engine::power(wide.lights[0], {}) *
                     static_cast<double>(curve(wide.lights[0]).luminance()),
                 7, 1e-3);
     const auto error = [&](const std::string& text) { return world_error(text, kFiles); };
@@ -183,4 +183,4 @@ TEST(LightPictures, that_cannot_be_are_errors) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <iomanip>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const Vec3d kMapPlace(500000, 4500000, 300);
@@ -87,4 +87,4 @@ TEST(LocalPoints, detail_far_from_the_origin_is_kept_as_well_as_near_it) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

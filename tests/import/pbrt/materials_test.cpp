@@ -3,7 +3,7 @@
 
 #include "import/pbrt/scene_text.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 template <class M>
@@ -172,4 +172,4 @@ TEST(Materials, that_cannot_be_are_errors) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Media of scene files: names, coefficients, who stands where, and what is told.
 #include "import/pbrt/scene_text.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 const std::string kClear =
@@ -89,4 +89,4 @@ TEST(ReadMedia, that_cannot_be_are_errors) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

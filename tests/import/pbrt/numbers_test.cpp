@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Token word(std::string_view text) {
@@ -58,4 +58,4 @@ TEST(Numbers, with_a_comma_are_told_to_have_a_point) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Statement parsed(const std::string& text) {
@@ -80,4 +80,4 @@ TEST(Parameters, lists_that_are_broken_are_errors) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 
 using MemoryFiles = std::map<std::string, std::string>;
 
@@ -60,4 +60,4 @@ inline bool near(double a, double b, double tolerance = 1e-6) {
     return std::abs(a - b) <= tolerance;
 }
 
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -3,7 +3,7 @@
 
 #include "import/pbrt/scene_text.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 Spectrum reflectance_of(const std::string& parameter, const MemoryFiles& files = {}) {
@@ -139,4 +139,4 @@ TEST(Spectra, with_numbers_that_none_has_are_errors) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -4,7 +4,7 @@
 #include "material/fibre_albedo.h"
 #include "material/subsurface_albedo.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 template <class M>
@@ -165,4 +165,4 @@ TEST(Measured, broken_files_are_errors) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

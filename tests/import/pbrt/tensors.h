@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace sunfleck::test {
+namespace sunfleck::engine::test {
 
 class TensorFile {
 public:
@@ -53,4 +53,4 @@ private:
     std::vector<Field> fields_;
 };
 
-}  // namespace sunfleck::test
+}  // namespace sunfleck::engine::test

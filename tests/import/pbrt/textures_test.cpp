@@ -3,7 +3,7 @@
 #include "import/pbrt/scene_text.h"
 #include "texture/kinds.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using testing_support::pfm_file;
@@ -238,4 +238,4 @@ TEST(Textures, that_ask_for_too_many_are_refused) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

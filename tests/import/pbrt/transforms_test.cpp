@@ -3,7 +3,7 @@
 
 #include "import/pbrt/scene_text.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Where a point of the current frame lands in the world after these directives.
@@ -148,4 +148,4 @@ TEST(Transforms, without_an_inverse_are_errors) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -1,7 +1,7 @@
 // Scenes of pbrt-v3 are told as such by the first word that gives them away.
 #include "import/pbrt/scene_text.h"
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void expect_version3(const std::string& message, const std::string& word) {
@@ -53,4 +53,4 @@ TEST(Version3, words_are_free_where_they_are_names) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

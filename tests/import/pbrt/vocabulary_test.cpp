@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 void expect_known(std::string_view directive, std::string_view word) {
@@ -76,4 +76,4 @@ TEST(Vocabulary, is_what_the_documentation_shows) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 constexpr std::array<std::string_view, 4> kKnown = {"Shape", "Scale", "", "Material"};
@@ -25,4 +25,4 @@ TEST(Words, suggest_the_nearest) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

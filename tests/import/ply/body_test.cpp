@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// A file of vertices x y z and of faces. @param rows  its body.
@@ -125,4 +125,4 @@ TEST(PlyBody, planar_convex_polygons_are_cut_and_others_refused) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

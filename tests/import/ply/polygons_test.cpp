@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 using Corners = std::vector<Vec3d>;
@@ -61,4 +61,4 @@ TEST(PlyPolygons, six_digits_far_from_the_origin_are_enough) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <functional>
 
-namespace sunfleck {
+namespace sunfleck::engine {
 namespace {
 
 /// Bytes of a value in the byte order asked for.
@@ -292,4 +292,4 @@ TEST(Ply, a_flipped_byte_is_a_mesh_or_an_error) {
 }
 
 }  // namespace
-}  // namespace sunfleck
+}  // namespace sunfleck::engine
