@@ -11,7 +11,7 @@
 namespace sunfleck::engine {
 
 /// Which sampler chooses the photon paths (photon_samplers/samplers.h).
-enum class PhotonSampler { random, uniform, adaptive, paper };
+enum class PhotonSampler { random, uniform, adaptive, paper, count };
 
 /// Of the sampler `paper` alone: what its authors' experiments vary.
 struct PaperSettings {

@@ -6,6 +6,7 @@
 #include "photon_samplers/splitting_sampler.h"
 #include "photon_samplers/uniform_sampler.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -40,6 +41,15 @@ constexpr std::array<PhotonSamplerRow, sizeof...(Samplers)> rows_of(
 }
 
 inline constexpr auto kPhotonSamplers = rows_of(AnyPhotonSampler());
+
+/// Whether each value of PhotonSampler has one row.
+constexpr bool all_have_rows() {
+    std::array<int, static_cast<std::size_t>(PhotonSampler::count)> rows{};
+    for (const PhotonSamplerRow& row : kPhotonSamplers)
+        ++rows.at(static_cast<std::size_t>(row.sampler));
+    return std::all_of(rows.begin(), rows.end(), [](int count) { return count == 1; });
+}
+static_assert(all_have_rows());
 
 std::string_view name_of(PhotonSampler sampler);
 
