@@ -36,7 +36,8 @@ inline float pdf(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi, Transport tra
 }
 
 /// A direction to go on in; nothing when the light is absorbed.
-inline std::optional<BsdfSample> sample(const Bsdf& bsdf, const Vec3& wo, const BsdfDraw& draw) {
+inline std::optional<BsdfSample> sample(const Bsdf& bsdf, const Vec3& wo,
+                                        const BsdfSampleInput& draw) {
     // Most surfaces are: worth the compiler's seeing through.
     if (const auto* lambert = std::get_if<Lambert>(&bsdf)) return lambert->sample(wo, draw);
     return std::visit([&](const auto& b) { return b.sample(wo, draw); }, bsdf);
@@ -53,8 +54,8 @@ inline bool gathers(const Bsdf& bsdf, float z_from, float z_to) {
 }
 
 /// The diffuse albedo of the wide lobe, seen from wo; zero where there is none (bsdf/model.h).
-inline SampledSpectrum spread_share(const Bsdf& bsdf, const Vec3& wo) {
-    return std::visit([&](const auto& b) { return b.spread_share(wo); }, bsdf);
+inline SampledSpectrum diffuse_albedo(const Bsdf& bsdf, const Vec3& wo) {
+    return std::visit([&](const auto& b) { return b.diffuse_albedo(wo); }, bsdf);
 }
 
 /// Whether wavelengths part in direction here.
@@ -69,8 +70,8 @@ inline bool is_dispersive(const Bsdf& bsdf) {
 
 /// The probability with which sample() takes the first of two delta lobes: with draw.u.x below it.
 /// Zero for a surface that has no two.
-inline float mirror_share(const Bsdf& bsdf, const Vec3& wo, const HeroWavelength& hero) {
-    return std::visit([&](const auto& b) { return b.mirror_share(wo, hero); }, bsdf);
+inline float reflection_probability(const Bsdf& bsdf, const Vec3& wo, const HeroWavelength& hero) {
+    return std::visit([&](const auto& b) { return b.reflection_probability(wo, hero); }, bsdf);
 }
 
 /// The same BSDF with that wavelength's index in every wavelength: no longer dispersive. @param

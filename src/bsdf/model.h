@@ -26,7 +26,7 @@ struct BsdfSample {
 };
 
 /// The numbers that one scattering event may use: u in (0,1)^3 (lobe, direction, direction).
-struct BsdfDraw {
+struct BsdfSampleInput {
     Vec3 u;
     Transport transport = Transport::radiance;
     HeroWavelength hero;
@@ -46,21 +46,22 @@ enum class Scattering {
 /// sample: turns u into wi; nothing when absorbed.
 /// scattering: how paths treat it.
 /// gathers: whether eval() can be other than zero, by the signs of wo.z and wi.z alone.
-/// spread_share: the diffuse albedo: share of the light of each wavelength that the wide lobe
+/// diffuse_albedo: the diffuse albedo: share of the light of each wavelength that the wide lobe
 ///               scatters, seen from wo. Zero where there is no wide lobe.
-/// mirror_share: the probability with which sample() takes the first of two delta lobes, a
+/// reflection_probability: the probability with which sample() takes the first of two delta lobes,
+/// a
 ///               reflection: with draw.u.x below it. Zero where there are no two.
 template <class B>
 concept BsdfModel = std::copyable<B> &&
-    requires(const B& b, const Vec3& w, Transport t, const BsdfDraw& draw, float z,
+    requires(const B& b, const Vec3& w, Transport t, const BsdfSampleInput& draw, float z,
              const HeroWavelength& hero) {
     { b.eval(w, w, t) } -> std::same_as<SampledSpectrum>;
     { b.pdf(w, w, t) } -> std::same_as<float>;
     { b.sample(w, draw) } -> std::same_as<std::optional<BsdfSample>>;
     { b.scattering() } -> std::same_as<Scattering>;
     { b.gathers(z, z) } -> std::same_as<bool>;
-    { b.spread_share(w) } -> std::same_as<SampledSpectrum>;
-    { b.mirror_share(w, hero) } -> std::same_as<float>;
+    { b.diffuse_albedo(w) } -> std::same_as<SampledSpectrum>;
+    { b.reflection_probability(w, hero) } -> std::same_as<float>;
 };
 
 /// One that bends each wavelength another way. at_wavelength(i) is the same with wavelength i's
