@@ -10,11 +10,11 @@ SEED ?= 0
 
 .PHONY: demo test check browser mpi sanitize differential nightly bench tidy format clean deps build
 
-# Renders the sun through a glass of cognac into out/demo.
+# Renders a glass of brandy in the sun into out/demo: two minutes of two cores.
 demo: build
-	$(BUILD)/bin/sunfleck scene cognac-0 -o out/demo
-	$(BUILD)/bin/sunfleck render out/demo/cognac-0.pbrt -o out/demo/cognac.png \
-	  -o out/demo/cognac.exr --resolution 512x512 --photons-per-pass 1000000 --passes 96 \
+	$(BUILD)/bin/sunfleck scene brandy -o out/demo
+	$(BUILD)/bin/sunfleck render out/demo/brandy.pbrt -o out/demo/brandy.png \
+	  -o out/demo/brandy.exr --photons-per-pass 500000 --passes 112 --adaptive-pixels off \
 	  --exposure -0.5
 
 # What the README promises and .ci/run runs: all but what `browser`, `mpi` and `nightly` add.

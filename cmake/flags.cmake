@@ -17,7 +17,7 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   target_compile_options(sunfleck_flags INTERFACE -march=x86-64-v2)
 endif()
 target_include_directories(sunfleck_flags INTERFACE ${PROJECT_SOURCE_DIR}/src
-  ${PROJECT_SOURCE_DIR}/include)
+  ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include)
 # All objects can stand in the shared library, which exports what SUNFLECK_API marks and no more.
 target_compile_options(sunfleck_flags INTERFACE -fPIC -fvisibility=hidden -fvisibility-inlines-hidden)
 target_compile_definitions(sunfleck_flags INTERFACE SUNFLECK_VERSION="${PROJECT_VERSION}")

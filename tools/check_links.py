@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks that what a page or a comment points to is there: links of Markdown pages, their anchors,
-and names of pages (docs/....md) in all files.
+names of pages (docs/....md) in all files, and the equations that comments cite.
 
 Usage: check_links.py [REPOSITORY]. Prints one line for each fault; exit code 1 when there is one.
 """
@@ -15,6 +15,7 @@ from check_words import text_files
 MADE_UP = {"check_links_test.py", "check_words_test.py"}
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 PAGE = re.compile(r"(?<![\w./-])docs/[\w-][\w./-]*\.(?:md|png)")
+EQUATIONS = re.compile(r"(docs/method/\w+\.md), eqs?\. ((?:\(\d+\)(?:, | and )?)+)")
 HEADING = re.compile(r"^#+\s+(.*?)\s*$", re.MULTILINE)
 
 
@@ -37,6 +38,12 @@ def check_link(file, target):
     return None
 
 
+def has_equation(page, number):
+    """Whether a line of code on the page ends with the number: that is an equation."""
+    lines = page.read_text(encoding="utf-8").splitlines() if page.exists() else []
+    return any(line.startswith("    ") and line.endswith(" " + number) for line in lines)
+
+
 def check_file(root, file, name, text):
     for number, line in enumerate(text.splitlines(), 1):
         if file.suffix == ".md":
@@ -46,6 +53,10 @@ def check_file(root, file, name, text):
         for page in [] if file.name in MADE_UP else PAGE.findall(line):
             if not (root / page).exists():
                 yield f"{name}:{number}: {page}: there is no such page"
+        for page, cited in EQUATIONS.findall(line):
+            for equation in re.findall(r"\(\d+\)", cited):
+                if not has_equation(root / page, equation):
+                    yield f"{name}:{number}: {page} has no equation {equation}"
 
 
 def check(root):

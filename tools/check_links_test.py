@@ -35,6 +35,13 @@ class CheckLinks(unittest.TestCase):
         self.assertEqual(["src/a.h:1: docs/" "none.md: there is no such page"],
                          self.faults(**{"src/a.h": "// docs/" "none.md has it\n"}))
 
+    def test_equations_are_lines_of_code_that_end_with_their_number(self):
+        page = {"docs/method/m.md": "    a = b        (3)\n\nText (4)\n"}
+        cite = "// Equations: docs/" "method/m.md, eqs. {}.\n"
+        self.assertEqual([], self.faults(**page, **{"src/a.h": cite.format("(3)")}))
+        self.assertEqual(["src/a.h:1: docs/" "method/m.md has no equation (4)"],
+                         self.faults(**page, **{"src/a.h": cite.format("(3) and (4)")}))
+
 
 if __name__ == "__main__":
     unittest.main()

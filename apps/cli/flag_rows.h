@@ -27,6 +27,7 @@ inline void add_flag(CLI::App& app, const RenderFlag& row, RenderFlags& flags) {
     };
     CLI::Option* const option = app.add_option(names, take, help_text(row));
     option->type_name(row.value.form)->group(row.group);
+    option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);  // set() refuses a second one
     if (row.value.is_list)
         option->type_name(form_of_names(row.value.choices, ","))->option_text(row.value.form);
     if (row.value.repeats)

@@ -14,27 +14,10 @@
 namespace sunfleck::engine {
 namespace {
 
-// In the order of the variants.
-constexpr std::array kMaterialNames = {
-    "diffuse",       "dielectric",      "thindielectric",      "conductor",
-    "coateddiffuse", "coatedconductor", "diffusetransmission", "mix",
-    "interface"};
-static_assert(kMaterialNames.size() == std::variant_size_v<Material>);
-constexpr std::array kLightNames = {"point",
-                                    "spot",
-                                    "goniometric",
-                                    "projection",
-                                    "distant",
-                                    "infinite",
-                                    "infinite with a picture",
-                                    "infinite with a portal",
-                                    "area"};
-static_assert(kLightNames.size() == std::variant_size_v<Light>);
-
 void print_lights(const Scene& scene) {
     std::map<std::string, std::pair<int, double>> kinds;  // count, share of the photons
     for (std::size_t i = 0; i < scene.lights().size(); ++i) {
-        auto& [count, share] = kinds[kLightNames.at(scene.lights()[i].index())];
+        auto& [count, share] = kinds[std::string(name_of(scene.lights()[i]))];
         ++count;
         share += scene.light_choice().probability(i);
     }
@@ -110,8 +93,7 @@ int run_info(const InfoOptions& options) {
                instances);
     fmt::print("triangles   {} (instances counted each)\n", scene.geometry().triangle_count());
     std::map<std::string, int> materials;
-    for (const Material& material : scene.materials())
-        ++materials[kMaterialNames.at(material.index())];
+    for (const Material& material : scene.materials()) ++materials[std::string(name_of(material))];
     for (const auto& [name, count] : materials) fmt::print("materials   {} {}\n", count, name);
     print_lights(scene);
     if (options.lights) list_lights(scene);

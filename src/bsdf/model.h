@@ -37,7 +37,8 @@ struct BsdfSampleInput {
 /// How camera paths treat a surface: they gather photons there, continue, or both.
 enum class Scattering {
     specular,  // only delta lobes: continue
-    // A narrow lobe, perhaps with a delta lobe: gather or continue (docs/method/method.md, owners).
+    // A narrow lobe, perhaps with a delta lobe: gather or continue (docs/method/method.md, which
+    // estimator brings which light).
     glossy,
     diffuse,  // a wide lobe: gather
     coated    // diffuse under a specular or glossy coat: both (bsdf/coated_diffuse.h)

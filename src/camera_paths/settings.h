@@ -1,4 +1,5 @@
 // Settings of camera paths and their visible points.
+// Equations: docs/method/method.md, eqs. (5) and (6).
 #pragma once
 
 #include "math/vector.h"

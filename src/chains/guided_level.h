@@ -2,6 +2,7 @@
 //
 // In:  a guide fixed before the pass. Out: visible paths with weights whose sum estimates the
 // visible measure of the guided region; the same paths as survivors with these weights.
+// Equations: docs/method/sampling.md, eq. (16).
 #pragma once
 
 #include "chains/uniform_level.h"

@@ -4,6 +4,7 @@
 // In:  a population of the set; numbers of states and chains. Out: every state with its number of
 // steps, chain by chain, for collectors; integer counts.
 // Source: waste-free sequential Monte Carlo, Dau and Chopin 2022; docs/method/method.md.
+// Equations: docs/method/sampling.md, eq. (13).
 #pragma once
 
 #include "chains/chain.h"

@@ -7,6 +7,7 @@
 // emission dimensions.
 // Source: adaptive scale towards a target acceptance: paper, section 4.4 (its own rule: paper_step
 // of photon/paper_chain.h).
+// Equations: docs/method/sampling.md, eq. (14).
 #pragma once
 
 #include "random_numbers/primary_sample.h"

@@ -3,7 +3,7 @@
 //
 // In:  dimensions that a path reads. Out: the same values again, and mutated copies of the sample.
 // A dimension that no path has read is never drawn, because visibility does not depend on it
-// (docs/method/method.md).
+// (docs/method/sampling.md).
 #pragma once
 
 #include "chains/mutation.h"

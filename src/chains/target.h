@@ -1,6 +1,7 @@
 // Target: the distribution of a chain, a level set with lower density in the guided region.
 //
 // In:  a primary sample. Out: its importance, the target density up to a factor.
+// Equations: docs/method/sampling.md, eq. (16).
 #pragma once
 
 #include "chains/path_space.h"

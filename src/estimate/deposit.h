@@ -2,6 +2,7 @@
 //
 // In:  photons, an index of visible points. Out: the sums of photon_terms.h in the image of the
 // pass.
+// Equations: docs/method/method.md, eq. (2).
 #pragma once
 
 #include "aovs/pass_image.h"

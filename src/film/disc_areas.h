@@ -2,9 +2,10 @@
 // estimation.
 //
 // To first order the mean light of photons is linear in the disc area s, y = a + c s
-// (docs/method/method.md): c s is the bias, a the unbiased light. For a batch, s is the mean over
+// (docs/method/errors.md): c s is the bias, a the unbiased light. For a batch, s is the mean over
 // its passes. Passes and batches are weighted as in the film, in all sums and means; in those of
 // the picture as in the picture.
+// Equations: docs/method/errors.md, eqs. (28) and (32).
 #pragma once
 
 #include "film/film.h"

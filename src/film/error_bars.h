@@ -10,6 +10,7 @@
 // because their square is unbiased. The precision of y is about 2^-26 relative and 2^-32 absolute
 // (the unit of the squares is 2^-64).
 // Source: Conway 1963; Schmeiser 1982 (batch means).
+// Equations: docs/method/errors.md, eqs. (26) and (27).
 #pragma once
 
 #include "film/film.h"

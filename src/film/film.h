@@ -14,7 +14,7 @@
 //
 // In the picture, passes of an open batch count as far as the wavelengths of their group are evenly
 // spread (pass_groups.h), because other passes may have a wrong colour for lamps with spectral
-// lines (docs/method/method.md). So the sums of the groups of open batches are stored for each AOV.
+// lines (docs/method/errors.md). So the sums of the groups of open batches are stored for each AOV.
 //
 // Passes that depend on earlier ones are not independent: a sequential film (film_key.h) has no
 // batches.

@@ -4,6 +4,7 @@
 // The wavelengths of a batch are one lattice (math/wavelengths.h). Those of its first 1, 2, 4 and 8
 // passes are coarser lattices, and so are those of passes 1, 2-3, 4-7, 8-11 and 12-15; the first 12
 // are three quarters of a fine one. Other sets of passes leave gaps.
+// Equations: docs/method/errors.md, eq. (25).
 #pragma once
 
 #include "film/pass_set.h"

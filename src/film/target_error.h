@@ -1,4 +1,5 @@
 // The error that --target-error limits: noise of the picture and bias of the gather radius.
+// Equations: docs/method/errors.md, eqs. (33) and (34).
 #pragma once
 
 #include "film/film.h"

@@ -8,6 +8,7 @@
 // the pass, since q is nowhere zero.
 // Source: importance sampling; density trees: Ram and Gray 2011; guiding of photon paths: Jensen
 // 1995.
+// Equations: docs/method/sampling.md, eq. (15).
 #pragma once
 
 #include "guide/emission_shear.h"

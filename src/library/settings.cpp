@@ -66,6 +66,7 @@ std::vector<SettingInfo> Settings::list() {
         info.form = flag.value.form;
         for (const engine::FlagChoice& choice : flag.value.choices)
             info.choices.push_back(choice.name);
+        info.repeats = flag.value.repeats;
         info.standard = flag.standard;
         info.help = engine::help_text(flag);
     }

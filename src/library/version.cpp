@@ -1,5 +1,5 @@
 // The version that is built into the library.
-#include "sunfleck/version.h"
+#include <sunfleck/version.h>
 
 namespace sunfleck {
 

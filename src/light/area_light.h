@@ -23,6 +23,7 @@ class PlacedImage;     // light/surface_image.h
 class PartialEmitter;  // light/partial_emitter.h
 
 struct AreaLight {
+    static constexpr std::string_view name = "area";
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     EmittingSurface surface;

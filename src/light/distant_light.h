@@ -9,6 +9,7 @@
 namespace sunfleck::engine {
 
 struct DistantLight {
+    static constexpr std::string_view name = "distant";
     static constexpr bool comes_from_afar = true;
     Spectrum curve;
     Vec3d direction;  // unit; direction in which the light travels

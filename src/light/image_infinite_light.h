@@ -16,6 +16,7 @@
 namespace sunfleck::engine {
 
 struct ImageInfiniteLight {
+    static constexpr std::string_view name = "infinite with a picture";
     static constexpr bool comes_from_afar = true;
     Spectrum curve;
     std::shared_ptr<const LightImage> image;

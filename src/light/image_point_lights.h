@@ -15,6 +15,7 @@ namespace sunfleck::engine {
 
 /// The image is an octahedral equal-area map of directions (uniform_sphere() in math/warp.h).
 struct GoniometricLight {
+    static constexpr std::string_view name = "goniometric";
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;
@@ -32,6 +33,7 @@ struct GoniometricLight {
 /// The image lies on the plane z = 1 of the light's frame, x to the right and y down. Within a
 /// texel the factor of the emission is proportional to the third power of the cosine.
 struct ProjectionLight {
+    static constexpr std::string_view name = "projection";
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;

@@ -9,6 +9,7 @@
 namespace sunfleck::engine {
 
 struct InfiniteLight {
+    static constexpr std::string_view name = "infinite";
     static constexpr bool comes_from_afar = true;
     Spectrum curve;
 

@@ -21,6 +21,11 @@ using LightVariant = std::variant<Models...>;
 using Light = LightVariant<PointLight, SpotLight, GoniometricLight, ProjectionLight, DistantLight,
                            InfiniteLight, ImageInfiniteLight, PortalLight, AreaLight>;
 
+/// As `sunfleck info` says it.
+inline std::string_view name_of(const Light& light) {
+    return std::visit([](const auto& l) { return l.name; }, light);
+}
+
 inline Emission sample_emission(const Light& light, const std::array<double, 4>& u,
                                 const SceneSphere& sphere) {
     return std::visit([&](const auto& l) { return l.sample_emission(u, sphere); }, light);

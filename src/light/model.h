@@ -14,6 +14,7 @@
 #include <array>
 #include <concepts>
 #include <optional>
+#include <string_view>
 
 namespace sunfleck::engine {
 
@@ -65,6 +66,7 @@ struct EnvironmentRadiance {
     std::optional<Vec3> rgb{};
 };
 
+/// name:       name that `sunfleck info` prints.
 /// emission:   u in (0,1)^4: position (2), direction (2). Continuous in u.
 /// emission_dimensions: inverse of sample_emission(), within 1e-6; unspecified for a ray that
 ///             sample_emission() cannot return.
@@ -81,6 +83,7 @@ template <class L>
 concept LightModel = std::copyable<L> &&
     requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,
              const LightRay& ray, const SceneSphere& sphere) {
+    { L::name } -> std::convertible_to<std::string_view>;
     { light.sample_emission(u4, sphere) } -> std::same_as<Emission>;
     { light.emission_dimensions(ray, sphere) } -> std::same_as<EmissionDimensions>;
     { light.emission_pdf(ray, sphere) } -> std::same_as<double>;

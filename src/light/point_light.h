@@ -8,6 +8,7 @@
 namespace sunfleck::engine {
 
 struct PointLight {
+    static constexpr std::string_view name = "point";
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;

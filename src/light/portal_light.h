@@ -16,6 +16,7 @@
 namespace sunfleck::engine {
 
 struct PortalLight {
+    static constexpr std::string_view name = "infinite with a portal";
     static constexpr bool comes_from_afar = true;
     Spectrum curve;
     std::shared_ptr<const PortalImage> image;

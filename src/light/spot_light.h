@@ -10,6 +10,7 @@
 namespace sunfleck::engine {
 
 struct SpotLight {
+    static constexpr std::string_view name = "spot";
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
     Vec3d position;

@@ -1,7 +1,7 @@
 // Material: the parameters of a surface as a scene gives them; bsdf_of() evaluates them at a point
 // for one pass.
 //
-// To add one: its header in bsdf/, its alternative here, a row in import/pbrt/materials.cpp.
+// To add one: docs/develop/adding.md.
 #pragma once
 
 #include "bsdf/bsdf.h"
@@ -9,8 +9,10 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <variant>
 
 namespace sunfleck::engine {
@@ -25,6 +27,7 @@ inline float alpha_from_roughness(float roughness) {
 }
 
 struct DiffuseMaterial {
+    static constexpr std::string_view name = "diffuse";
     SpectrumTexture reflectance = Spectrum::constant(0.5F);
 };
 
@@ -43,15 +46,18 @@ struct Roughness {
 };
 
 struct DielectricMaterial {
+    static constexpr std::string_view name = "dielectric";
     Spectrum eta = Spectrum::constant(1.5F);  // index inside over outside
     Roughness roughness;
 };
 
 struct ThinDielectricMaterial {
+    static constexpr std::string_view name = "thindielectric";
     Spectrum eta = Spectrum::constant(1.5F);
 };
 
 struct ConductorMaterial {
+    static constexpr std::string_view name = "conductor";
     SpectrumTexture eta;
     SpectrumTexture k;
     std::optional<SpectrumTexture>
@@ -61,6 +67,7 @@ struct ConductorMaterial {
 
 /// A diffuse base under a clear coat.
 struct CoatedDiffuseMaterial {
+    static constexpr std::string_view name = "coateddiffuse";
     SpectrumTexture reflectance = Spectrum::constant(0.5F);  // of the base, without the coat
     std::shared_ptr<const Coat> coat;                        // not null
     bool whole = false;  // the reflectance is that seen from below the coat's surface
@@ -68,18 +75,21 @@ struct CoatedDiffuseMaterial {
 
 /// Metal under a clear coat.
 struct CoatedConductorMaterial {
+    static constexpr std::string_view name = "coatedconductor";
     ConductorMaterial metal;
     std::shared_ptr<const Coat> coat;  // not null
 };
 
 /// Diffuse reflection and transmission. A sum above one is scaled down.
 struct DiffuseTransmissionMaterial {
+    static constexpr std::string_view name = "diffusetransmission";
     SpectrumTexture reflectance = Spectrum::constant(0.25F);
     SpectrumTexture transmittance = Spectrum::constant(0.25F);
 };
 
 /// A mix of two materials, one of which is selected at each point.
 struct MixMaterial {
+    static constexpr std::string_view name = "mix";
     std::array<std::uint32_t, 2> components{};  // indices of materials; never interfaces
     FloatTexture amount = 0.5F;                 // probability of the second
 
@@ -88,11 +98,27 @@ struct MixMaterial {
 };
 
 /// A null interface: paths pass it without a scattering event.
-struct InterfaceMaterial {};
+struct InterfaceMaterial {
+    static constexpr std::string_view name = "interface";
+};
 
-using Material = std::variant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
-                              ConductorMaterial, CoatedDiffuseMaterial, CoatedConductorMaterial,
-                              DiffuseTransmissionMaterial, MixMaterial, InterfaceMaterial>;
+/// name: as `sunfleck info` prints it.
+template <class M>
+concept MaterialModel = std::copyable<M> && requires {
+    { M::name } -> std::convertible_to<std::string_view>;
+};
+
+template <MaterialModel... Models>
+using MaterialVariant = std::variant<Models...>;
+
+using Material = MaterialVariant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
+                                 ConductorMaterial, CoatedDiffuseMaterial, CoatedConductorMaterial,
+                                 DiffuseTransmissionMaterial, MixMaterial, InterfaceMaterial>;
+
+/// As `sunfleck info` says it.
+inline std::string_view name_of(const Material& material) {
+    return std::visit([](const auto& m) { return m.name; }, material);
+}
 
 /// Returns whether the Bsdf depends on the point.
 bool is_textured(const Material& material);

@@ -12,7 +12,7 @@ namespace sunfleck::engine {
 namespace {
 
 /// Shape of the density: two bells 1 / (1 + x^2)^2, one over the responses of green and red, one
-/// over that of blue. Centres, widths and heights were fitted (docs/method/method.md) to minimise
+/// over that of blue. Centres, widths and heights were fitted (docs/method/errors.md) to minimise
 /// the standard deviation, over shifts of the lattice, of the colours of D65, of smooth
 /// reflectances under it and of lamps, after one pass, two, four and a batch. The heavy tails cover
 /// all visible wavelengths, and only + - * / are needed.

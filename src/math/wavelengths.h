@@ -1,8 +1,9 @@
 // Wavelengths of a pass, shared by its camera and photon paths, and their weights in RGB.
 //
-// Source: docs/method/method.md, "Spectra, batches, pixel values"; a density near the eye's
+// Source: docs/method/errors.md, "Spectra, batches, pixel values"; a density near the eye's
 // response as in pbrt-v4 (Radziszewski et al. 2009, "An improved technique for full spectral
 // rendering").
+// Equations: docs/method/errors.md, eq. (24).
 #pragma once
 
 #include "core/random.h"

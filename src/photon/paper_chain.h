@@ -5,6 +5,7 @@
 // In:  a path space, uniform paths with their visibility. Out: the path that Fig. 3 splats in each
 // iteration, and the counts that normalise it (eq. 5). The visible points may change between
 // passes, while counts, theta and the current path are kept, as in the paper. That is biased.
+// Equations: docs/method/references.md, eq. (35).
 #pragma once
 
 #include "chains/path_space.h"
@@ -44,7 +45,7 @@ private:
 /// theta by eq. 11: theta_1 = 1, theta_{i+1} = theta_i + (A_i - A*) / i after mutation i, where A_i
 /// is the accepted fraction of all mutations so far (section 5.2). Fig. 3 counts the first path,
 /// which is not a mutation, as accepted; theta then begins to rise, and in close-ups is still far
-/// from A* after 10^6 mutations (docs/method/method.md).
+/// from A* after 10^6 mutations (docs/method/references.md).
 class MutationSize {
 public:
     /// Lower bound of theta, which the paper's rule can make negative. At this bound 4% of all

@@ -3,6 +3,7 @@
 // An event is first computed and then applied. A caller with several photons computes all their
 // events, which do not depend on each other, before it applies any.
 // Source: see photon/tracer.h.
+// Equations: docs/method/method.md, eq. (9).
 #pragma once
 
 #include "bsdf/bsdf.h"

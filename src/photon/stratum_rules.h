@@ -2,6 +2,7 @@
 //
 // In:  powers and visible fractions of lights. Out: strata, numbers of paths.
 // Source: measured (docs/develop/decisions.md).
+// Equations: docs/method/sampling.md, eq. (17).
 #pragma once
 
 #include <cstddef>

@@ -5,6 +5,7 @@
 // photon at a surface that can gather is passed to a visitor, which may end the path.
 // Source: shading-normal correction: Veach 1997, section 5.3.2; Russian roulette on the throughput
 // keeps it about constant, as the paper's binary target assumes (docs/method/method.md).
+// Equations: docs/method/method.md, eq. (8).
 #pragma once
 
 #include "aovs/statistics.h"

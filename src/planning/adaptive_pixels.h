@@ -4,6 +4,7 @@
 // Source: Neyman allocation, in proportion to standard deviation over the root of the cost (J.
 // Royal Statistical Society 97, 1934); here with the variance decay of scrambled nets.
 // (J. Royal Statistical Society 97, 1934); here of variances that fall as nets have them.
+// Equations: docs/method/sampling.md, eq. (23).
 #pragma once
 
 #include "film/luminance.h"

@@ -6,6 +6,7 @@
 // averaged until they have the error of a usual pass, and better passes get a weight, as in a mean
 // of minimum variance. Both are known before the passes are rendered, and do not depend on them, so
 // the mean is unbiased.
+// Equations: docs/method/sampling.md, eqs. (18), (19) and (21).
 #pragma once
 
 #include <cstdint>

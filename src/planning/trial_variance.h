@@ -6,6 +6,7 @@
 // however many camera paths a pixel has; the rest depends on the positions of visible points, and
 // several paths reduce it.
 // Source: covariance of independent replicates.
+// Equations: docs/method/sampling.md, eq. (20).
 #pragma once
 
 #include "film/luminance.h"

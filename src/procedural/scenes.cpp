@@ -3,6 +3,7 @@
 #include "procedural/scenes.h"
 
 #include "procedural/box.h"
+#include "procedural/brandy.h"
 #include "procedural/cognac.h"
 #include "procedural/cornell.h"
 #include "procedural/cornell_door.h"
@@ -53,6 +54,8 @@ std::vector<Entry> entries() {
         {{"window-room", "the sun through one pane into a closed room"}, window_room_scene},
         {{"window-room-lamp", "the same, and a lamp of 1/500 of the sun's power in it"},
          window_room_scene},
+        {{"brandy", "a glass of brandy in a gap of the shade of leaves, the scene of make demo"},
+         nameless<brandy_scene>},
         {{"diamond", "a brilliant in the sun, and the colours that it throws"},
          nameless<diamond_scene>},
         {{"iced-tea", "a tumbler of tea with ice under a clear sky"}, nameless<iced_tea_scene>},

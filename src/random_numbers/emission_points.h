@@ -5,7 +5,7 @@
 //
 // In:  a pass and the index of a path. Out: a primary-sample reader for that path.
 // Estimators stay unbiased, because they depend on the distribution of each path alone
-// (docs/method/method.md).
+// (docs/method/sampling.md).
 #pragma once
 
 #include "core/hash.h"

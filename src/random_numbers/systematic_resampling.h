@@ -1,7 +1,7 @@
 // Systematic resampling: divides N things among M shares with one random offset.
 //
 // All shares have the same distribution, and they sum to N exactly. A single offset makes no share
-// depend on what it is used for (docs/method/method.md).
+// depend on what it is used for (docs/method/sampling.md).
 //
 // In:  integers and one uniform random number. Out: integers, by exact arithmetic.
 // Source: Carpenter, Clifford, Fearnhead, Improved particle filter for nonlinear problems (1999).

@@ -8,6 +8,7 @@
 // without start-up bias.
 // Source: Kelemen, Szirmay-Kalos, Antal and Csonka, A Simple and Robust Mutation Strategy for the
 // Metropolis Light Transport Algorithm (2002); start by resampling: Veach 1997, 11.3.
+// Equations: docs/method/references.md, eq. (37).
 #pragma once
 
 #include "reference/path_integrator.h"

@@ -7,6 +7,7 @@
 // Source: Veach 1997, ch. 10.2; van Antwerpen, Recursive MIS Computation for Streaming BDPT on the
 // GPU (2011). Light sampling as a strategy with a density of its own: Georgiev et al., Light
 // Transport Simulation with Vertex Connection and Merging (2012).
+// Equations: docs/method/references.md, eq. (36).
 #pragma once
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 // for its radius, and integer counts. So passes may run in any order, on any machine, or again:
 // the film only adds them up. A photon sampler with a state is the exception: its state is an
 // argument, too, and its passes have an order.
+// Equations: docs/method/method.md, eq. (1).
 #pragma once
 
 #include "photon_samplers/samplers.h"

@@ -5,6 +5,7 @@
 #include "light/partial_emitter.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sunfleck::engine {
 namespace {
@@ -70,45 +71,64 @@ Spectrum radiance_of(const AreaEmission& emission, double area) {
 /// per light.
 constexpr int kMostCells = 1 << 22;
 
+/// Makes the lights of a shape: one overload for each kind.
+class LightsOfShape {
+public:
+    LightsOfShape(const ShapeDescription& shape, std::uint32_t index)
+        : shape_(shape), emission_(*shape.emission), index_(index) {}
+
+    std::vector<AreaLight> take() { return std::move(lights_); }
+
+    void operator()(const TriangleMesh& mesh) {
+        cells_ /= static_cast<int>(std::clamp<std::size_t>(mesh.triangles.size(), 1, kMostCells));
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const EmittingTriangle triangle = emitting_triangle(mesh, t, shape_.placed);
+            add(triangle, 0.5 * triangle.edge1.cross(triangle.edge2).length(), corner_uvs(mesh, t));
+        }
+    }
+    void operator()(const BilinearMesh& patches) {
+        cells_ /= static_cast<int>(std::clamp<std::uint32_t>(patches.count(), 1, kMostCells));
+        for (std::uint32_t p = 0; p < patches.count(); ++p) {
+            const EmittingPatch patch = emitting_patch(patches, p, shape_.placed);
+            add(patch, patch.surface.area(), patches.element(p).uvs);
+        }
+    }
+    void operator()(const Sphere& sphere) { add_quadric(sphere); }
+    void operator()(const Disk& disk) { add_quadric(disk); }
+    void operator()(const Cylinder& cylinder) { add_quadric(cylinder); }
+    void operator()(const Curves&) {}  // emit no light: the importer says so
+
+private:
+    template <class Quadric>
+    void add_quadric(const Quadric& quadric) {
+        const PlacedShape& placed = shape_.placed;
+        add(EmittingQuadric<Quadric>{quadric, placed.to_world, placed.flip}, surface_area(placed));
+    }
+
+    void add(EmittingSurface surface, double area, const CornerUvs& uvs = {}) {
+        lights_.push_back({radiance_of(emission_, area), std::move(surface), emission_.two_sided,
+                           index_, static_cast<std::uint32_t>(lights_.size()), shape_.unseen});
+        AreaLight& light = lights_.back();
+        if (emission_.image && area > 0)
+            light.image =
+                std::make_shared<const PlacedImage>(emission_.image, uvs, light.surface, cells_);
+        if (const Cover& cover = shape_.placed.cover)
+            light.alpha = std::make_shared<const PartialEmitter>(cover, uvs, light.surface);
+    }
+
+    const ShapeDescription& shape_;
+    const AreaEmission& emission_;
+    std::uint32_t index_;
+    int cells_ = kMostCells;  // of an image's table, for each light
+    std::vector<AreaLight> lights_;
+};
+
 }  // namespace
 
 std::vector<AreaLight> area_lights_of(const ShapeDescription& shape, std::uint32_t index) {
-    const AreaEmission& emission = *shape.emission;
-    const PlacedShape& placed = shape.placed;
-    std::vector<AreaLight> lights;
-    int cells = kMostCells;
-    const auto add = [&](auto surface, double area, const CornerUvs& uvs = {}) {
-        lights.push_back({radiance_of(emission, area), std::move(surface), emission.two_sided,
-                          index, static_cast<std::uint32_t>(lights.size()), shape.unseen});
-        AreaLight& light = lights.back();
-        if (emission.image && area > 0)
-            light.image =
-                std::make_shared<const PlacedImage>(emission.image, uvs, light.surface, cells);
-        if (placed.cover)
-            light.alpha = std::make_shared<const PartialEmitter>(placed.cover, uvs, light.surface);
-    };
-    if (const auto* mesh = std::get_if<TriangleMesh>(&placed.shape)) {
-        cells /= static_cast<int>(std::clamp<std::size_t>(mesh->triangles.size(), 1, kMostCells));
-        for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
-            const EmittingTriangle triangle = emitting_triangle(*mesh, t, placed);
-            add(triangle, 0.5 * triangle.edge1.cross(triangle.edge2).length(),
-                corner_uvs(*mesh, t));
-        }
-    } else if (const auto* patches = std::get_if<BilinearMesh>(&placed.shape)) {
-        cells /= static_cast<int>(std::clamp<std::uint32_t>(patches->count(), 1, kMostCells));
-        for (std::uint32_t p = 0; p < patches->count(); ++p) {
-            const EmittingPatch patch = emitting_patch(*patches, p, placed);
-            add(patch, patch.surface.area(), patches->element(p).uvs);
-        }
-    } else if (const auto* cylinder = std::get_if<Cylinder>(&placed.shape)) {
-        add(EmittingQuadric<Cylinder>{*cylinder, placed.to_world, placed.flip},
-            surface_area(placed));
-    } else if (const auto* sphere = std::get_if<Sphere>(&placed.shape)) {
-        add(EmittingQuadric<Sphere>{*sphere, placed.to_world, placed.flip}, surface_area(placed));
-    } else if (const auto* disk = std::get_if<Disk>(&placed.shape)) {
-        add(EmittingQuadric<Disk>{*disk, placed.to_world, placed.flip}, surface_area(placed));
-    }
-    return lights;
+    LightsOfShape lights(shape, index);
+    std::visit(lights, shape.placed.shape);
+    return lights.take();
 }
 
 }  // namespace sunfleck::engine

@@ -2,6 +2,7 @@
 //
 // Source: Knaus and Zwicker 2011, "Progressive Photon Mapping: A Probabilistic Approach", eq. 20:
 // r^2_{p+1} = r^2_p (p + alpha) / (p + 1), p from 1.
+// Equations: docs/method/method.md, eq. (3).
 #pragma once
 
 #include "math/wavelengths.h"

@@ -3,6 +3,7 @@
 //
 // The gather disc of a visible point says which photons it accepts. The function accepts() is the
 // gather test, for the visibility query and for the deposit alike.
+// Equations: docs/method/method.md, eqs. (4) and (7).
 #pragma once
 
 #include "aovs/light_groups.h"

@@ -6,6 +6,7 @@
 // share that scale. Positions that a disc may reach are in full cells, which are higher than all
 // others. Every cell that a disc's box touches is marked, so that the sets { height >= h } are
 // nested and contain everything visible.
+// Equations: docs/method/sampling.md, eq. (11).
 #pragma once
 
 #include "visible_points/visible_point.h"

@@ -29,6 +29,8 @@ TEST_F(ExitCodes, no_or_unknown_command) {
     expect_bad_input({"render"}, "SCENE");
     expect_bad_input({"info"}, "SCENE");
     expect_bad_input({"info", "room.pbrt", "--passes", "1"}, "--passes");
+    expect_bad_input({"render", "room.pbrt", "--spp", "1", "--passes", "1"},
+                     "--passes: is given twice; give it once");
 }
 
 TEST_F(ExitCodes, missing_scene) {

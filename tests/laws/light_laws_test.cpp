@@ -32,16 +32,19 @@ protected:
 
 TEST(LightExamples, cover_every_kind_and_surface) {
     std::set<std::size_t> kinds;
+    std::set<std::string_view> names;
     std::set<std::size_t> surfaces;
     std::size_t infinite = 0;
     for (const LightExample& example : light_examples()) {
         const Light light = example.make();
         kinds.insert(light.index());
+        names.insert(name_of(light));
         infinite += is_infinite(light) ? 1 : 0;
         if (const auto* area = std::get_if<AreaLight>(&light))
             surfaces.insert(area->surface.index());
     }
     EXPECT_EQ(kinds.size(), std::variant_size_v<Light>);
+    EXPECT_EQ(names.size(), kinds.size());
     EXPECT_EQ(infinite, infinite_examples().size());  // EnvironmentLaws has them all
     EXPECT_EQ(surfaces.size(), std::variant_size_v<decltype(AreaLight::surface)>);
 }

@@ -1,7 +1,6 @@
 // Tests sunfleck/error.h: the one line that a user reads.
-#include <sunfleck/error.h>
-
 #include <gtest/gtest.h>
+#include <sunfleck/error.h>
 
 #include <stdexcept>
 

@@ -116,7 +116,7 @@ TEST(Wavelengths, rounds_are_shifted_apart) {
     EXPECT_NE(Wavelengths::of_pass({4, 0}).nm, Wavelengths::of_pass({5, 0}).nm);
 }
 
-// What one pass and one batch leave of colour error; docs/method/method.md quotes these figures.
+// What one pass and one batch leave of colour error; docs/method/errors.md quotes these figures.
 TEST(Wavelengths, white_has_little_error_in_a_pass_and_none_to_see_in_a_round) {
     const auto pass = colours(Spectrum::d65(), 6, 2000, 1);
     const auto batch = colours(Spectrum::d65(), 6, 200, kBatchPasses);

@@ -5,6 +5,7 @@
 namespace sunfleck::engine {
 
 struct Powerless {
+    static constexpr std::string_view name = "powerless";
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
 

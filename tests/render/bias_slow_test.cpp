@@ -138,7 +138,7 @@ TEST(Bias, of_smooth_light_is_seen_and_taken_away) {
 }
 
 /// The edge of a shadow, aslant over the blocks: the bias there does not fall as the area. Of that
-/// of blocks more than half is found (docs/method/method.md).
+/// of blocks more than half is found (docs/method/errors.md).
 TEST(Bias, at_an_edge_is_partly_seen_and_taken_away) {
     const double angle = 0.3;
     const std::string up = std::to_string(std::sin(angle)) + " " + std::to_string(std::cos(angle));

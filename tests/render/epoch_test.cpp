@@ -1,4 +1,4 @@
-// Epochs: which pass belongs to which, as docs/method/method.md says.
+// Epochs: which pass belongs to which, as docs/method/sampling.md says.
 #include "planning/epoch.h"
 
 #include <gtest/gtest.h>

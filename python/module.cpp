@@ -1,0 +1,297 @@
+// The extension module _sunfleck: classes of the library as Python has them.
+#include "conversions.h"
+#include "rendering.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+
+namespace sunfleck::python {
+namespace {
+
+using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
+using Indices = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>;
+
+template <class T>
+std::span<const T> span_of(const py::array_t<T, py::array::c_style | py::array::forcecast>& array) {
+    return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+/// Errors with their place, as sunfleck.Error.
+void add_error(py::module_& module) {
+    static py::object type;
+    type = py::module_::import("sunfleck._error").attr("Error");
+    module.attr("Error") = type;
+    py::register_exception_translator([](std::exception_ptr fault) {
+        try {
+            if (fault) std::rethrow_exception(fault);
+        } catch (const Error& error) {
+            const py::object made =
+                type(error.what(), error.where().file, error.where().line, error.where().column,
+                     error.code() == ErrorCode::machine ? "machine" : "input");
+            PyErr_SetObject(type.ptr(), made.ptr());
+        }
+    });
+}
+
+void add_transform(py::module_& module) {
+    py::class_<Transform>(module, "Transform", "An affine map that places cameras, lights, shapes.")
+        .def(py::init<>(), "The identity.")
+        .def(py::init<const Transform::Rows&>(), py::arg("rows"), "Of four rows of four numbers.")
+        .def_static("translate", &Transform::translate, py::arg("by"))
+        .def_static("scale", &Transform::scale, py::arg("by"))
+        .def_static("rotate", &Transform::rotate, py::arg("degrees"), py::arg("axis"))
+        .def_static("look_at", &Transform::look_at, py::arg("eye"), py::arg("target"),
+                    py::arg("up"), "Camera to world: x to the right, y up, z forward.")
+        .def("__matmul__", [](const Transform& a, const Transform& b) { return a * b; })
+        .def("rows", &Transform::rows);
+}
+
+void add_scene(py::module_& module) {
+    py::class_<LightInfo>(module, "LightInfo", "A statement of light, as --light-group counts.")
+        .def_readonly("what", &LightInfo::what)
+        .def_readonly("where", &LightInfo::where);
+    py::class_<Scene>(module, "Scene", "A scene, ready to be rendered. Immutable.")
+        .def_static(
+            "load",
+            [](const std::string& path, std::size_t threads, const std::string& isa) {
+                const py::gil_scoped_release unlocked;
+                return Scene::load(path, {threads, isa});
+            },
+            py::arg("path"), py::kw_only(), py::arg("threads") = 0, py::arg("isa") = "avx2",
+            "Reads a scene file in the format of pbrt-v4.")
+        .def_static(
+            "parse",
+            [](const std::string& text, const std::string& name, std::size_t threads,
+               const std::string& isa) {
+                const py::gil_scoped_release unlocked;
+                return Scene::parse(text, name, {threads, isa});
+            },
+            py::arg("text"), py::arg("name") = "scene.pbrt", py::kw_only(), py::arg("threads") = 0,
+            py::arg("isa") = "avx2", "Reads a scene from text; files are found from name's folder.")
+        .def_property_readonly("width", &Scene::width)
+        .def_property_readonly("height", &Scene::height)
+        .def_property_readonly("warnings", &Scene::warnings)
+        .def_property_readonly("files", &Scene::files)
+        .def_property_readonly("lights", &Scene::lights)
+        .def_property_readonly("triangle_count", &Scene::triangle_count);
+}
+
+ShapeOptions shape_options(const std::string& material, const Transform& to_world,
+                           const std::optional<py::dict>& area_light,
+                           const std::string& inside_medium, const std::string& outside_medium,
+                           bool reverse_orientation, const std::string& object) {
+    ShapeOptions options{material, to_world, {}, inside_medium, outside_medium};
+    if (area_light) options.area_light = parameters_of(*area_light);
+    options.reverse_orientation = reverse_orientation;
+    options.object = object;
+    return options;
+}
+
+void add_shapes(py::class_<SceneBuilder>& builder) {
+    builder
+        .def(
+            "shape",
+            [](SceneBuilder& self, const std::string& type, const py::dict& parameters,
+               const std::string& material, const Transform& to_world,
+               const std::optional<py::dict>& area_light, const std::string& inside,
+               const std::string& outside, bool reverse, const std::string& object) {
+                self.shape(type, parameters_of(parameters),
+                           shape_options(material, to_world, area_light, inside, outside, reverse,
+                                         object));
+            },
+            py::arg("type"), py::arg("parameters") = py::dict(), py::kw_only(),
+            py::arg("material") = "", py::arg("to_world") = Transform(),
+            py::arg("area_light") = py::none(), py::arg("inside_medium") = "",
+            py::arg("outside_medium") = "", py::arg("reverse_orientation") = false,
+            py::arg("object") = "")
+        .def(
+            "mesh",
+            [](SceneBuilder& self, const Floats& positions, const Indices& triangles,
+               const std::optional<Floats>& normals, const std::optional<Floats>& uvs,
+               const std::string& material, const Transform& to_world,
+               const std::optional<py::dict>& area_light, const std::string& inside,
+               const std::string& outside, bool reverse, const std::string& object) {
+                Mesh mesh{span_of(positions), span_of(triangles)};
+                if (normals) mesh.normals = span_of(*normals);
+                if (uvs) mesh.uvs = span_of(*uvs);
+                self.mesh(mesh, shape_options(material, to_world, area_light, inside, outside,
+                                              reverse, object));
+            },
+            py::arg("positions"), py::arg("triangles"), py::arg("normals") = py::none(),
+            py::arg("uvs") = py::none(), py::kw_only(), py::arg("material") = "",
+            py::arg("to_world") = Transform(), py::arg("area_light") = py::none(),
+            py::arg("inside_medium") = "", py::arg("outside_medium") = "",
+            py::arg("reverse_orientation") = false, py::arg("object") = "",
+            "Triangles of arrays: positions (n, 3), triangles (m, 3), normals (n, 3), uvs (n, 2).")
+        .def("instance", &SceneBuilder::instance, py::arg("object"),
+             py::arg("to_world") = Transform());
+}
+
+void add_builder(py::module_& module) {
+    py::class_<SceneBuilder> builder(module, "SceneBuilder",
+                                     "Makes a scene call by call, with pbrt-v4's types.");
+    builder.def(py::init<const std::string&>(), py::arg("folder") = ".")
+        .def(
+            "camera",
+            [](SceneBuilder& self, const std::string& type, const py::dict& parameters,
+               const Transform& to_world, const std::string& medium) {
+                self.camera(type, parameters_of(parameters), to_world, medium);
+            },
+            py::arg("type"), py::arg("parameters"), py::arg("to_world"), py::arg("medium") = "")
+        .def(
+            "film",
+            [](SceneBuilder& self, int width, int height, const py::dict& parameters) {
+                self.film(width, height, parameters_of(parameters));
+            },
+            py::arg("width"), py::arg("height"), py::arg("parameters") = py::dict())
+        .def(
+            "filter",
+            [](SceneBuilder& self, const std::string& type, const py::dict& parameters) {
+                self.filter(type, parameters_of(parameters));
+            },
+            py::arg("type"), py::arg("parameters") = py::dict())
+        .def(
+            "material",
+            [](SceneBuilder& self, const std::string& name, const std::string& type,
+               const py::dict& parameters) {
+                self.material(name, type, parameters_of(parameters));
+            },
+            py::arg("name"), py::arg("type"), py::arg("parameters") = py::dict())
+        .def(
+            "texture",
+            [](SceneBuilder& self, const std::string& name, const std::string& kind,
+               const std::string& type, const py::dict& parameters, const Transform& to_world) {
+                self.texture(name, kind, type, parameters_of(parameters), to_world);
+            },
+            py::arg("name"), py::arg("kind"), py::arg("type"), py::arg("parameters") = py::dict(),
+            py::arg("to_world") = Transform())
+        .def(
+            "medium",
+            [](SceneBuilder& self, const std::string& name, const std::string& type,
+               const py::dict& parameters) { self.medium(name, type, parameters_of(parameters)); },
+            py::arg("name"), py::arg("type"), py::arg("parameters") = py::dict())
+        .def(
+            "light",
+            [](SceneBuilder& self, const std::string& type, const py::dict& parameters,
+               const Transform& to_world, const std::string& medium) {
+                self.light(type, parameters_of(parameters), to_world, medium);
+            },
+            py::arg("type"), py::arg("parameters"), py::arg("to_world") = Transform(),
+            py::arg("medium") = "")
+        .def(
+            "build",
+            [](SceneBuilder& self, std::size_t threads, const std::string& isa) {
+                const py::gil_scoped_release unlocked;
+                return self.build({threads, isa});
+            },
+            py::kw_only(), py::arg("threads") = 0, py::arg("isa") = "avx2");
+    add_shapes(builder);
+}
+
+/// A view of a channel that keeps the picture alive and cannot be written to.
+py::array channel_view(const py::object& self, const std::string& name) {
+    const auto& picture = self.cast<const Picture&>();
+    const std::span<const float> values = picture.channel(name);
+    py::array_t<float> view({picture.height(), picture.width()}, values.data(), self);
+    view.attr("setflags")(py::arg("write") = false);
+    return std::move(view);
+}
+
+void add_picture(py::module_& module) {
+    py::class_<Picture>(module, "Picture", "Named channels of floats, linear sRGB. Immutable.")
+        .def_static("load", &Picture::load, py::arg("path"), "Reads an .exr with all its channels.")
+        .def_property_readonly("width", &Picture::width)
+        .def_property_readonly("height", &Picture::height)
+        .def_property_readonly("channels", &Picture::channels)
+        .def_property_readonly("metadata", &Picture::metadata)
+        .def("__contains__", &Picture::has)
+        .def("__getitem__", channel_view, py::arg("channel"),
+             "The channel as an array (height, width), without a copy.")
+        .def("save", &Picture::save, py::arg("path"), py::arg("exposure") = py::none(),
+             "Writes .exr, or .png with an exposure in stops.");
+}
+
+void add_settings(py::module_& module) {
+    py::class_<SettingInfo>(module, "SettingInfo", "A setting, as the command line has it.")
+        .def_readonly("name", &SettingInfo::name)
+        .def_readonly("form", &SettingInfo::form)
+        .def_readonly("choices", &SettingInfo::choices)
+        .def_readonly("repeats", &SettingInfo::repeats)
+        .def_readonly("standard", &SettingInfo::standard)
+        .def_readonly("help", &SettingInfo::help);
+    module.def("settings", &Settings::list, "All settings that a Renderer takes.");
+}
+
+void add_renderer(py::module_& module) {
+    py::class_<Progress>(module, "Progress", "What is known of a render after a pass.")
+        .def_readonly("passes", &Progress::passes)
+        .def_readonly("of", &Progress::of)
+        .def_readonly("seconds", &Progress::seconds)
+        .def_readonly("cpu_seconds", &Progress::cpu_seconds)
+        .def_readonly("error", &Progress::error)
+        .def_readonly("target_error", &Progress::target_error)
+        .def_readonly("seconds_left", &Progress::seconds_left)
+        .def_readonly("is_learning", &Progress::is_learning);
+    py::class_<PythonRenderer>(module, "_Renderer")
+        .def(py::init([](const Scene& scene, std::size_t threads, const py::object& log,
+                         const py::kwargs& settings) {
+                 return std::make_unique<PythonRenderer>(scene, settings_of(settings), threads,
+                                                         log);
+             }),
+             py::arg("scene"), py::kw_only(), py::arg("threads") = 0, py::arg("log") = py::none())
+        .def("run", &PythonRenderer::run, py::arg("report") = py::none())
+        .def("step", &PythonRenderer::step, py::arg("passes") = 1, py::arg("report") = py::none())
+        .def("start", &PythonRenderer::start, py::arg("report") = py::none())
+        .def("wait", &PythonRenderer::wait)
+        .def("cancel", [](PythonRenderer& self) { self.renderer().cancel(); })
+        .def_property_readonly("is_running",
+                               [](PythonRenderer& self) { return self.renderer().is_running(); })
+        .def_property_readonly("progress",
+                               [](PythonRenderer& self) { return self.renderer().progress(); })
+        .def("picture",
+             [](PythonRenderer& self) {
+                 const py::gil_scoped_release unlocked;
+                 return self.renderer().picture();
+             })
+        .def("_statistics", [](PythonRenderer& self) { return self.renderer().statistics(); })
+        .def(
+            "set_camera",
+            [](PythonRenderer& self, const std::string& type, const py::dict& parameters,
+               const Transform& to_world) {
+                self.renderer().set_camera(type, parameters_of(parameters), to_world);
+            },
+            py::arg("type"), py::arg("parameters"), py::arg("to_world"))
+        .def(
+            "set_resolution",
+            [](PythonRenderer& self, int width, int height) {
+                self.renderer().set_resolution(width, height);
+            },
+            py::arg("width"), py::arg("height"))
+        .def(
+            "set_crop",
+            [](PythonRenderer& self, const std::optional<std::array<int, 4>>& crop) {
+                self.renderer().set_crop(crop);
+            },
+            py::arg("x0_x1_y0_y1"));
+}
+
+void add_all(py::module_& module) {
+    module.doc() = "Sunfleck's library; see the package sunfleck.";
+    module.attr("__version__") = version();
+    add_error(module);
+    add_transform(module);
+    add_scene(module);
+    add_builder(module);
+    add_picture(module);
+    add_settings(module);
+    add_renderer(module);
+}
+
+}  // namespace
+}  // namespace sunfleck::python
+
+PYBIND11_MODULE(_sunfleck, module) {
+    sunfleck::python::add_all(module);
+}

@@ -1,0 +1,49 @@
+"""Sunfleck from Python: scenes, renders, and pictures as NumPy arrays.
+
+    import sunfleck
+    scene = sunfleck.Scene.load("scene.pbrt")
+    renderer = sunfleck.Renderer(scene, passes=64)
+    renderer.run(lambda progress: print(progress.passes))
+    picture = renderer.picture()
+    print(picture["R"].mean(), picture["error.Y"].max())
+"""
+
+import json
+
+import numpy
+
+from . import _sunfleck
+from ._sunfleck import (
+    Error, LightInfo, Picture, Progress, Scene, SceneBuilder, SettingInfo, Transform, __version__,
+    settings)
+
+__all__ = [
+    "Error", "LightInfo", "Picture", "Progress", "Renderer", "Scene", "SceneBuilder", "SettingInfo",
+    "Transform", "__version__", "settings"]
+
+
+class Renderer(_sunfleck._Renderer):
+    """Renders a scene: at once, pass by pass, or in the background.
+
+    Renderer(scene, *, threads=0, log=None, **settings). Settings have the names of the flags of
+    `sunfleck render`, with "_" for "-": Renderer(scene, passes=64, photon_sampler="uniform",
+    resolution=(640, 480), aovs=["caustic", "depth"]). settings() lists them. log(severity, line) is
+    called with warnings; without it they are Python's.
+
+    run(report), step(passes, report) and wait() return whether the render came to its end, and was
+    not cancelled. report(progress) is called after each pass. Other threads of Python run meanwhile;
+    Ctrl-C and what a callback raises end the render, which can go on.
+    """
+
+    def statistics(self):
+        """The statistics of the render so far, as `sunfleck render --stats` writes them."""
+        return json.loads(self._statistics())
+
+
+def _rgb(self, layer=""):
+    """The three channels of a layer as one array (height, width, 3): a copy."""
+    names = [f"{layer}.{c}" if layer else c for c in "RGB"]
+    return numpy.stack([self[name] for name in names], axis=-1)
+
+
+Picture.rgb = _rgb
