@@ -117,7 +117,8 @@ void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o
     finish_paper(given, t.paper, o);
     finish_adaptive(given, t.adaptive, o.settings.photon);
     if (given.count("--ris") > 0 && o.settings.transport.direct == DirectLight::photons)
-        throw Error({"--ris"}, "photons bring direct light: none is sampled", "leave it out");
+        throw Error({"--ris"}, "photons estimate direct light: there are no light samples",
+                    "leave it out");
     o.light_groups = read_light_groups(t.light_groups, o.settings.photon.sampler);
     finish_error(given, t.error, o);
     check_layers_fit(given, o);
