@@ -55,8 +55,11 @@ void add_relight_flags(CLI::App& app, RelightOptions& o, RenderFlags& flags) {
     app.add_option("PICTURE", o.picture, "EXR picture rendered with --light-group")
         ->required()
         ->type_name("FILE");
-    add_values(app, "FACTORS", "NAME=FACTOR", o.factors, read_factor,
-               "Factor of a light group: NAME=0.5, or per channel: NAME=1,0.8,0.6")
+    add_values(app,
+               {.name = "FACTORS",
+                .form = "NAME=FACTOR",
+                .help = "Factor of a light group: NAME=0.5, or per channel: NAME=1,0.8,0.6"},
+               o.factors, read_factor)
         ->required();
     add_outputs(app, o.outputs, ".exr, .png");
     add_flag(app, render_flag("--exposure"), flags);
@@ -91,7 +94,9 @@ void add_scene_flags(CLI::App& app, SceneOptions& o) {
 }
 
 void add_completion_flags(CLI::App& app, ManualOptions& o) {
-    add_value(app, "SHELL", form_of_names(kShells), o.shell, read_shell, "Shell that is to read it")
+    add_value(app,
+              {.name = "SHELL", .form = form_of_names(kShells), .help = "Shell that is to read it"},
+              o.shell, read_shell)
         ->required();
 }
 
@@ -110,21 +115,34 @@ void add_experiment_flags(CLI::App& app, ExperimentOptions& o) {
     app.add_option("-o,--output", run.folder,
                    "Folder of the run; one begun before goes on (default experiment)")
         ->type_name("FOLDER");
-    add_value(app, "--minutes", "N", run.cpu_seconds, read_minutes,
-              "Processor minutes of each render, of all threads together; or 30s, 2h "
-              "(default 1)");
-    add_value(app, "--passes", "N", run.passes, whole_from(1, 1 << 20),
-              "Passes of each render, instead of minutes");
-    add_value(app, "--seeds", "N", run.seeds, whole_from(1, 1000),
-              "Renders of each method (default 5)");
-    add_value(app, "--scale", "X", run.scale, number_from(0.02, 1),
-              "Sides of pictures, of full size (0.02 to 1; default 1)");
-    add_value(app, "--reference-budget", "X", run.reference_budget, number_from(1, 1e4),
-              "Length of references, in renders (default 10)");
-    add_value(app, "--nthreads", "N", run.threads, whole_from(1, 4096),
-              "Threads (1 to 4096; default all)");
-    add_values(app, "--other", "SCENE=LABEL=FILE", run.others, read_other,
-               "Another renderer's picture, shown and measured; may be repeated");
+    add_value(app,
+              {.name = "--minutes",
+               .form = "N",
+               .help = "Processor minutes of each render, of all threads together; or 30s, 2h "
+                       "(default 1)"},
+              run.cpu_seconds, read_minutes);
+    add_value(
+        app, {.name = "--passes", .form = "N", .help = "Passes of each render, instead of minutes"},
+        run.passes, whole_from(1, 1 << 20));
+    add_value(app, {.name = "--seeds", .form = "N", .help = "Renders of each method (default 5)"},
+              run.seeds, whole_from(1, 1000));
+    add_value(app,
+              {.name = "--scale",
+               .form = "X",
+               .help = "Sides of pictures, of full size (0.02 to 1; default 1)"},
+              run.scale, number_from(0.02, 1));
+    add_value(app,
+              {.name = "--reference-budget",
+               .form = "X",
+               .help = "Length of references, in renders (default 10)"},
+              run.reference_budget, number_from(1, 1e4));
+    add_value(app, {.name = "--nthreads", .form = "N", .help = "Threads (1 to 4096; default all)"},
+              run.threads, whole_from(1, 4096));
+    add_values(app,
+               {.name = "--other",
+                .form = "SCENE=LABEL=FILE",
+                .help = "Another renderer's picture, shown and measured; may be repeated"},
+               run.others, read_other);
 }
 
 void check_experiment(const CLI::App& given) {

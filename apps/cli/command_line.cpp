@@ -48,7 +48,7 @@ public:
                 throw Error({"sunfleck"},
                             rest.empty() ? "no command is given"
                                          : "unknown command \"" + rest.front() + "\"",
-                            "use one of " + names_of_commands());
+                            "use one of " + names_of_commands() + "; " + help());
             throw Error({"sunfleck"}, fault.what(), help());
         } catch (const CLI::ParseError& fault) {
             if (fault.get_exit_code() != 0) throw Error({"sunfleck"}, fault.what(), help());

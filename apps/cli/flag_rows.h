@@ -34,30 +34,38 @@ inline void add_flag(CLI::App& app, const RenderFlag& row, RenderFlags& flags) {
         option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);
 }
 
-/// Any other flag. @param read  its text and its name, into a value; throws Error for a text that
-///        cannot be used.
+/// Any other flag, or a word without one.
+struct OptionRow {
+    std::string name;  // "--every", "SCENE"
+    std::string form;  // of its value
+    std::string help;
+    std::string group = "Options";
+};
+
+/// @param read  text and name of the flag, into a value; throws Error for a text that cannot be
+///        used.
 template <class Place, class Read>
-CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& form,
-                       Place& place, Read read, const std::string& help) {
-    const auto take = [&place, read, name](const CLI::results_t& texts) {
+CLI::Option* add_value(CLI::App& app, const OptionRow& row, Place& place, Read read) {
+    const auto take = [&place, read, name = row.name](const CLI::results_t& texts) {
         place = static_cast<Place>(read(texts.front(), name));
         return true;
     };
-    return app.add_option(name, take, help)->type_name(form);
+    return app.add_option(row.name, take, row.help)->type_name(row.form)->group(row.group);
 }
 
 /// The same of several values: of a flag that may be repeated, or of words without a flag.
 template <class Value, class Read>
-CLI::Option* add_values(CLI::App& app, const std::string& name, const std::string& form,
-                        std::vector<Value>& places, Read read, const std::string& help) {
-    const auto take = [&places, read, name](const CLI::results_t& texts) {
+CLI::Option* add_values(CLI::App& app, const OptionRow& row, std::vector<Value>& places,
+                        Read read) {
+    const auto take = [&places, read, name = row.name](const CLI::results_t& texts) {
         for (const std::string& text : texts) places.push_back(read(text, name));
         return true;
     };
-    return app.add_option(name, take, help)
-        ->type_name(form)
+    return app.add_option(row.name, take, row.help)
+        ->type_name(row.form)
+        ->group(row.group)
         ->expected(1, CLI::detail::expected_max_vector_size)
-        ->allow_extra_args(name.front() != '-');
+        ->allow_extra_args(row.name.front() != '-');
 }
 
 /// A file or a folder that must have a name.

@@ -30,35 +30,51 @@ void add_file_flags(CLI::App& app, RenderOptions& o) {
                    "Also write picture and statistics to this folder, after passes 1, 2, 4, 8 and "
                    "so on and at the end")
         ->type_name("FOLDER");
-    auto* const checkpoint = add_value(app, "--checkpoint", "FILE", o.checkpoint, read_name,
-                                       "Keep the render so far in this file, to --resume from");
-    add_value(app, "--every", "TIME", o.checkpoint_seconds, read_duration,
-              "Time between checkpoints (default 60s)")
+    auto* const checkpoint =
+        add_value(app,
+                  {.name = "--checkpoint",
+                   .form = "FILE",
+                   .help = "Keep the render so far in this file, to --resume from"},
+                  o.checkpoint, read_name);
+    add_value(app,
+              {.name = "--every", .form = "TIME", .help = "Time between checkpoints (default 60s)"},
+              o.checkpoint_seconds, read_duration)
         ->needs(checkpoint);
-    add_value(app, "--resume", "FILE", o.resume, read_name,
-              "Go on from this checkpoint of the same render; limits may be others");
+    add_value(app,
+              {.name = "--resume",
+               .form = "FILE",
+               .help = "Go on from this checkpoint of the same render; limits may be others"},
+              o.resume, read_name);
     for (CLI::Option* option : app.get_options())
         if (option != app.get_help_ptr()) option->group("Files");
 }
 
 void add_run_flags(CLI::App& app, RenderOptions& o) {
-    const char* const group = "Run";
-    add_value(app, "--nthreads", "N", o.threads, whole_from(1, 4096),
-              "Threads (1 to 4096; default all)")
-        ->group(group);
-    add_value(app, "--memory-limit", "SIZE", o.memory_limit, read_bytes,
-              "Refuse a render that would need more memory: 512M, 4G (default what the machine, "
-              "its control group and ulimit -v leave)")
-        ->group(group);
-    CLI::Option* const level =
-        add_value(app, "--log-level", "quiet|warning|info", o.log, read_log_level,
-                  "What is said on standard error beside faults: nothing, warnings, or also "
-                  "defaults taken and a progress line (default info)")
-            ->group(group);
+    add_value(app,
+              {.name = "--nthreads",
+               .form = "N",
+               .help = "Threads (1 to 4096; default all)",
+               .group = "Run"},
+              o.threads, whole_from(1, 4096));
+    add_value(app,
+              {.name = "--memory-limit",
+               .form = "SIZE",
+               .help = "Refuse a render that would need more memory: 512M, 4G (default what the "
+                       "machine, its control group and ulimit -v leave)",
+               .group = "Run"},
+              o.memory_limit, read_bytes);
+    CLI::Option* const level = add_value(
+        app,
+        {.name = "--log-level",
+         .form = "quiet|warning|info",
+         .help = "What is said on standard error beside faults: nothing, warnings, or also "
+                 "defaults taken and a progress line (default info)",
+         .group = "Run"},
+        o.log, read_log_level);
     app.add_flag_callback(
            "--quiet", [&o] { o.log = LogLevel::quiet; }, "The same as --log-level quiet")
         ->excludes(level)
-        ->group(group);
+        ->group("Run");
 }
 
 /// AOVs that no output can hold are refused: they would be lost.

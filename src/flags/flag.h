@@ -92,6 +92,7 @@ FlagValue one_of(const std::vector<FlagChoice>& choices, Set set) {
 template <class Rows>
 std::vector<FlagChoice> choices_of(const Rows& rows) {
     std::vector<FlagChoice> choices;
+    choices.reserve(rows.size());
     for (const auto& row : rows)
         choices.push_back({.name = std::string(row.name), .what = std::string(row.what)});
     return choices;
