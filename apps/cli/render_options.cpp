@@ -3,7 +3,6 @@
 
 #include "apps/cli/flag_rows.h"
 #include "image/picture_file.h"
-#include "photon_samplers/samplers.h"
 #include "sunfleck/error.h"
 
 #include <algorithm>
@@ -95,49 +94,9 @@ void add_render_flags(CLI::App& app, RenderOptions& o, RenderFlags& flags) {
     add_run_flags(app, o);
 }
 
-void finish_render(const CLI::App& given, const RenderTexts& t, RenderOptions& o) {
-    check_fits_integrator(given, t);
-    // One of the names of each table: checked.
-    o.settings.integrator = row_named(kIntegrators, t.integrator)->integrator;
-    o.settings.photon.sampler = row_named(kPhotonSamplers, t.sampler)->sampler;
-    o.settings.transport.direct =
-        t.direct == "photons" ? DirectLight::photons : DirectLight::sampled;
-    o.settings.camera.ris = t.ris != "off";
-    o.settings.energy_compensation = t.energy_compensation == "on";
-    if (!t.seed.empty()) o.settings.seed = read_seed(t.seed, "--seed");
-    if (t.quiet || t.log_level == "quiet") o.log = LogLevel::quiet;
-    if (t.log_level == "warning") o.log = LogLevel::warning;
-    if (!t.resolution.empty()) o.resolution = read_size(t.resolution, "--resolution");
-    if (!t.crop.empty()) o.crop = read_crop(t.crop, "--crop");
-    if (!t.crop_window.empty()) o.crop_window = read_crop_window(t.crop_window, "--cropwindow");
-    o.settings.aovs = read_aovs(t.aovs, "--aovs");
-    if (!t.time.empty()) o.stop.seconds = read_duration(t.time, "--time");
-    for (const char* flag : {"--checkpoint", "--resume"})
-        if (given.count(flag) > 0 && given[flag]->as<std::string>().empty())
-            throw Error({flag}, "the file has no name", "name one");
-    if (!t.cpu_time.empty()) o.stop.cpu_seconds = read_duration(t.cpu_time, "--cpu-time");
-    if (!t.memory_limit.empty()) o.memory_limit = read_bytes(t.memory_limit, "--memory-limit");
-    if (!t.every.empty()) o.checkpoint_seconds = read_duration(t.every, "--every");
-    if (!t.target_error.empty()) o.stop.target_error = read_share(t.target_error, "--target-error");
-    if (t.passes) o.stop.end_pass = *t.passes;
-    if (!t.pass_range.empty()) {
-        if (t.passes) throw Error({"--pass-range"}, "given together with --passes", "give one");
-        read_pass_range(t.pass_range, "--pass-range", o.stop);
-    }
-    o.ends_by_default =
-        !o.stop.end_pass && !o.stop.seconds && !o.stop.cpu_seconds && !o.stop.target_error;
-    if (o.ends_by_default) {
-        o.stop.target_error = 0.02;
-        o.stop.seconds = 600;
-    }
-    finish_paper(given, t.paper, o);
-    finish_adaptive(given, t.adaptive, o.settings.photon);
-    if (given.count("--ris") > 0 && o.settings.transport.direct == DirectLight::photons)
-        throw Error({"--ris"}, "photons estimate direct light: there are no light samples",
-                    "leave it out");
-    o.light_groups = read_light_groups(t.light_groups, o.settings.photon.sampler);
-    finish_error(given, t.error, o);
-    check_layers_fit(given, o);
+void finish_render(const CLI::App& given, const RenderFlags& flags, RenderOptions& o) {
+    o.request = flags.finish();
+    check_aovs_fit(given, o);
 }
 
 }  // namespace sunfleck::engine
