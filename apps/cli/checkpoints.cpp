@@ -14,7 +14,7 @@ std::optional<Checkpoint> open_checkpoints(const RenderOptions& options) {
     if (!file.empty()) {
         if (fs::exists(file, code) &&
             (options.resume.empty() || !fs::equivalent(file, options.resume, code)))
-            throw Error({file}, "stands there already, and --checkpoint would replace it",
+            throw Error({file}, "this file exists, and --checkpoint would replace it",
                         "go on from it with --resume " + file + ", or remove it");
     }
     if (options.resume.empty()) return {};

@@ -23,10 +23,10 @@ int run_merge(const MergeOptions& options) {
     for (std::size_t i = 1; i < options.inputs.size(); ++i)
         film.merge(read_film(options.inputs[i]), options.inputs[i]);
     if (options.extrapolate && !film.key().has_discs())
-        throw Error(
-            {"--extrapolate"},
-            "is about the discs of photon mapping, and there are none in " + options.inputs.front(),
-            "leave it out");
+        throw Error({"--extrapolate"},
+                    options.inputs.front() +
+                        " was not rendered by photon mapping, and has no bias to remove",
+                    "leave it out");
     DeferredError faults(LogLevel::quiet);  // thrown when all is tried
     write_outputs(options.outputs, film, {options.exposure, options.extrapolate}, faults);
     const auto doubts = extrapolation_warnings(film, options.extrapolate);

@@ -19,7 +19,7 @@ void check_outputs(const std::vector<std::string>& outputs,
                    const std::vector<std::string>& others) {
     for (const std::string& path : outputs) {
         if (!is_film(path) && !is_picture_path(path))
-            throw Error({path}, "has no ending of an output", "end it in .exr, .png or .film");
+            throw Error({path}, "unknown output format", "end it in .exr, .png or .film");
         check_writable(path);
     }
     for (const std::string& path : others)

@@ -59,7 +59,7 @@ std::vector<Part> parts_of(const Progress& p) {
     add_error(p, parts);
     if (p.seconds_left) parts.push_back({3, left_text(p)});
     if (p.is_learning) parts.push_back({4, learning});
-    if (p.bringing > 0) parts.push_back({5, share_text(p.bringing) + " of photons are seen"});
+    if (p.bringing > 0) parts.push_back({5, share_text(p.bringing) + " of photons contribute"});
     return parts;
 }
 

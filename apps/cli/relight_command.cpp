@@ -22,9 +22,8 @@ int run_relight(const RelightOptions& options) {
         });
     faults.finish();
     if (!relit_now.left_out.empty())
-        say(fmt::format(
-            "{}: its AOVs {} are not in the new picture: they show the lights as they were",
-            options.picture, fmt::join(relit_now.left_out, ", ")));
+        say(fmt::format("{}: the AOVs {} were left out: they show the lights before relighting",
+                        options.picture, fmt::join(relit_now.left_out, ", ")));
     return 0;
 }
 

@@ -10,22 +10,23 @@ constexpr InterruptAnswer kReading{
     .first = "interrupted while reading the scene: no picture is written", .ends = true};
 constexpr InterruptAnswer kReadingResumed{
     .first =
-        "interrupted while reading the scene: no picture is written; what is to be resumed "
+        "interrupted while reading the scene: no picture is written; the checkpoint "
         "stays as it was",
     .ends = true};
 constexpr InterruptAnswer kLearning{
     .first = "interrupted before the first pass: no picture is written", .ends = true};
 constexpr InterruptAnswer kFirstPass{
-    .first = "finishing the first pass, then writing; once more: quit without",
+    .first =
+        "finishing the first pass, then writing the picture; interrupt again to quit without it",
     .lost = "quit: no picture is written"};
 constexpr InterruptAnswer kLaterPass{
-    .first = "finishing this pass, then writing; once more: quit without",
+    .first = "finishing this pass, then writing the picture; interrupt again to quit without it",
     .lost = "quit: the picture is lost"};
 constexpr InterruptAnswer kLaterPassKept{
     .first = kLaterPass.first,
-    .lost = "quit: the picture is lost, but for what the checkpoint holds"};
+    .lost = "quit: the picture is lost, except for the passes in the checkpoint"};
 constexpr InterruptAnswer kWriting{
-    .first = "writing; once more: quit without what is not written yet",
+    .first = "writing the files; interrupt again to quit without the rest",
     .lost = "quit: files that are not written yet are lost"};
 
 }  // namespace

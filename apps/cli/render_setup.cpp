@@ -95,7 +95,7 @@ std::vector<std::string> written_files(const RenderSetup& setup) {
 std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& ranks) {
     check_shareable(options.request.settings, ranks);
     if (options.scene == "-" && !ranks.is_alone())
-        throw Error({"-"}, "standard input is that of one rank alone",
+        throw Error({"-"}, "only one rank can read standard input",
                     "write the scene to a file that all ranks can read");
     check_outputs(options.outputs, {options.stats, options.checkpoint});
     check_apart(files_of(options, {options.scene}, options.outputs));

@@ -26,7 +26,7 @@ void check_replaces_nothing(const fs::path& folder, const std::vector<SceneFile>
         const fs::path path = folder / file.name;
         std::error_code code;
         if (fs::exists(path, code) && !is_written(path, file))
-            throw Error({path.string()}, "stands there already, and differs from what this writes",
+            throw Error({path.string()}, "this file exists, and differs from the one to be written",
                         "give another folder with -o, or replace it with --force");
     }
 }

@@ -22,7 +22,7 @@ void prepare_snapshots(const std::string& folder, bool resumed) {
     std::error_code code;
     fs::create_directories(folder, code);
     if (!fs::is_directory(folder, code))
-        throw Error({folder}, "cannot be made a folder",
+        throw Error({folder}, "cannot create this folder",
                     "name one in a folder that you may write to");
     const fs::directory_iterator entries(folder, code);
     if (code) throw Error({folder}, "cannot be read: " + code.message(), "name another folder");

@@ -1,4 +1,5 @@
-// Every BSDF there is, as one value. To add one: docs/develop/adding.md.
+// BSDF: variant of all BSDF models, with functions that dispatch to them. To add one:
+// docs/develop/adding.md.
 #pragma once
 
 #include "bsdf/coated_conductor.h"
@@ -19,25 +20,26 @@ namespace sunfleck::engine {
 template <BsdfModel... Models>
 using BsdfVariant = std::variant<Models...>;
 
-/// A BSDF at one point of a surface: a value, copied into the visible point that needs it.
+/// BSDF at one point of a surface: a value, which visible points copy.
 using Bsdf = BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielectric,
                          SmoothConductor, RoughConductor, CoatReflection, CoatedBase, CoatedDiffuse,
                          CoatedConductor, DiffuseTransmission>;
 
-/// f per steradian, without the cosine; zero for delta lobes (bsdf/model.h).
+/// Returns f per steradian, without the cosine; zero for delta lobes (bsdf/model.h).
 inline SampledSpectrum eval(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi, Transport transport) {
     return std::visit([&](const auto& b) { return b.eval(wo, wi, transport); }, bsdf);
 }
 
-/// Density per steradian with which sample() chooses wi, given wo; zero for delta lobes.
-/// Dispersive and glossy: see RoughDielectric::pdf.
+/// Returns the density per steradian with which sample() chooses wi, given wo; zero for delta
+/// lobes. For dispersive glossy BSDFs, see RoughDielectric::pdf.
 inline float pdf(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi, Transport transport) {
     return std::visit([&](const auto& b) { return b.pdf(wo, wi, transport); }, bsdf);
 }
 
-/// A direction to go on in; nothing when the light is absorbed.
-inline std::optional<BsdfSample> sample(const Bsdf& bsdf, const Vec3& wo, const BsdfDraw& draw) {
-    // Most surfaces are: worth the compiler's seeing through.
+/// Samples the direction in which a path continues; nothing when the path is absorbed.
+inline std::optional<BsdfSample> sample(const Bsdf& bsdf, const Vec3& wo,
+                                        const BsdfSampleInput& draw) {
+    // Most surfaces are Lambertian: the compiler can inline this case.
     if (const auto* lambert = std::get_if<Lambert>(&bsdf)) return lambert->sample(wo, draw);
     return std::visit([&](const auto& b) { return b.sample(wo, draw); }, bsdf);
 }
@@ -46,18 +48,18 @@ inline Scattering scattering(const Bsdf& bsdf) {
     return std::visit([](const auto& b) { return b.scattering(); }, bsdf);
 }
 
-/// Whether eval() can be other than zero: can light of the side of z_to be gathered on that of
-/// z_from? @param z_from, z_to  cosines with the normal, of which the signs alone count.
+/// Returns whether eval() can be nonzero for directions of these sides.
+/// @param z_from, z_to  cosines with the normal, of which the signs alone count.
 inline bool gathers(const Bsdf& bsdf, float z_from, float z_to) {
     return std::visit([&](const auto& b) { return b.gathers(z_from, z_to); }, bsdf);
 }
 
-/// The diffuse albedo of the wide lobe, seen from wo; zero where there is none (bsdf/model.h).
-inline SampledSpectrum spread_share(const Bsdf& bsdf, const Vec3& wo) {
-    return std::visit([&](const auto& b) { return b.spread_share(wo); }, bsdf);
+/// Returns the albedo of the diffuse lobe, seen from wo; zero where there is none (bsdf/model.h).
+inline SampledSpectrum diffuse_albedo(const Bsdf& bsdf, const Vec3& wo) {
+    return std::visit([&](const auto& b) { return b.diffuse_albedo(wo); }, bsdf);
 }
 
-/// Whether wavelengths part in direction here.
+/// Returns whether the directions that sample() returns depend on wavelength.
 inline bool is_dispersive(const Bsdf& bsdf) {
     return std::visit(
         []<class B>(const B& b) {
@@ -67,14 +69,14 @@ inline bool is_dispersive(const Bsdf& bsdf) {
         bsdf);
 }
 
-/// The probability with which sample() takes the first of two delta lobes: with draw.u.x below it.
-/// Zero for a surface that has no two.
-inline float mirror_share(const Bsdf& bsdf, const Vec3& wo, const HeroWavelength& hero) {
-    return std::visit([&](const auto& b) { return b.mirror_share(wo, hero); }, bsdf);
+/// Returns the probability with which sample() chooses reflection from two delta lobes, which it
+/// does where draw.u.x is below it; zero for a BSDF without two delta lobes.
+inline float reflection_probability(const Bsdf& bsdf, const Vec3& wo, const HeroWavelength& hero) {
+    return std::visit([&](const auto& b) { return b.reflection_probability(wo, hero); }, bsdf);
 }
 
-/// The same BSDF with that wavelength's index in every wavelength: no longer dispersive. @param
-/// wavelength  below kWavelengths.
+/// Returns the BSDF with the refractive index of one wavelength at all: it is not dispersive.
+/// @param wavelength  index of the wavelength, below kWavelengths.
 inline Bsdf at_wavelength(const Bsdf& bsdf, std::size_t wavelength) {
     return std::visit(
         [&]<class B>(const B& b) -> Bsdf {

@@ -29,7 +29,7 @@ struct CoatReflection {
         return coat->facets()->visible_density_over_cosine(wo, sum / length) * 0.25F;
     }
 
-    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput& draw) const {
         if (wo.z == 0) return {};
         if (!coat->facets())
             return BsdfSample{SampledSpectrum(coat->reflectance(std::min(1.0F, std::abs(wo.z)))),
@@ -51,8 +51,8 @@ struct CoatReflection {
         return coat->facets() ? Scattering::glossy : Scattering::specular;
     }
     bool gathers(float z_from, float z_to) const { return coat->facets() && z_from * z_to > 0; }
-    static SampledSpectrum spread_share(const Vec3&) { return {}; }
-    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
+    static SampledSpectrum diffuse_albedo(const Vec3&) { return {}; }
+    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
 }  // namespace sunfleck::engine

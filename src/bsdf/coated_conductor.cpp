@@ -93,7 +93,8 @@ float CoatedConductor::chance_of_top(const Vec3& wo) const {
 }
 
 /// Samples a direction in the air by the metal's lobe; nothing if it cannot leave the coat.
-std::optional<Vec3> CoatedConductor::sample_metal(const Vec3& wo, const BsdfDraw& draw) const {
+std::optional<Vec3> CoatedConductor::sample_metal(const Vec3& wo,
+                                                  const BsdfSampleInput& draw) const {
     const float side = std::copysign(1.0F, wo.z);
     const Vec3 w = inner(wo).w * side;
     if (!(w.z > 0)) return {};
@@ -107,7 +108,8 @@ std::optional<Vec3> CoatedConductor::sample_metal(const Vec3& wo, const BsdfDraw
     return Vec3(x, y, std::sqrt(height2)) * side;
 }
 
-std::optional<BsdfSample> CoatedConductor::sample(const Vec3& wo, const BsdfDraw& draw) const {
+std::optional<BsdfSample> CoatedConductor::sample(const Vec3& wo,
+                                                  const BsdfSampleInput& draw) const {
     if (wo.z == 0) return {};
     if (is_smooth_)
         return BsdfSample{

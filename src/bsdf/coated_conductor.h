@@ -23,12 +23,12 @@ public:
 
     SampledSpectrum eval(const Vec3& wo, const Vec3& wi, Transport transport) const;
     float pdf(const Vec3& wo, const Vec3& wi, Transport transport) const;
-    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput& draw) const;
 
     Scattering scattering() const { return is_smooth_ ? Scattering::specular : Scattering::glossy; }
     bool gathers(float z_from, float z_to) const { return !is_smooth_ && z_from * z_to > 0; }
-    static SampledSpectrum spread_share(const Vec3&) { return {}; }
-    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
+    static SampledSpectrum diffuse_albedo(const Vec3&) { return {}; }
+    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 
 private:
     struct Inner {
@@ -42,7 +42,7 @@ private:
     SampledSpectrum smooth_reflectance(float cosine) const;
     SampledSpectrum metal_eval(const Vec3& wo, const Vec3& wi) const;
     float metal_pdf(const Vec3& wo, const Vec3& wi) const;
-    std::optional<Vec3> sample_metal(const Vec3& wo, const BsdfDraw& draw) const;
+    std::optional<Vec3> sample_metal(const Vec3& wo, const BsdfSampleInput& draw) const;
     float chance_of_top(const Vec3& wo) const;
 
     SampledSpectrum eta_;  // over the index of the coat

@@ -26,7 +26,7 @@ struct CoatedBase {
         return Lambert{albedo}.pdf(wo, wi, transport);
     }
 
-    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput& draw) const {
         auto drawn = Lambert{scattered()}.sample(wo, draw);
         if (drawn) drawn->weight *= entering(wo) * entering(drawn->wi);
         return drawn;
@@ -35,10 +35,10 @@ struct CoatedBase {
     static constexpr Scattering scattering() { return Scattering::diffuse; }
     static bool gathers(float z_from, float z_to) { return Lambert::gathers(z_from, z_to); }
     /// Share of the light from that side that the base sends back into the air.
-    SampledSpectrum spread_share(const Vec3& wo) const {
+    SampledSpectrum diffuse_albedo(const Vec3& wo) const {
         return scattered() * (entering(wo) * coat->mean_entering());
     }
-    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
+    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 
     /// Returns pi times the radiance towards the air, per unit of light that has entered.
     SampledSpectrum scattered() const {
@@ -70,7 +70,7 @@ struct CoatedDiffuse {
     }
 
     /// Samples the coat's reflection or the base, selected by u.x.
-    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput& draw) const {
         if (wo.z == 0) return {};
         const float chance = chance_of_top(wo);
         const bool above = draw.u.x < chance;
@@ -90,13 +90,13 @@ struct CoatedDiffuse {
 
     static constexpr Scattering scattering() { return Scattering::coated; }
     static bool gathers(float z_from, float z_to) { return CoatedBase::gathers(z_from, z_to); }
-    SampledSpectrum spread_share(const Vec3& wo) const { return base().spread_share(wo); }
-    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
+    SampledSpectrum diffuse_albedo(const Vec3& wo) const { return base().diffuse_albedo(wo); }
+    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 
 private:
     float chance_of_top(const Vec3& wo) const {
         const float above = coat->reflectance(std::min(1.0F, std::abs(wo.z)));
-        return above / (above + base().spread_share(wo).mean() + 1e-6F);
+        return above / (above + base().diffuse_albedo(wo).mean() + 1e-6F);
     }
 };
 

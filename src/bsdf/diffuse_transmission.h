@@ -23,7 +23,7 @@ struct DiffuseTransmission {
         return std::abs(wi.z) / kPi * (wo.z * wi.z > 0 ? back : 1 - back);
     }
 
-    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput& draw) const {
         const float back = chance_back();
         const bool reflects = draw.u.x < back;
         const float chance = reflects ? back : 1 - back;
@@ -36,8 +36,8 @@ struct DiffuseTransmission {
 
     static constexpr Scattering scattering() { return Scattering::diffuse; }
     static bool gathers(float z_from, float z_to) { return z_from != 0 && z_to != 0; }
-    SampledSpectrum spread_share(const Vec3&) const { return reflectance + transmittance; }
-    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
+    SampledSpectrum diffuse_albedo(const Vec3&) const { return reflectance + transmittance; }
+    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 
 private:
     /// Returns the probability of reflection; never zero or one, because single wavelengths may

@@ -20,8 +20,8 @@ struct Lambert {
         return gathers(wo.z, wi.z) ? std::abs(wi.z) / kPi : 0;
     }
 
-    [[gnu::always_inline]] inline std::optional<BsdfSample> sample(const Vec3& wo,
-                                                                   const BsdfDraw& draw) const {
+    [[gnu::always_inline]] inline std::optional<BsdfSample> sample(
+        const Vec3& wo, const BsdfSampleInput& draw) const {
         const FloatDiscPoint disc = float_disc_point({draw.u.y, draw.u.z});
         // The lower bound keeps directions from the edge of the square off the surface's plane.
         const float height = std::sqrt(std::max(1e-8F, disc.height2));
@@ -32,8 +32,8 @@ struct Lambert {
     static constexpr Scattering scattering() { return Scattering::diffuse; }
     /// Returns whether both directions are on the same side.
     static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
-    SampledSpectrum spread_share(const Vec3&) const { return albedo; }
-    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
+    SampledSpectrum diffuse_albedo(const Vec3&) const { return albedo; }
+    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
 }  // namespace sunfleck::engine

@@ -44,7 +44,7 @@ struct RoughConductor {
 
     /// Samples the compensation lobe with the probability that a white metal needs, else the
     /// facets.
-    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput& draw) const {
         if (wo.z == 0) return {};
         if (losses == nullptr) return sample_facets(wo, draw);
         auto drawn = draw.u.x < compensation().lost(wo.z)
@@ -59,13 +59,13 @@ struct RoughConductor {
 
     static constexpr Scattering scattering() { return Scattering::glossy; }
     static bool gathers(float z_from, float z_to) { return z_from * z_to > 0; }
-    static SampledSpectrum spread_share(const Vec3&) { return {}; }
-    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
+    static SampledSpectrum diffuse_albedo(const Vec3&) { return {}; }
+    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 
 private:
     MetalCompensation compensation() const { return {*losses, facets}; }
 
-    std::optional<BsdfSample> sample_facets(const Vec3& wo, const BsdfDraw& draw) const {
+    std::optional<BsdfSample> sample_facets(const Vec3& wo, const BsdfSampleInput& draw) const {
         const float side = std::copysign(1.0F, wo.z);
         const Vec3 w = wo * side;
         const Vec3 h = facets.sample_visible(w, draw.u.y, draw.u.z);

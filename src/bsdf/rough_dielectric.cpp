@@ -75,16 +75,17 @@ struct GlassAtWavelength {
         return (1 - chance) * density + chance * compensation().pdf(wo.z, wi.z);
     }
 
-    std::optional<BsdfSample> sample_facets(const Vec3& wo, const BsdfDraw& draw) const;
-    std::optional<BsdfSample> sample_compensation(const Vec3& wo, const BsdfDraw& draw) const;
+    std::optional<BsdfSample> sample_facets(const Vec3& wo, const BsdfSampleInput& draw) const;
+    std::optional<BsdfSample> sample_compensation(const Vec3& wo,
+                                                  const BsdfSampleInput& draw) const;
 };
 
 /// Samples the compensation lobes with the probability of all facets' losses, else the facets.
 /// @return direction and eta only.
-std::optional<BsdfSample> GlassAtWavelength::sample_compensation(const Vec3& wo,
-                                                                 const BsdfDraw& draw) const {
+std::optional<BsdfSample> GlassAtWavelength::sample_compensation(
+    const Vec3& wo, const BsdfSampleInput& draw) const {
     const float chance = compensation().lost(wo.z);
-    BsdfDraw rest = draw;
+    BsdfSampleInput rest = draw;
     if (!(draw.u.x < chance)) {
         rest.u.x = (draw.u.x - chance) / (1 - chance);
         return sample_facets(wo, rest);
@@ -98,7 +99,7 @@ std::optional<BsdfSample> GlassAtWavelength::sample_compensation(const Vec3& wo,
 }
 
 std::optional<BsdfSample> GlassAtWavelength::sample_facets(const Vec3& wo,
-                                                           const BsdfDraw& draw) const {
+                                                           const BsdfSampleInput& draw) const {
     // Rotate the frame so that wo is above; GGX is symmetric under that rotation.
     const float side = std::copysign(1.0F, wo.z);
     const Vec3 w = wo * side;
@@ -174,7 +175,8 @@ float RoughDielectric::pdf(const Vec3& wo, const Vec3& wi, Transport) const {
     return total / static_cast<float>(different);
 }
 
-std::optional<BsdfSample> RoughDielectric::sample(const Vec3& wo, const BsdfDraw& draw) const {
+std::optional<BsdfSample> RoughDielectric::sample(const Vec3& wo,
+                                                  const BsdfSampleInput& draw) const {
     if (wo.z == 0) return {};
     const std::size_t chosen = draw.hero.chosen;
     const GlassAtWavelength glass{facets_, eta_[chosen], losses_};

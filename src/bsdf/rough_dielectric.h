@@ -35,12 +35,12 @@ public:
     /// draw.hero.chosen decides the direction; unless hero.single, the sample terminates the
     /// secondary wavelengths: weight and pdf are those of at_wavelength(), the weight times
     /// kWavelengths.
-    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const;
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput& draw) const;
 
     static constexpr Scattering scattering() { return Scattering::glossy; }
     static bool gathers(float z_from, float z_to) { return z_from != 0 && z_to != 0; }
-    static SampledSpectrum spread_share(const Vec3&) { return {}; }
-    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
+    static SampledSpectrum diffuse_albedo(const Vec3&) { return {}; }
+    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 
     const SampledSpectrum& eta() const { return eta_; }
     const Ggx& facets() const { return facets_; }

@@ -15,7 +15,7 @@ struct SmoothConductor {
     static SampledSpectrum eval(const Vec3&, const Vec3&, Transport) { return {}; }
     static float pdf(const Vec3&, const Vec3&, Transport) { return 0; }
 
-    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw&) const {
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput&) const {
         if (wo.z == 0) return {};
         return BsdfSample{
             conductor_reflectance(std::abs(wo.z), eta, k), Vec3(-wo.x, -wo.y, wo.z), {}};
@@ -23,8 +23,8 @@ struct SmoothConductor {
 
     static constexpr Scattering scattering() { return Scattering::specular; }
     static constexpr bool gathers(float, float) { return false; }
-    static SampledSpectrum spread_share(const Vec3&) { return {}; }
-    static constexpr float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
+    static SampledSpectrum diffuse_albedo(const Vec3&) { return {}; }
+    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
 }  // namespace sunfleck::engine

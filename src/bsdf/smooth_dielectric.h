@@ -21,7 +21,7 @@ public:
 
     /// Reflects if u.x is below the reflectance. If the glass is dispersive and no wavelength is
     /// kept yet, reflection keeps all wavelengths and refraction keeps draw.hero.chosen alone.
-    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput& draw) const {
         if (wo.z == 0) return {};
         if (dispersive_ && !draw.hero.single) return sample_wavelengths(wo, draw);
         const Crossing crossing = cross(wo, eta_[draw.hero.chosen]);
@@ -31,7 +31,7 @@ public:
     }
 
     /// Returns the probability with which sample() reflects.
-    float mirror_share(const Vec3& wo, const HeroWavelength& hero) const {
+    float reflection_probability(const Vec3& wo, const HeroWavelength& hero) const {
         if (wo.z == 0) return 0;
         if (dispersive_ && !hero.single) return reflectances(wo).mean();
         const Crossing crossing = cross(wo, eta_[hero.chosen]);
@@ -40,7 +40,7 @@ public:
 
     static constexpr Scattering scattering() { return Scattering::specular; }
     static constexpr bool gathers(float, float) { return false; }
-    static SampledSpectrum spread_share(const Vec3&) { return {}; }
+    static SampledSpectrum diffuse_albedo(const Vec3&) { return {}; }
 
     const SampledSpectrum& eta() const { return eta_; }
     bool is_dispersive() const { return dispersive_; }
@@ -83,7 +83,8 @@ private:
     /// Refraction keeps one wavelength c, uniform over wavelengths, with weight kWavelengths (1 -
     /// F_c) / (1 - p), so that the mean over c and u.x is 1 - F in every wavelength. Under total
     /// reflection of wavelength c that weight is zero, and nothing is returned.
-    std::optional<BsdfSample> sample_wavelengths(const Vec3& wo, const BsdfDraw& draw) const {
+    std::optional<BsdfSample> sample_wavelengths(const Vec3& wo,
+                                                 const BsdfSampleInput& draw) const {
         const SampledSpectrum reflectance = reflectances(wo);
         const float p = reflectance.mean();
         if (draw.u.x < p || p >= 1) return BsdfSample{reflectance / p, mirrored(wo), {}};

@@ -22,11 +22,11 @@ struct ThinDielectric {
     /// Reflects if u.x is below the mean reflectance of the remaining wavelengths. The two weights
     /// are reflectance / p and (1 - reflectance) / (1 - p), at most kWavelengths; exactly one if
     /// all wavelengths agree or one remains.
-    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfDraw& draw) const {
+    std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput& draw) const {
         if (wo.z == 0) return {};
         const SampledSpectrum share = reflectance(std::abs(wo.z));
         const bool alike = are_alike(share, draw.hero);
-        const float p = mirror_share(share, draw.hero);
+        const float p = reflection_probability(share, draw.hero);
         if (draw.u.x < p || p >= 1)
             return BsdfSample{alike ? SampledSpectrum(1) : share / p, Vec3(-wo.x, -wo.y, wo.z), {}};
         return BsdfSample{
@@ -34,8 +34,8 @@ struct ThinDielectric {
     }
 
     /// Returns the probability with which sample() reflects.
-    float mirror_share(const Vec3& wo, const HeroWavelength& hero) const {
-        return mirror_share(reflectance(std::abs(wo.z)), hero);
+    float reflection_probability(const Vec3& wo, const HeroWavelength& hero) const {
+        return reflection_probability(reflectance(std::abs(wo.z)), hero);
     }
 
     /// Returns the reflectance of the sheet per wavelength. @param cosine  of the incident angle,
@@ -50,7 +50,7 @@ struct ThinDielectric {
     }
 
     /// Returns the probability of reflection for a given reflectance.
-    static float mirror_share(const SampledSpectrum& share, const HeroWavelength& hero) {
+    static float reflection_probability(const SampledSpectrum& share, const HeroWavelength& hero) {
         return are_alike(share, hero) ? share[hero.chosen] : share.mean();
     }
 
@@ -61,7 +61,7 @@ struct ThinDielectric {
 
     static constexpr Scattering scattering() { return Scattering::specular; }
     static constexpr bool gathers(float, float) { return false; }
-    static SampledSpectrum spread_share(const Vec3&) { return {}; }
+    static SampledSpectrum diffuse_albedo(const Vec3&) { return {}; }
 };
 
 }  // namespace sunfleck::engine

@@ -119,7 +119,7 @@ void CameraPath::gather_at_base(const CameraVertex& vertex, BatchPoints& numbers
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
     gather(vertex.hit, vertex.bsdf, sampled ? kScattered : kEverything);
     if (sampled) add_direct_light(vertex, numbers, true);
-    add_features(vertex.hit, spread_share(vertex.bsdf, vertex.wo));
+    add_features(vertex.hit, diffuse_albedo(vertex.bsdf, vertex.wo));
 }
 
 /// Continues the path from a specular or glossy lobe. @return whether it does.
@@ -190,7 +190,7 @@ void CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbe
                                           statistics_, wanted_contributions());
     if (follow && pass.scene.has_lights_to_hit()) {
         const Vec2d u = numbers.next_2d();
-        const BsdfDraw draw{
+        const BsdfSampleInput draw{
             {static_cast<float>(numbers.next()), static_cast<float>(u.x), static_cast<float>(u.y)},
             Transport::radiance,
             hero_};
@@ -204,10 +204,11 @@ void CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbe
 bool CameraPath::scatter(const CameraVertex& vertex, BatchPoints& numbers) {
     const Vec2d u = numbers.next_2d();
     const Vec2d choices = numbers.next_2d();
-    BsdfDraw draw{{static_cast<float>(choices.x), static_cast<float>(u.x), static_cast<float>(u.y)},
-                  Transport::radiance,
-                  hero_};
-    const float mirrored = mirror_share(vertex.bsdf, vertex.wo, hero_);
+    BsdfSampleInput draw{
+        {static_cast<float>(choices.x), static_cast<float>(u.x), static_cast<float>(u.y)},
+        Transport::radiance,
+        hero_};
+    const float mirrored = reflection_probability(vertex.bsdf, vertex.wo, hero_);
     if (importance() * std::min(mirrored, 1 - mirrored) < kLeastBranch)
         return take(vertex, draw, 1, choices.y);
     draw.u.x = 0.5F * mirrored;
@@ -221,7 +222,7 @@ bool CameraPath::scatter(const CameraVertex& vertex, BatchPoints& numbers) {
     return take(vertex, draw, 1 - mirrored, choices.y);
 }
 
-bool CameraPath::take(const CameraVertex& vertex, const BsdfDraw& draw, float share,
+bool CameraPath::take(const CameraVertex& vertex, const BsdfSampleInput& draw, float share,
                       double roulette) {
     const auto drawn = sample(vertex.bsdf, vertex.wo, draw);
     if (!drawn) return false;

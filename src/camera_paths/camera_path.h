@@ -52,7 +52,8 @@ private:
     void add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow);
     bool scatter(const CameraVertex& vertex, BatchPoints& numbers);
     /// Continues by one bsdf sample as a branch with weight `share`. @return whether it does.
-    bool take(const CameraVertex& vertex, const BsdfDraw& draw, float share, double roulette);
+    bool take(const CameraVertex& vertex, const BsdfSampleInput& draw, float share,
+              double roulette);
     /// Returns an estimate of the weight of further light in the pixel; 1 at the camera.
     float importance() const;
     void grow_footprint(const Hit& hit);

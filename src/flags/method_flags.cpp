@@ -54,8 +54,8 @@ std::vector<RenderFlag> estimator_flags() {
          .needs = {needs_photon_mapping(),
                    {.flag = "--direct",
                     .values = {"sampled"},
-                    .why = "photons bring direct light: none is sampled"},
-                   refused_by_paper("photons bring direct light: none is sampled")}},
+                    .why = "photons estimate direct light: there are no light samples"},
+                   refused_by_paper("photons estimate direct light: there are no light samples")}},
     };
 }
 

@@ -1,4 +1,5 @@
-// Every light there is. To add one: docs/develop/adding.md.
+// Light: variant of all light models, with functions that dispatch to them. To add one:
+// docs/develop/adding.md.
 #pragma once
 
 #include "light/area_light.h"
@@ -30,13 +31,13 @@ inline Emission sample_emission(const Light& light, const std::array<double, 4>&
     return std::visit([&](const auto& l) { return l.sample_emission(u, sphere); }, light);
 }
 
-/// The u that leads to a ray (light/model.h).
+/// Returns the random numbers that sample_emission() maps to a ray (light/model.h).
 inline EmissionDimensions emission_dimensions(const Light& light, const LightRay& ray,
                                               const SceneSphere& sphere) {
     return std::visit([&](const auto& l) { return l.emission_dimensions(ray, sphere); }, light);
 }
 
-/// Density of sample_emission() (light/model.h).
+/// Returns the density of sample_emission() at a ray (light/model.h).
 inline double emission_pdf(const Light& light, const LightRay& ray, const SceneSphere& sphere) {
     return std::visit([&](const auto& l) { return l.emission_pdf(ray, sphere); }, light);
 }
@@ -54,7 +55,7 @@ inline const Spectrum& curve(const Light& light) {
     return std::visit([](const auto& l) -> const Spectrum& { return l.curve; }, light);
 }
 
-/// Returns whether rays that leave the scene hit it.
+/// Returns whether rays that leave the scene receive radiance from the light.
 inline bool is_infinite(const Light& light) {
     const auto has_environment = [](const auto& l) {
         return requires(Vec3 w) {
@@ -64,7 +65,7 @@ inline bool is_infinite(const Light& light) {
     return std::visit(has_environment, light);
 }
 
-/// Returns whether it is infinitely far away.
+/// Returns whether the light is at infinity.
 inline bool comes_from_afar(const Light& light) {
     return std::visit([](const auto& l) { return l.comes_from_afar; }, light);
 }

@@ -1,10 +1,10 @@
-// What a light must offer, as a concept, and what it hands on.
+// LightModel: the concept that lights satisfy, with the types of what they return.
 //
-// Two users: photon paths start with sample_emission(); camera paths ask sample_direct() and, when
-// a ray meets an emitter or leaves the scene, radiance() and direct_pdf() for the other half of
-// MIS. Curves are evaluated once a pass: a light's functions return a unitless or geometric factor
-// and `LightSpectra` holds each light's emission at the pass's wavelengths. A light with an image
-// adds an RGB factor: linear sRGB of luminance one, whose smooth spectrum multiplies the curve.
+// Photon paths start with sample_emission(). Camera paths call sample_direct() and, where a ray
+// hits an emitter or leaves the scene, radiance() and direct_pdf() for the other strategy of MIS.
+// Curves are evaluated once a pass: a light's functions return a unitless or geometric factor and
+// `LightSpectra` holds each light's emission at the pass's wavelengths. A light with an image adds
+// an RGB factor: linear sRGB of luminance one, whose smooth spectrum multiplies the curve.
 #pragma once
 
 #include "geometry/ray.h"
@@ -18,68 +18,67 @@
 
 namespace sunfleck::engine {
 
-/// The sphere around everything: where distant and infinite lights shoot from.
+/// Bounding sphere of the scene, from which distant and infinite lights emit.
 struct SceneSphere {
     Vec3d center{0};
     double radius = 1;
 };
 
-/// The start of a photon path, in double: a disc of 10 km must aim at 1 mm.
+/// First ray of a photon path. It is in double precision: a disc of 10 km must aim at 1 mm.
 struct Emission {
     Vec3d origin;
     Vec3d direction;  // unit, away from the light
     /// Flux per unit of the light's curve: factor * curve = Le |cos| / (pdf position * pdf
-    /// direction). The choice of the light is not in it.
+    /// direction). The probability of choosing the light is not in it.
     double factor = 0;
     Vec3 normal;                // geometric, of an area light's surface; zero for others
     float error = 0;            // bound of the origin's error on an area light
     std::optional<Vec3> rgb{};  // of lights with images: multiplies the curve
-    /// What the photon meets nearer than this stops it unlit: it is not yet through the portal.
+    /// Distance to the light's portal: a photon that hits a surface before it carries no flux.
     double unlit = 0;
 };
 
-/// A place of a light, and a way that light goes from there. Of lights that come from afar the
-/// origin is any point of that way; the way through a portal does go through it.
+/// Ray along which a light emits. For lights at infinity the origin is any point of the ray; rays
+/// through a portal do intersect it.
 struct LightRay {
     Vec3d origin;
     Vec3 normal{0};   // as Emission::normal
     Vec3d direction;  // unit, away from the light
 };
 
-/// Numbers of (0,1): position (2), direction (2).
+/// Random numbers in (0,1) of an emission: position (2), direction (2).
 using EmissionDimensions = std::array<double, 4>;
 
-/// One sample of the light that arrives straight at a point.
+/// Sample of the direct light at a point.
 struct DirectSample {
     Vec3 direction;  // unit, from the point to the light
     float distance = kInfinity;
     float factor = 0;  // radiance (or irradiance, for delta lights) per unit of the curve, / pdf
     std::optional<float> pdf;  // per steradian at the point; none for delta lights
     std::optional<Vec3> rgb{};
-    Vec3 normal{0};  // as Emission::normal: of the place on an area light
+    Vec3 normal{0};  // as Emission::normal: of the sampled point on an area light
 };
 
-/// What an infinite light sends to a point from one direction.
+/// Unoccluded radiance of an infinite light at a point, from one direction.
 struct EnvironmentRadiance {
     float factor = 0;  // radiance per unit of the curve
-    float pdf = 0;     // per steradian, of sample_direct(): the other half of MIS
+    float pdf = 0;     // per steradian, of sample_direct(): for MIS
     std::optional<Vec3> rgb{};
 };
 
-/// name:       as `sunfleck info` says it.
-/// emission:   u in (0,1)^4: position (2), direction (2). Continuous and gentle in u.
-/// emission_dimensions: the u that sample_emission() takes to a ray: its inverse, within 1e-6; for
-/// a ray
-///             that it cannot give, anything.
-/// emission_pdf: density of sample_emission() at a ray that it may give, per m^2 and sr (m^2 across
-///             the ray for lights from afar); per sr alone for points, per m^2 for distant lights.
-///             Exact, but for images on surfaces: there as if their table had no cells.
-/// direct:     a direction to the light from `point`, u in (0,1)^2; nothing if it cannot be seen
-///             (behind a one-sided emitter, outside a spot).
-/// power:      total emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).
+/// name:       name that `sunfleck info` prints.
+/// emission:   u in (0,1)^4: position (2), direction (2). Continuous in u.
+/// emission_dimensions: inverse of sample_emission(), within 1e-6; unspecified for a ray that
+///             sample_emission() cannot return.
+/// emission_pdf: density of sample_emission() at a ray, per m^2 and sr (m^2 across the ray for
+///             lights at infinity); per sr for point lights, per m^2 for distant lights. Exact,
+///             except for images on surfaces: there it ignores the cells of their table.
+/// direct:     samples a direction from `point` to the light, u in (0,1)^2; nothing if the light is
+///             invisible (behind a one-sided emitter, outside a spot).
+/// power:      emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).
 /// curve:      the emission's spectrum.
-/// comes_from_afar: whether it is infinitely far away.
-/// environment_radiance: of infinite lights: the light that a point receives from a direction.
+/// comes_from_afar: whether the light is at infinity.
+/// environment_radiance: of infinite lights: radiance at a point from a direction.
 template <class L>
 concept LightModel = std::copyable<L> &&
     requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,

@@ -71,7 +71,7 @@ private:
         }
     }
 
-    BsdfDraw draw() {
+    BsdfSampleInput draw() {
         const float lobe = stream_.next_float();
         const float u = stream_.next_float();
         return {{lobe, u, stream_.next_float()}, Transport::radiance, {}};

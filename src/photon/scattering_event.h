@@ -59,7 +59,8 @@ struct CorrectedSample {
 
 /// Samples the bsdf and applies the shading-normal correction (Veach 1997, section 5.3.2).
 inline std::optional<CorrectedSample> corrected_sample(const Bsdf& bsdf, const Hit& hit,
-                                                       const Vec3& came, const BsdfDraw& draw) {
+                                                       const Vec3& came,
+                                                       const BsdfSampleInput& draw) {
     const Frame frame(hit.shading_normal, hit.tangent);
     const Vec3 wo = frame.to_local(-came);
     const auto drawn = sample(bsdf, wo, draw);
@@ -76,7 +77,8 @@ inline std::optional<CorrectedSample> corrected_sample(const Bsdf& bsdf, const H
 /// all directions have equal weight. The part of a lobe around n_g on the other side is replaced by
 /// the point reflection of the missing part on this side.
 inline std::optional<CorrectedSample> corrected_sample(const Lambert& bsdf, const Hit& hit,
-                                                       const Vec3& came, const BsdfDraw& draw) {
+                                                       const Vec3& came,
+                                                       const BsdfSampleInput& draw) {
     const Frame frame(hit.normal, hit.tangent);
     const float facing = -came.dot(hit.shading_normal);
     const auto drawn = bsdf.sample({0, 0, facing}, draw);
@@ -119,7 +121,8 @@ template <PrimarySampleReader Reader, class Surface>
     const auto unit = [&](BounceDimension which) {
         return to_unit_float(read(dimension(state.bounces, which)));
     };
-    const BsdfDraw draw{scattering_detail::numbers_for(bsdf, unit), Transport::flux, state.hero};
+    const BsdfSampleInput draw{scattering_detail::numbers_for(bsdf, unit), Transport::flux,
+                               state.hero};
     const auto left = scattering_detail::corrected_sample(bsdf, hit, state.direction, draw);
     if (!left) return {};
     const SampledSpectrum flux = state.flux * left->weight;

@@ -1,8 +1,8 @@
-// What a photon sampler must offer, as a concept: no base class, no virtual call.
+// PhotonSamplerModel: the concept that photon samplers satisfy; there is no base class.
 //
-// A photon sampler chooses the photon paths of a pass. In: what is seen in the pass, and a plan:
-// strata of lights with their numbers of paths. Out: the light of the photons, added to an image,
-// and counts.
+// A photon sampler chooses the photon paths of a pass. In: the visible points of the pass, and a
+// plan: light strata with their numbers of photon paths. Out: the photons' contributions, added to
+// an image, and statistics.
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -26,28 +26,28 @@ struct PhotonPass {
     const PhotonSettings& settings;
 };
 
-/// Where the light of photons is added.
+/// Image to which the contributions of photons are added.
 struct PhotonTarget {
     PassImage& image;
     PhotonCounts* taken = nullptr;  // photons by pixel, or none
 };
 
-/// A statistic that one sampler alone has.
+/// Statistic of one sampler.
 struct SamplerSum {
     std::string_view name;  // in film files and stats.json
     double value = 0;
 };
 
-/// What photons counted.
+/// Statistics of the photons of a pass.
 struct PhotonTotals {
     Statistics statistics;
     double visible_fraction = 0;        // this pass's estimate, of uniform paths from all lights
     std::vector<StratumCounts> strata;  // as they were given
     std::vector<SamplerSum> sums{};
 
-    /// The next stratum of one subpass, whose paths the statistics hold already.
+    /// Adds the next stratum of one subpass, whose paths the statistics hold already.
     void add_stratum(StratumCounts counts);
-    /// Another subpass of the same pass, with its share in the mean over subpasses.
+    /// Adds another subpass of the same pass, with its share in the mean over subpasses.
     void add(const PhotonTotals& subpass, double share);
 };
 
@@ -60,15 +60,14 @@ struct SamplerMemory {
 /// The state of a sampler whose passes are independent of each other.
 using NoState = std::monostate;
 
-/// kind:   its own value of the setting.
-/// name:   as the user writes it. what: as the help explains it.
+/// kind:   the sampler's value of the setting.
+/// name:   name in flags. what: explanation in the help.
 /// learns: whether pilots and trials make the plan of an epoch (planning/epoch.h). Otherwise the
 ///         plan is one stratum of all lights.
-/// State:  what goes from pass to pass; NoState where passes are independent of each other.
-/// memory: what it holds.
-/// default_paths: photon paths per pass where the user gives no number.
-/// settings_text: lines for RenderSettings::text() of the settings that this sampler alone has.
-/// trace:  adds the light of the photons of a pass to the target.
+/// State:  what the sampler carries from pass to pass; NoState where passes are independent of each
+/// other. memory: bytes that it holds. default_paths: photon paths per pass where the user gives no
+/// number. settings_text: lines for RenderSettings::text() of the settings that this sampler alone
+/// has. trace:  adds the contributions of a pass's photons to the target.
 template <class S>
 concept PhotonSamplerModel = requires(const PhotonSettings& settings, std::size_t pixels,
                                       const PhotonPass& pass, const PhotonTarget& target,
@@ -83,9 +82,9 @@ concept PhotonSamplerModel = requires(const PhotonSettings& settings, std::size_
     { S::trace(pass, target, state) } -> std::same_as<PhotonTotals>;
 };
 
-/// What the state of a sampler must offer, if there is one.
+/// The concept that the state of a sampler satisfies, if there is one.
 ///
-/// visit:    hands all of it to an archive, as StoredSample::visit() does.
+/// visit:    passes all members to an archive, as StoredSample::visit() does.
 /// is_sound: whether it can be the state after so many passes of a picture of so many pixels.
 /// shrink:   sets the gather radii of a pass's visible points. Returns their mean factor.
 template <class T>

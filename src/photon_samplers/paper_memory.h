@@ -1,7 +1,7 @@
-// What the sampler `paper` carries from pass to pass, beside the film.
+// PaperMemory: state that the sampler `paper` carries from pass to pass, beside the film.
 //
-// In:  settings, size of the picture. Out: a value that is all of it: a render goes on from a copy
-// as if it had never stopped.
+// In:  settings, size of the picture. Out: a value; a render continues from a copy as if it had
+// not stopped.
 #pragma once
 
 #include "aovs/channels.h"
@@ -28,7 +28,7 @@ struct PaperMemory {
         LocalRadii::visit(self.radii, archive);
         for (auto& flux : self.flux) archive(flux);
     }
-    /// Can it be the state after so many passes of a picture of so many pixels?
+    /// Returns whether it can be the state after so many passes of a picture of so many pixels.
     bool is_sound(std::size_t pixels, std::uint64_t after_passes) const {
         for (const std::vector<FixedPoint>& sums : flux)
             if (!sums.empty() && sums.size() != 3 * pixels) return false;

@@ -1,6 +1,6 @@
-// The sampler `paper`: one chain and one set of counts for all passes, local radii.
+// PaperSampler: the paper's method, with one Markov chain for all passes and local radii.
 //
-// Each pass builds on those before, so none can be taken alone. A pass's image is
+// Each pass depends on those before it, and cannot be used alone. A pass's image is
 // P L_P - (P - 1) L_{P-1}, where L_P is the paper's estimate after P passes: the mean over passes,
 // which is what a film shows, is L_P.
 #pragma once
@@ -24,7 +24,8 @@ struct PaperSampler {
     /// Section 7.
     static std::uint32_t default_paths(std::size_t /*pixels*/) { return 200'000; }
     static std::string settings_text(const PhotonSettings& settings);
-    /// The sum of "mutation_size" over all passes is theta as it stands.
+    /// Traces a pass. The sum of the statistic "mutation_size" over all passes is the present
+    /// theta.
     static PhotonTotals trace(const PhotonPass& pass, const PhotonTarget& target, State& state);
 };
 

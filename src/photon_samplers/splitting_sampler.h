@@ -1,4 +1,5 @@
-// The sampler `adaptive`: multilevel splitting towards visible paths, and guided paths.
+// SplittingSampler, the sampler `adaptive`: multilevel splitting towards visible paths, and guided
+// paths.
 #pragma once
 
 #include "photon_samplers/uniform_sampler.h"
@@ -15,7 +16,7 @@ struct SplittingSampler {
 
     static std::uint32_t default_paths(std::size_t pixels) { return usual_photon_paths(pixels); }
     static std::string settings_text(const PhotonSettings&) { return {}; }
-    /// Strata whose plan has no levels get uniform paths.
+    /// Traces a pass. Strata whose plan has no levels get uniform paths.
     static PhotonTotals trace(const PhotonPass& pass, const PhotonTarget& target, State&);
 };
 

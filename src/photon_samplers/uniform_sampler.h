@@ -1,5 +1,5 @@
-// The samplers without chains: `uniform`, whose emission dimensions are a net, and `random`, whose
-// dimensions are independent.
+// UniformSampler and RandomSampler, without Markov chains. The emission dimensions of `uniform` are
+// a digital net; those of `random` are independent.
 #pragma once
 
 #include "photon/uniform_paths.h"
@@ -9,7 +9,7 @@
 
 namespace sunfleck::engine {
 
-/// max(200,000, 2 a pixel).
+/// Returns the default number of photon paths of a pass: two for each pixel, at least 200,000.
 std::uint32_t usual_photon_paths(std::size_t pixels);
 
 /// Adds the light of a stratum's uniform paths to the target, and its counts to `totals`.
@@ -17,10 +17,10 @@ std::uint32_t usual_photon_paths(std::size_t pixels);
 double trace_uniform_stratum(const PhotonPass& pass, UniformKind kind, const LightStratum& stratum,
                              const PhotonTarget& target, PhotonTotals& totals);
 
-/// Counts uniform paths: each visible one brought light once. @return the share of these.
+/// Counts uniform paths, of which each visible one contributed once. @return the visible fraction.
 double count_uniform(Statistics& counts, Statistics& all);
 
-/// trace() of a sampler all of whose paths are uniform.
+/// Traces a pass of uniform paths alone.
 PhotonTotals trace_uniform_strata(const PhotonPass& pass, UniformKind kind,
                                   const PhotonTarget& target);
 

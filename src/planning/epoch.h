@@ -3,8 +3,9 @@
 // In:  scene, settings, index of the epoch. Out: subpasses of a pass, camera paths of a pixel and
 // photon paths of a subpass, light strata and their plans. Pilots and trials learn them for visible
 // points like those of the epoch's first pass, and from nothing else, so that any pass can be
-// rendered anywhere, without earlier ones. Trials are no part of the picture: an allocation computed
-// from the pass itself would bias it. Radii shrink ever more slowly, and epochs grow accordingly.
+// rendered anywhere, without earlier ones. Trials are no part of the picture: an allocation
+// computed from the pass itself would bias it. Radii shrink ever more slowly, and epochs grow
+// accordingly.
 #pragma once
 
 #include "camera_paths/camera_pass.h"

@@ -76,7 +76,7 @@ AttributeBegin
 AttributeEnd
 )";
 
-/// Pairs of wavelength and brandy's index over another, five to a line.
+/// Returns pairs of wavelength and brandy's relative refractive index, five to a line.
 std::string index_table(double other) {
     std::string table;
     for (int wavelength = 360; wavelength <= 830; wavelength += 10) {

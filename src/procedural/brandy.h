@@ -7,7 +7,8 @@
 
 namespace sunfleck::engine {
 
-/// The scene's file, three surfaces of glass and brandy, and the leaves. Centimetres, z up.
+/// Returns the scene file and its meshes: three surfaces of glass and brandy, and the leaves. The
+/// unit is the centimetre, z is up.
 std::vector<SceneFile> brandy_scene();
 
 /// Index of refraction of the glass, whose dispersion is left out.

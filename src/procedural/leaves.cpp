@@ -1,4 +1,4 @@
-// Leaves one by one: a place in the canopy, a turn, twenty corners.
+// A leaf is a polygon with a random position and rotation in the canopy.
 
 #include "procedural/leaves.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kCorners = 20;
 
-/// A direction, uniform over the sphere.
+/// Returns a direction, uniform over the sphere.
 Vec3d random_direction(SceneRandom& random) {
     for (;;) {
         const double x = random.between(-1, 1);
@@ -24,7 +24,7 @@ Vec3d random_direction(SceneRandom& random) {
     }
 }
 
-/// A leaf about the origin: along x, broader towards its stalk, both ends pointed.
+/// Returns a leaf at the origin: along x, broader towards its stalk, both ends pointed.
 Mesh leaf(double length) {
     Mesh mesh;
     for (int i = 0; i < kCorners; ++i) {

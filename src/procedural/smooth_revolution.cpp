@@ -1,4 +1,4 @@
-// Smooth profiles, and the normals that they turn around the axis.
+// Bezier profiles, their revolution, and its normals.
 
 #include "procedural/smooth_revolution.h"
 
@@ -14,7 +14,7 @@ ProfilePoint between(const ProfilePoint& a, const ProfilePoint& b, double t) {
     return {a.radius + (b.radius - a.radius) * t, a.height + (b.height - a.height) * t};
 }
 
-/// The curve's point and derivative by de Casteljau's construction.
+/// Returns the curve's point and derivative by de Casteljau's construction.
 SmoothPoint point_at(const ProfileCurve& curve, double t) {
     const auto [first, second] = split(curve, t);
     const ProfilePoint& from = t < 1 ? first[3] : first[2];

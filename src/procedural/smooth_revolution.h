@@ -1,4 +1,4 @@
-// Surfaces of revolution with vertex normals, so that they shade and refract as the smooth surface.
+// Surfaces of revolution with vertex normals: they shade and refract as the smooth surface.
 #pragma once
 
 #include "procedural/revolution.h"
@@ -22,14 +22,14 @@ using SmoothProfile = std::vector<SmoothPoint>;
 /// Only + - * /, hence the same bits everywhere. @param steps  at least 1.
 void append_curve(SmoothProfile& profile, const ProfileCurve& curve, int steps);
 
-/// The same curve as two, parted at the parameter t (de Casteljau).
+/// Returns the curve as two, split at the parameter t (de Casteljau).
 std::pair<ProfileCurve, ProfileCurve> split(const ProfileCurve& curve, double t);
 
-/// The same profile, walked from its end.
+/// Returns the profile in the reverse order.
 SmoothProfile reversed(const SmoothProfile& profile);
 
-/// Turns the profile around the z axis as revolve() does, with the profile's normals at the
-/// vertices. A tangent at the axis is horizontal.
+/// Returns the surface of revolution about the z axis, as revolve() does, with the profile's
+/// normals at the vertices. A tangent at the axis is horizontal.
 Mesh revolve_smooth(const SmoothProfile& profile, std::size_t segments);
 
 }  // namespace sunfleck::engine

@@ -10,7 +10,7 @@ struct Piece {
     int steps = 1;
 };
 
-/// Each piece goes on in the direction in which the one before ends.
+/// Each piece begins in the direction in which the previous one ends.
 constexpr std::array<Piece, 8> kPieces = {{
     {{{{0, 0.3}, {1.5, 0.3}, {2.3, 0.01}, {3.1, 0.01}}}, 10},       // the hollow underside
     {{{{3.1, 0.01}, {3.3, 0.01}, {3.42, 0.06}, {3.42, 0.14}}}, 6},  // the foot's edge
@@ -51,7 +51,7 @@ SnifterProfiles snifter_profiles() {
     append_curve(profiles.glass_air, dry, 4);
     SmoothProfile downwards;
     append_curve(downwards, wet, 64);
-    // Walked from the axis upwards, the wall of the brandy has the glass on its outside.
+    // From the axis upwards, the normal of the brandy's wall points to the glass.
     profiles.brandy_glass = reversed(downwards);
     profiles.brandy_air = meniscus(wet[0]);
     return profiles;

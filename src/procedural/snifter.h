@@ -1,14 +1,14 @@
 // A smooth snifter of brandy with a meniscus: three refracting surfaces, without an air gap.
 //
 // Unit: centimetres; z up, the foot stands 0.1 mm above the plane z = 0. Each surface separates two
-// media; its normal points to the one named second. The three meet in one ring, of the same bits.
+// media; its normal points to the one named second. The three share one ring, of the same bits.
 #pragma once
 
 #include "procedural/smooth_revolution.h"
 
 namespace sunfleck::engine {
 
-/// Corners of every ring.
+/// Vertices of each ring.
 inline constexpr std::size_t kSnifterSegments = 256;
 
 struct Snifter {
@@ -19,8 +19,8 @@ struct Snifter {
 
 Snifter snifter();
 
-/// The profiles that the three surfaces are turned from, each with its normals on the side of the
-/// medium named second.
+/// Profiles of the three surfaces of revolution. Normals are on the side of the medium that is
+/// named second.
 struct SnifterProfiles {
     SmoothProfile glass_air;
     SmoothProfile brandy_glass;

@@ -84,10 +84,10 @@ private:
         // Flux per area refers to the geometric surface, bsdfs to the shading normal.
         const float arrived = std::abs(wo.z / direction_.dot(hit.normal));
         if (scattering(bsdf) != Scattering::specular) look(hit, frame, bsdf, wo, arrived);
-        const BsdfDraw draw{{static_cast<float>(number()), static_cast<float>(number()),
-                             static_cast<float>(number())},
-                            Transport::flux,
-                            hero_};
+        const BsdfSampleInput draw{{static_cast<float>(number()), static_cast<float>(number()),
+                                    static_cast<float>(number())},
+                                   Transport::flux,
+                                   hero_};
         const auto drawn = sample(bsdf, wo, draw);
         if (!drawn) return false;
         direction_ = frame.to_world(drawn->wi);

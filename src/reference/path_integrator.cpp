@@ -96,10 +96,10 @@ private:
         const Frame frame(hit.shading_normal, hit.tangent);
         const Vec3 wo = frame.to_local(-ray.direction);
         if (scattering(bsdf) != Scattering::specular) add_light_sample(hit, frame, bsdf, wo);
-        const BsdfDraw draw{{static_cast<float>(number()), static_cast<float>(number()),
-                             static_cast<float>(number())},
-                            Transport::radiance,
-                            hero_};
+        const BsdfSampleInput draw{{static_cast<float>(number()), static_cast<float>(number()),
+                                    static_cast<float>(number())},
+                                   Transport::radiance,
+                                   hero_};
         auto drawn = sample(bsdf, wo, draw);
         if (drawn) ray = ray_from(hit, frame.to_world(drawn->wi));
         if (drawn) medium_ = scene_.medium_beyond(hit, ray.direction, medium_);

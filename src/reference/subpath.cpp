@@ -186,7 +186,7 @@ SubpathVertex SubpathTracer::arrive(const Subpath& path) {
 
 /// Samples a direction. @return whether there is one.
 bool SubpathTracer::scatter(PathNumbers& numbers, SubpathVertex& vertex, std::size_t depth) {
-    const BsdfDraw draw{
+    const BsdfSampleInput draw{
         {below_one(numbers.next()), below_one(numbers.next()), below_one(numbers.next())},
         transport_,
         hero_};

@@ -1,4 +1,4 @@
-// What one pass brings: its image, what it counted, and the time that it took.
+// PassResult: image, statistics and times of one pass.
 #pragma once
 
 #include "aovs/pass_image.h"
@@ -10,7 +10,7 @@
 
 namespace sunfleck::engine {
 
-/// Seconds.
+/// Seconds of the stages of a pass.
 struct PassTimes {
     double build = 0;  // the scene at the pass's wavelengths
     double camera = 0;
@@ -36,7 +36,7 @@ struct PassResult {
     double visible_fraction = 0;        // this pass's estimate, of uniform paths from all lights
     std::vector<StratumCounts> strata;  // as the epoch's
     std::uint32_t subpasses = 1;
-    std::uint32_t weight = 1;  // how often it counts in the picture
+    std::uint32_t weight = 1;  // of the pass in the picture
     std::vector<SamplerSum> sums{};
 };
 

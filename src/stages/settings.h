@@ -1,4 +1,4 @@
-// All that a user may choose about a render, stage by stage.
+// RenderSettings: all that a user may choose about a render, stage by stage.
 #pragma once
 
 #include "aovs/channels.h"
@@ -36,7 +36,7 @@ inline std::string_view name_of(Integrator integrator) {
     return kIntegrators.at(static_cast<std::size_t>(integrator)).name;
 }
 
-/// What a pass is a function of, beside the scene.
+/// Settings that, with the scene, determine a pass.
 struct RenderSettings {
     Integrator integrator = Integrator::sppm;
     TransportSettings transport;
@@ -52,21 +52,21 @@ struct RenderSettings {
     std::string text() const;
 };
 
-/// What belongs to the sampler `paper`: all light by photons, alpha 0.7, one radius for all kinds
-/// of photons (paper, section 7), of two pixels unless the user has set it.
+/// Sets what the sampler `paper` prescribes: all light by photons, alpha 0.7, one radius for all
+/// kinds of photons (paper, section 7), of two pixels unless the user has set it.
 void use_paper_mode(RenderSettings& settings);
 
-/// Does each pass build on those before?
+/// Returns whether each pass depends on those before it.
 bool is_sequential(const RenderSettings& settings);
 
-/// When a render ends: whichever comes first. Passes are always finished.
+/// Limits of a render, of which the first reached ends it. Passes are always finished.
 struct StopSettings {
     std::uint32_t first_pass = 0;
-    std::optional<std::uint32_t> end_pass;  // not rendered any more
+    std::optional<std::uint32_t> end_pass;  // index after the last pass
     std::optional<double> seconds;          // on the wall
     std::optional<double> cpu_seconds;      // of all threads together
     std::optional<double> target_error;     // relative, of blocks: film/target_error.h
-    ErrorTerms error_terms{};               // what counts for it
+    ErrorTerms error_terms{};               // terms of the target error
 };
 
 }  // namespace sunfleck::engine

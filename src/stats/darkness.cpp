@@ -1,4 +1,4 @@
-// Doubts about dark pictures.
+// Texts of the warnings about dark pictures.
 #include "stats/darkness.h"
 
 #include "film/error_bars.h"
@@ -19,28 +19,28 @@ std::string passes_text(const Film& film) {
 
 std::string black_text(const Film& film) {
     if (film.statistic("visible_points") == 0)
-        return "the picture is black: the camera sees no surface and no light; look where it "
-               "stands and where it looks";
+        return "the picture is black: the camera sees no surface and no light; check its "
+               "position and direction";
     return fmt::format(
-        "the picture is black: nothing that the camera sees was lit in {}; does it stand inside an "
-        "object, or are the lights shut in?",
+        "the picture is black: no light reached what the camera sees in {}; the camera may be "
+        "inside an object, or objects may enclose the lights",
         passes_text(film));
 }
 
-/// Passes without photons lack what photons have brought in others.
+/// Passes without photons lack the light that photons add in other passes.
 std::string some_starved_text(const Film& film, double starved, double share) {
     return fmt::format(
-        "in {:.0f} of {} passes no photon reached what the camera sees; photons bring {:.0f}% of "
-        "the picture's light, and it is right on average over many more passes, or with more "
-        "--photons-per-pass",
+        "in {:.0f} of {} passes no photon reached what the camera sees; photons estimate {:.0f}% "
+        "of the picture's light, which needs many more passes, or more --photons-per-pass, to "
+        "converge",
         starved, film.pass_count(), 100 * share);
 }
 
 std::string all_starved_text(const Film& film, double share) {
     return fmt::format(
         "no photon reached what the camera sees in {}: about {:.0f}% of the picture lacks light "
-        "that comes by way of other surfaces or through glass; many more passes may find it, or "
-        "more --photons-per-pass",
+        "that arrives from other surfaces or through glass; render many more passes, or give more "
+        "--photons-per-pass",
         passes_text(film), std::max(1.0, 100 * share));
 }
 

@@ -1,4 +1,4 @@
-// Doubts about dark pictures: light that photons should have brought and did not, and black ones.
+// Warnings about dark pictures: black ones, and those that lack the flux of photons.
 #pragma once
 
 #include "film/film.h"
@@ -9,7 +9,7 @@
 
 namespace sunfleck::engine {
 
-/// A line for each doubt.
+/// Returns the warnings, a line each.
 /// @param share_lit  asked where no pass has brought any photon: the share of the picture that
 ///                   should have light by photons (planning/missing_light.h). None: nobody knows.
 std::vector<std::string> darkness_warnings(const Film& film,

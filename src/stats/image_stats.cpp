@@ -1,4 +1,4 @@
-// What is known of the errors of a picture as a whole.
+// Error estimates of the whole picture from batch means.
 #include "stats/image_stats.h"
 
 #include "film/bias.h"
@@ -11,7 +11,7 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Widened. Nothing where it is zero and the picture is not black, which says nothing.
+/// Returns the widened standard error; nothing if it is zero and the picture is not black.
 std::optional<MeanError> known_error(const Film& film) {
     const auto error = image_error(film);
     if (!error || is_too_dim(film)) return {};

@@ -1,5 +1,4 @@
-// What is known of the errors of a picture as a whole, for stats.json (docs/reference/stats.md) and
-// the user.
+// Error estimates of the whole picture, for stats.json (docs/reference/stats.md) and warnings.
 #pragma once
 
 #include "film/target_error.h"
@@ -11,10 +10,10 @@
 
 namespace sunfleck::engine {
 
-/// `image` of stats.json: names appear as soon as their values are known.
+/// Returns `image` of stats.json. Names appear as soon as their values are known.
 nlohmann::ordered_json image_json(const Film& film, ErrorTerms terms);
 
-/// That a picture which was to be extrapolated is not, and why: a line, or none.
+/// Returns a line that says why a picture is not extrapolated, if that was wanted; or none.
 std::vector<std::string> extrapolation_warnings(const Film& film, bool wanted);
 
 }  // namespace sunfleck::engine

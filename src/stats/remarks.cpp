@@ -22,8 +22,9 @@ std::vector<std::string> remarks_before(const RenderJob& job, const std::string&
     for (const auto& entry : job.scene.warnings().entries()) remarks.push_back(entry.line());
     if (job.settings.photon.sampler == PhotonSampler::paper)
         remarks.emplace_back(
-            "sampler paper: its counts are pooled while the view and the radii change, so the "
-            "picture is biased until it has converged, and has no error bars; adaptive is not");
+            "sampler paper: its statistics are pooled over passes whose visible points and radii "
+            "differ, so the picture is biased at finite time and has no error bars; the sampler "
+            "adaptive has them");
     return remarks;
 }
 
@@ -35,11 +36,10 @@ std::vector<std::string> remarks_after(const RenderJob& job, const RenderResult&
     };
     if (result.is_unlearned)
         add(
-            {fmt::format("--time {} is too short to learn where photons are needed and to use it: "
-                         "the picture is that of --photon-sampler uniform, noisier; give it more "
-                         "time",
+            {fmt::format("--time {} is too short for the pilots of --photon-sampler adaptive: "
+                         "the picture is noisier, as with uniform; give it more time",
                          duration_text(*job.stop.seconds))});
-    // A dark scene has a black picture for sure, and that has been said.
+    // The scene's warnings say already that a scene without lights is black.
     if (job.scene.is_dark()) return remarks;
     add(darkness_warnings(result.film,
                           [&] { return share_lit_by_photons(job.scene, job.settings); }));

@@ -1,5 +1,4 @@
-// What is to be said of a render beside its picture: a line for each thing that may make the
-// picture other than expected.
+// Remarks of a render: warnings, a line each, about what may make the picture unexpected.
 #pragma once
 
 #include "render/render_job.h"
@@ -10,15 +9,14 @@
 
 namespace sunfleck::engine {
 
-/// Says that pictures may differ from those of other machines, if that is so.
+/// Returns a warning if pictures may differ from those of other machines.
 /// @param isa  that the scene was built with.
 std::vector<std::string> machine_warnings(const std::string& isa);
 
-/// Returns what is known before the render: warnings of the scene, bytes that may differ, bias.
+/// Returns the remarks known before the render: the scene's warnings, machine_warnings(), bias.
 std::vector<std::string> remarks_before(const RenderJob& job, const std::string& isa);
 
-/// Returns what the picture tells: light that is missing, errors that are not known, time that was
-/// too short.
+/// Returns the remarks about the picture: missing light, unknown errors, too short a time.
 std::vector<std::string> remarks_after(const RenderJob& job, const RenderResult& result);
 
 }  // namespace sunfleck::engine

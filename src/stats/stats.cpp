@@ -1,4 +1,4 @@
-// stats.json: what a render did, under stable names (docs/reference/stats.md).
+// Statistics of the film as JSON, and warnings from them.
 #include "stats/stats.h"
 
 #include "film/error_bars.h"
@@ -35,7 +35,8 @@ Fraction visible_fraction(const Film& film) {
     return {value, passes > 1 ? std::sqrt(variance / (passes - 1)) : 0};
 }
 
-/// Over all passes with splitting: the fraction that survived each level, accepted fractions.
+/// Returns, over all passes with splitting, the surviving fraction of each level and the acceptance
+/// rates.
 /// @param name  prefix of a light stratum's statistics; empty: all lights together.
 Json splitting_json(const Film& film, const std::string& name = "") {
     Json fractions = Json::array();
@@ -56,7 +57,7 @@ Json splitting_json(const Film& film, const std::string& name = "") {
             {"acceptance", acceptance}};
 }
 
-/// Means over the passes whose lights were in strata, stratum by stratum.
+/// Returns the means of each light stratum over the passes with strata.
 Json strata_json(const Film& film) {
     Json strata = Json::array();
     while (true) {
@@ -74,7 +75,7 @@ Json strata_json(const Film& film) {
     }
 }
 
-/// Epochs of which passes were rendered, and the paths that a pass of theirs has.
+/// Returns the epochs of the rendered passes, with the photon paths of a pass.
 Json epochs_json(const Film& film) {
     const auto pixels = static_cast<double>(film.key().pixels());
     Json epochs = Json::array();
@@ -93,7 +94,7 @@ Json epochs_json(const Film& film) {
     return epochs;
 }
 
-/// Visible paths per traced path over the same for uniform paths.
+/// Returns the visible fraction of traced paths over that of uniform paths.
 Json visible_ratio(const Film& film, const char* visible) {
     const double traced = film.statistic("uniform_paths") + film.statistic("guided_paths") +
                           film.statistic("mutated_paths");
@@ -102,13 +103,13 @@ Json visible_ratio(const Film& film, const char* visible) {
     return film.statistic(visible) / traced / fraction;
 }
 
-/// theta of the sampler `paper`, as it ended.
+/// Returns the last theta of the sampler `paper`.
 Json mutation_size(const Film& film) {
     const double theta = film.statistic("mutation_size");
     return theta > 0 ? Json(theta) : Json();
 }
 
-/// Accepted mutations over all of them.
+/// Returns the acceptance rate of the mutations.
 Json acceptance(const Film& film) {
     const double mutated = film.statistic("mutated_paths");
     return mutated > 0 ? Json(film.statistic("accepted_paths") / mutated) : Json();
@@ -135,7 +136,7 @@ void add_counts(const Film& film, std::initializer_list<const char*> names, Json
     for (const char* name : names) json[name] = count(film, name);
 }
 
-/// What was rendered.
+/// Adds what was rendered.
 void add_render(const Film& film, const RunFacts& facts, Json& json) {
     json["format"] = kFormat;
     json["version"] = SUNFLECK_VERSION;
@@ -153,7 +154,7 @@ void add_render(const Film& film, const RunFacts& facts, Json& json) {
     json["batches"] = film.batches();
 }
 
-/// Deposits are made while tracing: they are part of "photon".
+/// Returns the seconds of each stage. "photon" includes deposits, which are made while tracing.
 Json seconds_json(const RunFacts& facts) {
     return {{"load", facts.load_seconds},     {"build", facts.seconds.build},
             {"camera", facts.seconds.camera}, {"index", facts.seconds.index},
@@ -172,7 +173,7 @@ Json photon_paths_json(const Film& film) {
             {"deposited", count(film, "visible_states")}};
 }
 
-/// How photon paths were chosen, and what came of it.
+/// Adds how photon paths were sampled, with the statistics of the samplers.
 void add_sampling(const Film& film, Json& json) {
     json["photon_paths"] = photon_paths_json(film);
     json["epochs"] = epochs_json(film);
@@ -188,7 +189,7 @@ void add_sampling(const Film& film, Json& json) {
     json["visible_fraction"] = {{"value", fraction.value}, {"std_error", fraction.error}};
 }
 
-/// Luminance beyond which squares are cut, of the heaviest batches.
+/// Returns the luminance above which squares are cut, for the batches of the largest weight.
 double largest_luminance(const Film& film) {
     const HeavyPasses& heavy = film.sums().heavy;
     return std::sqrt(kLargestTerm / (heavy.empty() ? 1 : heavy.rbegin()->first));
@@ -218,8 +219,8 @@ std::vector<std::string> reliability_warnings(const Film& film) {
     if (visible.error > 0.1 * visible.value)
         lines.push_back(fmt::format(
             "the visible fraction of photon paths is known to {:.0f}% only, from the spread "
-            "between {} passes: {:.2g} +- {:.2g}; the light brought by photons may be as "
-            "uncertain as a whole",
+            "between {} passes: {:.2g} +- {:.2g}; the sum of the photons' light may be as "
+            "uncertain",
             100 * visible.error / visible.value, film.pass_count(), visible.value, visible.error));
     const auto error = image_error(film);
     const double brightness = error ? widening(film) * error->standard_error : 0;
@@ -228,11 +229,11 @@ std::vector<std::string> reliability_warnings(const Film& film) {
             "the brightness of the whole picture is uncertain by {:.0f}%, "
             "from {} batches of {} passes{}",
             100 * brightness / error->mean, film.batches(), kBatchPasses,
-            film.batches() < kTargetBatches ? ", too few to say it well: render more passes" : ""));
+            film.batches() < kTargetBatches ? ", which are few: render more passes" : ""));
     if (is_too_dim(film))
         lines.push_back(
             fmt::format("the picture is so dark, {:.2g} on average, that its error bars "
-                        "are not known; scale its lights up",
+                        "are not known; scale the lights up",
                         image_mean(film)));
     const double dropped = film.statistic("dropped_nonfinite");
     if (dropped > 0)

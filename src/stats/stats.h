@@ -1,4 +1,4 @@
-// stats.json: what a render did, under stable names (docs/reference/stats.md).
+// stats.json: statistics of a render, under stable names (docs/reference/stats.md).
 #pragma once
 
 #include "film/target_error.h"
@@ -9,7 +9,7 @@
 
 namespace sunfleck::engine {
 
-/// What the film does not hold.
+/// Facts of a run that the film does not hold.
 struct RunFacts {
     std::string scene;
     std::string command;
@@ -25,10 +25,10 @@ struct RunFacts {
     ErrorTerms error_terms{};
 };
 
-/// @return JSON text, ending in a new line.
+/// Returns JSON text, which ends in a new line.
 std::string stats_json(const Film& film, const RunFacts& facts);
 
-/// What makes the picture unreliable, a line each: starved passes, an uncertain brightness.
+/// Returns warnings about the picture's errors, a line each, such as an uncertain brightness.
 std::vector<std::string> reliability_warnings(const Film& film);
 
 }  // namespace sunfleck::engine

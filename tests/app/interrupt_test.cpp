@@ -66,7 +66,8 @@ TEST_F(Interrupt, first_writes_the_picture) {
         process.send(signal);
         const Ran ran = process.wait();
         EXPECT_EQ(ran.code, 130) << ran.err;
-        EXPECT_NE(ran.err.find(" pass, then writing; once more: quit without"), std::string::npos)
+        EXPECT_NE(ran.err.find(" pass, then writing the picture; interrupt again"),
+                  std::string::npos)
             << ran.err;
         EXPECT_EQ(names(), "x.exr x.film x.json");
         const Picture picture = read_exr(path("x.exr"));

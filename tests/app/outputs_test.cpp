@@ -163,7 +163,7 @@ TEST_F(Outputs, hold_the_layers_that_are_asked_for) {
 }
 
 TEST_F(Outputs, have_endings_that_are_named) {
-    const std::string text = "has no ending of an output; end it in .exr, .png or .film";
+    const std::string text = "unknown output format; end it in .exr, .png or .film";
     expect_refused({"render", "room.pbrt", "-o", "x.jpg"}, "x.jpg: " + text);
     expect_refused({"merge", "x.film", "-o", "x"}, "x: " + text);
 }

@@ -34,7 +34,7 @@ TEST(Coat, white_under_smooth_glass_loses_nothing) {
     for (const float cosine : {1.0F, 0.7F, 0.3F, 0.05F}) {
         const CoatedBase base{SampledSpectrum(1), &coat};
         const Vec3 w(std::sqrt(1 - cosine * cosine), 0, cosine);
-        EXPECT_NEAR(base.spread_share(w)[0] + coat.reflectance(cosine), 1, 3e-4) << cosine;
+        EXPECT_NEAR(base.diffuse_albedo(w)[0] + coat.reflectance(cosine), 1, 3e-4) << cosine;
     }
 }
 

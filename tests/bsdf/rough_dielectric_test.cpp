@@ -22,7 +22,7 @@ Parting compare_with_smooth(const RoughDielectric& rough, const Vec3& w, Transpo
     for (int i = 0; i < 2000; ++i) {
         const float lobe = stream.next_float();
         const float u = stream.next_float();
-        const BsdfDraw draw{Vec3(lobe, u, stream.next_float()), transport, {}};
+        const BsdfSampleInput draw{Vec3(lobe, u, stream.next_float()), transport, {}};
         const BsdfSample r = rough.sample(w, draw).value();
         const BsdfSample s = smooth.sample(w, draw).value();
         if (r.wi.z * s.wi.z < 0) {

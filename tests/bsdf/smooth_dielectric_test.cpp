@@ -10,7 +10,7 @@ namespace sunfleck::engine {
 namespace {
 
 /// u.x = 1 - 2^-24 never reflects but under total reflection.
-BsdfDraw refraction(Transport transport, HeroWavelength hero = {}) {
+BsdfSampleInput refraction(Transport transport, HeroWavelength hero = {}) {
     return {Vec3(1 - 0x1p-24F, 0.5F, 0.5F), transport, hero};
 }
 

@@ -97,12 +97,12 @@ TEST_P(BsdfDeltaLaws, a_single_wavelength_is_shared_by_its_own_index) {
         }
 }
 
-/// mirror_share() is where sample() goes over from one lobe to the other.
-TEST_P(BsdfDeltaLaws, the_lobes_part_at_the_mirror_share) {
+/// reflection_probability() is where sample() goes over from one lobe to the other.
+TEST_P(BsdfDeltaLaws, the_lobes_split_at_the_reflection_probability) {
     for (const Vec3& wo : probe_directions())
         for (std::size_t i = 0; i < 2 * kWavelengths; ++i) {
             const HeroWavelength hero{i / 2, i % 2 == 1};
-            const float share = mirror_share(bsdf_, wo, hero);
+            const float share = reflection_probability(bsdf_, wo, hero);
             EXPECT_GE(share, 0);
             EXPECT_LE(share, 1);
             const auto reflects = [&](float u) {
@@ -117,7 +117,7 @@ TEST_P(BsdfDeltaLaws, the_lobes_part_at_the_mirror_share) {
         }
     const bool is_glass = std::holds_alternative<SmoothDielectric>(bsdf_) ||
                           std::holds_alternative<ThinDielectric>(bsdf_);
-    EXPECT_EQ(mirror_share(bsdf_, Vec3(0.6F, 0, 0.8F), {0, false}) > 0, is_glass);
+    EXPECT_EQ(reflection_probability(bsdf_, Vec3(0.6F, 0, 0.8F), {0, false}) > 0, is_glass);
 }
 
 /// Weights stay small enough for Russian roulette to have nothing to do: reflection at most

@@ -159,7 +159,7 @@ inline std::vector<Vec3> probe_directions() {
 }
 
 /// Number i of n draws: wavelengths in turn, the lobe's number stratified, the direction random.
-inline BsdfDraw subpass_number(std::size_t i, std::size_t n, RandomStream& stream) {
+inline BsdfSampleInput subpass_number(std::size_t i, std::size_t n, RandomStream& stream) {
     const std::size_t wavelength = i % kWavelengths;
     const std::size_t stratum = i / kWavelengths;
     const std::size_t strata = (n + kWavelengths - 1) / kWavelengths;

@@ -89,12 +89,12 @@ TEST_P(BsdfLaws, no_wavelength_gains_energy) {
 
 /// What a wide lobe scatters is the mean weight of its samples; others have none. Of the base of a
 /// coat, whose albedo is a closed form of a table, 0.1% more is allowed.
-TEST_P(BsdfLaws, the_spread_share_is_the_albedo_of_what_is_diffuse) {
+TEST_P(BsdfLaws, the_diffuse_albedo_is_the_albedo_of_the_wide_lobe) {
     constexpr std::size_t kSamples = 1U << 14U;
     const Scattering kind = scattering(bsdf());
     if (kind == Scattering::coated) return;  // its base is an example of its own
     for (const Vec3& wo : probe_directions()) {
-        const SampledSpectrum share = spread_share(bsdf(), wo);
+        const SampledSpectrum share = diffuse_albedo(bsdf(), wo);
         if (kind != Scattering::diffuse) {
             EXPECT_TRUE(share.is_zero()) << wo;
             continue;
@@ -117,7 +117,7 @@ TEST_P(BsdfLaws, samples_say_what_eval_and_pdf_say) {
     constexpr std::size_t kSamples = 4000;
     const Scattering kind = scattering(bsdf());
     for (std::size_t i = 0; i < kSamples; ++i) {
-        BsdfDraw draw = subpass_number(i, kSamples, stream_);
+        BsdfSampleInput draw = subpass_number(i, kSamples, stream_);
         draw.transport = i % 3 == 0 ? Transport::radiance : Transport::flux;
         const Vec3 wo = random_direction(stream_);
         const auto drawn = sample(bsdf(), wo, draw);
@@ -170,7 +170,7 @@ TEST_P(BsdfLaws, gathers_tells_where_eval_is_not_zero) {
 TEST_P(BsdfLaws, a_single_wavelength_stands_alone) {
     constexpr std::size_t kSamples = 2000;
     for (std::size_t i = 0; i < kSamples; ++i) {
-        BsdfDraw draw = subpass_number(i, kSamples, stream_);
+        BsdfSampleInput draw = subpass_number(i, kSamples, stream_);
         draw.hero.single = true;
         const Vec3 wo = random_direction(stream_);
         const std::size_t wavelength = draw.hero.chosen;
@@ -206,7 +206,7 @@ TEST_P(BsdfLaws, direction_is_continuous_in_u) {
     constexpr std::size_t kSamples = 20000;
     std::size_t jumps = 0;
     for (std::size_t i = 0; i < kSamples; ++i) {
-        BsdfDraw draw = subpass_number(i, kSamples, stream_);
+        BsdfSampleInput draw = subpass_number(i, kSamples, stream_);
         const Vec3 wo = random_direction(stream_);
         const auto here = sample(bsdf(), wo, draw);
         draw.u += Vec3(0, 1e-4F, -1e-4F);

@@ -115,7 +115,7 @@ TEST_P(BsdfSamplingLaws, samples_are_spread_as_the_pdf_says) {
 
         std::vector<double> counts(expected.size(), 0);
         for (std::size_t i = 0; i < kSamples; ++i) {
-            BsdfDraw draw{{}, Transport::flux, {i % kWavelengths, false}};
+            BsdfSampleInput draw{{}, Transport::flux, {i % kWavelengths, false}};
             draw.u = {stream_.next_float(), stream_.next_float(), stream_.next_float()};
             const auto drawn = sample(bsdf(), wo, draw);
             ++counts[drawn && drawn->pdf ? bin_of(drawn->wi) : kRows * kColumns];

@@ -47,7 +47,7 @@ TEST(Material, coated_diffuse_may_be_told_its_whole_reflectance) {
                 as<CoatedDiffuse>(CoatedDiffuseMaterial{Spectrum::constant(whole), coat, true});
             const Vec3 from(0.6F, 0, 0.8F);
             const float entered = coat->entering(0.8F);
-            const float left = b.base().spread_share(from)[0] / entered;
+            const float left = b.base().diffuse_albedo(from)[0] / entered;
             EXPECT_NEAR(left, whole, 1e-4) << whole;
         }
     }

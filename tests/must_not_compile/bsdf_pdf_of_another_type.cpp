@@ -13,11 +13,11 @@ using Density = float;
 struct Muddled {
     SampledSpectrum eval(const Vec3&, const Vec3&, Transport) const { return SampledSpectrum(); }
     Density pdf(const Vec3&, const Vec3&, Transport) const { return Density(0); }
-    std::optional<BsdfSample> sample(const Vec3&, const BsdfDraw&) const { return {}; }
+    std::optional<BsdfSample> sample(const Vec3&, const BsdfSampleInput&) const { return {}; }
     static Scattering scattering() { return Scattering::diffuse; }
     static bool gathers(float, float) { return false; }
-    static SampledSpectrum spread_share(const Vec3&) { return SampledSpectrum(); }
-    static float mirror_share(const Vec3&, const HeroWavelength&) { return 0; }
+    static SampledSpectrum diffuse_albedo(const Vec3&) { return SampledSpectrum(); }
+    static float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
 using WithMuddled = BsdfVariant<Muddled>;

@@ -11,7 +11,7 @@ struct Incomplete {
         return 0;
     }
 #endif
-    std::optional<BsdfSample> sample(const Vec3&, const BsdfDraw&) const {
+    std::optional<BsdfSample> sample(const Vec3&, const BsdfSampleInput&) const {
         return {};
     }
     static Scattering scattering() {
@@ -20,10 +20,10 @@ struct Incomplete {
     static bool gathers(float, float) {
         return false;
     }
-    static SampledSpectrum spread_share(const Vec3&) {
+    static SampledSpectrum diffuse_albedo(const Vec3&) {
         return SampledSpectrum();
     }
-    static float mirror_share(const Vec3&, const HeroWavelength&) {
+    static float reflection_probability(const Vec3&, const HeroWavelength&) {
         return 0;
     }
 };

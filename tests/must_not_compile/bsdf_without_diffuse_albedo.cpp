@@ -7,15 +7,15 @@ namespace sunfleck::engine {
 struct Chalk {
     SampledSpectrum eval(const Vec3&, const Vec3&, Transport) const { return SampledSpectrum(); }
     float pdf(const Vec3&, const Vec3&, Transport) const { return 0; }
-    std::optional<BsdfSample> sample(const Vec3&, const BsdfDraw&) const { return {}; }
+    std::optional<BsdfSample> sample(const Vec3&, const BsdfSampleInput&) const { return {}; }
     static Scattering scattering() { return Scattering::diffuse; }
     static bool gathers(float, float) { return true; }
 #ifndef FAULT
-    static SampledSpectrum spread_share(const Vec3&) {
+    static SampledSpectrum diffuse_albedo(const Vec3&) {
         return SampledSpectrum(0.5F);
     }
 #endif
-    static float mirror_share(const Vec3&, const HeroWavelength&) {
+    static float reflection_probability(const Vec3&, const HeroWavelength&) {
         return 0;
     }
 };
