@@ -1,5 +1,5 @@
 // What a Python value is, by its type.
-#include "conversions.h"
+#include "python/conversions.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

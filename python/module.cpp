@@ -1,6 +1,6 @@
 // The extension module _sunfleck: classes of the library as Python has them.
-#include "conversions.h"
-#include "rendering.h"
+#include "python/conversions.h"
+#include "python/rendering.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

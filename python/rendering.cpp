@@ -1,5 +1,5 @@
 // Waiting on one thread for what another one renders.
-#include "rendering.h"
+#include "python/rendering.h"
 
 #include <chrono>
 #include <future>

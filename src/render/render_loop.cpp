@@ -7,7 +7,7 @@ namespace sunfleck::engine {
 
 RenderResult first_result(const RenderJob& job, std::optional<RenderState> earlier) {
     RenderState state =
-        earlier ? std::move(*earlier) : RenderState{Film(key_of(job)), {}, 0, 0, 1, {}};
+        earlier ? std::move(*earlier) : RenderState{.film = Film(key_of(job)), .seconds = {}};
     return {std::move(state), false, false};
 }
 

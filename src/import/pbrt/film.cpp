@@ -198,7 +198,7 @@ void finish_filter(Reading& reading) {
     reading.log.warn_unused(filter);
 }
 
-void finish_guide_samples(Reading& reading) {
+void finish_hints(Reading& reading) {
     if (reading.options.integrator) read_integrator(*reading.options.integrator, reading);
     if (reading.options.sampler) read_sampler(*reading.options.sampler, reading);
 }

@@ -17,6 +17,6 @@ std::span<const WordRow> filter_words();
 /// @throws Error  for values out of range.
 void finish_film(Reading& reading);
 void finish_filter(Reading& reading);
-void finish_guide_samples(Reading& reading);
+void finish_hints(Reading& reading);
 
 }  // namespace sunfleck::engine

@@ -59,7 +59,7 @@ void finish(Reading& reading) {
     finish_film(reading);
     finish_camera(reading);
     finish_filter(reading);
-    finish_guide_samples(reading);
+    finish_hints(reading);
     finish_materials(reading.materials, reading.assets, reading.scene);
     finish_emission(reading);
     reading.media.finish(reading.assets.spectra, reading.log, reading.scene.media);
