@@ -219,7 +219,7 @@ void add_settings(py::module_& module) {
         .def_readonly("form", &SettingInfo::form)
         .def_readonly("choices", &SettingInfo::choices)
         .def_readonly("repeats", &SettingInfo::repeats)
-        .def_readonly("standard", &SettingInfo::standard)
+        .def_readonly("default_value", &SettingInfo::default_value)
         .def_readonly("help", &SettingInfo::help);
     module.def("settings", &Settings::list, "All settings that a Renderer takes.");
 }

@@ -23,14 +23,14 @@ namespace sunfleck {
 
 /// What is known of a render after a pass.
 struct SUNFLECK_API Progress {
-    std::uint32_t passes = 0;            // rendered so far
-    std::optional<std::uint32_t> of;     // passes asked for
-    double seconds = 0;                  // of rendering
-    double cpu_seconds = 0;              // the same, of all threads
-    std::optional<double> error;         // relative, of 95% of the blocks of the picture
+    std::uint32_t passes = 0;         // rendered so far
+    std::optional<std::uint32_t> of;  // passes that the settings ask for
+    double seconds = 0;               // of rendering
+    double cpu_seconds = 0;           // the same, of all threads
+    std::optional<double> error;  // relative, noise and bias, of 95% of the blocks; from pass 64 on
     std::optional<double> target_error;  // asked for
     std::optional<double> seconds_left;  // an estimate
-    bool is_learning = false;            // where photons are needed; a pass follows
+    bool is_learning = false;            // true while the renderer learns where photons are needed
 };
 
 enum class Outcome {
@@ -48,9 +48,9 @@ struct SUNFLECK_API RendererOptions {
     Log log{};                // warnings of the scene and of the render; none: nobody is told
 };
 
-/// run(), step(), start() and what changes the view are for one thread at a time, and refuse while
-/// the renderer renders. cancel(), progress() and picture() may be called on any thread at any
-/// time.
+/// cancel(), progress(), picture() and is_running() may be called on any thread at any time. All
+/// other calls are for one thread at a time; they are refused while the renderer renders, and from
+/// start() to wait().
 class SUNFLECK_API Renderer {
 public:
     using Report = std::function<void(const Progress&)>;
@@ -65,10 +65,11 @@ public:
     Renderer(Renderer&&) = delete;
     Renderer& operator=(Renderer&&) = delete;
 
-    /// Renders so many more passes. @param report  is called after each.
+    /// Renders so many more passes.
+    /// @param report  is called after each pass, and before and after the renderer learns.
     Outcome step(std::uint32_t passes = 1, const Report& report = {});
-    /// Renders until one of the settings' limits: "passes", "time", "cpu-time", "target-error". The
-    /// time of all calls counts. @throws Error  if they have none.
+    /// Renders until the first limit of the settings: "passes", "time", "cpu-time", "target-error".
+    /// Without any, until an error of 2%, or for ten minutes. The time of all calls counts.
     Outcome run(const Report& report = {});
 
     /// The same as run(), on a thread of its own, on which `report` is called.
@@ -77,15 +78,18 @@ public:
     /// Waits for the end of what start() has begun, and throws what it has thrown.
     Outcome wait();
 
-    /// Ends what is under way within some milliseconds. A pass that is not whole is left out; the
-    /// render can go on. (A pass of the sampler "paper" is made to its end.)
+    /// Returns at once; what is under way then ends within some milliseconds. A pass that is not
+    /// whole is left out; the render can go on. (A pass of the sampler "paper" is made to its end.)
+    /// Where nothing is under way it does nothing.
     void cancel();
 
     Progress progress() const;
     /// The picture of all passes so far; black before the first.
     Picture picture() const;
 
-    /// Another view of the scene: the render begins anew; its geometry is not built again.
+    // Another view: the render begins anew, with the same settings. The geometry is not built
+    // again, and the camera stays in its medium.
+
     /// @param type, parameters, to_world  as for SceneBuilder::camera().
     void set_camera(const std::string& type, const Parameters& parameters,
                     const Transform& to_world);

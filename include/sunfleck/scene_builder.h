@@ -17,7 +17,7 @@
 
 namespace sunfleck {
 
-/// Triangles by corner. All but positions and triangles may be empty.
+/// An indexed triangle mesh. Normals and uvs may be empty.
 struct SUNFLECK_API Mesh {
     std::span<const float> positions;          // x y z of each corner
     std::span<const std::uint32_t> triangles;  // three corners each
@@ -29,19 +29,20 @@ struct SUNFLECK_API Mesh {
 struct SUNFLECK_API ShapeOptions {
     std::string material{};  // its name; empty: diffuse grey, of reflectance 0.5
     Transform to_world{};
-    std::optional<Parameters> area_light{};  // of "diffuse" area lights: the shape emits light
-    std::string inside_medium{};             // on the side that normals point away from
+    std::optional<Parameters>
+        area_light{};             // parameters of its diffuse area light; none: it is dark
+    std::string inside_medium{};  // on the side that normals point away from
     std::string outside_medium{};
     bool reverse_orientation = false;  // turns the normals
     std::string object{};              // adds the shape to this object, to be placed by instances
 };
 
 /// For one thread at a time. Spans are copied.
-/// Calls throw Error for an unknown type and for values that cannot be used; build() also for names
-/// that nothing was made by.
+/// Calls throw Error for an unknown type and for values that cannot be used; build() also for
+/// materials, media and objects that were never made.
 class SUNFLECK_API SceneBuilder {
 public:
-    /// @param folder  where the names of files start from.
+    /// @param folder  of relative file names.
     explicit SceneBuilder(const std::string& folder = ".");
     ~SceneBuilder();
     SceneBuilder(SceneBuilder&&) noexcept;

@@ -15,7 +15,7 @@ struct SUNFLECK_API SettingInfo {
     std::string form;                  // "N", "WxH", "on|off"
     std::vector<std::string> choices;  // all words that it takes; empty: any that fits the form
     bool repeats = false;              // set() adds to it
-    std::string standard;              // what it is where it is not set; empty: nothing
+    std::string default_value;         // where it is not set; empty: nothing
     std::string help;
 };
 

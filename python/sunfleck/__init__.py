@@ -31,8 +31,8 @@ class Renderer(_sunfleck._Renderer):
     called with warnings; without it they are Python's.
 
     run(report), step(passes, report) and wait() return whether the render came to its end, and was
-    not cancelled. report(progress) is called after each pass. Other threads of Python run
-    meanwhile; Ctrl-C and what a callback raises end the render, which can go on.
+    not cancelled. report(progress) is called after each pass, on another thread. Other threads of
+    Python run meanwhile; Ctrl-C and what a callback raises end the render, which can go on.
     """
 
     def statistics(self):
@@ -40,9 +40,9 @@ class Renderer(_sunfleck._Renderer):
         return json.loads(self._statistics())
 
 
-def _rgb(self, layer=""):
-    """The three channels of a layer as one array (height, width, 3): a copy."""
-    names = [f"{layer}.{c}" if layer else c for c in "RGB"]
+def _rgb(self, aov=""):
+    """The three channels of the picture, or of an AOV, as one array (height, width, 3): a copy."""
+    names = [f"{aov}.{c}" if aov else c for c in "RGB"]
     return numpy.stack([self[name] for name in names], axis=-1)
 
 

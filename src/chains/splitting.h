@@ -8,7 +8,7 @@
 // Source: the paper's replica exchange, within one pass and nested (docs/method/method.md);
 // multilevel splitting: Botev and Kroese 2012; waste-free sequential Monte Carlo: Dau and Chopin
 // 2022.
-// Equations: docs/method/sampling.md, eq. (12).
+// Equations: docs/method/sampling.md, eqs. (12) and (16).
 #pragma once
 
 #include "chains/guided_level.h"

@@ -16,13 +16,13 @@ namespace sunfleck::engine {
 /// A word that a flag takes.
 struct FlagChoice {
     std::string name;
-    std::string what{};  // it means; empty where the flag's help says it
+    std::string what{};  // meaning of the word; empty where the help of the flag says it
 };
 
 /// What a flag takes, and how its text becomes a part of the request.
 struct FlagValue {
     std::string form;     // "N", "WxH", "on|off": a word in small letters is literal
-    std::string range{};  // "1 to 10000"; empty: none that could be said so
+    std::string range{};  // "1 to 10000"; empty where two numbers cannot say it
     std::vector<FlagChoice>
         choices{};         // all words that it takes; empty: any text that read() takes
     bool is_list = false;  // takes several of its words, with commas between
@@ -34,24 +34,26 @@ struct FlagValue {
 
 /// A condition on another flag, without which this one has no meaning and is refused.
 struct FlagNeed {
-    std::string flag;                   // the other one
-    std::vector<std::string> values{};  // of which it must have one; none: it must not be given
-    std::string why{};                  // this one is refused; empty: made from the condition
-    std::string mend = "leave it out";
-    std::string of_value{};  // this one has, if only that value is refused
+    std::string flag;  // the other flag
+    /// Values of the other flag, one of which is needed. Empty: the other flag must not be given.
+    std::vector<std::string> values{};
+    std::string why{};                  // reason in the message; empty: made from the condition
+    std::string mend = "leave it out";  // remedy in the message
+    std::string of_value{};             // the condition applies to this value alone; empty: to any
 };
 
-/// Other integrators gather no photons.
+/// The flag needs --integrator sppm, the only one with photons.
 inline FlagNeed needs_photon_mapping() {
     return {.flag = "--integrator", .values = {"sppm"}};
 }
 
-/// Any sampler but `paper`.
-inline FlagNeed refused_by_paper(const std::string& why, const std::string& mend = "leave it out") {
-    return {.flag = "--photon-sampler",
-            .values = {"adaptive", "uniform", "random"},
-            .why = why,
-            .mend = mend};
+/// The flag needs a photon sampler other than `paper`.
+FlagNeed refused_by_paper(const std::string& why, const std::string& mend = "leave it out");
+
+/// The same condition, for one value of the flag alone.
+inline FlagNeed of_value(const std::string& value, FlagNeed need) {
+    need.of_value = value;
+    return need;
 }
 
 struct RenderFlag {
@@ -60,7 +62,7 @@ struct RenderFlag {
     std::string group{};  // heading of the help, of the table that the flag is in
     FlagValue value;
     std::string help;
-    std::string standard{};  // its value where it is not given: by itself the first of its words
+    std::string default_value{};  // of a flag that is not given; the first choice where it is empty
     std::vector<FlagNeed> needs{};  // its own, behind those of its table
 };
 

@@ -42,10 +42,7 @@ std::vector<RenderFlag> estimator_flags() {
                          }),
          .help = "How direct light is estimated; with the sampler paper by photons",
          .needs = {needs_photon_mapping(),
-                   {.flag = "--photon-sampler",
-                    .values = {"adaptive", "uniform", "random"},
-                    .why = "is photons with the sampler paper",
-                    .of_value = "sampled"}}},
+                   of_value("sampled", refused_by_paper("is photons with the sampler paper"))}},
         {.name = "--ris",
          .value = one_of({{"auto", "resampled importance sampling of several candidates"},
                           {"off", "one light sample per vertex"}},
@@ -67,15 +64,15 @@ std::vector<RenderFlag> gathering_flags() {
                             r.settings.photon.paths_per_pass = static_cast<std::uint32_t>(n);
                         }),
          .help = "Photon paths per pass",
-         .standard = "200000 or 2 a pixel, the larger, and from pass 16 on as --photon-budget "
-                     "says; with the sampler paper 200000",
+         .default_value = "200000 or 2 a pixel, the larger, and from pass 16 on as --photon-budget "
+                          "says; with the sampler paper 200000",
          .needs = {{.flag = "--integrator", .values = {"sppm", "light"}}}},
         {.name = "--radius-pixels",
          .value =
              number(1e-3, 1e3, [](auto& r, const auto& x) { r.settings.camera.radius_pixels = x; }),
          .help = "First gather radius, in pixel footprints",
-         .standard = "2, less in pictures of fewer than 512 pixels a side; with the sampler "
-                     "paper 2",
+         .default_value = "2, less in pictures of fewer than 512 pixels a side; with the sampler "
+                          "paper 2",
          .needs = {needs_photon_mapping()}},
         {.name = "--radius",
          .value = number(1e-30, 1e30, [](auto& r, const auto& x) { r.settings.camera.radius = x; }),
@@ -85,14 +82,14 @@ std::vector<RenderFlag> gathering_flags() {
          .value =
              number(1, 100, [](auto& r, const auto& x) { r.settings.camera.indirect_radius = x; }),
          .help = "Radius for photons that a rough surface has scattered, over that for others",
-         .standard = "2 to 3.1, more in pictures of more than 512 pixels a side; less where a "
-                     "radius is given; with the sampler paper 1",
+         .default_value = "2 to 3.1, more in pictures of more than 512 pixels a side; less where a "
+                          "radius is given; with the sampler paper 1",
          .needs = {needs_photon_mapping(), refused_by_paper("is 1 with the sampler paper")}},
         {.name = "--alpha",
          .value = number(1e-6, 1 - 1e-6, [](auto& r, const auto& x) { r.settings.alpha = x; }),
          .help = "How slowly radii shrink: areas go with the number of passes to the power of "
                  "alpha - 1",
-         .standard = "2/3; with the sampler paper 0.7",
+         .default_value = "2/3; with the sampler paper 0.7",
          .needs = {needs_photon_mapping()}},
     };
 }

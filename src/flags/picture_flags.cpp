@@ -29,12 +29,12 @@ std::vector<RenderFlag> frame_flags() {
          .value =
              value_of("WxH", read_size, [](auto& r, const auto& size) { r.resolution = size; }),
          .help = "Size in pixels; the view keeps the extent of its shorter axis",
-         .standard = "the scene's"},
+         .default_value = "the scene's"},
         {.name = "--crop",
          .value = value_of("X0,X1,Y0,Y1", read_crop,
                            [](auto& r, const auto& pixels) { r.crop = pixels; }),
          .help = "Render these pixels alone",
-         .standard = "the scene's"},
+         .default_value = "the scene's"},
         {.name = "--cropwindow",
          .value = value_of("X0,X1,Y0,Y1", read_crop_window,
                            [](auto& r, const auto& window) { r.crop_window = window; }),
@@ -43,7 +43,7 @@ std::vector<RenderFlag> frame_flags() {
         {.name = "--exposure",
          .value = number(-100, 100, [](auto& r, const auto& stops) { r.exposure = stops; }),
          .help = "Stops, for PNG alone",
-         .standard = "0"},
+         .default_value = "0"},
     };
 }
 
@@ -85,7 +85,7 @@ std::vector<RenderFlag> end_flags() {
                            [](auto& r, const auto& error) { r.stop.target_error = error; }),
          .help = "End when the noise of 95% of the blocks and the bias together come to this "
                  "relative error",
-         .standard = "2%, or after 10m, where no end is given",
+         .default_value = "2%, or after 10m, where no end is given",
          .needs = {refused_by_paper("the sampler paper has no error bars",
                                     "use --passes or --time")}},
         {.name = "--target-error-of",
@@ -134,7 +134,7 @@ std::vector<RenderFlag> transport_flags() {
          .value =
              whole(1, 10000, [](auto& r, const auto& n) { r.max_depth = static_cast<int>(n); }),
          .help = "Scattering events on a path, camera and light subpaths together",
-         .standard = "the scene's, or 64"},
+         .default_value = "the scene's, or 64"},
         {.name = "--energy-compensation",
          .value = one_of(
              {{"off"},
@@ -150,7 +150,7 @@ std::vector<RenderFlag> run_flags() {
          .value =
              value_of("N", read_seed, [](auto& r, const auto& seed) { r.settings.seed = seed; }),
          .help = "Random seed",
-         .standard = "0"},
+         .default_value = "0"},
         {.name = "--isa",
          .value = one_of({{"avx2", "the same bytes on every such machine"},
                           {"native", "all that this machine has; bytes may differ"}},

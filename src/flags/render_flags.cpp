@@ -29,8 +29,8 @@ std::vector<RenderFlag> joined_tables() {
         for (RenderFlag& flag : flags) {
             flag.group = group;
             flag.needs.insert(flag.needs.begin(), needs.begin(), needs.end());
-            if (flag.standard.empty() && flag.value.choices.size() > 1 && !flag.value.is_list)
-                flag.standard = flag.value.choices.front().name;
+            if (flag.default_value.empty() && flag.value.choices.size() > 1 && !flag.value.is_list)
+                flag.default_value = flag.value.choices.front().name;
             all.push_back(std::move(flag));
         }
     };
@@ -106,7 +106,7 @@ void RenderFlags::set(const std::string& name, const std::string& text) {
 
 std::string RenderFlags::text_of(const std::string& name) const {
     const auto given = texts_.find(name);
-    return given == texts_.end() ? render_flag(name).standard : given->second.back();
+    return given == texts_.end() ? render_flag(name).default_value : given->second.back();
 }
 
 void RenderFlags::check(const RenderFlag& flag, const FlagNeed& need) const {

@@ -73,7 +73,7 @@ std::vector<RenderFlag> paper_flags() {
              [](auto& r, const auto& theta) { r.settings.photon.paper.mutation_size = theta; }),
          .help = "Size of mutations: as adapted while rendering, or theta of the paper's "
                  "equation 9",
-         .standard = "adaptive"},
+         .default_value = "adaptive"},
         {.name = "--target-acceptance",
          .value = value_of(
              "X",
@@ -82,7 +82,7 @@ std::vector<RenderFlag> paper_flags() {
              },
              [](auto& r, const auto& share) { r.settings.photon.paper.target_acceptance = share; }),
          .help = "Fraction of mutations to accept",
-         .standard = "0.234",
+         .default_value = "0.234",
          .needs = {{.flag = "--mutation-size",
                     .values = {"adaptive"},
                     .why = "has no meaning with a fixed --mutation-size",

@@ -48,7 +48,6 @@ RenderSession::RenderSession(const Scene& scene, const Settings& settings,
     change_view([&](engine::Camera& camera, engine::FilmDescription& film) {
         engine::adjust_view(camera, film, request_);
     });
-    say(engine::remarks_before(job(), isa_));
 }
 
 void RenderSession::change_view(
@@ -56,12 +55,15 @@ void RenderSession::change_view(
     engine::Camera camera = camera_;
     engine::FilmDescription film = scene_.film();
     change(camera, film);
-    const std::lock_guard lock(guard_);
-    camera_ = camera;
-    scene_.set_view(std::move(camera), std::move(film));
-    loop_.emplace(job(), std::nullopt);
-    progress_ = {};
+    {
+        const std::lock_guard lock(guard_);
+        camera_ = camera;
+        scene_.set_view(std::move(camera), std::move(film));
+        loop_.emplace(job(), std::nullopt);
+        progress_ = {};
+    }
     remarks_.clear();
+    say(engine::remarks_before(job(), isa_));
 }
 
 Outcome RenderSession::render(std::optional<std::uint32_t> passes, const Renderer::Report& report) {

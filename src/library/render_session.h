@@ -1,4 +1,4 @@
-// A render of the library: the loop, and what other threads may ask of it meanwhile.
+// A render of the library: the loop, and the calls that are allowed on other threads.
 #pragma once
 
 #include "core/parallel.h"
@@ -29,14 +29,13 @@ public:
     Picture picture() const;
 
     // Not while it renders.
-    void allow() { is_cancelled_ = false; }
-    /// Begins anew with what `change` makes of the view.
+    void clear_cancel() { is_cancelled_ = false; }
+    /// Applies `change` to camera and film, and restarts the render.
     void change_view(const std::function<void(engine::Camera&, engine::FilmDescription&)>& change);
     const engine::FilmDescription& film() const { return scene_.film(); }
     std::string statistics() const;
 
 private:
-    void begin();
     engine::RenderHooks hooks(const Renderer::Report& report);
     void take(const engine::Progress& progress);
     void say(const std::vector<std::string>& lines);
@@ -51,7 +50,7 @@ private:
     engine::ThreadPool threads_;
     std::atomic<bool> is_cancelled_{false};
 
-    mutable std::mutex guard_;  // of the film and what is told of it
+    mutable std::mutex guard_;  // of the film and of progress_
     std::optional<engine::RenderLoop> loop_;
     Progress progress_;
     std::vector<std::string> remarks_;

@@ -30,7 +30,7 @@ struct Renderer::Impl {
     void claim() {
         if (thread.joinable() || is_running.exchange(true))
             throw Error({"Renderer"}, "a render is under way", "wait() for it");
-        session.allow();
+        session.clear_cancel();
     }
 
     /// Ends the claim.

@@ -67,7 +67,7 @@ std::vector<SettingInfo> Settings::list() {
         for (const engine::FlagChoice& choice : flag.value.choices)
             info.choices.push_back(choice.name);
         info.repeats = flag.value.repeats;
-        info.standard = flag.standard;
+        info.default_value = flag.default_value;
         info.help = engine::help_text(flag);
     }
     return all;

@@ -4,8 +4,8 @@
 // In:  a primary-sample reader (the point u), the scene at the wavelengths of a pass. Out: each
 // photon at a surface that can gather is passed to a visitor, which may end the path.
 // Source: shading-normal correction: Veach 1997, section 5.3.2; Russian roulette on the throughput
-// keeps it about constant, as the paper's binary target assumes (docs/method/method.md).
-// Equations: docs/method/method.md, eq. (8).
+// keeps the flux of photons about constant, as the paper's binary target assumes
+// (docs/method/method.md). Equations: docs/method/method.md, eqs. (8) and (9).
 #pragma once
 
 #include "aovs/statistics.h"
@@ -58,8 +58,9 @@ public:
         }
     }
 
-    /// Steps of a path. First: samples the light, with flux, position and direction. @return false
-    /// if nothing is emitted.
+    /// Steps of a path, for callers that interleave paths: start(), then send(), complete() and
+    /// go_on() until it ends. This one samples the light, with flux, position and direction.
+    /// @return false if nothing is emitted.
     template <PrimarySampleReader Reader>
     bool start(Reader& read, PhotonState& state) const {
         const std::optional<Emission> from = emit(read, state);
@@ -98,8 +99,9 @@ public:
         return {};
     }
 
-    /// go_on() in three steps, for a caller with many photons. First: returns the surface if its
-    /// events can be computed together; otherwise go_on() is to be called.
+    /// go_on() in three steps, for a caller with many photons: plain_surface(), see(),
+    /// after_event(). This one returns the surface if its events can be computed together;
+    /// otherwise go_on() is to be called.
     const Lambert* plain_surface(const Hit& hit, const PhotonState& state) const {
         if (state.unlit > 0 || has_media_ || pass_.scene.has_cover(hit)) return nullptr;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];

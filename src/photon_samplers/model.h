@@ -60,14 +60,16 @@ struct SamplerMemory {
 /// The state of a sampler whose passes are independent of each other.
 using NoState = std::monostate;
 
-/// kind:   the sampler's value of the setting.
-/// name:   name in flags. what: explanation in the help.
-/// learns: whether pilots and trials make the plan of an epoch (planning/epoch.h). Otherwise the
-///         plan is one stratum of all lights.
-/// State:  what the sampler carries from pass to pass; NoState where passes are independent of each
-/// other. memory: bytes that it holds. default_paths: photon paths per pass where the user gives no
-/// number. settings_text: lines for RenderSettings::text() of the settings that this sampler alone
-/// has. trace:  adds the contributions of a pass's photons to the target.
+/// kind:          its value of the enum PhotonSampler.
+/// name:          its name in flags.
+/// what:          its explanation in the help.
+/// learns:        whether pilots and trials make the plan of an epoch (planning/epoch.h). Otherwise
+///                the plan is one stratum of all lights.
+/// State:         what it carries from pass to pass; NoState where passes are independent.
+/// memory:        bytes that it holds.
+/// default_paths: photon paths per pass where the user gives no number.
+/// settings_text: lines for RenderSettings::text() of the settings that it alone has.
+/// trace:         adds the contributions of a pass's photons to the target.
 template <class S>
 concept PhotonSamplerModel = requires(const PhotonSettings& settings, std::size_t pixels,
                                       const PhotonPass& pass, const PhotonTarget& target,
@@ -84,8 +86,9 @@ concept PhotonSamplerModel = requires(const PhotonSettings& settings, std::size_
 
 /// The concept that the state of a sampler satisfies, if there is one.
 ///
-/// visit:    passes all members to an archive, as StoredSample::visit() does.
-/// is_sound: whether it can be the state after so many passes of a picture of so many pixels.
+/// It is constructed from the settings, alpha of the radius sequence, and the number of pixels. Its
+/// static visit(self, archive) passes all members to any archive, as StoredSample::visit() does.
+/// is_sound: whether it can be the state after `passes` passes of a picture of `pixels` pixels.
 /// shrink:   sets the gather radii of a pass's visible points. Returns their mean factor.
 template <class T>
 concept SamplerStateModel = std::copyable<T> &&

@@ -50,7 +50,7 @@ Given with_needs(const RenderFlag& flag) {
     Given given{{flag.name, example_of(flag)}};
     for (const FlagNeed& need : flag.needs)
         if (need.values.size() == 1 && need.flag != "--integrator" &&
-            render_flag(need.flag).standard != need.values[0])
+            render_flag(need.flag).default_value != need.values[0])
             given.emplace_back(need.flag, need.values[0]);
     return given;
 }
@@ -91,11 +91,11 @@ TEST(RenderFlags, need_what_other_flags_can_say) {
 TEST(RenderFlags, stand_by_default_at_one_of_their_choices) {
     const std::string plain = request_of({{"--passes", "1"}}).settings.text();
     for (const RenderFlag& flag : render_flags()) {
-        if (flag.value.choices.empty() || flag.standard.empty()) continue;
+        if (flag.value.choices.empty() || flag.default_value.empty()) continue;
         RenderRequest request;
-        flag.value.read(request, flag.standard, flag.name);
+        flag.value.read(request, flag.default_value, flag.name);
         EXPECT_EQ(request.settings.text(), plain) << flag.name;
-        EXPECT_NE(("|" + flag.value.form + "|").find("|" + flag.standard + "|"), std::string::npos);
+        EXPECT_NE(("|" + flag.value.form + "|").find("|" + flag.default_value + "|"), std::string::npos);
     }
 }
 

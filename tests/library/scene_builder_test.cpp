@@ -12,7 +12,7 @@ using testing_support::kBall;
 using testing_support::quick_settings;
 using testing_support::rendered;
 
-SceneBuilder ball() {
+SceneBuilder ball_builder() {
     SceneBuilder builder;
     builder.camera("perspective", {{"float fov", 35}},
                    Transform::look_at({0, -6, 4}, {0, 0, 0.6}, {0, 0, 1}));
@@ -42,21 +42,21 @@ std::string fault_of(const Call& call) {
 }
 
 TEST(SceneBuilder, makes_the_scene_of_a_file_that_says_the_same) {
-    const Scene by_calls = ball().build();
+    const Scene by_calls = ball_builder().build();
     EXPECT_TRUE(by_calls.warnings().empty());
     EXPECT_EQ(rendered(by_calls, quick_settings()),
               rendered(Scene::parse(kBall, "ball.pbrt"), quick_settings()));
 }
 
 TEST(SceneBuilder, places_objects_by_instances_that_may_come_first) {
-    SceneBuilder builder = ball();
+    SceneBuilder builder = ball_builder();
     builder.instance("stool", Transform::translate({1, 0, 0}));
     builder.instance("stool", Transform::translate({-1, 0, 0}));
     builder.shape("disk", {{"float height", 0.5}}, {.object = "stool"});
     builder.shape("cylinder", {{"float radius", 0.1}}, {.object = "stool"});
     EXPECT_EQ(builder.build().triangle_count(), 2U);
     EXPECT_NE(fault_of([] {
-                  SceneBuilder other = ball();
+                  SceneBuilder other = ball_builder();
                   other.instance("chair");
                   other.build();
               }).find("chair"),
@@ -98,7 +98,7 @@ TEST(SceneBuilder, tells_all_missing_files_at_once) {
 }
 
 TEST(SceneBuilder, is_empty_after_build) {
-    SceneBuilder builder = ball();
+    SceneBuilder builder = ball_builder();
     builder.build();
     EXPECT_EQ(builder.build().triangle_count(), 0U);
 }
