@@ -131,7 +131,8 @@ TEST_F(Resume, a_checkpoint_is_not_replaced_unasked) {
     keep("x.ckpt");
     keep("y.ckpt");
     expect_refused({"--checkpoint", "x.ckpt"}, "x.ckpt", {"this file exists", "--resume x.ckpt"});
-    expect_refused({"--checkpoint", "x.ckpt", "--resume", "y.ckpt"}, "x.ckpt", {"stands there"});
+    expect_refused({"--checkpoint", "x.ckpt", "--resume", "y.ckpt"}, "x.ckpt",
+                   {"this file exists"});
     expect_refused({"--checkpoint", "z.film", "-o", "./z.film"}, "z.film", {"written twice"});
     EXPECT_EQ(passes_in("x.ckpt"), 2U);
     EXPECT_EQ(render({"-o", "kept.exr", "--passes", "3", "--checkpoint", "./x.ckpt", "--resume",
