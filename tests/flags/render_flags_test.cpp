@@ -95,7 +95,8 @@ TEST(RenderFlags, stand_by_default_at_one_of_their_choices) {
         RenderRequest request;
         flag.value.read(request, flag.default_value, flag.name);
         EXPECT_EQ(request.settings.text(), plain) << flag.name;
-        EXPECT_NE(("|" + flag.value.form + "|").find("|" + flag.default_value + "|"), std::string::npos);
+        EXPECT_NE(("|" + flag.value.form + "|").find("|" + flag.default_value + "|"),
+                  std::string::npos);
     }
 }
 
