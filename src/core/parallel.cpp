@@ -1,13 +1,14 @@
 // Parallel loops on TBB; the only file that includes it.
 #include "core/parallel.h"
 
+#include "core/default_floats.h"
+
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cfenv>
 #include <utility>
 
 #if defined(__SANITIZE_THREAD__)
@@ -42,23 +43,6 @@ public:
 
 private:
     unsigned before_ = 0;
-};
-
-/// The modes that a program starts with hold while it lives: rounding to nearest, denormals.
-class DefaultFloats {
-public:
-    DefaultFloats() {
-        std::fegetenv(&before_);
-        std::fesetenv(FE_DFL_ENV);
-    }
-    ~DefaultFloats() { std::fesetenv(&before_); }
-    DefaultFloats(const DefaultFloats&) = delete;
-    DefaultFloats& operator=(const DefaultFloats&) = delete;
-    DefaultFloats(DefaultFloats&&) = delete;
-    DefaultFloats& operator=(DefaultFloats&&) = delete;
-
-private:
-    std::fenv_t before_{};
 };
 
 using IsOver = std::function<bool()>;

@@ -1,6 +1,8 @@
-// The border of the library: what leaves it is an Error.
+// The border of the library: within it floating-point modes are the default ones, and what is
+// thrown out of it is an Error.
 #pragma once
 
+#include "core/default_floats.h"
 #include "sunfleck/error.h"
 
 #include <exception>
@@ -12,6 +14,7 @@ namespace sunfleck {
 /// @throws Error  also in place of other exceptions, which come of the machine.
 template <class Task>
 auto guarded(const Task& task) {
+    const engine::DefaultFloats modes;
     try {
         return task();
     } catch (const Error&) {

@@ -112,12 +112,12 @@ Picture RenderSession::picture() const {
     });
 }
 
-std::string RenderSession::statistics() const {
+std::string RenderSession::statistics() {
     const engine::RenderResult& result = loop_->result();
     engine::RunFacts facts;
     facts.scene = scene_.path();
     facts.isa = isa_;
-    facts.threads = options_.threads;
+    threads_.run([&] { facts.threads = engine::thread_count(); });
     facts.total_seconds = result.total_seconds;
     facts.cpu_seconds = result.cpu_seconds;
     facts.seconds = result.seconds;

@@ -33,7 +33,7 @@ public:
     /// Applies `change` to camera and film, and restarts the render.
     void change_view(const std::function<void(engine::Camera&, engine::FilmDescription&)>& change);
     const engine::FilmDescription& film() const { return scene_.film(); }
-    std::string statistics() const;
+    std::string statistics();
 
 private:
     engine::RenderHooks hooks(const Renderer::Report& report);

@@ -80,33 +80,41 @@ void SceneBuilder::filter(const std::string& type, const Parameters& parameters)
 
 void SceneBuilder::material(const std::string& name, const std::string& type,
                             const Parameters& parameters) {
-    Parameters all = parameters;
-    all.push_back({"string type", type});
-    const std::string where = "material \"" + name + "\"";
-    impl_->assembly.add_material(name, statement_of("MakeNamedMaterial", name, all, where));
+    guarded([&] {
+        Parameters all = parameters;
+        all.push_back({"string type", type});
+        const std::string where = "material \"" + name + "\"";
+        impl_->assembly.add_material(name, statement_of("MakeNamedMaterial", name, all, where));
+    });
 }
 
 void SceneBuilder::texture(const std::string& name, const std::string& kind,
                            const std::string& type, const Parameters& parameters,
                            const Transform& to_world) {
-    const std::string where = "texture \"" + name + "\"";
-    impl_->assembly.add_texture(kind, name, statement_of("Texture", type, parameters, where),
-                                matrix_of(to_world));
+    guarded([&] {
+        const std::string where = "texture \"" + name + "\"";
+        impl_->assembly.add_texture(kind, name, statement_of("Texture", type, parameters, where),
+                                    matrix_of(to_world));
+    });
 }
 
 void SceneBuilder::medium(const std::string& name, const std::string& type,
                           const Parameters& parameters) {
-    Parameters all = parameters;
-    all.push_back({"string type", type});
-    impl_->assembly.add_medium(
-        statement_of("MakeNamedMedium", name, all, "medium \"" + name + "\""));
+    guarded([&] {
+        Parameters all = parameters;
+        all.push_back({"string type", type});
+        impl_->assembly.add_medium(
+            statement_of("MakeNamedMedium", name, all, "medium \"" + name + "\""));
+    });
 }
 
 void SceneBuilder::light(const std::string& type, const Parameters& parameters,
                          const Transform& to_world, const std::string& medium) {
-    const std::string where = "light " + std::to_string(++impl_->lights);
-    impl_->assembly.add_light(statement_of("LightSource", type, parameters, where),
-                              matrix_of(to_world), medium);
+    guarded([&] {
+        const std::string where = "light " + std::to_string(++impl_->lights);
+        impl_->assembly.add_light(statement_of("LightSource", type, parameters, where),
+                                  matrix_of(to_world), medium);
+    });
 }
 
 void SceneBuilder::shape(const std::string& type, const Parameters& parameters,

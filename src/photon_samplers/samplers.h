@@ -3,6 +3,7 @@
 #pragma once
 
 #include "photon_samplers/paper_sampler.h"
+#include "photon_samplers/sampler_state.h"
 #include "photon_samplers/splitting_sampler.h"
 #include "photon_samplers/uniform_sampler.h"
 
@@ -20,13 +21,6 @@ using PhotonSamplerVariant = std::variant<Samplers...>;
 /// In the order of the help.
 using AnyPhotonSampler =
     PhotonSamplerVariant<SplittingSampler, UniformSampler, RandomSampler, PaperSampler>;
-
-template <SamplerStateModel... States>
-using SamplerStateVariant = std::variant<NoState, States...>;
-
-/// What the sampler of a render carries from pass to pass. Checkpoints hold the index of the
-/// alternative: new ones stand at the end.
-using SamplerState = SamplerStateVariant<PaperMemory>;
 
 struct PhotonSamplerRow {
     PhotonSampler sampler;
@@ -73,12 +67,5 @@ SamplerState first_state(const PhotonSettings& settings, double alpha, std::size
 /// Adds the light of the photons of a pass, or of one subpass of it, to the image.
 /// @param state  of the same sampler.
 PhotonTotals trace_photons(const PhotonPass& pass, const PhotonTarget& target, SamplerState& state);
-
-/// Sets the gather radii of a pass's visible points.
-/// @return their mean factor, or nothing if the state has no say in them.
-std::optional<double> shrink_radii(const SamplerState& state, VisiblePointLists& points);
-
-/// Can it be the state after so many passes of a picture of so many pixels?
-bool is_sound(const SamplerState& state, std::size_t pixels, std::uint64_t passes);
 
 }  // namespace sunfleck::engine

@@ -7,7 +7,7 @@
 // Equations: docs/method/method.md, eq. (1).
 #pragma once
 
-#include "photon_samplers/samplers.h"
+#include "photon_samplers/sampler_state.h"
 #include "planning/epoch.h"
 #include "stages/pass_result.h"
 

@@ -2,6 +2,7 @@
 #include "render/pass_maker.h"
 
 #include "core/parallel.h"
+#include "photon_samplers/samplers.h"
 #include "render/count_pass.h"
 #include "render/pass.h"
 

@@ -1,6 +1,7 @@
 // One machine by itself, or the loop over intervals of several ranks.
 #include "render/progressive.h"
 
+#include "photon_samplers/samplers.h"
 #include "ranks/shared_interval.h"
 #include "render/pass_maker.h"
 #include "render/render_loop.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "film/film.h"
-#include "photon_samplers/samplers.h"
+#include "photon_samplers/sampler_state.h"
 #include "stages/pass_result.h"
 
 namespace sunfleck::engine {

@@ -84,13 +84,15 @@ TEST(SceneBuilder, names_the_call_that_cannot_be) {
     const std::array<std::uint32_t, 3> triangle = {0, 1, 3};
     EXPECT_NE(fault_of([&] {
                   builder.mesh({corners, triangle});
-              }).find("index 3"),
+              }).find("vertex 3"),
               std::string::npos);
 }
 
 TEST(SceneBuilder, tells_all_missing_files_at_once) {
     SceneBuilder builder("no/such/folder");
     builder.texture("wood", "spectrum", "imagemap", {{"string filename", "wood.png"}});
+    builder.material("board", "diffuse", {{"texture reflectance", "wood"}});
+    builder.shape("sphere", {}, {.material = "board"});
     builder.shape("plymesh", {{"string filename", "chair.ply"}});
     const std::string fault = fault_of([&] { builder.build(); });
     EXPECT_NE(fault.find("wood.png"), std::string::npos) << fault;

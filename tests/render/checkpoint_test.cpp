@@ -6,6 +6,7 @@
 #include "film/word_hash.h"
 #include "image/read_file.h"
 #include "image/temporary_folder.h"
+#include "photon_samplers/samplers.h"
 #include "render/progressive.h"
 #include "sunfleck/error.h"
 #include "support/renders.h"

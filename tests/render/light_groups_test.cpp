@@ -1,5 +1,6 @@
 // Aovs of lights: each light's emission, direct light and photons are in its AOV, whoever
 // brings them; asking for AOVs changes nothing else.
+#include "photon_samplers/samplers.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
