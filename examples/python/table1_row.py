@@ -42,7 +42,7 @@ def print_row(scene, statistics):
     print(f"{'':16}{'paper':>10}{'here':>10}")
     for name, here in (("triangles", scene.triangle_count), ("visible ratio", visible),
                        ("mutation size", statistics["mutation_size"])):
-        print(f"{name:16}{PAPER[name]:10}{here:10.4g}")
+        print(f"{name:16}{PAPER[name]:10}{here:10.6g}")
 
 
 def plot(curves, path):
