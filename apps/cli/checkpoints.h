@@ -1,4 +1,4 @@
-// Checkpoints of `sunfleck render`: tried before the work, written while it goes on.
+// Checkpoint files of `sunfleck render`: checked before the render begins, written while it runs.
 #pragma once
 
 #include "apps/cli/deferred_error.h"
@@ -6,8 +6,9 @@
 
 namespace sunfleck::engine {
 
-/// Tries --checkpoint and reads --resume, as far as they are given.
-/// @throws Error if either cannot be used; also if --checkpoint would replace what is not resumed.
+/// Checks that --checkpoint can be written, and reads --resume, where they are given.
+/// @throws Error if either cannot be used, or if --checkpoint would replace another checkpoint than
+///         the one that is resumed.
 std::optional<Checkpoint> open_checkpoints(const RenderOptions& options);
 
 /// Writes checkpoints. A fault is a warning at first: the render goes on, the former checkpoint
@@ -17,7 +18,7 @@ public:
     explicit CheckpointKeeper(const RenderOptions& options)
         : options_(options), fault_(options.log) {}
 
-    /// Not cut short by a second Ctrl-C.
+    /// Writes a checkpoint to its end, also after a second Ctrl-C.
     void save(const Origin& origin, const RenderState& state);
     /// @throws Error if the last one could not be written.
     void finish() const { fault_.finish(); }

@@ -1,4 +1,4 @@
-// The flags of all commands but `sunfleck render`, whose are many.
+// The flags of every command except `sunfleck render`, which has a file of its own.
 #pragma once
 
 #include "apps/cli/completion.h"
@@ -19,7 +19,7 @@ struct ManualOptions {
 
 void add_info_flags(CLI::App& app, InfoOptions& options);
 void add_scene_flags(CLI::App& app, SceneOptions& options);
-/// @param flags  takes those that renders have, too.
+/// @param flags  receives the flags that merge and relight share with renders.
 void add_merge_flags(CLI::App& app, MergeOptions& options, RenderFlags& flags);
 void add_relight_flags(CLI::App& app, RelightOptions& options, RenderFlags& flags);
 void add_compare_flags(CLI::App& app, CompareOptions& options);

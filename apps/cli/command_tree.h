@@ -10,11 +10,12 @@ class App;
 
 namespace sunfleck::engine {
 
-/// A flag, or a word that stands without one.
+/// A flag, or a positional argument.
 struct CommandFlag {
-    std::vector<std::string> names;  // "-o", "--output"; of a word its only name: "SCENE"
-    std::string form;                // "N", "on|off"; empty for a flag that takes nothing
-    std::vector<std::string> words;  // literal ones that it takes, as far as they can be listed
+    std::vector<std::string>
+        names;         // "-o", "--output"; of a positional argument its only name: "SCENE"
+    std::string form;  // "N", "on|off"; empty for a flag that takes nothing
+    std::vector<std::string> words;  // literal words that it takes, as far as they can be listed
     std::string group;               // heading
     std::string help;
     bool is_required = false;
@@ -29,9 +30,9 @@ struct Command {
     std::string name;  // "sunfleck", or of a command: "render"
     std::string help;
     std::vector<CommandFlag> flags;
-    std::vector<CommandFlag> words;     // in their order
+    std::vector<CommandFlag> words;     // positional arguments, in their order
     std::vector<std::string> examples;  // of use
-    std::vector<Command> commands;      // below it
+    std::vector<Command> commands;      // its subcommands
 };
 
 Command command_tree(const CLI::App& app);

@@ -10,9 +10,9 @@ namespace sunfleck::engine {
 /// @return 0, or on rank 0 130 when interrupted.
 /// @throws FaultOfAll as together() does.
 int run_render(const RenderOptions& asked, const Ranks& ranks);
-/// Says what was read, what is approximated, lights, bounds, triangles.
+/// Prints what was read, what is approximated, lights, bounds and triangles.
 int run_info(const InfoOptions& options);
-/// Writes one of our own scenes, or lists them.
+/// Writes one of Sunfleck's own scenes, or lists them.
 int run_scene(const SceneOptions& options);
 /// Makes figures and tables of the paper, or lists them. @return 0, or 130 when interrupted.
 int run_experiment(const ExperimentOptions& options);

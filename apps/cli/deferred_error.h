@@ -1,6 +1,6 @@
-// Files that could not be written: no reason to lose what else there is, but a fault at the end.
+// Faults of output files, thrown at the end, so that one fault does not lose the other files.
 //
-// That they can be written has been tried before the work: what comes in between is the machine's.
+// The files have been checked before the work. What fails later is a fault of the machine.
 #pragma once
 
 #include "apps/cli/messages.h"
@@ -31,9 +31,9 @@ public:
             return false;
         }
     }
-    /// What failed before no longer matters.
+    /// Forgets earlier faults, because a later attempt has succeeded.
     void forget() { fault_ = nullptr; }
-    /// Throws what failed and still matters. @throws MachineFault in place of Error.
+    /// Throws the fault that has not been forgotten. @throws MachineFault  in place of Error.
     void finish() const {
         try {
             if (fault_) std::rethrow_exception(fault_);

@@ -7,10 +7,10 @@
 
 namespace sunfleck::engine {
 
-/// How signals are answered. Null texts: nothing is said.
+/// How the program answers signals. A null text means that nothing is printed.
 struct InterruptAnswer {
-    const char* first = nullptr;  // what is done before the end
-    const char* lost = nullptr;   // what a second signal has lost
+    const char* first = nullptr;  // printed after the first signal: what is still done
+    const char* lost = nullptr;   // printed after the second signal: what is lost
     bool ends = false;            // the first one ends the program: there is nothing to finish
 };
 
@@ -28,7 +28,7 @@ public:
     InterruptGuard(InterruptGuard&&) = delete;
     InterruptGuard& operator=(InterruptGuard&&) = delete;
 
-    /// How signals are answered from now on.
+    /// Sets how signals are answered from now on.
     static void set_answer(const InterruptAnswer& answer);
     static const std::atomic<bool>& interrupted();
     /// Calls task(), which a second signal does not cut short (so that it leaves no half of a

@@ -6,7 +6,7 @@
 
 namespace sunfleck::engine {
 
-/// To be called before all else. A standard stream that is closed stays closed: no file that the
+/// Call this first. A standard stream that is closed stays closed: no file that the
 /// program opens takes its number, and with it what was meant for the stream. A pipe whose reader
 /// has ended makes writing fail, in place of ending the program.
 void keep_streams();

@@ -1,4 +1,4 @@
-// What the commands are asked to do: every flag has its place here.
+// Options of the commands: one struct per command, one member per flag.
 #pragma once
 
 #include "experiment/cell.h"
@@ -11,11 +11,11 @@
 
 namespace sunfleck::engine {
 
-/// What is said on standard error beside errors.
+/// What the program prints on standard error besides errors.
 enum class LogLevel {
     quiet,    // nothing
-    warning,  // what may make the picture other than expected
-    info      // and defaults taken, and the progress line on a terminal
+    warning,  // warnings, too
+    info      // also defaults that were taken, and the progress line
 };
 
 struct RenderOptions {
@@ -25,18 +25,18 @@ struct RenderOptions {
     std::string stats;      // file, or empty
     std::string snapshots;  // folder, or empty
     std::size_t threads = 0;
-    std::optional<std::uint64_t> memory_limit;  // bytes; else what the machine leaves
+    std::optional<std::uint64_t> memory_limit;  // bytes; absent: what the machine leaves
     std::string checkpoint;                     // file to write, or empty
-    double checkpoint_seconds = 60;             // at least so many between two
-    std::string resume;                         // file to go on from, or empty
+    double checkpoint_seconds = 60;             // least time between two checkpoints
+    std::string resume;                         // checkpoint to continue, or empty
     LogLevel log = LogLevel::info;
     std::string command;  // as typed, for the record
 };
 
 struct InfoOptions {
     std::string scene;
-    bool lights = false;  // the list of its lights, too
-    bool words = false;   // no scene: the table of all words
+    bool lights = false;  // list the lights, too
+    bool words = false;   // print the table of scene words; there is no scene then
 };
 
 struct SceneOptions {

@@ -1,4 +1,4 @@
-// Memory that cannot be had, told with how much was asked for.
+// The exception of `new` in this program, with the number of bytes that could not be allocated.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace sunfleck::engine {
 
-/// What `new` throws in this program.
+/// Thrown by `new` in this program.
 class OutOfMemory : public std::bad_alloc {
 public:
     explicit OutOfMemory(std::size_t bytes) noexcept;

@@ -1,4 +1,4 @@
-// Output files of render and merge: tried before the work, written whole or not at all.
+// Output files of render and merge: checked before the work, written completely or not at all.
 #pragma once
 
 #include "apps/cli/deferred_error.h"
@@ -15,7 +15,8 @@ namespace sunfleck::engine {
 /// @throws Error if one of the files cannot be written, or an output's ending is unknown.
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& others);
 
-/// What a command reads and what it writes. Empty names are none; the input "-" is standard input.
+/// The files that a command reads and writes. Empty names stand for no file; the input "-" is
+/// standard input.
 struct CommandFiles {
     std::vector<std::string> inputs;
     std::vector<std::string> outputs;
@@ -27,7 +28,7 @@ void check_apart(const CommandFiles& files);
 /// Keeps other programs from writing these files while it lives.
 class OutputClaims {
 public:
-    /// @throws Error if one of them is about to be written by another one. Empty names are none.
+    /// @throws Error if another program has claimed one of them. Empty names stand for no file.
     explicit OutputClaims(const std::vector<std::string>& files);
 
 private:
@@ -36,11 +37,11 @@ private:
 
 struct OutputOptions {
     double exposure = 0;       // stops, for formats of limited range alone
-    bool extrapolate = false;  // pictures less their bias
+    bool extrapolate = false;  // pictures minus their bias
 };
 
-/// Writes the film to every output: .film, or a picture. What cannot be written is no reason to
-/// lose the others. @param faults  has it then. @return those that are written.
+/// Writes the film to every output: as .film, or as a picture. If one fails, the others are still
+/// written. @param faults  receives the failures. @return the names of the files written.
 std::vector<std::string> write_outputs(const std::vector<std::string>& outputs, const Film& film,
                                        const OutputOptions& options, DeferredError& faults);
 

@@ -1,4 +1,4 @@
-// The progress line: how far the picture is, how good, and how long it will take.
+// The progress line: passes, error and time left of a render.
 //
 // On a terminal it rewrites itself as time goes on and fits the terminal's width; elsewhere it is a
 // line in ten seconds. A thread of its own draws it: a terminal that takes no text holds up nothing
@@ -18,10 +18,10 @@ namespace sunfleck::engine {
 
 class ProgressLine {
 public:
-    /// Until show() is called, the scene is being read.
-    /// @param wanted  if not, nothing is said, whatever the terminal.
+    /// The line says that the scene is being read, until show() is called.
+    /// @param wanted  false: nothing is printed.
     explicit ProgressLine(bool wanted);
-    /// Takes the line away, so that what is said next stands on its own.
+    /// Erases the line, so that the next message begins on a line of its own.
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;

@@ -1,4 +1,4 @@
-// How far a render is, in words: times, errors, and as much of both as a line holds.
+// Texts about the progress of a render: passes, times and errors, cut to the width of a line.
 #pragma once
 
 #include "render/render_hooks.h"
@@ -8,13 +8,13 @@
 
 namespace sunfleck::engine {
 
-/// What a picture is, with its error where that is known: 64 passes, 11 s, error 1.9% (95% of
+/// Describes a picture, with its error where that is known: 64 passes, 11 s, error 1.9% (95% of
 /// blocks).
 std::string state_text(std::uint64_t passes, double seconds, std::optional<TargetError> error);
 
-/// That the scene is being read, in a line of at most `width` characters.
+/// Says that the scene is being read, in at most `width` characters.
 std::string reading_text(double seconds, std::size_t width);
-/// As much of the progress as a line of `width` characters holds, what matters most first.
+/// Describes the progress in at most `width` characters, the most important parts first.
 std::string progress_text(const Progress& progress, std::size_t width);
 
 }  // namespace sunfleck::engine

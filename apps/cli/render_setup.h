@@ -1,4 +1,4 @@
-// What comes before the first pass: files are tried, the scene is read, settings are put together.
+// Preparation of a render: checks its files, reads the scene, and determines the settings.
 #pragma once
 
 #include "apps/cli/checkpoints.h"
@@ -10,22 +10,22 @@
 
 namespace sunfleck::engine {
 
-/// A render that can begin.
+/// A render that is ready to begin.
 struct RenderSetup {
     RenderSetup(const RenderOptions& from, SceneDescription description);
 
     RenderOptions options;
-    std::optional<Checkpoint> checkpoint;  // to go on from
+    std::optional<Checkpoint> checkpoint;  // to continue
     std::vector<std::string> outputs;
     Origin origin;
     Scene scene;
     RenderJob job;  // of that scene, so do not copy
 };
 
-/// What is asked of this rank: rank 0 alone writes and speaks.
+/// Returns the options of this rank: only rank 0 writes files and messages.
 RenderOptions options_of(const RenderOptions& options, const Ranks& ranks);
 
-/// The files that this rank writes.
+/// Returns the files that this rank writes.
 std::vector<std::string> written_files(const RenderSetup& setup);
 
 /// @param options  of this rank.

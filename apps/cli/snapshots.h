@@ -7,11 +7,11 @@
 
 namespace sunfleck::engine {
 
-/// The file of the folder that a render claims which writes snapshots to it.
+/// Returns the file by which a render claims the folder of its snapshots.
 std::string claim_of_snapshots(const std::string& folder);
 
-/// Makes the folder where there is none.
-/// @param resumed  what the folder holds is of this render.
+/// Creates the folder if it does not exist.
+/// @param resumed  whether the contents of the folder are of this render.
 /// @throws Error if that cannot be, or the folder holds an .exr: two renders must not mix.
 void prepare_snapshots(const std::string& folder, bool resumed);
 

@@ -1,4 +1,4 @@
-// Work that all ranks do or none: a fault of any of them ends all, and is said once.
+// Work of all ranks together: a fault on one rank ends all of them, and is reported once.
 #pragma once
 
 #include "core/machine_fault.h"

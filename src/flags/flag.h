@@ -19,13 +19,13 @@ struct FlagChoice {
     std::string what{};  // meaning of the word; empty where the help of the flag says it
 };
 
-/// What a flag takes, and how its text becomes a part of the request.
+/// The value of a flag: its form, its choices, and how its text changes the request.
 struct FlagValue {
     std::string form;     // "N", "WxH", "on|off": a word in small letters is literal
     std::string range{};  // "1 to 10000"; empty where two numbers cannot say it
     std::vector<FlagChoice>
         choices{};         // all words that it takes; empty: any text that read() takes
-    bool is_list = false;  // takes several of its words, with commas between
+    bool is_list = false;  // takes several of its choices, separated by commas
     bool repeats = false;  // may be given several times
     /// Reads a text, which has been compared with the choices where there are any.
     /// @throws Error that names the flag for a text that cannot be used.
@@ -59,17 +59,17 @@ inline FlagNeed of_value(const std::string& value, FlagNeed need) {
 struct RenderFlag {
     std::string name;     // "--passes"
     std::string alias{};  // "--spp"; empty: none
-    std::string group{};  // heading of the help, of the table that the flag is in
+    std::string group{};  // heading in the help: that of its table
     FlagValue value;
     std::string help;
     std::string default_value{};  // of a flag that is not given; the first choice where it is empty
-    std::vector<FlagNeed> needs{};  // its own, behind those of its table
+    std::vector<FlagNeed> needs{};  // in addition to those of its table
 };
 
-/// The help of a flag in full: what it is, what its words mean, its range, and its default.
+/// Returns the complete help of a flag: its meaning, its choices, its range and its default.
 std::string help_text(const RenderFlag& flag);
 
-/// A value that `read(text, flag)` reads and `set(request, value)` puts into the request.
+/// Makes a value that `read(text, flag)` parses and `set(request, value)` stores.
 template <class Read, class Set>
 FlagValue value_of(const std::string& form, Read read, Set set) {
     return {.form = form,
@@ -78,7 +78,7 @@ FlagValue value_of(const std::string& form, Read read, Set set) {
             }};
 }
 
-/// One of some words.
+/// Makes a value that is one of some choices.
 template <class Set>
 FlagValue one_of(const std::vector<FlagChoice>& choices, Set set) {
     std::string form;
@@ -90,7 +90,7 @@ FlagValue one_of(const std::vector<FlagChoice>& choices, Set set) {
             }};
 }
 
-/// The names of a table whose rows have `name` and `what`.
+/// Returns the rows of a table, which have `name` and `what`, as choices.
 template <class Rows>
 std::vector<FlagChoice> choices_of(const Rows& rows) {
     std::vector<FlagChoice> choices;
@@ -100,7 +100,7 @@ std::vector<FlagChoice> choices_of(const Rows& rows) {
     return choices;
 }
 
-/// A number from `low` to `high`.
+/// Makes a value that is a number from `low` to `high`.
 template <class Set>
 FlagValue number(double low, double high, Set set) {
     FlagValue value = value_of("X", number_from(low, high), set);
@@ -108,7 +108,7 @@ FlagValue number(double low, double high, Set set) {
     return value;
 }
 
-/// A whole number from `low` to `high`.
+/// Makes a value that is a whole number from `low` to `high`.
 template <class Set>
 FlagValue whole(std::int64_t low, std::int64_t high, Set set) {
     FlagValue value = value_of("N", whole_from(low, high), set);

@@ -1,6 +1,6 @@
-// Light groups as a user asks for them: which lights of a scene get an output of their own.
+// Parses the light groups that a user asks for: lights of a scene with an output of their own.
 //
-// Lights are counted as the scene's file states them, from 1: `sunfleck info --lights` lists them.
+// Lights are numbered from 1 in the order of the scene file: `sunfleck info --lights` lists them.
 #pragma once
 
 #include "aovs/light_groups.h"

@@ -1,4 +1,4 @@
-// Flags that have other names than they had: an old one is answered with the new one.
+// Former names of flags, so that a message can name the present one.
 #pragma once
 
 #include <array>

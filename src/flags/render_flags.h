@@ -1,4 +1,4 @@
-// The flags of a render by name: any front end gives them as text, and gets the request.
+// The flags of a render: a front end sets them by name and text, and gets a RenderRequest.
 //
 // The command line, its help, completion and man pages, and the Python module read one table.
 #pragma once
@@ -17,7 +17,7 @@ const std::vector<RenderFlag>& render_flags();
 /// @throws Error for a name that no flag has, with the new name if one had it before.
 const RenderFlag& render_flag(const std::string& name);
 
-/// Flags as they are given, one by one.
+/// Collects flags one by one.
 class RenderFlags {
 public:
     /// @param name  as for render_flag().
@@ -25,8 +25,8 @@ public:
     ///         that is given twice.
     void set(const std::string& name, const std::string& text);
 
-    /// The request of all flags together. @throws Error, naming a flag, for a text that cannot be
-    /// used and for flags that do not go together.
+    /// Returns the request of all flags together. @throws Error, naming a flag, for a text that
+    /// cannot be used and for flags that exclude each other.
     RenderRequest finish() const;
 
 private:

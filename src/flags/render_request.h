@@ -1,6 +1,6 @@
-// A render as a user asks for it: settings, ends and the picture, whatever the scene is.
+// RenderRequest: what a user asks of a render, independent of the scene.
 //
-// Files, threads and what is said belong to the program that renders, and are not here.
+// Files, threads and messages belong to the program and are not here.
 #pragma once
 
 #include "camera/camera.h"
@@ -38,8 +38,9 @@ void adjust_view(Camera& camera, FilmDescription& film, const RenderRequest& req
 /// @throws Error for a crop that is not a part of the picture.
 void adjust_scene(SceneDescription& scene, const RenderRequest& request);
 
-/// The settings of the request for this scene: with the scene's depth where none is given, and with
-/// the lights of each light group. @throws Error for lights that the scene does not have.
+/// Returns the settings of the request for this scene: with the scene's maximum depth if none is
+/// given, and with the lights of each light group. @throws Error for lights that the scene does not
+/// have.
 RenderSettings settings_for(const Scene& scene, const RenderRequest& request);
 
 }  // namespace sunfleck::engine
