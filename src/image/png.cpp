@@ -62,7 +62,8 @@ void on_write(png_structp png, png_bytep bytes, std::size_t count) {
 void on_flush(png_structp) {}
 
 /// Checks the header and sets the transformations that give 8 or 16 bits per channel.
-void prepare(png_structp png, png_infop info, PngJob& job) {
+// Not inlined into decode(): their locals would live across setjmp().
+[[gnu::noinline]] void prepare(png_structp png, png_infop info, PngJob& job) {
     png_set_user_limits(png, kMostPixelsAcross, kMostPixelsAcross);
     png_read_info(png, info);
     png_set_expand(png);  // palettes and few bits become 8 bits, transparency becomes alpha
@@ -83,7 +84,7 @@ void prepare(png_structp png, png_infop info, PngJob& job) {
     job.row.resize(bytes);  // the whole image: interlaced rows are written several times
 }
 
-void read_rows(png_structp png, png_infop info, PngJob& job) {
+[[gnu::noinline]] void read_rows(png_structp png, png_infop info, PngJob& job) {
     const std::size_t row_bytes = png_get_rowbytes(png, info);
     const int passes = png_get_interlace_type(png, info) == PNG_INTERLACE_NONE ? 1 : 7;
     for (int pass = 0; pass < passes; ++pass)
