@@ -61,8 +61,8 @@ void on_write(png_structp png, png_bytep bytes, std::size_t count) {
 
 void on_flush(png_structp) {}
 
-/// Checks the header and sets the transformations that give 8 or 16 bits per channel.
-// Not inlined into decode(): their locals would live across setjmp().
+/// Checks the header and sets the transformations that give 8 or 16 bits per channel. Neither this
+/// nor read_rows() is inlined into decode(), where their locals would live across setjmp().
 [[gnu::noinline]] void prepare(png_structp png, png_infop info, PngJob& job) {
     png_set_user_limits(png, kMostPixelsAcross, kMostPixelsAcross);
     png_read_info(png, info);
