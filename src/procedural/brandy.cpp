@@ -24,7 +24,7 @@ Film "rgb" "string filename" "brandy.exr"
 Sampler "halton" "integer pixelsamples" 256
 Integrator "sppm" "integer maxdepth" 48
 
-# What the brandy takes of light a centimetre.
+# The absorption of the brandy, per centimetre.
 MakeNamedMedium "brandy" "string type" "homogeneous"
     "rgb sigma_a" [ 0.055 0.22 0.72 ] "rgb sigma_s" [ 0 0 0 ]
 
