@@ -23,7 +23,7 @@ BLOCK = re.compile(r"(?:(?<=\n\n) {4}.*\n)(?:\n*(?: {4}.*\n))*")
 FLAG = re.compile(r"(?<!\S)(--[a-z][a-z-]*)")
 LIMIT = 60  # seconds of a page
 
-# What stands for `sunfleck`: limits of a render or an experiment are replaced by small ones.
+# A script in place of `sunfleck`: it replaces the limits of renders and experiments by small ones.
 SHORTER = """#!/bin/bash
 program=@PROGRAM@
 command=$1
