@@ -4,8 +4,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
-
 namespace sunfleck::python {
 namespace {
 
@@ -37,14 +35,6 @@ Value value_of(const py::handle& value) {
     throw py::type_error("a parameter is a number, a string, a bool, a list of these or an array");
 }
 
-SettingInfo info_of(const std::string& name) {
-    std::string wanted = name;
-    std::replace(wanted.begin(), wanted.end(), '_', '-');
-    for (const SettingInfo& info : Settings::list())
-        if (info.name == wanted) return info;
-    return {};
-}
-
 /// (640, 480) as 640x480, (0, 10, 0, 20) as 0,10,0,20.
 std::string joined(const py::sequence& list, const std::string& form) {
     const std::string between = form == "WxH" ? "x" : ",";
@@ -69,7 +59,7 @@ void set_setting(Settings& settings, const std::string& name, const py::handle& 
         settings.set(name, value.cast<bool>());
     } else if (!is_list) {
         settings.set(name, py::str(value).cast<std::string>());
-    } else if (const SettingInfo info = info_of(name); info.repeats) {
+    } else if (const SettingInfo info = Settings::find(name); info.repeats) {
         for (const py::handle item : value) settings.set(name, py::str(item).cast<std::string>());
     } else {
         settings.set(name, joined(value.cast<py::sequence>(), info.form));

@@ -2,6 +2,7 @@
 #include "apps/cli/command_flags.h"
 
 #include "apps/cli/flag_rows.h"
+#include "core/named_rows.h"
 #include "experiment/figure.h"
 #include "procedural/scenes.h"
 #include "sunfleck/error.h"
@@ -36,8 +37,7 @@ double read_minutes(const std::string& text, const std::string& flag) {
 }
 
 const Shell* read_shell(const std::string& text, const std::string& flag) {
-    for (const Shell& shell : kShells)
-        if (shell.name == text) return &shell;
+    if (const Shell* const shell = row_named(kShells, text)) return shell;
     throw Error({flag}, "does not take \"" + text + "\"", "use " + form_of_names(kShells));
 }
 

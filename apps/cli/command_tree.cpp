@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cctype>
+#include <sstream>
 
 namespace sunfleck::engine {
 namespace {
@@ -15,13 +17,10 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
     return parts;
 }
 
-/// A word of a form is literal if it has no capital letter.
 std::vector<std::string> literal_words(const std::string& form, char separator) {
     std::vector<std::string> words;
-    for (const std::string& part : parts_of(form, separator)) {
-        const auto is_capital = [](unsigned char c) { return std::isupper(c) != 0; };
-        if (std::none_of(part.begin(), part.end(), is_capital)) words.push_back(part);
-    }
+    for (const std::string& part : parts_of(form, separator))
+        if (is_literal(part)) words.push_back(part);
     return words;
 }
 
@@ -44,6 +43,11 @@ CommandFlag flag_of(const CLI::Option& option) {
 }
 
 }  // namespace
+
+bool is_literal(const std::string& form) {
+    return std::none_of(form.begin(), form.end(),
+                        [](unsigned char c) { return std::isupper(c) != 0; });
+}
 
 bool CommandFlag::is_file() const {
     return form.ends_with("FILE");

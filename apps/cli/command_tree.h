@@ -37,6 +37,9 @@ struct Command {
 
 Command command_tree(const CLI::App& app);
 
+/// Is a form, or a part of one, to be typed as it stands? It has no capital letter then.
+bool is_literal(const std::string& form);
+
 /// The first sentence of a help text, without what is in parentheses.
 std::string short_help(const std::string& help);
 

@@ -34,9 +34,7 @@ std::string roff(const std::string& text) {
 
 /// Of a form, words that stand for something are in italics, literal ones as they are.
 std::string value_text(const CommandFlag& flag) {
-    const bool is_literal = std::none_of(flag.form.begin(), flag.form.end(),
-                                         [](unsigned char c) { return std::isupper(c) != 0; });
-    return is_literal ? roff(flag.form) : "\\fI" + roff(flag.form) + "\\fR";
+    return is_literal(flag.form) ? roff(flag.form) : "\\fI" + roff(flag.form) + "\\fR";
 }
 
 void add_flag_entry(const CommandFlag& flag, bool has_dashes, std::string& page) {

@@ -44,6 +44,8 @@ public:
     /// @throws Error  for a value that cannot be used, and for settings that do not go together.
     void validate() const;
 
+    /// The setting of that name, as for set(). @throws Error  if there is none.
+    static SettingInfo find(const std::string& name);
     /// All settings that there are, in the order of the help.
     static std::vector<SettingInfo> list();
 

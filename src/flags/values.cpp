@@ -1,6 +1,7 @@
 // Values of flags that are more than a number: durations, shares, sizes, rectangles, ranges.
 #include "flags/values.h"
 
+#include "scene/adjust.h"
 #include "sunfleck/error.h"
 
 #include <fmt/format.h>
@@ -110,8 +111,7 @@ std::uint64_t read_seed(const std::string& text, const std::string& flag) {
 
 Vec2i read_size(const std::string& text, const std::string& flag) {
     const std::vector<int> v = integers(text, 'x');
-    if (v.size() != 2 || v[0] < 1 || v[1] < 1 || v[0] > 65536 || v[1] > 65536 ||
-        static_cast<double>(v[0]) * v[1] > 0x1p28)
+    if (v.size() != 2 || !is_film_size({v[0], v[1]}))
         throw Error({flag}, "\"" + text + "\" is no picture size",
                     "write WIDTHxHEIGHT, such as 640x480, of at most 65536 a side and 2^28 pixels");
     return {v[0], v[1]};

@@ -32,7 +32,6 @@ public:
     void clear_cancel() { is_cancelled_ = false; }
     /// Applies `change` to camera and film, and restarts the render.
     void change_view(const std::function<void(engine::Camera&, engine::FilmDescription&)>& change);
-    const engine::FilmDescription& film() const { return scene_.film(); }
     std::string statistics();
 
 private:

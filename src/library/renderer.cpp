@@ -1,7 +1,6 @@
 // A render session, and the thread on which it may run.
 #include "sunfleck/renderer.h"
 
-#include "flags/values.h"
 #include "import/pbrt/camera.h"
 #include "library/guarded.h"
 #include "library/matrices.h"
@@ -19,13 +18,6 @@ struct Renderer::Impl {
     Impl(const Scene& scene, const Settings& settings, const RendererOptions& options)
         : session(scene, settings, options) {}
 
-    /// Renders on the calling thread.
-    Outcome render(std::optional<std::uint32_t> passes, const Report& report) {
-        claim();
-        const Release release{is_running};
-        return guarded([&] { return session.render(passes, report); });
-    }
-
     /// @throws Error  while it renders, and if what start() has begun has not been waited for.
     void claim() {
         if (thread.joinable() || is_running.exchange(true))
@@ -38,6 +30,18 @@ struct Renderer::Impl {
         std::atomic<bool>& is_running;
         ~Release() { is_running = false; }
     };
+
+    /// Runs task() while nothing else renders. @throws Error  as claim() does.
+    template <class Task>
+    auto while_idle(const Task& task) {
+        claim();
+        const Release release{is_running};
+        return guarded(task);
+    }
+
+    Outcome render(std::optional<std::uint32_t> passes, const Report& report) {
+        return while_idle([&] { return session.render(passes, report); });
+    }
 
     RenderSession session;
     std::atomic<bool> is_running{false};
@@ -105,17 +109,13 @@ Picture Renderer::picture() const {
 }
 
 std::string Renderer::statistics() const {
-    impl_->claim();
-    const Impl::Release release{impl_->is_running};
-    return guarded([&] { return impl_->session.statistics(); });
+    return impl_->while_idle([&] { return impl_->session.statistics(); });
 }
 
 void Renderer::set_camera(const std::string& type, const Parameters& parameters,
                           const Transform& to_world) {
-    impl_->claim();
-    const Impl::Release release{impl_->is_running};
-    const engine::Statement statement = statement_of("Camera", type, parameters, "camera");
-    guarded([&] {
+    impl_->while_idle([&] {
+        const engine::Statement statement = statement_of("Camera", type, parameters, "camera");
         impl_->session.change_view([&](engine::Camera& camera, engine::FilmDescription& film) {
             camera = engine::camera_of(statement, matrix_of(to_world), film.resolution);
             if (const auto unknown = statement.unused(); !unknown.empty())
@@ -127,11 +127,9 @@ void Renderer::set_camera(const std::string& type, const Parameters& parameters,
 }
 
 void Renderer::set_resolution(int width, int height) {
-    impl_->claim();
-    const Impl::Release release{impl_->is_running};
-    guarded([&] {
-        const engine::Vec2i size =
-            engine::read_size(std::to_string(width) + "x" + std::to_string(height), "resolution");
+    impl_->while_idle([&] {
+        const engine::Vec2i size(width, height);
+        engine::check_film_size(size, {"resolution"});
         impl_->session.change_view([&](engine::Camera& camera, engine::FilmDescription& film) {
             engine::set_resolution(camera, film, size);
         });
@@ -139,9 +137,7 @@ void Renderer::set_resolution(int width, int height) {
 }
 
 void Renderer::set_crop(const std::optional<std::array<int, 4>>& x0_x1_y0_y1) {
-    impl_->claim();
-    const Impl::Release release{impl_->is_running};
-    guarded([&] {
+    impl_->while_idle([&] {
         impl_->session.change_view([&](engine::Camera&, engine::FilmDescription& film) {
             film.crop.reset();
             if (x0_x1_y0_y1) engine::set_crop(film, *x0_x1_y0_y1, "crop");

@@ -1,19 +1,23 @@
 // Settings by the table of flags that the command line reads.
 #include "sunfleck/settings.h"
 
+#include "core/named_rows.h"
 #include "library/settings_data.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace sunfleck {
 namespace {
 
-bool takes(const engine::RenderFlag& flag, const std::string& word) {
-    const auto& choices = flag.value.choices;
-    return std::any_of(choices.begin(), choices.end(),
-                       [&](const engine::FlagChoice& choice) { return choice.name == word; });
+SettingInfo info_of(const engine::RenderFlag& flag) {
+    SettingInfo info;
+    info.name = flag.name.substr(2);
+    info.form = flag.value.form;
+    for (const engine::FlagChoice& choice : flag.value.choices) info.choices.push_back(choice.name);
+    info.repeats = flag.value.repeats;
+    info.default_value = flag.default_value;
+    info.help = engine::help_text(flag);
+    return info;
 }
 
 }  // namespace
@@ -50,7 +54,7 @@ Settings& Settings::set(const std::string& name, double value) {
 
 Settings& Settings::set(const std::string& name, bool value) {
     const engine::RenderFlag& flag = engine::render_flag(name);
-    const std::string yes = takes(flag, "on") ? "on" : "auto";
+    const std::string yes = engine::row_named(flag.value.choices, "on") ? "on" : "auto";
     return set(name, value ? yes : "off");
 }
 
@@ -58,18 +62,13 @@ void Settings::validate() const {
     data_->request();
 }
 
+SettingInfo Settings::find(const std::string& name) {
+    return info_of(engine::render_flag(name));
+}
+
 std::vector<SettingInfo> Settings::list() {
     std::vector<SettingInfo> all;
-    for (const engine::RenderFlag& flag : engine::render_flags()) {
-        SettingInfo& info = all.emplace_back();
-        info.name = flag.name.substr(2);
-        info.form = flag.value.form;
-        for (const engine::FlagChoice& choice : flag.value.choices)
-            info.choices.push_back(choice.name);
-        info.repeats = flag.value.repeats;
-        info.default_value = flag.default_value;
-        info.help = engine::help_text(flag);
-    }
+    for (const engine::RenderFlag& flag : engine::render_flags()) all.push_back(info_of(flag));
     return all;
 }
 

@@ -1,6 +1,7 @@
 // Values, put where the type of their declaration wants them.
 #include "library/statements.h"
 
+#include "core/float_range.h"
 #include "import/pbrt/parameter_parser.h"
 
 #include <cmath>
@@ -79,7 +80,7 @@ private:
     }
     const std::vector<double>& checked(const std::vector<double>& numbers) const {
         for (const double number : numbers)
-            if (!(std::abs(number) <= double{std::numeric_limits<float>::max()}))
+            if (!engine::is_finite_float(number))
                 refuse(parameter_, "a number that is not a finite float", "one below 3.4e38");
         return numbers;
     }

@@ -1,4 +1,4 @@
-// The stages of one pass, in the order of the data flow. Only this room calls them.
+// The stages of one pass, in the order of the data flow. Only this file calls them.
 #include "render/pass.h"
 
 #include "camera_paths/trace_camera_paths.h"
@@ -15,9 +15,9 @@ namespace sunfleck::engine {
 namespace {
 
 /// Adds one subpass: camera paths and the photon paths that belong to them.
-PhotonTotals draw_sppm(const RenderSettings& settings, const CameraPass& camera,
-                       const std::vector<LightStratum>& strata, PhotonCounts* taken,
-                       SamplerState& state, PassResult& result) {
+PhotonTotals render_subpass(const RenderSettings& settings, const CameraPass& camera,
+                            const std::vector<LightStratum>& strata, PhotonCounts* taken,
+                            SamplerState& state, PassResult& result) {
     Stopwatch watch;
     auto points = trace_camera_paths(camera, result.image, result.statistics);
     if (const auto factor = shrink_radii(state, points)) result.radius_factor = *factor;
@@ -40,8 +40,8 @@ void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch&
     PhotonCounts taken(are_counted ? result.image.pixels() : 0);
     for (std::uint32_t subpass = 0; subpass < epoch.subpasses; ++subpass) {
         camera.subpass = {subpass, epoch.subpasses};
-        photons.add(draw_sppm(settings, camera, epoch.strata, are_counted ? &taken : nullptr, state,
-                              result),
+        photons.add(render_subpass(settings, camera, epoch.strata, are_counted ? &taken : nullptr,
+                                   state, result),
                     1.0 / epoch.subpasses);
     }
     if (are_counted) add_samples(taken, result.image);

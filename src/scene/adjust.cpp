@@ -19,6 +19,21 @@ void keep_share(int& low, int& high, int before, int now) {
 
 }  // namespace
 
+bool is_film_size(const Vec2i& size) {
+    constexpr int kLongestSide = 65536;
+    constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
+    const auto is_side = [](int pixels) { return pixels > 0 && pixels <= kLongestSide; };
+    return is_side(size.x) && is_side(size.y) && std::int64_t{size.x} * size.y <= kMostPixels;
+}
+
+void check_film_size(const Vec2i& size, const SourceLocation& where) {
+    if (is_film_size(size)) return;
+    throw Error(
+        where,
+        "a picture of " + std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels",
+        "use 1 to 65536 a side, and at most 268435456 pixels");
+}
+
 void set_resolution(Camera& camera, FilmDescription& film, const Vec2i& resolution) {
     const Vec2i before = film.resolution;
     set_resolution(camera, resolution);

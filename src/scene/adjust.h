@@ -8,9 +8,14 @@
 
 namespace sunfleck::engine {
 
+/// Returns whether a film may have that size: 1 to 65536 pixels a side, and at most 2^28 in all.
+bool is_film_size(const Vec2i& size);
+/// @throws Error  if is_film_size() is false.
+void check_film_size(const Vec2i& size, const SourceLocation& where);
+
 /// Sets another film size. The camera keeps the extent of its shorter axis; a crop keeps its
 /// fraction of the film, at least one pixel per axis.
-/// @param resolution  positive, at most 65536 per side.
+/// @param resolution  as is_film_size() has it.
 void set_resolution(Camera& camera, FilmDescription& film, const Vec2i& resolution);
 inline void set_resolution(SceneDescription& scene, const Vec2i& resolution) {
     set_resolution(scene.camera, scene.film, resolution);

@@ -12,18 +12,11 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr int kLongestSide = 65536;
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
-
 Vec2i resolution_of(const Statement& film) {
     const Vec2i size(film.integer("xresolution").value_or(1280),
                      film.integer("yresolution").value_or(720));
-    const bool sides = size.x > 0 && size.y > 0 && size.x <= kLongestSide && size.y <= kLongestSide;
-    if (sides && std::int64_t{size.x} * size.y <= kMostPixels) return size;
-    throw Error(
-        film.where,
-        "a picture of " + std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels",
-        "use 1 to 65536 a side, and at most 268435456 pixels");
+    check_film_size(size, film.where);
+    return size;
 }
 
 std::optional<std::array<int, 4>> crop_of(const Statement& film, const Vec2i& size) {

@@ -1,6 +1,7 @@
 // Conversion of words to numbers by std::from_chars, independent of the locale.
 #include "import/pbrt/numbers.h"
 
+#include "core/float_range.h"
 #include "import/pbrt/words.h"
 
 #include <charconv>
@@ -46,7 +47,7 @@ double real_of(const Token& token) {
         if (is_near_zero(text)) return 0;
         value = std::numeric_limits<double>::infinity();
     }
-    if (!(std::abs(value) <= double{std::numeric_limits<float>::max()}))
+    if (!is_finite_float(value))
         throw Error(token.where(), in_quotes(token.text) + " is not a finite float",
                     "use a number below 3.4e38");
     return value;

@@ -68,10 +68,8 @@ void SceneAssembly::add_material(const std::string& name, Statement material) {
 void SceneAssembly::add_texture(const std::string& kind, const std::string& name, Statement texture,
                                 const Matrix& to_world) {
     Reading& reading = impl_->reading;
-    impl_->make(to_world, [&] {
-        reading.log.count_word(texture.keyword, texture.type);
-        reading.assets.textures.add(kind, name, std::move(texture), to_world);
-    });
+    impl_->make(to_world,
+                [&] { reading.assets.textures.add(kind, name, std::move(texture), to_world); });
 }
 
 void SceneAssembly::add_medium(Statement medium) {

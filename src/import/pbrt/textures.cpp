@@ -25,6 +25,7 @@ const Parameter& checked(const Parameter& parameter) {
 
 void TextureTable::add(const std::string& kind, const std::string& name, Statement statement,
                        const Matrix& to_world) {
+    log_.count_word(statement.keyword, statement.type);
     if (is_parameter_type_of_v3(kind))
         refuse_v3("Texture " + in_quotes(name) + " " + in_quotes(kind), statement.where);
     if (kind != "float" && kind != "spectrum")

@@ -32,7 +32,6 @@ void texture(Reading& reading, TokenStream& tokens, const Token& keyword) {
     const std::string kind = tokens.require_string("\"float\" or \"spectrum\"");
     Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.texture_defaults;
-    reading.log.count_word(keyword.text, statement.type);
     reading.assets.textures.add(kind, name, std::move(statement),
                                 reading.still_matrix(keyword.where()));
 }

@@ -1,6 +1,7 @@
 // Reads the rows of a PLY body, number by number.
 #include "import/ply/rows.h"
 
+#include "core/float_range.h"
 #include "core/printable.h"
 #include "import/ply/number_source.h"
 #include "sunfleck/error.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace sunfleck::engine {
 namespace {
@@ -126,9 +126,7 @@ private:
     /// exporters write for missing values.
     void add_vertex(const VertexRow& row, const VertexLayout& layout) {
         const auto are_floats = [&](std::size_t first, std::size_t last) {
-            return std::all_of(row.begin() + first, row.begin() + last + 1, [](double value) {
-                return std::abs(value) <= double{std::numeric_limits<float>::max()};
-            });
+            return std::all_of(row.begin() + first, row.begin() + last + 1, is_finite_float);
         };
         mesh_.positions.emplace_back(row[slot_x], row[slot_x + 1], row[slot_x + 2]);
         if (!are_floats(slot_x, slot_x + 2)) body_.broken.push_back(row_);
