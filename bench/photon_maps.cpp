@@ -111,7 +111,7 @@ public:
         path = {};
         const auto visit = [&](const Photon& photon) {
             path.places.push_back(photon.position);
-            space_.see(photon, path.seen);
+            space_.add(photon, path.seen);
             return true;
         };
         count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);

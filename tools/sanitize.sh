@@ -22,7 +22,7 @@ run_asan() {
 
 # What threads share: the loops, the sums, and every module that runs loops. The run time of g++ 12
 # wants memory laid out without chance. See core/parallel.cpp for what runs the loops here.
-threaded=(core measurement estimate eye photon film render)
+threaded=(core camera_paths estimate photon film render library)
 run_tsan() {
     cmake --preset tsan
     cmake --build build/tsan -j "$jobs" --target "${threaded[@]/#/tests_}"

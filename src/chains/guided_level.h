@@ -17,10 +17,10 @@ namespace sunfleck::engine {
 struct GuidedPlan {
     EmissionGuide map;
     std::uint32_t paths = 0;  // zero if there is no guide
-    double importance = 1;    // of the guided region for the chains, in (0,1]
-    double own_share = 1;     // fraction of the light, in [0,1]
+    double importance = 1;    // g in eq. (16): of the guided region for the chains, in (0,1]
+    double own_share = 1;     // s in eq. (16): their fraction of the light, in [0,1]
 
-    GuidedRegion cover() const {
+    GuidedRegion region() const {
         return paths == 0 ? GuidedRegion{} : GuidedRegion{&map, importance};
     }
 };

@@ -37,15 +37,15 @@ struct LevelCounts {
     std::uint64_t states = 0;    // with repeats
     std::uint64_t distinct = 0;  // survivors and accepted mutations
     Acceptances acceptances;
-    HeightCounts heights{};     // of states, with repeats
-    std::uint64_t covered = 0;  // states in the guided region, with repeats
-    std::uint64_t distinct_covered = 0;
+    HeightCounts heights{};    // of states, with repeats
+    std::uint64_t guided = 0;  // states in the guided region, with repeats
+    std::uint64_t distinct_guided = 0;
 
     LevelCounts& operator+=(const LevelCounts& other) {
         states += other.states;
         distinct += other.distinct;
-        covered += other.covered;
-        distinct_covered += other.distinct_covered;
+        guided += other.guided;
+        distinct_guided += other.distinct_guided;
         for (std::size_t k = 0; k < kMutationKinds; ++k) acceptances[k] += other.acceptances[k];
         for (std::size_t h = 0; h < heights.size(); ++h) heights[h] += other.heights[h];
         return *this;
@@ -70,7 +70,7 @@ struct ChainState {
     const typename Space::Path& path;
     int height;
     std::uint32_t steps;  // steps in this state, at least 1
-    bool is_covered = false;
+    bool is_guided = false;
 };
 
 /// Receives the states of one chain in order.
@@ -86,13 +86,13 @@ public:
 
     /// @param number  of the level, 1 to 31: names the streams. @param population  not empty.
     Level(const Space& space, PassId pass, std::uint32_t number, const LevelPlan& plan,
-          const Population& population, const GuidedRegion& cover = {})
+          const Population& population, const GuidedRegion& guided = {})
         : space_(space),
           pass_(pass),
           number_(number),
           plan_(plan),
           population_(population),
-          target_{plan.height, cover},
+          target_{plan.height, guided},
           states_(std::max(plan.states, plan.chains)) {}
 
     std::uint64_t states() const { return states_; }
@@ -143,11 +143,11 @@ private:
         std::uint32_t steps = 1;
         const auto leave = [&] {
             collect(ChainState<Space>{chain.sample(), chain.path(), chain.height(), steps,
-                                      chain.is_covered()});
+                                      chain.is_guided()});
             counts.states += steps;
             ++counts.distinct;
-            counts.covered += chain.is_covered() ? steps : 0;
-            counts.distinct_covered += chain.is_covered() ? 1 : 0;
+            counts.guided += chain.is_guided() ? steps : 0;
+            counts.distinct_guided += chain.is_guided() ? 1 : 0;
             counts.heights[static_cast<std::size_t>(chain.height())] += steps;
         };
         for (std::uint64_t i = 1; i < one.states; ++i) {

@@ -45,10 +45,10 @@ public:
 
     /// Returns the survivors outside the guided region, with the weight of each step times
     /// `weight`.
-    Population uncovered(const GuidedRegion& cover, double weight) && {
+    Population outside(const GuidedRegion& region, double weight) && {
         Population some;
         for (Survivor& survivor : survivors_) {
-            if (cover.contains(survivor.sample)) continue;
+            if (region.contains(survivor.sample)) continue;
             survivor.weight *= weight;
             some.add(std::move(survivor));
         }

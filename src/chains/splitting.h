@@ -37,7 +37,8 @@ struct SplittingCounts {
 
     /// Adds another run of the same plan: counts add up, fractions are weighted by `share`.
     void add(const SplittingCounts& other, double share) {
-        levels.resize(std::max(levels.size(), other.levels.size()));  // fewer if it starved
+        levels.resize(
+            std::max(levels.size(), other.levels.size()));  // a run without survivors has fewer
         survivors.resize(std::max(survivors.size(), other.survivors.size()));
         for (std::size_t k = 0; k < other.levels.size(); ++k) levels[k] += other.levels[k];
         for (std::size_t k = 0; k < other.survivors.size(); ++k) survivors[k] += other.survivors[k];
@@ -68,10 +69,10 @@ struct SurvivorCollector {
 
 /// Weight of a step in the last level set.
 struct StateWeight {
-    double elsewhere = 0;
-    double covered = 0;  // in the guided region
+    double outside = 0;  // of the guided region
+    double inside = 0;
 
-    double of(bool is_covered) const { return is_covered ? covered : elsewhere; }
+    double of(bool is_guided) const { return is_guided ? inside : outside; }
 };
 
 /// Passes the states of a chain on with their weights.
@@ -81,7 +82,7 @@ struct WeightedCollector {
     StateWeight weight;
 
     void operator()(const ChainState<Space>& state) {
-        const double w = weight.of(state.is_covered);
+        const double w = weight.of(state.is_guided);
         if (w > 0) collect(state.path, w * state.steps);
     }
 };
@@ -111,7 +112,8 @@ class Splitting {
 public:
     using Tally = typename Space::Tally;
 
-    /// @param points  of level 0. @param pass  names the streams of the chains.
+    /// @param points  random points of the paths of level 0.
+    /// @param pass  names the random streams of the chains.
     Splitting(const Space& space, const Points& points, PassId pass, const SplittingPlan& plan,
               const GuidedPlan& guided)
         : space_(space), points_(points), pass_(pass), plan_(plan), guided_(guided) {}
@@ -155,7 +157,7 @@ private:
                 surviving_states(level, plan_.levels[k + 1].height, counts.levels.back(), tally);
             counts.survivors.back() = population.units();
         }
-        return std::move(population).uncovered(guided_.cover(), weight);
+        return std::move(population).outside(guided_.region(), weight);
     }
 
     /// @param survivors  of the last set, with weights whose sum estimates its measure.
@@ -163,7 +165,7 @@ private:
     void run_last(Population& survivors, Sink& sink, SplittingCounts& counts, Tally& tally) const {
         using Weighted = splitting_detail::WeightedCollector<Space, typename Sink::Collector>;
         const Level<Space> level(space_, pass_, number(plan_.levels.size() - 1),
-                                 plan_.levels.back(), survivors, guided_.cover());
+                                 plan_.levels.back(), survivors, guided_.region());
         const double each = survivors.weight() / static_cast<double>(level.states());
         const splitting_detail::StateWeight weight{
             each, each * (1 - guided_.own_share) / guided_.importance};
@@ -180,8 +182,8 @@ private:
             },
             counted, tally);
         counts.visible_fraction +=
-            weight.elsewhere * static_cast<double>(counted.states - counted.covered) +
-            weight.covered * static_cast<double>(counted.covered);
+            weight.outside * static_cast<double>(counted.states - counted.guided) +
+            weight.inside * static_cast<double>(counted.guided);
     }
 
     const Space& space_;

@@ -21,7 +21,7 @@ inline EmissionPoint emission_of(const StoredSample& sample) {
 
 /// The guided region, where chains need less density because guided paths sample it.
 struct GuidedRegion {
-    const EmissionGuide* map = nullptr;  // null if nothing is covered
+    const EmissionGuide* map = nullptr;  // null if there is no guide
     double importance = 1;               // in the region, in (0,1]
 
     bool contains(const StoredSample& sample) const {
@@ -31,7 +31,7 @@ struct GuidedRegion {
 
 struct Target {
     int height = kVisible;  // least height of paths in the set
-    GuidedRegion cover = {};
+    GuidedRegion guided = {};
 };
 
 }  // namespace sunfleck::engine

@@ -1,15 +1,14 @@
 // Error bars: standard errors by batch means, from the complete batches of a film.
 //
-// A quantity y (luminance of a pixel, a block, the picture) has the mean m and the mean square q/n
-// over n batches; the standard error of the mean is sqrt((q/n - m^2) / (n - 1)). It also holds if
-// batches differ in variance, as they do while radii shrink. With weights, n in q/n is the sum of
-// weights; the formula then holds if the variance of a batch is inverse to its weight. If camera
-// paths cause all noise, and the first of n batches has weight one and the others four, it is 15%
-// too small for n = 3, and 4% for n = 8. With few batches the standard error is itself uncertain:
-// reported errors are widened by Student's t (widening()); errors used in computations are not,
-// because their square is unbiased. The precision of y is about 2^-26 relative and 2^-32 absolute
-// (the unit of the squares is 2^-64).
-// Source: Conway 1963; Schmeiser 1982 (batch means).
+// A quantity y (luminance of a pixel, a block, the picture) has the mean m over n batches, and the
+// sum q of its squares; the standard error of the mean is sqrt((q/n - m^2) / (n - 1)). It also
+// holds if batches differ in variance, as they do while radii shrink. With weights, n in q/n is the
+// sum of weights; the formula then holds if the variance of a batch is inverse to its weight. If
+// camera paths cause all noise, and the first of n batches has weight one and the others four, it
+// is 15% too small for n = 3, and 4% for n = 8. With few batches the standard error is itself
+// uncertain: reported errors are widened by Student's t (widening()); errors used in computations
+// are not, because their square is unbiased. The precision of y is about 2^-26 relative and 2^-32
+// absolute (the unit of the squares is 2^-64). Source: Conway 1963; Schmeiser 1982 (batch means).
 // Equations: docs/method/errors.md, eqs. (26) and (27).
 #pragma once
 
@@ -21,7 +20,7 @@
 
 namespace sunfleck::engine {
 
-/// Below this mean the squares lack precision.
+/// Below this mean luminance the unit of the squares, 2^-64, is too coarse for standard errors.
 inline constexpr double kDimmestMean = 0x1p-18;
 
 /// Returns whether any sum is not zero.
@@ -45,7 +44,7 @@ inline double widening(const Film& film) {
 }
 
 /// Returns the errors of the luminance of each pixel. Empty with fewer than two complete batches.
-/// For a pixel that only an open batch has lit, the error is the mean over all passes.
+/// For a pixel with light in an open batch alone, the error is the mean over all passes.
 std::vector<MeanError> pixel_errors(const Film& film);
 
 /// Returns the errors of the luminance of each block of 8 x 8 pixels, row by row; blocks at the
@@ -59,7 +58,7 @@ std::optional<MeanError> image_error(const Film& film);
 /// Returns the mean luminance of the picture over all passes with their weights; zero without
 /// passes.
 double image_mean(const Film& film);
-/// Returns the mean luminance of photons' light; zero without discs.
+/// Returns the mean luminance of the light of photons; zero if the film does not keep it apart.
 double image_mean_by_photons(const Film& film);
 
 /// Returns whether there is light, but too little for standard errors.

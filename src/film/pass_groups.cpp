@@ -32,6 +32,9 @@ std::vector<PassRange> open_groups(const PassSet& passes) {
             const bool known = !groups.empty() && groups.back() == group;
             if (group.size() < kBatchPasses && !known) groups.push_back(group);
             pass = group.end;
+            // Batches from here to the range's last are complete.
+            if (pass % kBatchPasses == 0)
+                pass = std::max(pass, range.end / kBatchPasses * kBatchPasses);
         }
     return groups;
 }

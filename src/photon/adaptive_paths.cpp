@@ -62,8 +62,8 @@ AdaptivePaths trace_adaptive_paths(const PhotonContext& photon_context,
     const LevelCounts& last = splitting.levels.back();
     const bool brings_all = stratum.guided.own_share <
                             1;  // otherwise guided paths contribute the light of their region
-    counts[Count::distinct_visible] += last.distinct - (brings_all ? 0 : last.distinct_covered);
-    counts[Count::visible_states] += last.states - (brings_all ? 0 : last.covered);
+    counts[Count::distinct_visible] += last.distinct - (brings_all ? 0 : last.distinct_guided);
+    counts[Count::visible_states] += last.states - (brings_all ? 0 : last.guided);
     return paths;
 }
 

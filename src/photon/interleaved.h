@@ -33,7 +33,7 @@ public:
         begun_ = 0;
         for (Walk& walk : walks_) start(walk);
         std::uint64_t rays = 0;
-        for (std::uint64_t sent = arrive(); sent > 0; sent = arrive()) {
+        for (std::uint64_t sent = trace_rays(); sent > 0; sent = trace_rays()) {
             rays += sent;
             go_on();
         }
@@ -50,7 +50,7 @@ private:
         std::optional<Reader> read;  // empty: no path here
         PhotonState state;
         RayHit ahead;
-        bool arrived = false;  // the ray hit something: `hit`
+        bool is_hit = false;  // the ray hit something: `hit`
         Hit hit;
         const Lambert* surface = nullptr;  // surface whose event is computed together with others
         ScatteringEvent event;
@@ -101,7 +101,7 @@ private:
     /// Traces the next ray of every path, and computes each hit a few paths later: late enough for
     /// its corners to be in the cache, early enough for them to be there still.
     /// @return the number of rays.
-    std::uint64_t arrive() {
+    std::uint64_t trace_rays() {
         std::uint64_t rays = 0;
         for (std::size_t i = 0; i < kSideBySide + kLate; ++i) {
             if (i < kSideBySide && walks_[i].read) {
@@ -111,7 +111,7 @@ private:
             }
             if (i < kLate) continue;
             Walk& late = walks_[i - kLate];
-            if (late.read) late.arrived = tracer_.complete(late.ahead, late.hit);
+            if (late.read) late.is_hit = tracer_.complete(late.ahead, late.hit);
         }
         return rays;
     }
@@ -136,14 +136,14 @@ private:
     void interact(Walk& walk) {
         walk.surface = nullptr;
         walk.end = PathEnd::escaped;
-        if (!walk.arrived) return;
+        if (!walk.is_hit) return;
         const auto visit = [&](const Photon& photon) { visit_(photon, walk.number); };
         const Lambert* surface = tracer_.plain_surface(walk.hit, walk.state);
         if (surface == nullptr) {
             walk.end = tracer_.go_on(*walk.read, visit, walk.hit, walk.state);
             return;
         }
-        walk.end = tracer_.see(visit, walk.hit, walk.state);
+        walk.end = tracer_.visit_photon(visit, walk.hit, walk.state);
         if (!walk.end) walk.surface = surface;
     }
 

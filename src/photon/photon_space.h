@@ -34,12 +34,12 @@ public:
     void trace(Reader&& read, PhotonPath& path, Statistics& counts) const {
         path.photons.clear();
         path.near = 0;
-        const auto visit = [&](const Photon& photon) { see(photon, path); };
+        const auto visit = [&](const Photon& photon) { add(photon, path); };
         count_end(tracer_.trace(read, visit, counts[Count::photon_rays]), counts);
     }
 
     /// Adds the next photon of a path.
-    void see(const Photon& photon, PhotonPath& path) const {
+    void add(const Photon& photon, PhotonPath& path) const {
         if (!index_.accepts_kind(photon.kind)) return;
         const int height = octree_.height(photon.position);
         path.near = std::max(path.near, height);

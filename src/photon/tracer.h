@@ -4,8 +4,8 @@
 // In:  a primary-sample reader (the point u), the scene at the wavelengths of a pass. Out: each
 // photon at a surface that can gather is passed to a visitor, which may end the path.
 // Source: shading-normal correction: Veach 1997, section 5.3.2; Russian roulette on the throughput
-// keeps the flux of photons about constant, as the paper's binary target assumes
-// (docs/method/method.md). Equations: docs/method/method.md, eqs. (8) and (9).
+// keeps the flux of photons about constant, as the paper's binary target assumes.
+// Equations: docs/method/method.md, eqs. (8) and (9).
 #pragma once
 
 #include "aovs/statistics.h"
@@ -58,8 +58,10 @@ public:
         }
     }
 
-    /// Steps of a path, for callers that interleave paths: start(), then send(), complete() and
-    /// go_on() until it ends. This one samples the light, with flux, position and direction.
+    // Steps of a path, for callers that interleave paths: start(), then send(), complete() and
+    // go_on() until it ends.
+
+    /// Samples a light: flux, position and direction of the photon.
     /// @return false if nothing is emitted.
     template <PrimarySampleReader Reader>
     bool start(Reader& read, PhotonState& state) const {
@@ -71,7 +73,7 @@ public:
         return true;
     }
 
-    /// Traces the ray of a photon without alpha test; pass_absent() applies it.
+    /// Traces the ray of a photon without alpha test; go_on() applies it.
     RayHit send(const PhotonState& state) const {
         const Geometry& geometry = pass_.scene.geometry();
         if (state.at_light)
@@ -89,7 +91,7 @@ public:
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
         if (pass_.scene.has_cover(hit) && !is_there(hit, state))
-            return pass_absent(visit, hit, state);
+            return go_through_absent_surface(visit, hit, state);
         if (state.unlit > 0 && is_stopped(hit, state)) return PathEnd::absorbed;
         if (has_media_ && !attenuate(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
@@ -99,22 +101,23 @@ public:
         return {};
     }
 
-    /// go_on() in three steps, for a caller with many photons: plain_surface(), see(),
-    /// after_event(). This one returns the surface if its events can be computed together;
-    /// otherwise go_on() is to be called.
+    // go_on() in three steps, for callers that sample the events of many photons together.
+
+    /// First step. @return the surface; null if go_on() is to be called in place of the steps.
     const Lambert* plain_surface(const Hit& hit, const PhotonState& state) const {
         if (state.unlit > 0 || has_media_ || pass_.scene.has_cover(hit)) return nullptr;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         return constant ? std::get_if<Lambert>(&*constant) : nullptr;
     }
-    /// @return how the path ends, if it does; otherwise sample_scattering() follows, and
-    /// after_event().
+    /// Second step. @return how the path ends, if it does; otherwise sample_scattering() follows.
     template <PhotonVisitor Visitor>
-    std::optional<PathEnd> see(Visitor&& visit, const Hit& hit, const PhotonState& state) const {
-        visit(arrive(hit, state));
+    std::optional<PathEnd> visit_photon(Visitor&& visit, const Hit& hit,
+                                        const PhotonState& state) const {
+        visit(photon_at(hit, state));
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
         return {};
     }
+    /// Third step: applies the sampled event. @return how the path ends, if it does.
     std::optional<PathEnd> after_event(const ScatteringEvent& event, const Hit& hit,
                                        PhotonState& state) const {
         if (!apply_event(event, state)) return PathEnd::absorbed;
@@ -131,12 +134,13 @@ private:
     /// the photon, because they passed an alpha test of their own. Light that arrives at a surface
     /// does not depend on its alpha.
     template <PhotonVisitor Visitor>
-    [[gnu::noinline]] std::optional<PathEnd> pass_absent(Visitor& visit, const Hit& hit,
-                                                         PhotonState& state) const {
+    [[gnu::noinline]] std::optional<PathEnd> go_through_absent_surface(Visitor& visit,
+                                                                       const Hit& hit,
+                                                                       PhotonState& state) const {
         const bool is_lit = !(hit.distance < state.unlit);
         state.unlit = std::max(0.0F, state.unlit - hit.distance);
         if (has_media_ && !attenuate(hit, state)) return PathEnd::absorbed;
-        if (is_lit && pass_.may_gather(pass_.scene.material_of(hit))) visit(arrive(hit, state));
+        if (is_lit && pass_.may_gather(pass_.scene.material_of(hit))) visit(photon_at(hit, state));
         state.at_light = false;
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
         return {};
@@ -178,7 +182,7 @@ private:
                                                                   PhotonState& state) const {
         const auto* lambert = std::get_if<Lambert>(&bsdf);
         const bool gathers = lambert != nullptr || pass_.may_gather(pass_.scene.material_of(hit));
-        if (gathers) visit(arrive(hit, state));
+        if (gathers) visit(photon_at(hit, state));
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
         const bool goes_on = lambert != nullptr ? scatter_at(read, *lambert, hit, state)
                                                 : scatter(read, bsdf, hit, state);
@@ -222,7 +226,7 @@ private:
         return start;
     }
 
-    static Photon arrive(const Hit& hit, const PhotonState& state) {
+    static Photon photon_at(const Hit& hit, const PhotonState& state) {
         const Vec3 normal = hit.normal.dot(state.direction) > 0 ? -hit.normal : hit.normal;
         return {hit.position,      normal, -state.direction, state.bounces, state.kind,
                 state.light_group, 1,      state.flux};

@@ -29,7 +29,7 @@ struct PhotonPass {
 /// Image to which the contributions of photons are added.
 struct PhotonTarget {
     PassImage& image;
-    PhotonCounts* taken = nullptr;  // photons by pixel, or none
+    PhotonCounts* taken = nullptr;  // counts of gathered photons by pixel; null: none are kept
 };
 
 /// Statistic of one sampler.
@@ -42,10 +42,10 @@ struct SamplerSum {
 struct PhotonTotals {
     Statistics statistics;
     double visible_fraction = 0;        // this pass's estimate, of uniform paths from all lights
-    std::vector<StratumCounts> strata;  // as they were given
+    std::vector<StratumCounts> strata;  // in the order of PhotonPass::strata
     std::vector<SamplerSum> sums{};
 
-    /// Adds the next stratum of one subpass, whose paths the statistics hold already.
+    /// Adds the next stratum of a subpass, but not its paths to the statistics: the caller has.
     void add_stratum(StratumCounts counts);
     /// Adds another subpass of the same pass, with its share in the mean over subpasses.
     void add(const PhotonTotals& subpass, double share);
@@ -53,13 +53,15 @@ struct PhotonTotals {
 
 /// Bytes that a render holds while photons are traced, fitted to measured peaks.
 struct SamplerMemory {
-    std::uint64_t pixel = 0;  // film, pass and picture; a visible point with its place in the index
-    std::uint64_t path = 0;   // a photon path and its photons, until they are deposited
+    std::uint64_t pixel =
+        0;  // sums of film, pass and picture; a visible point and its place in the index
+    std::uint64_t path = 0;  // a photon path and its photons, until they are deposited
 };
 
 /// The state of a sampler whose passes are independent of each other.
 using NoState = std::monostate;
 
+/// What a sampler has:
 /// kind:          its value of the enum PhotonSampler.
 /// name:          its name in flags.
 /// what:          its explanation in the help.

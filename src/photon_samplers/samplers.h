@@ -47,10 +47,10 @@ static_assert(all_have_rows());
 
 std::string_view name_of(PhotonSampler sampler);
 
-/// Do pilots and trials make its plans?
+/// Returns whether pilots and trials make its plans.
 bool learns(PhotonSampler sampler);
 
-/// Does each pass build on those before?
+/// Returns whether each pass builds on those before.
 bool has_state(PhotonSampler sampler);
 
 SamplerMemory memory_of(PhotonSampler sampler);
@@ -58,7 +58,7 @@ SamplerMemory memory_of(PhotonSampler sampler);
 /// Lines for RenderSettings::text().
 std::string sampler_settings_text(const PhotonSettings& settings);
 
-/// Photon paths of a pass, unless learning finds others better.
+/// Returns the photon paths of a pass, unless learning finds another number better.
 std::uint32_t usual_paths(const PhotonSettings& settings, std::size_t pixels);
 
 /// The state before the first pass. @param alpha  of local radii. @param pixels  of the picture.

@@ -10,7 +10,7 @@ struct SplittingSampler {
     using State = NoState;
     static constexpr PhotonSampler kind = PhotonSampler::adaptive;
     static constexpr std::string_view name = "adaptive";
-    static constexpr std::string_view what = "Markov chains on the paths that can be seen";
+    static constexpr std::string_view what = "Markov chains over the visible photon paths";
     static constexpr bool learns = true;
     static constexpr SamplerMemory memory = UniformSampler::memory;
 

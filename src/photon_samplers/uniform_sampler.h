@@ -28,7 +28,8 @@ struct UniformSampler {
     using State = NoState;
     static constexpr PhotonSampler kind = PhotonSampler::uniform;
     static constexpr std::string_view name = "uniform";
-    static constexpr std::string_view what = "evenly spread over the lights";
+    static constexpr std::string_view what =
+        "low-discrepancy points, evenly spread over the lights";
     static constexpr bool learns = false;
     static constexpr SamplerMemory memory{650, 180};
 
@@ -43,7 +44,7 @@ struct RandomSampler {
     using State = NoState;
     static constexpr PhotonSampler kind = PhotonSampler::random;
     static constexpr std::string_view name = "random";
-    static constexpr std::string_view what = "independent numbers, the paper's baseline";
+    static constexpr std::string_view what = "independent random numbers: the paper's baseline";
     static constexpr bool learns = false;
     static constexpr SamplerMemory memory = UniformSampler::memory;
 

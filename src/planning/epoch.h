@@ -1,9 +1,9 @@
 // Epoch: a range of passes with one plan of their photon paths.
 //
 // In:  scene, settings, index of the epoch. Out: subpasses of a pass, camera paths of a pixel and
-// photon paths of a subpass, light strata and their plans. Pilots and trials learn them for visible
-// points like those of the epoch's first pass, and from nothing else, so that any pass can be
-// rendered anywhere, without earlier ones. Trials are no part of the picture: an allocation
+// photon paths of a subpass, light strata and their plans. They are learned by pilots and trials
+// from visible points like those of the epoch's first pass alone, so that any pass can be rendered
+// anywhere, without earlier ones. Trials are no part of the picture: an allocation
 // computed from the pass itself would bias it. Radii shrink ever more slowly, and epochs grow
 // accordingly.
 #pragma once
@@ -34,18 +34,19 @@ struct Epoch {
     std::uint32_t number = 0;
     std::uint32_t paths = 0;           // photon paths of a subpass
     std::uint32_t subpasses = 1;       // of a pass, which is their mean
-    std::uint32_t weight = 1;          // of a pass: how often it counts in the picture
+    std::uint32_t weight = 1;          // of a pass in the mean over passes
     Log2Samples log2_samples;          // of a subpass's camera paths
     std::vector<LightStratum> strata;  // at least one, unless the scene is dark
     double seconds = 0;
 };
 
-/// Is there anything to learn? If not, each epoch is the same but for its number.
+/// Returns whether pilots and trials have to run. If not, all epochs are the same but for their
+/// numbers.
 bool needs_learning(const Scene& scene, const RenderSettings& settings);
 
 /// Returns the epoch of a pass.
-/// @param trial_traced  called, long before learning ends, with the seconds of a trial: the camera
-///                      paths of a pass, and their index.
+/// @param trial_traced  called, long before learning ends, with the seconds that camera paths and
+///                      index of one trial took.
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
                   const std::function<void(double)>& trial_traced = {});
 

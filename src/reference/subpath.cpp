@@ -114,7 +114,7 @@ void SubpathTracer::follow(PathNumbers& numbers, Subpath& path) {
     const auto most = static_cast<std::size_t>(pass_.transport.max_depth);
     const bool looks_for_lights = transport_ == Transport::radiance;
     while (next_surface(path) && path.vertices.size() < most) {
-        path.vertices.push_back(arrive(path));
+        path.vertices.push_back(vertex_at_hit(path));
         if (!looks_for_lights && path.vertices.size() == most) return;
         if (!scatter(numbers, path.vertices.back(), path.vertices.size() - 1)) return;
     }
@@ -164,7 +164,7 @@ void SubpathTracer::note_lights(bool met, Subpath& path) {
 }
 
 /// Returns the vertex at the hit surface.
-SubpathVertex SubpathTracer::arrive(const Subpath& path) {
+SubpathVertex SubpathTracer::vertex_at_hit(const Subpath& path) {
     const Vec3 came = direction_;
     Bsdf bsdf = vertex_bsdf(pass_.scene, hit_, throughput_, hero_);
     const Frame frame(hit_.shading_normal, hit_.tangent);

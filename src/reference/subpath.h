@@ -80,7 +80,7 @@ private:
     void follow(PathNumbers& numbers, Subpath& path);
     bool next_surface(Subpath& path);
     void note_lights(bool met, Subpath& path);
-    SubpathVertex arrive(const Subpath& path);
+    SubpathVertex vertex_at_hit(const Subpath& path);
     bool scatter(PathNumbers& numbers, SubpathVertex& vertex, std::size_t depth);
     float survival(const SampledSpectrum& before) const;
 

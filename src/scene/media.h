@@ -21,7 +21,7 @@ struct MediumSides {
     MediumNumber outside = 0;
 
     /// Returns whether the media differ; if not, the surface does not define what is around it.
-    bool parts() const { return inside != outside; }
+    bool differ() const { return inside != outside; }
     /// Returns the medium of a side.
     /// @param normal  geometric.
     /// @param direction  pointing away from the surface.

@@ -73,7 +73,7 @@ MediaStart start_at(const LightRange& source, const Light& first, const Surfaces
                     const Media& stated) {
     MediaStart start{source, stated.at_lights[source.first]};
     const auto* area = std::get_if<AreaLight>(&first);
-    if (area != nullptr && area->shape != kNone && surfaces.media_of(area->shape).parts())
+    if (area != nullptr && area->shape != kNone && surfaces.media_of(area->shape).differ())
         start.sides = surfaces.media_of(area->shape);  // they may have been exchanged
     start.is_named = start.sides != MediumSides{};
     return start;
@@ -175,7 +175,7 @@ void MediaWalks::walk(Walk at, bool is_named) {
 
 /// Returns whether the surface names the medium of the walk, or none at all.
 bool MediaWalks::agrees(const Hit& hit, const Walk& at, bool is_named) {
-    if (!surfaces_.parts_media(hit)) return true;
+    if (!surfaces_.separates_media(hit)) return true;
     ShapeVotes& of_shape = votes_[hit.shape];
     MediaVotes& votes = is_named ? of_shape.named : of_shape.assumed;
     const bool right = surfaces_.medium_beyond(hit, -at.ray.direction, at.medium) == at.medium;

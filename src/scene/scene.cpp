@@ -16,7 +16,7 @@ namespace {
 /// and shapes that only emit.
 bool is_left_out(const ShapeDescription& shape, const std::vector<Material>& materials) {
     const bool straight = std::holds_alternative<InterfaceMaterial>(materials[shape.material]);
-    return shape.unseen || (straight && !shape.emission && !shape.media.parts());
+    return shape.unseen || (straight && !shape.emission && !shape.media.differ());
 }
 
 ScenePlaces places_of(const SceneDescription& description, const std::string& path,
@@ -47,8 +47,8 @@ Scene::Scene(SceneDescription description, const std::string& isa)
     finish_lights(description);
     find_darkness();
     if (has_media_) join_media(std::move(description.media));
-    stated_ = std::make_shared<const Stated>(
-        Stated{media_, warnings_, places_of(description, path_, materials())});
+    before_views_ = std::make_shared<const BeforeViews>(
+        BeforeViews{media_, warnings_, places_of(description, path_, materials())});
     camera_ = description.camera;
     film_ = std::move(description.film);
     if (has_media_) place_view();
@@ -58,9 +58,9 @@ void Scene::set_view(Camera camera, FilmDescription film) {
     camera_ = std::move(camera);
     move_to(origin_, camera_);
     film_ = std::move(film);
-    warnings_ = stated_->warnings;
+    warnings_ = before_views_->warnings;
     if (!has_media_) return;
-    media_ = stated_->media;
+    media_ = before_views_->media;
     for (const std::uint32_t shape : exchanged_) surfaces_.exchange_media(shape);
     place_view();
 }
@@ -68,7 +68,7 @@ void Scene::set_view(Camera camera, FilmDescription film) {
 /// Finds the medium around the camera and around everything.
 void Scene::place_view() {
     const CameraView view{camera_, film_.resolution};
-    exchanged_ = mend_media(surfaces_, media_, {view, *lights_}, stated_->places, warnings_);
+    exchanged_ = mend_media(surfaces_, media_, {view, *lights_}, before_views_->places, warnings_);
     outer_medium_ = outer_medium_of(surfaces_, view, media_.at_camera);
     for (std::size_t i = 0; i < lights().size(); ++i)
         if (comes_from_afar(lights()[i])) media_.at_lights[i] = {outer_medium_, outer_medium_};
@@ -86,11 +86,11 @@ Surfaces Scene::take_shapes(SceneDescription& description, const std::string& is
         }
         if (is_left_out(shape, materials)) return {};
         const auto index = static_cast<std::uint32_t>(input.shapes.size());
-        const bool parts_media = lets_light_through(materials, shape.material);
+        const bool separates_media = lets_light_through(materials, shape.material);
         ShapeRecord& record = records.emplace_back();
         record.material = shape.material;
         if (shape.emission) record.first_light = static_cast<std::uint32_t>(lights().size());
-        if (parts_media) record.media = shape.media;
+        if (separates_media) record.media = shape.media;
         record.has_cover = shape.placed.cover != nullptr;
         if (shape.emission) add_area_lights(shape, index);
         input.shapes.push_back(std::move(shape.placed));

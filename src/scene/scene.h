@@ -74,7 +74,7 @@ public:
     const Media& media() const { return media_; }
     /// Returns the medium around the scene.
     MediumNumber outer_medium() const { return outer_medium_; }
-    bool parts_media(const Hit& hit) const { return surfaces_.parts_media(hit); }
+    bool separates_media(const Hit& hit) const { return surfaces_.separates_media(hit); }
     /// Returns the medium of a path that leaves a hit into `direction`. @param before  medium of
     /// the path before.
     MediumNumber medium_beyond(const Hit& hit, const Vec3& direction, MediumNumber before) const {
@@ -104,14 +104,15 @@ private:
     Warnings warnings_;
     std::string path_;
 
-    /// What a view changes, as it was before.
-    struct Stated {
+    /// Media and warnings of the scene description, from which each view starts.
+    struct BeforeViews {
         Media media;
         Warnings warnings;
         ScenePlaces places;
     };
-    std::shared_ptr<const Stated> stated_;
-    std::vector<std::uint32_t> exchanged_;  // shapes whose media the present view has exchanged
+    std::shared_ptr<const BeforeViews> before_views_;
+    std::vector<std::uint32_t>
+        exchanged_;  // shapes with inside and outside media exchanged for the view
 };
 
 }  // namespace sunfleck::engine

@@ -49,12 +49,12 @@ public:
     bool is_free(const Ray& ray) const;
 
     const MediumSides& media_of(std::uint32_t shape) const { return records_[shape].media; }
-    bool parts_media(const Hit& hit) const { return media_of(hit.shape).parts(); }
+    bool separates_media(const Hit& hit) const { return media_of(hit.shape).differ(); }
     /// Returns the medium of a path that leaves a hit into `direction`. @param before  medium of
     /// the path before.
     MediumNumber medium_beyond(const Hit& hit, const Vec3& direction, MediumNumber before) const {
         const MediumSides& sides = media_of(hit.shape);
-        return sides.parts() ? sides.towards(hit.normal, direction) : before;
+        return sides.differ() ? sides.towards(hit.normal, direction) : before;
     }
     /// Exchanges the media on the two sides of a shape.
     void exchange_media(std::uint32_t shape);

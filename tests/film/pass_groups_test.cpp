@@ -54,6 +54,13 @@ TEST(PassGroups, an_open_batch_has_its_start_and_what_follows_by_powers_of_two) 
               (Ranges{{4, 8}, {8, 12}, {12, 16}, {16, 20}, {68, 72}, {72, 76}}));
 }
 
+TEST(PassGroups, a_long_range_takes_no_time) {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 60U;
+    EXPECT_EQ(open_groups(set_of({{0, kMost}})), Ranges());
+    EXPECT_EQ(open_groups(set_of({{5, kMost + 2}})),
+              (Ranges{{4, 8}, {8, 12}, {12, 16}, {kMost, kMost + 2}}));
+}
+
 /// So that sums can be joined, and need not be taken apart.
 TEST(PassGroups, passes_of_one_group_stay_in_one_while_others_come) {
     for (std::uint32_t held = 0; held < 1U << 16U; held += 7)

@@ -112,7 +112,7 @@ TEST(Media, are_not_parted_by_what_lets_no_light_through) {
     description.shapes.push_back(wall);
     const Scene scene(description);
     const Hit hit = hit_below(scene, 4);
-    EXPECT_FALSE(scene.parts_media(hit));
+    EXPECT_FALSE(scene.separates_media(hit));
     EXPECT_EQ(scene.medium_beyond(hit, {0, 0, 1}, 3), 3U);
     EXPECT_EQ(scene.medium_beyond(hit, {0, 0, -1}, 3), 3U);
 }
