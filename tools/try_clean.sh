@@ -54,6 +54,7 @@ fi
 copy_network
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
+mount -t devpts -o ptmxmode=666 devpts "$root/dev/pts"
 mount -t tmpfs tmpfs "$root/dev/shm"
 
 clone=$root/srv/sunfleck

@@ -18,7 +18,7 @@ struct BatchAreas {
 };
 
 /// Advances to the next batch.
-BatchAreas next_round(const Film& film, std::uint64_t batch, DiscAreaSequence& areas) {
+BatchAreas next_batch(const Film& film, std::uint64_t batch, DiscAreaSequence& areas) {
     BatchAreas result;
     result.weight = film.weight_of_batch(batch);
     const PassRange range = batch_range(batch);
@@ -69,8 +69,9 @@ std::optional<DiscAreas> disc_areas(const Film& film) {
     if (!film.key().has_discs() || film.batches() < kBiasBatches) return {};
     DiscAreaSequence areas(film.key().alpha);
     Sums sums;
-    for (std::uint64_t r = 0; batch_range(r).begin < film.passes().ranges().back().end; ++r)
-        sums.add(next_round(film, r, areas));
+    for (std::uint64_t batch = 0; batch_range(batch).begin < film.passes().ranges().back().end;
+         ++batch)
+        sums.add(next_batch(film, batch, areas));
 
     DiscAreas result;
     result.batches = sums.batches;

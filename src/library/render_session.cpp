@@ -62,8 +62,9 @@ void RenderSession::change_view(
         loop_.emplace(job(), std::nullopt);
         progress_ = {};
     }
-    remarks_.clear();
-    say(engine::remarks_before(job(), isa_));
+    remarks_before_ = engine::remarks_before(job(), isa_);
+    remarks_after_.clear();
+    say(remarks_before_);
 }
 
 Outcome RenderSession::render(std::optional<std::uint32_t> passes, const Renderer::Report& report) {
@@ -75,7 +76,9 @@ Outcome RenderSession::render(std::optional<std::uint32_t> passes, const Rendere
     }
     threads_.run([&] { loop_->run(stop, hooks(report)); });
     if (loop_->result().interrupted) return Outcome::cancelled;
-    if (!passes) say(engine::remarks_after(job(), loop_->result()));
+    if (passes) return Outcome::finished;
+    remarks_after_ = engine::remarks_after(job(), loop_->result());
+    say(remarks_after_);
     return Outcome::finished;
 }
 
@@ -122,13 +125,13 @@ std::string RenderSession::statistics() {
     facts.cpu_seconds = result.cpu_seconds;
     facts.seconds = result.seconds;
     facts.radius_factor = result.radius_factor;
-    facts.warnings = remarks_;
+    facts.warnings = remarks_before_;
+    facts.warnings.insert(facts.warnings.end(), remarks_after_.begin(), remarks_after_.end());
     facts.error_terms = request_.stop.error_terms;
     return engine::stats_json(result.film, facts);
 }
 
-void RenderSession::say(const std::vector<std::string>& lines) {
-    remarks_.insert(remarks_.end(), lines.begin(), lines.end());
+void RenderSession::say(const std::vector<std::string>& lines) const {
     if (!options_.log) return;
     for (const std::string& line : lines) options_.log(Severity::warning, line);
 }

@@ -37,7 +37,7 @@ public:
 private:
     engine::RenderHooks hooks(const Renderer::Report& report);
     void take(const engine::Progress& progress);
-    void say(const std::vector<std::string>& lines);
+    void say(const std::vector<std::string>& lines) const;
     engine::RenderJob job() const { return {scene_, settings_, request_.stop, 0}; }
 
     RendererOptions options_;
@@ -52,7 +52,8 @@ private:
     mutable std::mutex guard_;  // of the film and of progress_
     std::optional<engine::RenderLoop> loop_;
     Progress progress_;
-    std::vector<std::string> remarks_;
+    std::vector<std::string> remarks_before_;  // of the present view
+    std::vector<std::string> remarks_after_;   // of the last call that rendered to a limit
 };
 
 }  // namespace sunfleck

@@ -17,8 +17,8 @@ PassRange block_of(const PassRange& interval, int rank, int size) {
 std::vector<PassRange> cut_at_batches(const PassRange& interval) {
     std::vector<PassRange> parts;
     for (std::uint64_t begin = interval.begin; begin < interval.end; begin = parts.back().end) {
-        const std::uint64_t round_end = (begin / kBatchPasses + 1) * kBatchPasses;
-        parts.push_back({begin, std::min(interval.end, round_end)});
+        const std::uint64_t batch_end = (begin / kBatchPasses + 1) * kBatchPasses;
+        parts.push_back({begin, std::min(interval.end, batch_end)});
     }
     return parts;
 }

@@ -47,7 +47,7 @@ std::vector<std::string> extrapolation_warnings(const Film& film, bool wanted) {
     if (!wanted || disc_areas(film)) return {};
     const std::string what = "the picture is not extrapolated: ";
     if (film.batches() < kBiasBatches)
-        return {what + fmt::format("its bias is known from {} complete rounds of {} passes on, "
+        return {what + fmt::format("its bias is known from {} complete batches of {} passes on, "
                                    "of which it has {}",
                                    kBiasBatches, kBatchPasses, film.batches())};
     return {what + "radii have hardly shrunk over its passes, so its bias is not known"};

@@ -93,7 +93,7 @@ TEST_F(Extrapolate, of_too_few_batches_is_the_plain_picture_with_a_warning) {
     const Ran ran =
         render_to("zero", {"--passes", "63", "--extrapolate", "on", "--log-level", "warning"});
     EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
-    EXPECT_NE(ran.err.find("4 complete rounds of 16 passes on, of which it has 3"),
+    EXPECT_NE(ran.err.find("4 complete batches of 16 passes on, of which it has 3"),
               std::string::npos);
     EXPECT_EQ(read_text(path("plain.exr")), read_text(path("zero.exr")));
     const auto stats = json("zero.json");

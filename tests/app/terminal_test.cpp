@@ -1,6 +1,7 @@
 // What stands on a terminal during a render: a line that fits it, and answers to signals.
 #include "app/program.h"
 
+#include <fcntl.h>
 #include <pty.h>
 #include <sys/ioctl.h>
 
@@ -83,6 +84,12 @@ std::size_t longest_line(const std::string& text) {
 
 class Terminal : public ProgramTest {
 protected:
+    void SetUp() override {
+        const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+        if (terminal < 0) GTEST_SKIP() << "no pseudo-terminals here: is /dev/pts mounted?";
+        ::close(terminal);
+        ProgramTest::SetUp();
+    }
     static Words endless(const std::string& more = "1000000") {
         return {"render", "room.pbrt", "-o", "x.exr", "--photons-per-pass",
                 "2000",   "--passes",  more};

@@ -114,6 +114,20 @@ TEST(Renderer, tells_warnings_to_the_log_alone) {
     EXPECT_NE(lines.front().find("biased"), std::string::npos);
 }
 
+TEST(Renderer, says_each_remark_once_however_often_it_renders_to_its_limit) {
+    int told = 0;
+    Renderer renderer(ball(), quick_settings().set("extrapolate", "on"),
+                      {1, [&](Severity, const std::string&) { ++told; }});
+    renderer.run();
+    EXPECT_EQ(told, 1);
+    renderer.run();
+    const std::string remark = "not extrapolated";
+    const std::string twice = renderer.statistics();
+    const std::size_t first = twice.find(remark);
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_EQ(twice.find(remark, first + 1), std::string::npos);
+}
+
 TEST(Renderer, refuses_settings_that_the_scene_cannot_have) {
     EXPECT_THROW(Renderer(ball(), Settings().set("light-group", "a=7")), Error);
     EXPECT_THROW(Renderer(ball(), Settings().set("isa", "native")), Error);

@@ -117,7 +117,7 @@ TEST(Wavelengths, rounds_are_shifted_apart) {
 }
 
 // What one pass and one batch leave of colour error; docs/method/errors.md quotes these figures.
-TEST(Wavelengths, white_has_little_error_in_a_pass_and_none_to_see_in_a_round) {
+TEST(Wavelengths, white_has_little_error_in_a_pass_and_none_to_see_in_a_batch) {
     const auto pass = colours(Spectrum::d65(), 6, 2000, 1);
     const auto batch = colours(Spectrum::d65(), 6, 200, kBatchPasses);
     const std::array<double, 3> most{0.02, 0.005, 0.02};
