@@ -69,8 +69,10 @@ install(FILES ${PROJECT_BINARY_DIR}/sunfleckConfig.cmake
   ${PROJECT_BINARY_DIR}/sunfleckConfigVersion.cmake DESTINATION ${package})
 # The prefix as seen from the file: a tree may be installed anywhere.
 file(RELATIVE_PATH SUNFLECK_TO_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
-configure_file(cmake/sunfleck.pc.in sunfleck.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/sunfleck.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+foreach(package sunfleck sunfleck-static)
+  configure_file(cmake/${package}.pc.in ${package}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${package}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
 
 # The program, its man pages and its completion.
 install(TARGETS sunfleck)

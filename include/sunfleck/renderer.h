@@ -24,7 +24,7 @@ namespace sunfleck {
 /// What is known of a render after a pass.
 struct SUNFLECK_API Progress {
     std::uint32_t passes = 0;         // rendered so far
-    std::optional<std::uint32_t> of;  // passes that the settings ask for
+    std::optional<std::uint32_t> of;  // passes at which the present call ends, if at a number
     double seconds = 0;               // of rendering
     double cpu_seconds = 0;           // the same, of all threads
     std::optional<double> error;  // relative, noise and bias, of 95% of the blocks; from pass 64 on
@@ -58,7 +58,7 @@ public:
     /// @throws Error  for settings that cannot be used with this scene.
     explicit Renderer(const Scene& scene, const Settings& settings = {},
                       const RendererOptions& options = {});
-    /// Cancels what start() has begun.
+    /// Cancels what start() has begun, and waits for its end, unless a report holds the last owner.
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -75,7 +75,8 @@ public:
     /// The same as run(), on a thread of its own, on which `report` is called.
     void start(const Report& report = {});
     bool is_running() const;
-    /// Waits for the end of what start() has begun, and throws what it has thrown.
+    /// Waits for the end of what start() has begun, and throws what it has thrown. Not for a
+    /// report.
     Outcome wait();
 
     /// Returns at once; what is under way then ends within some milliseconds. A pass that is not
@@ -103,7 +104,7 @@ public:
 
 private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    std::shared_ptr<Impl> impl_;
 };
 
 }  // namespace sunfleck

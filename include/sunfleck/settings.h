@@ -3,8 +3,10 @@
 
 #include <sunfleck/export.h>
 
+#include <concepts>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sunfleck {
@@ -31,13 +33,19 @@ public:
 
     /// Sets a flag: set("photons-per-pass", 1000000).set("seed", 7).set("aovs", "caustic,depth").
     /// @param name  with or without "--"; "_" counts as "-". @param value  as on the command line.
-    /// @throws Error  for a name that no flag has, and a word that the flag does not take.
+    /// @throws Error  for a name that no setting has, and a value that it cannot have.
     Settings& set(const std::string& name, const std::string& value);
     Settings& set(const std::string& name, const char* value) {
         return set(name, std::string(value));
     }
+    Settings& set(const std::string& name, std::string_view value) {
+        return set(name, std::string(value));
+    }
     Settings& set(const std::string& name, double value);
-    Settings& set(const std::string& name, int value) { return set(name, std::to_string(value)); }
+    template <std::integral Whole>
+    Settings& set(const std::string& name, Whole value) {
+        return set(name, std::to_string(value));
+    }
     /// Sets what is on or off, or chosen by the renderer (auto) or off.
     Settings& set(const std::string& name, bool value);
 

@@ -4,6 +4,7 @@
 #include "core/default_floats.h"
 
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -97,7 +98,12 @@ ThreadLimit::~ThreadLimit() = default;
 
 struct ThreadPool::Arena {
     explicit Arena(std::size_t count)
-        : arena(count == 0 ? tbb::task_arena::automatic : static_cast<int>(count)) {}
+        : arena(count == 0 ? tbb::task_arena::automatic : at_most_cores(count)) {}
+    /// TBB warns on standard error of more.
+    static int at_most_cores(std::size_t count) {
+        const int cores = tbb::info::default_concurrency();
+        return count < static_cast<std::size_t>(cores) ? static_cast<int>(count) : cores;
+    }
     tbb::task_arena arena;
 };
 

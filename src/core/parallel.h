@@ -32,7 +32,7 @@ private:
 /// pools do not limit each other.
 class ThreadPool {
 public:
-    /// @param count  of threads, at most; 0: as many as cores.
+    /// @param count  of threads, at most, and no more than cores; 0: as many as cores.
     explicit ThreadPool(std::size_t count);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;

@@ -1,5 +1,6 @@
 // The rows of the flags of every way of rendering.
 #include "flags/flag_tables.h"
+#include "image/picture_file.h"
 
 #include <sstream>
 
@@ -41,7 +42,8 @@ std::vector<RenderFlag> frame_flags() {
          .help = "The same as fractions of the picture, from 0 to 1, as pbrt has them",
          .needs = {{.flag = "--crop"}}},
         {.name = "--exposure",
-         .value = number(-100, 100, [](auto& r, const auto& stops) { r.exposure = stops; }),
+         .value = number(-kMostExposure, kMostExposure,
+                         [](auto& r, const auto& stops) { r.exposure = stops; }),
          .help = "Stops, for PNG alone",
          .default_value = "0"},
     };

@@ -46,12 +46,6 @@ std::vector<RenderFlag> joined_tables() {
     return all;
 }
 
-/// "--light_group", "light-group" and the like, as flags are written.
-std::string flag_name(std::string name) {
-    std::replace(name.begin(), name.end(), '_', '-');
-    return name.starts_with("--") ? name : "--" + name;
-}
-
 void check_choice(const RenderFlag& flag, const std::string& word) {
     std::vector<std::string> names;
     for (const FlagChoice& choice : flag.value.choices) {
@@ -80,6 +74,11 @@ void set_default_ends(RenderRequest& request) {
 }
 
 }  // namespace
+
+std::string flag_name(std::string name) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name.starts_with("--") ? name : "--" + name;
+}
 
 const std::vector<RenderFlag>& render_flags() {
     static const std::vector<RenderFlag> all = joined_tables();

@@ -16,6 +16,8 @@ const std::vector<RenderFlag>& render_flags();
 /// @param name  of a flag or its alias: "--light-group", "light-group" or "light_group".
 /// @throws Error for a name that no flag has, with the new name if one had it before.
 const RenderFlag& render_flag(const std::string& name);
+/// Returns a name as flags are written: "--light-group" of "light_group".
+std::string flag_name(std::string name);
 
 /// Collects flags one by one.
 class RenderFlags {

@@ -8,7 +8,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace sunfleck::engine {
 namespace {
@@ -160,16 +159,12 @@ std::array<double, 4> read_crop_window(const std::string& text, const std::strin
 }
 
 std::array<std::uint32_t, 2> read_pass_range(const std::string& text, const std::string& flag) {
-    unsigned long first = 0;
-    unsigned long end = 0;
-    int used = 0;
-    // NOLINTNEXTLINE(cert-err34-c): the conversion is checked by the count and by %n
-    const int read = std::sscanf(text.c_str(), "%lu:%lu%n", &first, &end, &used);
-    if (read != 2 || static_cast<std::size_t>(used) != text.size() || first >= end ||
-        end > (1UL << 30U))
+    constexpr int kMost = 1 << 30;
+    const std::vector<int> ends = integers(text, ':');
+    if (ends.size() != 2 || ends[0] < 0 || ends[0] >= ends[1] || ends[1] > kMost)
         throw Error({flag}, "\"" + text + "\" is no range of passes",
                     "write a:b with a < b, such as 0:64");
-    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)};
+    return {static_cast<std::uint32_t>(ends[0]), static_cast<std::uint32_t>(ends[1])};
 }
 
 }  // namespace sunfleck::engine

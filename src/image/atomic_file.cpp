@@ -127,6 +127,13 @@ int open_locked(const std::string& name) {
     return -1;
 }
 
+/// Gives a new file the permissions of the one that it will replace, if there is one.
+void take_mode(int descriptor, const std::string& target) {
+    struct stat before {};
+    if (::stat(target.c_str(), &before) == 0 && S_ISREG(before.st_mode))
+        ::fchmod(descriptor, before.st_mode & 0777U);
+}
+
 /// Locks a folder against claims of other programs while it lives, where the system has locks.
 class FolderLock {
 public:
@@ -188,7 +195,10 @@ AtomicFile::AtomicFile(const std::string& path) : target_(target_of(path)) {
         temporary_ = temporary_name(target_);
         place_ = enlist(temporary_);
         descriptor_ = open_locked(temporary_);
-        if (descriptor_ >= 0) continue;
+        if (descriptor_ >= 0) {
+            take_mode(descriptor_, target_);
+            continue;
+        }
         const int fault = errno;
         delist(place_);
         // A killed process of the same number left the file.

@@ -7,6 +7,9 @@
 
 namespace sunfleck::engine {
 
+/// Stops of exposure, up or down.
+inline constexpr double kMostExposure = 100;
+
 struct PictureFileOptions {
     float exposure = 0;  // stops; used by formats of limited range (.png)
     bool half = false;   // 16-bit floats in .exr

@@ -7,6 +7,7 @@
 
 #include <exception>
 #include <new>
+#include <string>
 
 namespace sunfleck {
 
@@ -24,6 +25,22 @@ auto guarded(const Task& task) {
                     "render fewer pixels or photons, or free some", ErrorCode::machine);
     } catch (const std::exception& fault) {
         throw Error({"sunfleck"}, fault.what(), "see what the machine lacks", ErrorCode::machine);
+    }
+}
+
+/// Calls what the library's user has given. @param what  "report" or "log".
+/// @throws Error  in place of all that it throws.
+template <class Callback>
+void call_back(const std::string& what, const Callback& callback) {
+    const std::string mend = "catch it there, or mend the " + what;
+    try {
+        callback();
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& fault) {
+        throw Error({"Renderer"}, "the " + what + " has thrown: " + fault.what(), mend);
+    } catch (...) {
+        throw Error({"Renderer"}, "the " + what + " has thrown what is no std::exception", mend);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "library/guarded.h"
 #include "library/picture_data.h"
 
+#include <cmath>
 #include <utility>
 
 namespace sunfleck {
@@ -49,8 +50,13 @@ const std::map<std::string, std::string>& Picture::metadata() const {
 }
 
 void Picture::save(const std::string& path, std::optional<double> exposure) const {
-    const auto stops = static_cast<float>(exposure.value_or(data_->exposure));
-    guarded([&] { engine::write_picture(path, data_->picture, {stops, false}); });
+    const double stops = exposure.value_or(data_->exposure);
+    if (!(std::abs(stops) <= engine::kMostExposure))
+        throw Error({"Picture"}, "an exposure of " + std::to_string(stops) + " stops",
+                    "use -100 to 100");
+    guarded([&] {
+        engine::write_picture(path, data_->picture, {static_cast<float>(stops), false});
+    });
 }
 
 }  // namespace sunfleck

@@ -4,13 +4,18 @@
 #include "film/film_picture.h"
 #include "library/guarded.h"
 #include "library/picture_data.h"
+#include "scene/adjust.h"
 #include "stats/remarks.h"
 #include "stats/stats.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace sunfleck {
 namespace {
+
+constexpr std::uint64_t kMostPasses = std::numeric_limits<std::uint32_t>::max();
 
 void check_isa(const Settings& settings, const std::string& isa) {
     const auto& texts = settings.data().texts;
@@ -45,21 +50,48 @@ RenderSession::RenderSession(const Scene& scene, const Settings& settings,
       threads_(options.threads) {
     check_isa(settings, isa_);
     if (request_.settings.energy_compensation) scene_.compensate_energy();
-    change_view([&](engine::Camera& camera, engine::FilmDescription& film) {
-        engine::adjust_view(camera, film, request_);
-    });
-}
-
-void RenderSession::change_view(
-    const std::function<void(engine::Camera&, engine::FilmDescription&)>& change) {
     engine::Camera camera = camera_;
     engine::FilmDescription film = scene_.film();
-    change(camera, film);
+    engine::adjust_view(camera, film, request_);
+    set_view(std::move(camera), std::move(film));
+    cropped_film_ = scene_.film();
+}
+
+void RenderSession::set_camera(
+    const std::function<engine::Camera(const engine::Vec2i&)>& camera_for) {
+    set_view(camera_for(scene_.film().resolution), scene_.film());
+}
+
+void RenderSession::set_resolution(const engine::Vec2i& size) {
+    engine::check_film_size(size, {"resolution"});
+    engine::Camera camera = camera_;
+    engine::FilmDescription film = cropped_film_;
+    engine::set_resolution(camera, film, size);
+    if (request_.crop_window) film.crop = engine::pixels_of_window(*request_.crop_window, size);
+    set_view(std::move(camera), std::move(film));
+}
+
+void RenderSession::set_crop(const std::optional<std::array<int, 4>>& crop) {
+    engine::FilmDescription film = scene_.film();
+    film.crop.reset();
+    if (crop) engine::set_crop(film, *crop, "crop");
+    set_view(camera_, film);
+    cropped_film_ = std::move(film);
+    request_.crop_window.reset();
+}
+
+void RenderSession::set_view(engine::Camera camera, engine::FilmDescription film) {
     {
         const std::lock_guard lock(guard_);
-        camera_ = camera;
-        scene_.set_view(std::move(camera), std::move(film));
-        loop_.emplace(job(), std::nullopt);
+        engine::FilmDescription film_before = scene_.film();
+        try {
+            scene_.set_view(camera, std::move(film));
+            loop_ = std::make_unique<engine::RenderLoop>(job(), std::nullopt);
+        } catch (...) {
+            if (loop_) scene_.set_view(camera_, std::move(film_before));
+            throw;
+        }
+        camera_ = std::move(camera);
         progress_ = {};
     }
     remarks_before_ = engine::remarks_before(job(), isa_);
@@ -70,8 +102,8 @@ void RenderSession::change_view(
 Outcome RenderSession::render(std::optional<std::uint32_t> passes, const Renderer::Report& report) {
     engine::StopSettings stop = request_.stop;
     if (passes) {
-        const auto done = static_cast<std::uint32_t>(loop_->result().film.pass_count());
-        stop.end_pass = stop.first_pass + done + *passes;
+        const std::uint64_t end = stop.first_pass + loop_->result().film.pass_count() + *passes;
+        stop.end_pass = static_cast<std::uint32_t>(std::min(end, kMostPasses));
         stop.seconds = stop.cpu_seconds = stop.target_error = std::nullopt;
     }
     threads_.run([&] { loop_->run(stop, hooks(report)); });
@@ -86,7 +118,7 @@ engine::RenderHooks RenderSession::hooks(const Renderer::Report& report) {
     engine::RenderHooks hooks;
     hooks.report = [this, &report](const engine::Progress& now) {
         take(now);
-        if (report) report(progress());
+        if (report) call_back("report", [&] { report(progress()); });
     };
     hooks.cancelled = &is_cancelled_;
     hooks.change = [this](const std::function<void()>& change) {
@@ -133,7 +165,8 @@ std::string RenderSession::statistics() {
 
 void RenderSession::say(const std::vector<std::string>& lines) const {
     if (!options_.log) return;
-    for (const std::string& line : lines) options_.log(Severity::warning, line);
+    for (const std::string& line : lines)
+        call_back("log", [&] { options_.log(Severity::warning, line); });
 }
 
 }  // namespace sunfleck

@@ -7,7 +7,9 @@
 #include "render/render_loop.h"
 #include "sunfleck/renderer.h"
 
+#include <array>
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -30,11 +32,15 @@ public:
 
     // Not while it renders.
     void clear_cancel() { is_cancelled_ = false; }
-    /// Applies `change` to camera and film, and restarts the render.
-    void change_view(const std::function<void(engine::Camera&, engine::FilmDescription&)>& change);
+    // Another view, from which the render begins anew. If they throw, the old view stays.
+    /// @param camera_for  returns the camera for a film of that size.
+    void set_camera(const std::function<engine::Camera(const engine::Vec2i&)>& camera_for);
+    void set_resolution(const engine::Vec2i& size);
+    void set_crop(const std::optional<std::array<int, 4>>& crop);
     std::string statistics();
 
 private:
+    void set_view(engine::Camera camera, engine::FilmDescription film);
     engine::RenderHooks hooks(const Renderer::Report& report);
     void take(const engine::Progress& progress);
     void say(const std::vector<std::string>& lines) const;
@@ -43,14 +49,15 @@ private:
     RendererOptions options_;
     engine::RenderRequest request_;
     engine::Scene scene_;
-    engine::Camera camera_;  // in the world
+    engine::Camera camera_;                 // in the world
+    engine::FilmDescription cropped_film_;  // at the size for which its crop was given
     std::string isa_;
     engine::RenderSettings settings_;
     engine::ThreadPool threads_;
     std::atomic<bool> is_cancelled_{false};
 
     mutable std::mutex guard_;  // of the film and of progress_
-    std::optional<engine::RenderLoop> loop_;
+    std::unique_ptr<engine::RenderLoop> loop_;
     Progress progress_;
     std::vector<std::string> remarks_before_;  // of the present view
     std::vector<std::string> remarks_after_;   // of the last call that rendered to a limit

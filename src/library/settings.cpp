@@ -3,11 +3,38 @@
 
 #include "core/named_rows.h"
 #include "library/settings_data.h"
+#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 
+#include <array>
+#include <string_view>
+
 namespace sunfleck {
 namespace {
+
+/// A flag of the program that is no setting, and what a program does in its place.
+struct ProgramFlag {
+    std::string_view name;
+    std::string_view in_its_place;
+};
+constexpr std::array<ProgramFlag, 8> kProgramFlags = {{
+    {"--checkpoint", "keep the Renderer, which goes on"},
+    {"--log-level", "use RendererOptions::log"},
+    {"--memory-limit", "limit the process"},
+    {"--nthreads", "use RendererOptions::threads"},
+    {"--output", "use Picture::save()"},
+    {"--quiet", "leave RendererOptions::log out"},
+    {"--stats", "use Renderer::statistics()"},
+    {"--threads", "use RendererOptions::threads"},
+}};
+
+const engine::RenderFlag& flag_of(const std::string& name) {
+    const std::string flag = engine::flag_name(name);
+    if (const ProgramFlag* const row = engine::row_named(kProgramFlags, flag))
+        throw Error({flag}, "is no setting of a render", std::string(row->in_its_place));
+    return engine::render_flag(flag);
+}
 
 SettingInfo info_of(const engine::RenderFlag& flag) {
     SettingInfo info;
@@ -40,8 +67,10 @@ Settings::Settings(Settings&&) noexcept = default;
 Settings& Settings::operator=(Settings&&) noexcept = default;
 
 Settings& Settings::set(const std::string& name, const std::string& value) {
-    const engine::RenderFlag& flag = engine::render_flag(name);
+    const engine::RenderFlag& flag = flag_of(name);
     engine::RenderFlags().set(flag.name, value);  // throws for a word that the flag does not take
+    engine::RenderRequest request;
+    flag.value.read(request, value, flag.name);  // throws for a value that it cannot have
     std::vector<std::string>& texts = data_->texts[flag.name];
     if (!flag.value.repeats) texts.clear();
     texts.push_back(value);
@@ -53,9 +82,12 @@ Settings& Settings::set(const std::string& name, double value) {
 }
 
 Settings& Settings::set(const std::string& name, bool value) {
-    const engine::RenderFlag& flag = engine::render_flag(name);
-    const std::string yes = engine::row_named(flag.value.choices, "on") ? "on" : "auto";
-    return set(name, value ? yes : "off");
+    const engine::RenderFlag& flag = flag_of(name);
+    const std::vector<engine::FlagChoice>& choices = flag.value.choices;
+    const std::string word = !value ? "off" : engine::row_named(choices, "on") ? "on" : "auto";
+    if (!engine::row_named(choices, word))
+        throw Error({flag.name}, "is not a matter of on and off", "give it " + flag.value.form);
+    return set(name, word);
 }
 
 void Settings::validate() const {
@@ -63,7 +95,7 @@ void Settings::validate() const {
 }
 
 SettingInfo Settings::find(const std::string& name) {
-    return info_of(engine::render_flag(name));
+    return info_of(flag_of(name));
 }
 
 std::vector<SettingInfo> Settings::list() {

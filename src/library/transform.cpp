@@ -1,6 +1,7 @@
 // Transforms, checked where they are made.
 #include "sunfleck/transform.h"
 
+#include "core/default_floats.h"
 #include "import/pbrt/transforms.h"
 #include "library/matrices.h"
 #include "sunfleck/error.h"
@@ -35,25 +36,30 @@ Transform transform_of(const engine::Matrix& matrix) {
 }
 
 Transform::Transform(const Rows& rows) : rows_(rows) {
+    const engine::DefaultFloats modes;
     if (!engine::is_usable(matrix_of(*this)))
         refuse("the matrix is not affine and finite, or has no inverse",
                "end it in the row 0 0 0 1, and scale by no zeros");
 }
 
 Transform Transform::translate(const Vector& by) {
+    const engine::DefaultFloats modes;
     return transform_of(engine::translation(vector_of(by)));
 }
 
 Transform Transform::scale(const Vector& by) {
+    const engine::DefaultFloats modes;
     return transform_of(engine::scaling(vector_of(by)));
 }
 
 Transform Transform::rotate(double degrees, const Vector& axis) {
+    const engine::DefaultFloats modes;
     if (!(vector_of(axis).length2() > 0)) refuse("the axis has no length", "use {0, 0, 1}");
     return transform_of(engine::rotation(degrees, vector_of(axis)));
 }
 
 Transform Transform::look_at(const Vector& eye, const Vector& target, const Vector& up) {
+    const engine::DefaultFloats modes;
     const auto world_to_camera = engine::look_at(vector_of(eye), vector_of(target), vector_of(up));
     if (!world_to_camera)
         refuse("eye, target and up make no frame",
@@ -62,6 +68,7 @@ Transform Transform::look_at(const Vector& eye, const Vector& target, const Vect
 }
 
 Transform operator*(const Transform& a, const Transform& b) {
+    const engine::DefaultFloats modes;
     return transform_of(matrix_of(b) * matrix_of(a));
 }
 

@@ -210,7 +210,8 @@ std::string stats_json(const Film& film, const RunFacts& facts) {
                json);
     json["image"] = image_json(film, facts.error_terms);
     json["warnings"] = facts.warnings;
-    return json.dump(2) + "\n";
+    // Names of files may be any bytes; JSON is UTF-8.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::vector<std::string> reliability_warnings(const Film& film) {

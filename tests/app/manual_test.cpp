@@ -116,6 +116,14 @@ TEST_F(Manual, bash_completes_what_is_begun) {
     EXPECT_EQ(completed({"sunfleck", "render", "--passes", ""}), "");
 }
 
+TEST_F(Manual, needs_a_folder_that_can_be) {
+    EXPECT_EQ(run({"manual", ""}).code, 2);
+    write_text(path("file"), "");
+    const Ran ran = run({"manual", "file"});
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.err.find("cannot be made"), std::string::npos) << ran.err;
+}
+
 TEST_F(Manual, is_printed_for_each_shell) {
     for (const auto& [shell, file] : {std::pair("bash", "bash-completion/completions/sunfleck"),
                                       std::pair("zsh", "zsh/site-functions/_sunfleck"),

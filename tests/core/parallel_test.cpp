@@ -145,6 +145,19 @@ TEST(RunUnless, cuts_loops_short_also_those_within) {
     EXPECT_TRUE(run_unless({}, work));
 }
 
+TEST(ThreadPool, has_no_more_threads_than_asked_for_or_than_cores) {
+    std::size_t threads = 0;
+    const auto count = [&] { threads = thread_count(); };
+    ThreadPool(1).run(count);
+    EXPECT_EQ(threads, 1U);
+    const std::size_t cores = std::thread::hardware_concurrency();
+    for (const std::size_t many : {std::size_t{0}, std::size_t{5000000000}, ~std::size_t{0}}) {
+        ThreadPool(many).run(count);
+        EXPECT_GE(threads, 1U) << many;
+        EXPECT_LE(threads, cores) << many;
+    }
+}
+
 TEST(ThreadLimit, ends_with_its_life) {
     const std::size_t before = thread_count();
     {

@@ -6,6 +6,7 @@
 #include "temporary_folder.h"
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <fstream>
@@ -56,6 +57,17 @@ TEST_F(AtomicFiles, the_old_file_stands_until_the_new_one_is_whole) {
     write_file(path("a"), bytes_of("new"));
     EXPECT_EQ(read_file(path("a")), "new");
     EXPECT_EQ(files(), 1);
+}
+
+TEST_F(AtomicFiles, a_new_version_keeps_the_permissions_of_the_file) {
+    write_file(path("a"), bytes_of("old"));
+    for (const ::mode_t mode : {0640U, 0600U, 0664U}) {
+        ::chmod(path("a").c_str(), mode);
+        write_file(path("a"), bytes_of("new"));
+        struct stat status {};
+        ASSERT_EQ(::stat(path("a").c_str(), &status), 0);
+        EXPECT_EQ(status.st_mode & 0777U, mode);
+    }
 }
 
 TEST_F(AtomicFiles, two_at_once_do_not_mix) {

@@ -47,11 +47,26 @@ for static in OFF ON; do
         fail "the library's picture differs from the program's"
 done
 
-# By pkg-config, with a message for what is no scene.
-PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name sunfleck.pc)") \
-    pkg-config --cflags --libs sunfleck >flags
+mkdir other_component
+cat >other_component/CMakeLists.txt <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(other CXX)
+find_package(sunfleck REQUIRED COMPONENTS dynamic)
+END
+if cmake -S other_component -B other_build -DCMAKE_PREFIX_PATH="$prefix" >other.log 2>&1 ||
+    ! grep -q "use shared or static" other.log; then fail "an unknown component is not refused"; fi
+
+# By pkg-config, with a message for what is no scene. The shared library asks for no other package.
+packages=$(dirname "$(find "$prefix" -name sunfleck.pc)")
+PKG_CONFIG_LIBDIR=$packages pkg-config --cflags --libs sunfleck >flags
+PKG_CONFIG_PATH=$packages pkg-config --cflags --libs sunfleck-static >static_flags
 # shellcheck disable=SC2046
 c++ -std=c++20 "$source/examples/load_and_render.cpp" $(cat flags) -o by_pkg_config
+# shellcheck disable=SC2046
+c++ -std=c++20 "$source/examples/load_and_render.cpp" $(cat static_flags) -o by_static_pkg_config
+./by_static_pkg_config scene/cornell.pbrt client.exr 3 >/dev/null
+"$build/bin/picture_hash" client.exr >client.hash
+diff <(cut -d' ' -f1 program.hash) <(cut -d' ' -f1 client.hash) || fail "by sunfleck-static"
 code=0
 LD_LIBRARY_PATH=$(dirname "$library") ./by_pkg_config nowhere.pbrt none.exr 2>message || code=$?
 [[ $code == 2 ]] && grep -q "nowhere.pbrt" message || fail "a missing scene: code $code, $(cat message)"

@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 namespace sunfleck {
 namespace {
 
 TEST(Picture, keeps_its_channels_when_it_is_written_and_read) {
-    Renderer renderer(Scene::parse(testing_support::kBall, "ball.pbrt"),
+    Renderer renderer(testing_support::ball(),
                       testing_support::quick_settings().set("aovs", "caustic,depth"));
     renderer.step(1);
     const Picture picture = renderer.picture();
@@ -28,9 +29,16 @@ TEST(Picture, keeps_its_channels_when_it_is_written_and_read) {
     EXPECT_THROW(picture.save("picture.gif"), Error);
 }
 
+TEST(Picture, is_not_saved_with_an_exposure_that_is_none) {
+    const Picture picture = Renderer(testing_support::ball()).picture();
+    for (const double stops : {std::nan(""), HUGE_VAL, -101.0})
+        EXPECT_THROW(picture.save("exposed.png", stops), Error) << stops;
+    EXPECT_FALSE(std::filesystem::exists("exposed.png"));
+}
+
 TEST(Picture, outlives_its_renderer) {
     const auto picture = [] {
-        Renderer renderer(Scene::parse(testing_support::kBall, "ball.pbrt"));
+        Renderer renderer(testing_support::ball());
         return renderer.picture();
     }();
     EXPECT_EQ(picture.width(), 24);

@@ -3,21 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cfenv>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
 namespace sunfleck {
 namespace {
 
+using testing_support::ball;
 using testing_support::green;
 using testing_support::kBall;
 using testing_support::quick_settings;
 using testing_support::rendered;
-
-Scene ball() {
-    return Scene::parse(kBall, "ball.pbrt");
-}
 
 TEST(Renderer, has_the_same_bytes_however_passes_are_divided_and_with_any_threads) {
     const std::vector<float> expected = rendered(ball(), quick_settings(), 2);
@@ -75,6 +74,78 @@ TEST(Renderer, hands_on_what_a_callback_throws) {
     renderer.start(fail);
     EXPECT_THROW(renderer.wait(), Error);
     EXPECT_EQ(renderer.step(1), Outcome::finished);
+}
+
+TEST(Renderer, says_which_callback_has_thrown) {
+    Renderer renderer(ball(), quick_settings());
+    const auto words = [&](const Renderer::Report& report) -> std::string {
+        try {
+            renderer.step(1, report);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return {};
+    };
+    const std::string closed =
+        words([](const Progress&) { throw std::runtime_error("window closed"); });
+    EXPECT_NE(closed.find("report has thrown: window closed"), std::string::npos) << closed;
+    const std::string number = words([](const Progress&) { throw 42; });
+    EXPECT_NE(number.find("report has thrown"), std::string::npos) << number;
+    renderer.start([](const Progress&) { throw 42; });
+    EXPECT_THROW(renderer.wait(), Error);
+}
+
+TEST(Renderer, may_be_owned_by_its_own_report) {
+    std::weak_ptr<Renderer> watched;
+    {
+        const auto renderer = std::make_shared<Renderer>(ball(), quick_settings());
+        watched = renderer;
+        renderer->start([renderer](const Progress&) {});
+    }
+    while (!watched.expired()) std::this_thread::yield();
+}
+
+TEST(Renderer, refuses_to_wait_in_its_own_report_and_on_two_threads) {
+    Renderer renderer(ball(), quick_settings());
+    bool is_refused = false;
+    renderer.start([&](const Progress&) {
+        try {
+            renderer.wait();
+        } catch (const Error&) {
+            is_refused = true;
+        }
+    });
+    EXPECT_EQ(renderer.wait(), Outcome::finished);
+    EXPECT_TRUE(is_refused);
+
+    std::atomic<bool> may_end{false};
+    std::atomic<int> refused{0};
+    renderer.start([&](const Progress&) {
+        while (!may_end) std::this_thread::yield();
+    });
+    const auto wait = [&] {
+        try {
+            renderer.wait();
+        } catch (const Error&) {
+            ++refused;
+            may_end = true;
+        }
+    };
+    std::thread one(wait);
+    std::thread other(wait);
+    one.join();
+    other.join();
+    EXPECT_EQ(refused, 1);
+}
+
+TEST(Renderer, renders_on_where_more_passes_are_asked_for_than_there_are) {
+    Renderer renderer(ball(), quick_settings());
+    renderer.step(1);
+    const auto cancel_soon = [&](const Progress& progress) {
+        if (progress.passes >= 3) renderer.cancel();
+    };
+    EXPECT_EQ(renderer.step(~std::uint32_t{0}, cancel_soon), Outcome::cancelled);
+    EXPECT_GE(renderer.progress().passes, 3U);
 }
 
 TEST(Renderer, sees_from_another_place_what_a_scene_with_that_camera_shows) {
@@ -140,6 +211,8 @@ TEST(Renderer, has_the_statistics_of_the_command_line) {
     const std::string statistics = renderer.statistics();
     EXPECT_NE(statistics.find("\"visible_photon_ratio\""), std::string::npos);
     EXPECT_NE(statistics.find("\"passes\": 5"), std::string::npos);
+    Renderer of_other_bytes(Scene::parse(kBall, "l\xE4t.pbrt"), quick_settings());
+    EXPECT_NE(of_other_bytes.statistics().find("t.pbrt"), std::string::npos);
 }
 
 }  // namespace

@@ -3,8 +3,11 @@
 #include <sunfleck/error.h>
 #include <sunfleck/settings.h>
 
-#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <set>
+#include <string>
+#include <string_view>
 
 namespace sunfleck {
 namespace {
@@ -18,12 +21,39 @@ TEST(Settings, take_names_with_and_without_dashes) {
 TEST(Settings, refuse_what_no_flag_is_and_what_no_flag_takes) {
     EXPECT_THROW(Settings().set("photon-per-pass", 1), Error);
     EXPECT_THROW(Settings().set("photon-sampler", "magic"), Error);
-    EXPECT_THROW(Settings().set("passes", -1).validate(), Error);
+    EXPECT_THROW(Settings().set("passes", -1), Error);
+    EXPECT_THROW(Settings().set("passes", 2.5), Error);
+    EXPECT_THROW(Settings().set("passes", true), Error);
+    EXPECT_THROW(Settings().set("time", std::nan("")), Error);
+    EXPECT_THROW(Settings().set("target-error", HUGE_VAL), Error);
+    for (const char* range : {" 0:5", "+0:5", "-5:5", "0:5 ", "5:5", "0:5:6", "0:"})
+        EXPECT_THROW(Settings().set("pass-range", range), Error) << range;
     EXPECT_THROW(Settings().set("mutation-size", "adaptive").validate(), Error);
 }
 
+TEST(Settings, name_what_stands_in_place_of_a_flag_of_the_program) {
+    for (const char* name : {"nthreads", "--output", "stats", "checkpoint"}) {
+        try {
+            Settings().set(name, "2");
+            ADD_FAILURE() << name;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("no setting"), std::string::npos);
+        }
+    }
+}
+
+TEST(Settings, take_numbers_of_any_type) {
+    EXPECT_NO_THROW(Settings()
+                        .set("seed", std::uint64_t{18446744073709551615U})
+                        .set("passes", 7U)
+                        .set("photons-per-pass", std::size_t{1000})
+                        .set("radius-pixels", 1.5F)
+                        .set("photon-sampler", std::string_view("uniform"))
+                        .validate());
+}
+
 TEST(Settings, are_set_anew_but_where_they_repeat) {
-    EXPECT_NO_THROW(Settings().set("passes", -1).set("passes", 3).validate());
+    EXPECT_NO_THROW(Settings().set("passes", 4).set("passes", 3).validate());
     EXPECT_NO_THROW(Settings().set("light-group", "a=1").set("light-group", "b=2").validate());
     EXPECT_THROW(Settings().set("light-group", "a=1").set("light-group", "a=2").validate(), Error);
 }
@@ -35,9 +65,9 @@ TEST(Settings, know_what_true_means) {
 
 TEST(Settings, are_values) {
     Settings one;
-    one.set("passes", -1);
+    one.set("mutation-size", "adaptive");  // needs another sampler
     Settings other = one;
-    other.set("passes", 1);
+    other.set("photon-sampler", "paper");
     EXPECT_NO_THROW(other.validate());
     EXPECT_THROW(one.validate(), Error);
 }

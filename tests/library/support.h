@@ -31,6 +31,10 @@ Shape "sphere" "float radius" .1
 AttributeEnd
 )";
 
+inline Scene ball() {
+    return Scene::parse(kBall, "ball.pbrt");
+}
+
 /// Few photons, so that tests are quick.
 inline Settings quick_settings() {
     return Settings().set("photons-per-pass", 4000).set("passes", 5);

@@ -3,6 +3,8 @@
 #include <sunfleck/error.h>
 #include <sunfleck/transform.h>
 
+#include <cfenv>
+
 namespace sunfleck {
 namespace {
 
@@ -31,6 +33,18 @@ TEST(Transform, look_at_places_a_camera) {
     expect_near(mapped(camera, {0, 0, 0}), {1, 2, 3});
     expect_near(mapped(camera, {0, 0, 1}), {1, 2, 4});
     expect_near(mapped(camera, {0, 1, 0}), {1, 3, 3});
+}
+
+TEST(Transform, does_not_depend_on_the_modes_of_the_caller) {
+    const auto made = [] {
+        return Transform::rotate(33.3, {1, 2, 3}) * Transform::scale({1.1, 0.9, 0.7}) *
+               Transform::look_at({1, 2, 3}, {0.1, 0.2, 0.3}, {0, 1, 0});
+    };
+    const Transform expected = made();
+    std::fesetround(FE_UPWARD);
+    const Transform rounded = made();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(rounded.rows(), expected.rows());
 }
 
 TEST(Transform, refuses_what_has_no_inverse) {
