@@ -54,12 +54,13 @@ RenderSession::RenderSession(const Scene& scene, const Settings& settings,
     engine::FilmDescription film = scene_.film();
     engine::adjust_view(camera, film, request_);
     set_view(std::move(camera), std::move(film));
-    cropped_film_ = scene_.film();
+    cropped_film_ = shown_->scene.film();
 }
 
 void RenderSession::set_camera(
     const std::function<engine::Camera(const engine::Vec2i&)>& camera_for) {
-    set_view(camera_for(scene_.film().resolution), scene_.film());
+    const engine::FilmDescription& film = shown_->scene.film();
+    set_view(camera_for(film.resolution), film);
 }
 
 void RenderSession::set_resolution(const engine::Vec2i& size) {
@@ -72,7 +73,7 @@ void RenderSession::set_resolution(const engine::Vec2i& size) {
 }
 
 void RenderSession::set_crop(const std::optional<std::array<int, 4>>& crop) {
-    engine::FilmDescription film = scene_.film();
+    engine::FilmDescription film = shown_->scene.film();
     film.crop.reset();
     if (crop) engine::set_crop(film, *crop, "crop");
     set_view(camera_, film);
@@ -81,16 +82,12 @@ void RenderSession::set_crop(const std::optional<std::array<int, 4>>& crop) {
 }
 
 void RenderSession::set_view(engine::Camera camera, engine::FilmDescription film) {
+    engine::Scene view = scene_;
+    view.set_view(camera, std::move(film));
+    auto next = std::make_unique<Shown>(std::move(view), settings_, request_.stop);
     {
         const std::lock_guard lock(guard_);
-        engine::FilmDescription film_before = scene_.film();
-        try {
-            scene_.set_view(camera, std::move(film));
-            loop_ = std::make_unique<engine::RenderLoop>(job(), std::nullopt);
-        } catch (...) {
-            if (loop_) scene_.set_view(camera_, std::move(film_before));
-            throw;
-        }
+        shown_.swap(next);
         camera_ = std::move(camera);
         progress_ = {};
     }
@@ -102,14 +99,15 @@ void RenderSession::set_view(engine::Camera camera, engine::FilmDescription film
 Outcome RenderSession::render(std::optional<std::uint32_t> passes, const Renderer::Report& report) {
     engine::StopSettings stop = request_.stop;
     if (passes) {
-        const std::uint64_t end = stop.first_pass + loop_->result().film.pass_count() + *passes;
+        const std::uint64_t end =
+            stop.first_pass + shown_->loop.result().film.pass_count() + *passes;
         stop.end_pass = static_cast<std::uint32_t>(std::min(end, kMostPasses));
         stop.seconds = stop.cpu_seconds = stop.target_error = std::nullopt;
     }
-    threads_.run([&] { loop_->run(stop, hooks(report)); });
-    if (loop_->result().interrupted) return Outcome::cancelled;
+    threads_.run([&] { shown_->loop.run(stop, hooks(report)); });
+    if (shown_->loop.result().interrupted) return Outcome::cancelled;
     if (passes) return Outcome::finished;
-    remarks_after_ = engine::remarks_after(job(), loop_->result());
+    remarks_after_ = engine::remarks_after(job(), shown_->loop.result());
     say(remarks_after_);
     return Outcome::finished;
 }
@@ -142,13 +140,13 @@ Picture RenderSession::picture() const {
     const engine::FilmPictureOptions options{request_.stop.error_terms.extrapolated};
     return guarded([&] {
         const std::lock_guard lock(guard_);
-        return Picture(std::make_shared<const Picture::Data>(
-            Picture::Data{engine::film_picture(loop_->result().film, options), request_.exposure}));
+        return Picture(std::make_shared<const Picture::Data>(Picture::Data{
+            engine::film_picture(shown_->loop.result().film, options), request_.exposure}));
     });
 }
 
 std::string RenderSession::statistics() {
-    const engine::RenderResult& result = loop_->result();
+    const engine::RenderResult& result = shown_->loop.result();
     engine::RunFacts facts;
     facts.scene = scene_.path();
     facts.isa = isa_;

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace sunfleck {
 
@@ -44,12 +45,22 @@ private:
     engine::RenderHooks hooks(const Renderer::Report& report);
     void take(const engine::Progress& progress);
     void say(const std::vector<std::string>& lines) const;
-    engine::RenderJob job() const { return {scene_, settings_, request_.stop, 0}; }
+    engine::RenderJob job() const { return {shown_->scene, settings_, request_.stop, 0}; }
+
+    /// The scene as the present view shows it, and its render.
+    struct Shown {
+        Shown(engine::Scene view, const engine::RenderSettings& settings,
+              const engine::StopSettings& stop)
+            : scene(std::move(view)), loop({scene, settings, stop, 0}, std::nullopt) {}
+
+        engine::Scene scene;
+        engine::RenderLoop loop;
+    };
 
     RendererOptions options_;
     engine::RenderRequest request_;
-    engine::Scene scene_;
-    engine::Camera camera_;                 // in the world
+    engine::Scene scene_;                   // as it was given
+    engine::Camera camera_;                 // of the present view, in the world
     engine::FilmDescription cropped_film_;  // at the size for which its crop was given
     std::string isa_;
     engine::RenderSettings settings_;
@@ -57,7 +68,7 @@ private:
     std::atomic<bool> is_cancelled_{false};
 
     mutable std::mutex guard_;  // of the film and of progress_
-    std::unique_ptr<engine::RenderLoop> loop_;
+    std::unique_ptr<Shown> shown_;
     Progress progress_;
     std::vector<std::string> remarks_before_;  // of the present view
     std::vector<std::string> remarks_after_;   // of the last call that rendered to a limit
