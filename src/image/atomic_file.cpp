@@ -253,8 +253,13 @@ bool ignores_case(const std::string& path) {
 }
 
 void remove_own_temporaries() {
-    for (std::atomic<char*>& name : own_temporaries)
-        if (const char* const file = name.exchange(nullptr)) ::unlink(file);
+    for (std::atomic<char*>& name : own_temporaries) {
+        char* const file = name.exchange(nullptr);
+        if (file == nullptr) continue;
+        ::unlink(file);
+        char* none = nullptr;
+        name.compare_exchange_strong(none, file);  // its AtomicFile frees it
+    }
 }
 
 void write_file(const std::string& path, std::span<const std::byte> bytes) {
