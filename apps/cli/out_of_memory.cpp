@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 
 namespace sunfleck::engine {
 
@@ -17,15 +18,24 @@ OutOfMemory::OutOfMemory(std::size_t bytes) noexcept {
 }  // namespace sunfleck::engine
 
 // NOLINTBEGIN(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory): these are `new` itself
+void* operator new(std::size_t bytes, const std::nothrow_t& /*unused*/) noexcept {
+    return std::malloc(bytes == 0 ? 1 : bytes);
+}
+
+void* operator new(std::size_t bytes, std::align_val_t alignment,
+                   const std::nothrow_t& /*unused*/) noexcept {
+    const auto step = static_cast<std::size_t>(alignment);
+    const std::size_t whole = (bytes + step - 1) / step * step;
+    return std::aligned_alloc(step, whole == 0 ? step : whole);
+}
+
 void* operator new(std::size_t bytes) {
-    if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
+    if (void* memory = operator new(bytes, std::nothrow)) return memory;
     throw sunfleck::engine::OutOfMemory(bytes);
 }
 
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
-    const auto step = static_cast<std::size_t>(alignment);
-    const std::size_t whole = (bytes + step - 1) / step * step;
-    if (void* memory = std::aligned_alloc(step, whole == 0 ? step : whole)) return memory;
+    if (void* memory = operator new(bytes, alignment, std::nothrow)) return memory;
     throw sunfleck::engine::OutOfMemory(bytes);
 }
 
