@@ -139,7 +139,7 @@ void add_renderer(py::module_& module) {
             "set_camera",
             [](PythonRenderer& self, const std::string& type, const py::dict& parameters,
                const Transform& to_world) {
-                self.renderer().set_camera(type, parameters_of(parameters), to_world);
+                self.renderer().set_camera(type, parameters_of("camera", parameters), to_world);
             },
             py::arg("type"), py::arg("parameters"), py::arg("to_world"))
         .def(

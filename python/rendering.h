@@ -1,6 +1,8 @@
 // Renders that Python waits for, with the lock of the interpreter released.
 #pragma once
 
+#include "python/text.h"
+
 #include <pybind11/pybind11.h>
 #include <sunfleck/sunfleck.h>
 
