@@ -3,6 +3,7 @@
 
 #include "python/arrays.h"
 #include "python/conversions.h"
+#include "python/interpreter.h"
 
 #include <pybind11/stl.h>
 
@@ -138,8 +139,7 @@ void add_builder(py::module_& module) {
         .def(
             "build",
             [](SceneBuilder& self, std::size_t threads, const std::string& isa) {
-                const py::gil_scoped_release unlocked;
-                return self.build({threads, isa});
+                return unlocked([&] { return self.build({threads, isa}); });
             },
             py::kw_only(), py::arg("threads") = 0, py::arg("isa") = "avx2");
     add_materials(builder);
