@@ -24,3 +24,7 @@ AttributeEnd
 
 def quick(scene, **settings):
     return sunfleck.Renderer(scene, **{"photons_per_pass": 4000, "passes": 4, **settings})
+
+
+def endless(scene, **settings):
+    return quick(scene, **{"passes": 1000000, "photon_sampler": "uniform", **settings})
