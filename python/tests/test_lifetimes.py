@@ -62,6 +62,26 @@ print("alive")
     assert (done.stdout, done.stderr, done.returncode) == ("alive\n", "", 0)
 
 
+def test_a_report_may_let_go_of_its_renderer():
+    done = run_script("""
+def lets_go(of, fails=False):
+    def report(progress):
+        of.clear()
+        if fails: raise ValueError
+    return report
+class App:
+    def __init__(self): self.me, self.renderer = self, endless()
+for held in [endless()], [endless()], [App().renderer]:
+    held[0].start(lets_go(held, fails=len(sys.argv) > 1))
+    while held: time.sleep(0.01)
+    sys.argv.append("")
+App().renderer.start(lambda progress: gc.collect())
+time.sleep(0.3)
+print("alive")
+""")
+    assert (done.stdout, done.stderr, done.returncode) == ("alive\n", "", 0)
+
+
 # What ends after the module lets other threads run, as large programs do.
 LATE = """
 class Late:
