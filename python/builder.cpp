@@ -129,7 +129,8 @@ void add_builder(py::module_& module) {
             [](SceneBuilder& self, int width, int height, const py::dict& parameters) {
                 self.film(width, height, parameters_of("film", parameters));
             },
-            py::arg("width"), py::arg("height"), py::arg("parameters") = py::dict())
+            py::arg("width").noconvert(), py::arg("height").noconvert(),
+            py::arg("parameters") = py::dict())
         .def(
             "filter",
             [](SceneBuilder& self, const std::string& type, const py::dict& parameters) {
@@ -138,10 +139,10 @@ void add_builder(py::module_& module) {
             py::arg("type"), py::arg("parameters") = py::dict())
         .def(
             "build",
-            [](SceneBuilder& self, std::size_t threads, const std::string& isa) {
-                return unlocked([&] { return self.build({threads, isa}); });
+            [](SceneBuilder& self, std::int64_t threads, const std::string& isa) {
+                return unlocked([&] { return self.build({count_of("threads", threads), isa}); });
             },
-            py::kw_only(), py::arg("threads") = 0, py::arg("isa") = "avx2");
+            py::kw_only(), py::arg("threads").noconvert() = 0, py::arg("isa") = "avx2");
     add_materials(builder);
     add_shapes(builder);
 }

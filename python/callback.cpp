@@ -27,6 +27,7 @@ Callback::~Callback() {
     const Guest guest;
     if (guest) {
         const py::gil_scoped_acquire lock;
+        if (raised_) raised_->discard_as_unraisable(function_);
         function_ = {};
         raised_.reset();
     } else {  // Python ends, and what it holds with it

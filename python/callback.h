@@ -16,8 +16,8 @@ using Raised = std::optional<py::error_already_set>;
 /// Throws the first that there is; the others are its context.
 void raise_first(std::initializer_list<Raised> all);
 
-/// What the function raises is kept for the call that renders. All but the destructor and
-/// operator() needs the lock of the interpreter.
+/// What the function raises is kept for the call that renders; where none takes it, Python prints
+/// it in the end. All but the destructor and operator() needs the lock of the interpreter.
 class Callback {
 public:
     /// @throws py::type_error  for what cannot be called.

@@ -5,6 +5,7 @@
 
 #include <pybind11/stl.h>
 
+#include <limits>
 #include <map>
 
 namespace sunfleck::python {
@@ -31,8 +32,9 @@ std::vector<std::string> strings_of(const py::handle& value, const Purpose& purp
 }
 
 Value value_of(const py::handle& value, const std::string& declaration, const Purpose& purpose) {
-    if (py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__"))
-        return value.cast<std::string>();
+    py::detail::make_caster<std::string> text;
+    if (!py::isinstance<py::bytes>(value) && text.load(value, true))
+        return py::detail::cast_op<std::string>(text);
     const py::array array = array_of(value, purpose);
     if (array.dtype().kind() == 'b') {
         if (array.size() != 1) purpose.refuse("several truth values", "give one");
@@ -92,6 +94,14 @@ Parameters parameters_of(const std::string& call, const py::dict& values) {
         parameters.push_back({declaration, value_of(value, declaration, purpose)});
     }
     return parameters;
+}
+
+std::uint32_t count_of(const std::string& name, std::int64_t number) {
+    constexpr std::int64_t most = std::numeric_limits<std::uint32_t>::max();
+    if (number < 0 || number > most)
+        throw Error({name}, std::to_string(number) + " is no count",
+                    "give a whole number from 0 to " + std::to_string(most));
+    return static_cast<std::uint32_t>(number);
 }
 
 Settings settings_of(const py::kwargs& values) {

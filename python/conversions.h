@@ -6,6 +6,7 @@
 #include <pybind11/pybind11.h>
 #include <sunfleck/sunfleck.h>
 
+#include <cstdint>
 #include <string>
 
 namespace sunfleck::python {
@@ -15,6 +16,9 @@ namespace py = pybind11;
 /// {"float roughness": 0.1, "rgb L": [1, 2, 3]}: numbers, strings, truth values, lists of these,
 /// arrays, and paths. @param call  names the call in messages. @throws Error  for other values.
 Parameters parameters_of(const std::string& call, const py::dict& values);
+
+/// A number of passes or threads. @throws Error  for what is none.
+std::uint32_t count_of(const std::string& name, std::int64_t number);
 
 /// Settings by the names of the command line's flags, with underscores: photons_per_pass=100000.
 /// Values are numbers, strings, truth values, and lists of these.

@@ -46,19 +46,24 @@ void add_scene(py::module_& module) {
     py::class_<Scene>(module, "Scene", "A scene, ready to be rendered. Immutable.")
         .def_static(
             "load",
-            [](const std::string& path, std::size_t threads, const std::string& isa) {
-                return unlocked([&] { return Scene::load(path, {threads, isa}); });
+            [](const std::string& path, std::int64_t threads, const std::string& isa) {
+                return unlocked([&] {
+                    return Scene::load(path, {count_of("threads", threads), isa});
+                });
             },
-            py::arg("path"), py::kw_only(), py::arg("threads") = 0, py::arg("isa") = "avx2",
-            "Reads a scene file in the format of pbrt-v4.")
+            py::arg("path"), py::kw_only(), py::arg("threads").noconvert() = 0,
+            py::arg("isa") = "avx2", "Reads a scene file in the format of pbrt-v4.")
         .def_static(
             "parse",
-            [](const std::string& text, const std::string& name, std::size_t threads,
+            [](const std::string& text, const std::string& name, std::int64_t threads,
                const std::string& isa) {
-                return unlocked([&] { return Scene::parse(text, name, {threads, isa}); });
+                return unlocked([&] {
+                    return Scene::parse(text, name, {count_of("threads", threads), isa});
+                });
             },
-            py::arg("text"), py::arg("name") = "scene.pbrt", py::kw_only(), py::arg("threads") = 0,
-            py::arg("isa") = "avx2", "Reads a scene from text; files are found from name's folder.")
+            py::arg("text"), py::arg("name") = "scene.pbrt", py::kw_only(),
+            py::arg("threads").noconvert() = 0, py::arg("isa") = "avx2",
+            "Reads a scene from text; files are found from name's folder.")
         .def_property_readonly("width", &Scene::width)
         .def_property_readonly("height", &Scene::height)
         .def_property_readonly("warnings", &Scene::warnings)
@@ -120,14 +125,19 @@ void add_renderer(py::module_& module) {
         .def_readonly("seconds_left", &Progress::seconds_left)
         .def_readonly("is_learning", &Progress::is_learning);
     py::class_<PythonRenderer>(module, "_Renderer")
-        .def(py::init([](const Scene& scene, std::size_t threads, const py::object& log,
+        .def(py::init([](const Scene& scene, std::int64_t threads, const py::object& log,
                          const py::kwargs& settings) {
-                 return std::make_unique<PythonRenderer>(scene, settings_of(settings), threads,
-                                                         log);
+                 return std::make_unique<PythonRenderer>(scene, settings_of(settings),
+                                                         count_of("threads", threads), log);
              }),
-             py::arg("scene"), py::kw_only(), py::arg("threads"), py::arg("log"))
+             py::arg("scene"), py::kw_only(), py::arg("threads").noconvert(), py::arg("log"))
         .def("run", &PythonRenderer::run, py::arg("report") = py::none())
-        .def("step", &PythonRenderer::step, py::arg("passes") = 1, py::arg("report") = py::none())
+        .def(
+            "step",
+            [](PythonRenderer& self, std::int64_t passes, const py::object& report) {
+                return self.step(count_of("passes", passes), report);
+            },
+            py::arg("passes").noconvert() = 1, py::arg("report") = py::none())
         .def("start", &PythonRenderer::start, py::arg("report") = py::none())
         .def("wait", &PythonRenderer::wait)
         .def("cancel", [](PythonRenderer& self) { self.renderer().cancel(); })
@@ -159,13 +169,13 @@ void add_renderer(py::module_& module) {
             [](PythonRenderer& self, int width, int height) {
                 self.change([&](Renderer& renderer) { renderer.set_resolution(width, height); });
             },
-            py::arg("width"), py::arg("height"))
+            py::arg("width").noconvert(), py::arg("height").noconvert())
         .def(
             "set_crop",
             [](PythonRenderer& self, const std::optional<std::array<int, 4>>& crop) {
                 self.change([&](Renderer& renderer) { renderer.set_crop(crop); });
             },
-            py::arg("x0_x1_y0_y1"));
+            py::arg("x0_x1_y0_y1").noconvert());
 }
 
 /// Objects that __new__ alone has made hold no value; pybind11 would give memory in its place.

@@ -20,7 +20,9 @@ Raised raised_by(const std::shared_ptr<Callback>& callback) {
 
 /// @throws Error  at the end of Python, which waits for no render.
 void check(const Guest& guest) {
-    if (!guest) throw Error({"Renderer"}, "Python ends", "render before its functions atexit");
+    if (!guest)
+        throw Error({"Renderer"}, "Python ends",
+                    "render before the functions of its module atexit");
 }
 
 }  // namespace

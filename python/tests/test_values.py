@@ -2,9 +2,11 @@
 
 import decimal
 import fractions
+import pathlib
 
 import numpy
 import pytest
+from small_scene import quick
 
 import sunfleck
 
@@ -58,7 +60,7 @@ def test_whole_numbers_that_no_integer_holds_are_refused():
 
 @pytest.mark.parametrize("value", [
     [1, "a"], b"\x01", None, {1}, (number for number in [1]), 1j, numpy.array([1j]), [1, None],
-    [[1, 2], [3]], [True, False], numpy.datetime64("2020-01-01"), 10**400])
+    [[1, 2], [3]], [True, False], pathlib.Path, numpy.datetime64("2020-01-01"), 10**400])
 def test_what_is_no_number_is_refused_with_the_parameter(value):
     assert '"float radius"' in refused({"float radius": value})
 
@@ -132,3 +134,22 @@ def test_settings_take_numbers_of_numpy(scene):
     renderer = sunfleck.Renderer(scene, passes=numpy.int64(2), resolution=numpy.array([8, 6]),
                                  splitting=numpy.False_, seed=numpy.array(3), time=numpy.float32(9))
     assert renderer.picture()["G"].shape == (6, 8)
+
+
+def test_sizes_and_counts_are_not_cut_off(scene):
+    renderer = quick(scene)
+    for number in (2.5, numpy.float32(2.5), decimal.Decimal("2.5"), "2"):
+        for call in (lambda n: sunfleck.SceneBuilder().film(n, 16), renderer.step,
+                     lambda n: renderer.set_resolution(16, n),
+                     lambda n: renderer.set_crop((0, n, 0, 4)),
+                     lambda n: sunfleck.Renderer(scene, threads=n)):
+            with pytest.raises(TypeError):
+                call(number)
+    for number in (-1, 2**32):
+        for name, call in (("passes", renderer.step),
+                           ("threads", lambda n: sunfleck.Renderer(scene, threads=n))):
+            with pytest.raises(sunfleck.Error, match=f"{name}.*whole number"):
+                call(number)
+    sunfleck.SceneBuilder().film(numpy.int64(16), numpy.uint8(16))
+    renderer.set_crop(numpy.array([0, 8, 0, 8]))
+    assert renderer.step(numpy.uint64(1))
