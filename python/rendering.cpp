@@ -18,13 +18,6 @@ Raised raised_by(const std::shared_ptr<Callback>& callback) {
     return callback ? callback->take() : std::nullopt;
 }
 
-/// @throws Error  at the end of Python, which waits for no render.
-void check(const Guest& guest) {
-    if (!guest)
-        throw Error({"Renderer"}, "Python ends",
-                    "render before the functions of its module atexit");
-}
-
 }  // namespace
 
 PythonRenderer::PythonRenderer(const Scene& scene, const Settings& settings, std::size_t threads,
@@ -93,7 +86,7 @@ bool PythonRenderer::finishes(const Raised& interrupt, const SharedCallback& rep
 template <class Task>
 bool PythonRenderer::renders(const py::object& report, const Task& task) {
     const Guest guest;
-    check(guest);
+    if (!guest) return false;
     const SharedCallback callback = callback_of(report);
     std::packaged_task<Outcome()> work([task, renderer = renderer_, reported = reporter(callback)] {
         return task(*renderer, reported);
@@ -126,7 +119,7 @@ bool PythonRenderer::step(std::uint32_t passes, const py::object& report) {
 
 void PythonRenderer::start(const py::object& report) {
     const Guest guest;
-    check(guest);
+    if (!guest) return;
     const SharedCallback callback = callback_of(report);
     renderer_->start(reporter(callback));
     report_ = callback;
@@ -135,7 +128,7 @@ void PythonRenderer::start(const py::object& report) {
 
 bool PythonRenderer::wait() {
     const Guest guest;
-    check(guest);
+    if (!guest) return false;
     if (log_->is_called_on_this_thread() || (report_ && report_->is_called_on_this_thread()))
         throw Error({"Renderer"}, "a report cannot wait() for its own render", "return from it");
     if (is_awaited_)

@@ -8,7 +8,7 @@
 namespace sunfleck::python {
 
 /// A renderer whose callbacks are Python's: what they raise cancels the render and reaches the
-/// caller, as Ctrl-C does.
+/// caller, as Ctrl-C does. The end of Python cancels it, too; later renders are cancelled at once.
 class PythonRenderer {
 public:
     /// @param log  called as log(severity, line).

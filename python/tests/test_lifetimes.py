@@ -97,6 +97,10 @@ report = lambda progress: time.sleep(0.01)
     "renderer = endless(); renderer.start(report); sys.modules['kept'] = kept = [renderer]\n"
     "kept.append(kept)",
     "threading.Thread(target=endless().run, args=[report], daemon=True).start()",
+    "def again():\n"
+    "    while True:\n"
+    "        endless().step(1, report)\n"
+    "threading.Thread(target=again, daemon=True).start()",
     "renderer = endless(); renderer.start()\n"
     "def watch():\n"
     "    while True: renderer.picture(), renderer.progress\n"
