@@ -17,9 +17,9 @@ namespace py = pybind11;
 /// What a value is for, as messages name it.
 struct Purpose {
     std::string call;  // "mesh"
-    std::string name;  // "positions", "the parameter \"float radius\""
+    std::string name;  // "the argument positions", "the parameter \"float radius\""
 
-    /// @throws Error  always: "mesh: positions is given bytes; give numbers".
+    /// @throws Error  always: "mesh: the argument positions is given bytes; give numbers".
     [[noreturn]] void refuse(const std::string& given, const std::string& mend) const {
         throw Error({call}, name + " is given " + given, mend);
     }

@@ -17,13 +17,14 @@ std::span<const float> span_of(const Floats& array) {
 /// @param normals, uvs  None: none.
 void add_mesh(SceneBuilder& builder, const py::object& positions, const py::object& triangles,
               const py::object& normals, const py::object& uvs, const ShapeOptions& options) {
-    const Floats corners = rows_of(positions, 3, {"mesh", "positions"});
-    const std::vector<std::uint32_t> indices = triangles_of(triangles, {"mesh", "triangles"});
+    const Floats corners = rows_of(positions, 3, {"mesh", "the argument positions"});
+    const std::vector<std::uint32_t> indices =
+        triangles_of(triangles, {"mesh", "the argument triangles"});
     const auto optional_rows = [](const py::object& value, py::ssize_t length, const char* name) {
         return value.is_none() ? Floats() : rows_of(value, length, {"mesh", name});
     };
-    const Floats normals_there = optional_rows(normals, 3, "normals");
-    const Floats uvs_there = optional_rows(uvs, 2, "uvs");
+    const Floats normals_there = optional_rows(normals, 3, "the argument normals");
+    const Floats uvs_there = optional_rows(uvs, 2, "the argument uvs");
     builder.mesh({span_of(corners), indices, span_of(normals_there), span_of(uvs_there)}, options);
 }
 

@@ -24,8 +24,8 @@ Callback::Callback(py::object function) : function_(std::move(function)) {
 }
 
 Callback::~Callback() {
-    const Guest guest;
-    if (guest) {
+    const LockClaim claim;
+    if (claim) {
         const py::gil_scoped_acquire lock;
         if (raised_) raised_->discard_as_unraisable(function_);
         function_ = {};

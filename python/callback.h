@@ -44,8 +44,8 @@ private:
 
 template <class... Arguments>
 bool Callback::operator()(const Arguments&... arguments) {
-    const Guest guest;
-    if (!guest) return true;
+    const LockClaim claim;
+    if (!claim) return true;
     const py::gil_scoped_acquire lock;
     if (raised_) return false;
     caller_ = std::this_thread::get_id();

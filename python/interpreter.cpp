@@ -1,4 +1,4 @@
-// A count of guests, and what Python's atexit calls.
+// A count of claims, and what Python's atexit calls.
 #include "python/interpreter.h"
 
 #include <algorithm>
@@ -10,38 +10,39 @@
 namespace sunfleck::python {
 namespace {
 
-struct House {
+struct Claims {
     std::mutex guard;
-    int guests = 0;
+    int count = 0;
     bool is_closed = false;
     std::vector<std::weak_ptr<Renderer>> renderers;
 };
 
 /// Never destroyed: threads may be left when the process ends.
-House& house() {
-    static auto* const all = new House;
+Claims& claims() {
+    static auto* const all = new Claims;
     return *all;
 }
 
-std::vector<std::shared_ptr<Renderer>> close_house() {
-    const std::lock_guard lock(house().guard);
-    house().is_closed = true;
+/// From now on no claim is granted. @return the renderers that there are.
+std::vector<std::shared_ptr<Renderer>> refuse_claims() {
+    const std::lock_guard lock(claims().guard);
+    claims().is_closed = true;
     std::vector<std::shared_ptr<Renderer>> renderers;
-    for (const auto& renderer : house().renderers)
+    for (const auto& renderer : claims().renderers)
         if (auto alive = renderer.lock()) renderers.push_back(std::move(alive));
     return renderers;
 }
 
-bool is_empty() {
-    const std::lock_guard lock(house().guard);
-    return house().guests == 0;
+bool is_none_left() {
+    const std::lock_guard lock(claims().guard);
+    return claims().count == 0;
 }
 
-/// Ctrl-C ends the wait for a report that does not return.
+/// Waits until nobody asks for the lock. Ctrl-C ends the wait for a report that does not return.
 void end() {
-    const std::vector<std::shared_ptr<Renderer>> renderers = close_house();
+    const std::vector<std::shared_ptr<Renderer>> renderers = refuse_claims();
     const auto renders = [](const auto& renderer) { return renderer->is_running(); };
-    while (!is_empty() || std::any_of(renderers.begin(), renderers.end(), renders)) {
+    while (!is_none_left() || std::any_of(renderers.begin(), renderers.end(), renders)) {
         for (const auto& renderer : renderers) renderer->cancel();
         {
             const py::gil_scoped_release released;
@@ -53,21 +54,21 @@ void end() {
 
 }  // namespace
 
-Guest::Guest() {
-    const std::lock_guard lock(house().guard);
-    is_welcome_ = !house().is_closed;
-    if (is_welcome_) ++house().guests;
+LockClaim::LockClaim() {
+    const std::lock_guard lock(claims().guard);
+    is_granted_ = !claims().is_closed;
+    if (is_granted_) ++claims().count;
 }
 
-Guest::~Guest() {
-    const std::lock_guard lock(house().guard);
-    if (is_welcome_) --house().guests;
+LockClaim::~LockClaim() {
+    const std::lock_guard lock(claims().guard);
+    if (is_granted_) --claims().count;
 }
 
 void end_with_python(const std::shared_ptr<Renderer>& renderer) {
-    const std::lock_guard lock(house().guard);
-    std::erase_if(house().renderers, [](const auto& other) { return other.expired(); });
-    house().renderers.push_back(renderer);
+    const std::lock_guard lock(claims().guard);
+    std::erase_if(claims().renderers, [](const auto& other) { return other.expired(); });
+    claims().renderers.push_back(renderer);
 }
 
 void add_end() {

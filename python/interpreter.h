@@ -16,36 +16,36 @@ namespace sunfleck::python {
 
 namespace py = pybind11;
 
-/// Stands for a thread that will ask for the lock: Python does not end before it has let go of it.
-class Guest {
+/// A thread's claim to ask for the lock: Python does not end while there is one.
+class LockClaim {
 public:
-    Guest();
-    ~Guest();
-    Guest(const Guest&) = delete;
-    Guest& operator=(const Guest&) = delete;
-    Guest(Guest&&) = delete;
-    Guest& operator=(Guest&&) = delete;
+    LockClaim();
+    ~LockClaim();
+    LockClaim(const LockClaim&) = delete;
+    LockClaim& operator=(const LockClaim&) = delete;
+    LockClaim(LockClaim&&) = delete;
+    LockClaim& operator=(LockClaim&&) = delete;
 
-    /// False if Python ends: the thread must not ask for the lock, or not let go of it.
-    explicit operator bool() const { return is_welcome_; }
+    /// False once Python ends: the thread must not ask for the lock, or must not release it.
+    explicit operator bool() const { return is_granted_; }
 
 private:
-    bool is_welcome_;
+    bool is_granted_;
 };
 
 /// Runs task() with the lock released; at the end of Python with the lock held.
 template <class Task>
 auto unlocked(const Task& task) {
-    const Guest guest;
+    const LockClaim claim;
     std::optional<py::gil_scoped_release> released;
-    if (guest) released.emplace();
+    if (claim) released.emplace();
     return task();
 }
 
 /// The end of Python cancels this renderer.
 void end_with_python(const std::shared_ptr<Renderer>& renderer);
 
-/// Has Python call what this file promises for its end.
+/// Lets the end of Python do what the head of this file says.
 void add_end();
 
 }  // namespace sunfleck::python

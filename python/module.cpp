@@ -18,7 +18,7 @@ void add_error(py::module_& module) {
         try {
             if (fault) std::rethrow_exception(fault);
         } catch (const Error& error) {
-            const Guest guest;  // Python is not to end while it makes the exception
+            const LockClaim claim;  // Python is not to end while it makes the exception
             const py::object made =
                 type(error.what(), error.where().file, error.where().line, error.where().column,
                      error.code() == ErrorCode::machine ? "machine" : "input");

@@ -85,8 +85,8 @@ bool PythonRenderer::finishes(const Raised& interrupt, const SharedCallback& rep
 /// Renders on another thread, so that this one can look whether Ctrl-C was pressed.
 template <class Task>
 bool PythonRenderer::renders(const py::object& report, const Task& task) {
-    const Guest guest;
-    if (!guest) return false;
+    const LockClaim claim;
+    if (!claim) return false;
     const SharedCallback callback = callback_of(report);
     std::packaged_task<Outcome()> work([task, renderer = renderer_, reported = reporter(callback)] {
         return task(*renderer, reported);
@@ -118,8 +118,8 @@ bool PythonRenderer::step(std::uint32_t passes, const py::object& report) {
 }
 
 void PythonRenderer::start(const py::object& report) {
-    const Guest guest;
-    if (!guest) return;
+    const LockClaim claim;
+    if (!claim) return;
     const SharedCallback callback = callback_of(report);
     renderer_->start(reporter(callback));
     report_ = callback;
@@ -127,8 +127,8 @@ void PythonRenderer::start(const py::object& report) {
 }
 
 bool PythonRenderer::wait() {
-    const Guest guest;
-    if (!guest) return false;
+    const LockClaim claim;
+    if (!claim) return false;
     if (log_->is_called_on_this_thread() || (report_ && report_->is_called_on_this_thread()))
         throw Error({"Renderer"}, "a report cannot wait() for its own render", "return from it");
     if (is_awaited_)
