@@ -1,6 +1,8 @@
 // The class SceneBuilder of the module.
 #pragma once
 
+#include "python/text.h"
+
 #include <pybind11/pybind11.h>
 
 namespace sunfleck::python {

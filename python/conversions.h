@@ -1,9 +1,12 @@
 // Python's values as those of the library.
 #pragma once
 
+#include "python/text.h"
+
 #include <pybind11/pybind11.h>
 #include <sunfleck/sunfleck.h>
 
+#include <cstdint>
 #include <string>
 
 namespace sunfleck::python {
@@ -11,14 +14,15 @@ namespace sunfleck::python {
 namespace py = pybind11;
 
 /// {"float roughness": 0.1, "rgb L": [1, 2, 3]}: numbers, strings, truth values, lists of these,
-/// and arrays. @throws py::type_error  for other values.
-Parameters parameters_of(const py::dict& values);
+/// arrays, and paths. @param call  names the call in messages. @throws Error  for other values.
+Parameters parameters_of(const std::string& call, const py::dict& values);
 
-/// Sets a setting to a number, a string, a truth value, or a list of these.
-/// @throws Error  as Settings::set() does.
-void set_setting(Settings& settings, const std::string& name, const py::handle& value);
+/// A number of passes or threads. @throws Error  for what is none.
+std::uint32_t count_of(const std::string& name, std::int64_t number);
 
 /// Settings by the names of the command line's flags, with underscores: photons_per_pass=100000.
+/// Values are numbers, strings, truth values, and lists of these.
+/// @throws Error  for other values, and as Settings::set() does.
 Settings settings_of(const py::kwargs& values);
 
 }  // namespace sunfleck::python

@@ -18,6 +18,7 @@ void add_error(py::module_& module) {
         try {
             if (fault) std::rethrow_exception(fault);
         } catch (const Error& error) {
+            const LockClaim claim;  // Python is not to end while it makes the exception
             const py::object made =
                 type(error.what(), error.where().file, error.where().line, error.where().column,
                      error.code() == ErrorCode::machine ? "machine" : "input");
@@ -46,21 +47,24 @@ void add_scene(py::module_& module) {
     py::class_<Scene>(module, "Scene", "A scene, ready to be rendered. Immutable.")
         .def_static(
             "load",
-            [](const std::string& path, std::size_t threads, const std::string& isa) {
-                const py::gil_scoped_release unlocked;
-                return Scene::load(path, {threads, isa});
+            [](const std::string& path, std::int64_t threads, const std::string& isa) {
+                return unlocked([&] {
+                    return Scene::load(path, {count_of("threads", threads), isa});
+                });
             },
-            py::arg("path"), py::kw_only(), py::arg("threads") = 0, py::arg("isa") = "avx2",
-            "Reads a scene file in the format of pbrt-v4.")
+            py::arg("path"), py::kw_only(), py::arg("threads").noconvert() = 0,
+            py::arg("isa") = "avx2", "Reads a scene file in the format of pbrt-v4.")
         .def_static(
             "parse",
-            [](const std::string& text, const std::string& name, std::size_t threads,
+            [](const std::string& text, const std::string& name, std::int64_t threads,
                const std::string& isa) {
-                const py::gil_scoped_release unlocked;
-                return Scene::parse(text, name, {threads, isa});
+                return unlocked([&] {
+                    return Scene::parse(text, name, {count_of("threads", threads), isa});
+                });
             },
-            py::arg("text"), py::arg("name") = "scene.pbrt", py::kw_only(), py::arg("threads") = 0,
-            py::arg("isa") = "avx2", "Reads a scene from text; files are found from name's folder.")
+            py::arg("text"), py::arg("name") = "scene.pbrt", py::kw_only(),
+            py::arg("threads").noconvert() = 0, py::arg("isa") = "avx2",
+            "Reads a scene from text; files are found from name's folder.")
         .def_property_readonly("width", &Scene::width)
         .def_property_readonly("height", &Scene::height)
         .def_property_readonly("warnings", &Scene::warnings)
@@ -80,7 +84,10 @@ py::array channel_view(const py::object& self, const std::string& name) {
 
 void add_picture(py::module_& module) {
     py::class_<Picture>(module, "Picture", "Named channels of floats, linear sRGB. Immutable.")
-        .def_static("load", &Picture::load, py::arg("path"), "Reads an .exr with all its channels.")
+        .def_static(
+            "load",
+            [](const std::string& path) { return unlocked([&] { return Picture::load(path); }); },
+            py::arg("path"), "Reads an .exr with all its channels.")
         .def_property_readonly("width", &Picture::width)
         .def_property_readonly("height", &Picture::height)
         .def_property_readonly("channels", &Picture::channels)
@@ -88,8 +95,13 @@ void add_picture(py::module_& module) {
         .def("__contains__", &Picture::has)
         .def("__getitem__", channel_view, py::arg("channel"),
              "The channel as an array (height, width), without a copy.")
-        .def("save", &Picture::save, py::arg("path"), py::arg("exposure") = py::none(),
-             "Writes .exr, or .png with an exposure in stops.");
+        .def(
+            "save",
+            [](const Picture& self, const std::string& path, std::optional<double> exposure) {
+                unlocked([&] { self.save(path, exposure); });
+            },
+            py::arg("path"), py::arg("exposure") = py::none(),
+            "Writes .exr, or .png with an exposure in stops.");
 }
 
 void add_settings(py::module_& module) {
@@ -114,46 +126,69 @@ void add_renderer(py::module_& module) {
         .def_readonly("seconds_left", &Progress::seconds_left)
         .def_readonly("is_learning", &Progress::is_learning);
     py::class_<PythonRenderer>(module, "_Renderer")
-        .def(py::init([](const Scene& scene, std::size_t threads, const py::object& log,
+        .def(py::init([](const Scene& scene, std::int64_t threads, const py::object& log,
                          const py::kwargs& settings) {
-                 return std::make_unique<PythonRenderer>(scene, settings_of(settings), threads,
-                                                         log);
+                 return std::make_unique<PythonRenderer>(scene, settings_of(settings),
+                                                         count_of("threads", threads), log);
              }),
-             py::arg("scene"), py::kw_only(), py::arg("threads") = 0, py::arg("log") = py::none())
+             py::arg("scene"), py::kw_only(), py::arg("threads").noconvert(), py::arg("log"))
         .def("run", &PythonRenderer::run, py::arg("report") = py::none())
-        .def("step", &PythonRenderer::step, py::arg("passes") = 1, py::arg("report") = py::none())
+        .def(
+            "step",
+            [](PythonRenderer& self, std::int64_t passes, const py::object& report) {
+                return self.step(count_of("passes", passes), report);
+            },
+            py::arg("passes").noconvert() = 1, py::arg("report") = py::none())
         .def("start", &PythonRenderer::start, py::arg("report") = py::none())
         .def("wait", &PythonRenderer::wait)
         .def("cancel", [](PythonRenderer& self) { self.renderer().cancel(); })
         .def_property_readonly("is_running",
                                [](PythonRenderer& self) { return self.renderer().is_running(); })
         .def_property_readonly("progress",
-                               [](PythonRenderer& self) { return self.renderer().progress(); })
+                               [](PythonRenderer& self) {
+                                   return unlocked([&] { return self.renderer().progress(); });
+                               })
         .def("picture",
              [](PythonRenderer& self) {
-                 const py::gil_scoped_release unlocked;
-                 return self.renderer().picture();
+                 return unlocked([&] { return self.renderer().picture(); });
              })
-        .def("_statistics", [](PythonRenderer& self) { return self.renderer().statistics(); })
+        .def("_statistics",
+             [](PythonRenderer& self) {
+                 return unlocked([&] { return self.renderer().statistics(); });
+             })
         .def(
             "set_camera",
             [](PythonRenderer& self, const std::string& type, const py::dict& parameters,
                const Transform& to_world) {
-                self.renderer().set_camera(type, parameters_of(parameters), to_world);
+                const Parameters given = parameters_of("camera", parameters);
+                self.change(
+                    [&](Renderer& renderer) { renderer.set_camera(type, given, to_world); });
             },
             py::arg("type"), py::arg("parameters"), py::arg("to_world"))
         .def(
             "set_resolution",
             [](PythonRenderer& self, int width, int height) {
-                self.renderer().set_resolution(width, height);
+                self.change([&](Renderer& renderer) { renderer.set_resolution(width, height); });
             },
-            py::arg("width"), py::arg("height"))
+            py::arg("width").noconvert(), py::arg("height").noconvert())
         .def(
             "set_crop",
             [](PythonRenderer& self, const std::optional<std::array<int, 4>>& crop) {
-                self.renderer().set_crop(crop);
+                self.change([&](Renderer& renderer) { renderer.set_crop(crop); });
             },
-            py::arg("x0_x1_y0_y1"));
+            py::arg("x0_x1_y0_y1").noconvert());
+}
+
+/// Objects that __new__ alone has made hold no value; pybind11 would give memory in its place.
+void refuse_unmade_objects(const py::module_& module) {
+    for (const auto& [name, item] : module.attr("__dict__").cast<py::dict>()) {
+        if (PyType_Check(item.ptr()) == 0) continue;
+        auto* const info = py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(item.ptr()));
+        if (info == nullptr) continue;
+        info->operator_new = [](std::size_t) -> void* {
+            throw py::type_error("the object holds nothing: it was made by __new__ alone");
+        };
+    }
 }
 
 void add_all(py::module_& module) {
@@ -166,6 +201,8 @@ void add_all(py::module_& module) {
     add_picture(module);
     add_settings(module);
     add_renderer(module);
+    add_end();
+    refuse_unmade_objects(module);
 }
 
 }  // namespace

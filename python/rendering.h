@@ -1,23 +1,17 @@
 // Renders that Python waits for, with the lock of the interpreter released.
 #pragma once
 
-#include <pybind11/pybind11.h>
-#include <sunfleck/sunfleck.h>
+#include "python/callback.h"
 
-#include <exception>
 #include <memory>
-#include <mutex>
-#include <optional>
 
 namespace sunfleck::python {
 
-namespace py = pybind11;
-
 /// A renderer whose callbacks are Python's: what they raise cancels the render and reaches the
-/// caller, as Ctrl-C does.
+/// caller, as Ctrl-C does. The end of Python cancels it, too; later renders are cancelled at once.
 class PythonRenderer {
 public:
-    /// @param log  called as log(severity, line); None: warnings become Python's.
+    /// @param log  called as log(severity, line).
     PythonRenderer(const Scene& scene, const Settings& settings, std::size_t threads,
                    const py::object& log);
     ~PythonRenderer();
@@ -26,23 +20,37 @@ public:
     PythonRenderer(PythonRenderer&&) = delete;
     PythonRenderer& operator=(PythonRenderer&&) = delete;
 
+    /// @return whether it is finished, and not cancelled; as step() and wait().
     bool run(const py::object& report);
     bool step(std::uint32_t passes, const py::object& report);
     void start(const py::object& report);
-    /// @return whether it is finished, and not cancelled.
     bool wait();
+
+    /// Calls change(Renderer&), which may log.
+    template <class Change>
+    void change(const Change& change) {
+        unlocked([&] { change(*renderer_); });
+        raise_first({log_->take()});
+    }
 
     Renderer& renderer() { return *renderer_; }
 
 private:
-    Renderer::Report reporter(const py::object& report);
-    void raise();
-    template <class Task>
-    bool finishes(const Task& task);
+    using SharedCallback = std::shared_ptr<Callback>;  // empty: nobody is told
 
-    std::unique_ptr<Renderer> renderer_;
-    std::mutex guard_;
-    std::exception_ptr raised_;  // by a callback
+    Renderer::Report reporter(const SharedCallback& report) const;
+    template <class Done>
+    Raised wait_until(const Done& is_done);
+    template <class Result>
+    bool finishes(const Raised& interrupt, const SharedCallback& report, const Result& result);
+    template <class Task>
+    bool renders(const py::object& report, const Task& task);
+
+    SharedCallback log_;
+    std::shared_ptr<Renderer> renderer_;
+    SharedCallback report_;    // of start()
+    bool is_started_ = false;  // until wait() has returned
+    bool is_awaited_ = false;
 };
 
 }  // namespace sunfleck::python

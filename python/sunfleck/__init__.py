@@ -8,7 +8,11 @@
     print(picture["R"].mean(), picture["error.Y"].max())
 """
 
+import functools
 import json
+import sys
+import warnings
+import weakref
 
 import numpy
 
@@ -32,12 +36,47 @@ class Renderer(_sunfleck._Renderer):
 
     run(report), step(passes, report) and wait() return whether the render came to its end, and was
     not cancelled. report(progress) is called after each pass, on another thread. Other threads of
-    Python run meanwhile; Ctrl-C and what a callback raises end the render, which can go on.
+    Python run meanwhile; Ctrl-C and what a callback raises end the render, which can go on. A
+    second Ctrl-C leaves a report that does not return.
     """
+
+    def __init__(self, scene, *, threads=0, log=None, **settings):
+        self._log, called = _callback(_warn if log is None else log)
+        super().__init__(scene, threads=threads, log=called, **settings)
+
+    def start(self, report=None):
+        """Renders in the background; wait() waits for its end."""
+        held, called = (None, None) if report is None else _callback(report)
+        super().start(called)
+        self._report = held
 
     def statistics(self):
         """The statistics of the render so far, as `sunfleck render --stats` writes them."""
         return json.loads(self._statistics())
+
+
+def _callback(function):
+    """Returns what the renderer keeps, and what the library calls, which does not keep it alive.
+
+    A report that knows its renderer is thus a circle that Python's collector sees.
+    """
+    held = functools.partial(function)
+    reference = weakref.ref(held)
+
+    def call(*arguments):
+        alive = reference()
+        if alive is not None:
+            alive(*arguments)
+
+    return held, call
+
+
+def _warn(_, line):
+    """Warns of the line at the place that has called the package."""
+    frame, level = sys._getframe(), 1
+    while frame is not None and frame.f_code.co_filename == __file__:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(line, stacklevel=level)
 
 
 def _rgb(self, aov=""):

@@ -1,11 +1,12 @@
-from collections.abc import Callable, Mapping, Sequence
+import os
+from collections.abc import Callable, Sequence
 from typing import Any, Literal, Optional, Union
 
 import numpy
 import numpy.typing
 
-_Value = Union[bool, int, float, str, Sequence[float], Sequence[str], numpy.ndarray]
-_Parameters = Mapping[str, _Value]
+_Path = Union[str, bytes, os.PathLike[str]]
+_Parameters = dict[str, Any]
 _Vector = Sequence[float]
 _Setting = Union[bool, int, float, str, Sequence[Any]]
 _Report = Optional[Callable[["Progress"], Any]]
@@ -37,10 +38,11 @@ class LightInfo:
 
 class Scene:
     @staticmethod
-    def load(path: str, *, threads: int = 0, isa: str = "avx2") -> Scene: ...
+    def load(path: _Path, *, threads: int = 0, isa: str = "avx2") -> Scene: ...
     @staticmethod
     def parse(
-        text: str, name: str = "scene.pbrt", *, threads: int = 0, isa: str = "avx2") -> Scene: ...
+        text: Union[str, bytes], name: _Path = "scene.pbrt", *, threads: int = 0,
+        isa: str = "avx2") -> Scene: ...
     width: int
     height: int
     warnings: list[str]
@@ -49,7 +51,7 @@ class Scene:
     triangle_count: int
 
 class SceneBuilder:
-    def __init__(self, folder: str = ".") -> None: ...
+    def __init__(self, folder: _Path = ".") -> None: ...
     def camera(self, type: str, parameters: _Parameters, to_world: Transform,
                medium: str = "") -> None: ...
     def film(self, width: int, height: int, parameters: _Parameters = ...) -> None: ...
@@ -75,7 +77,7 @@ class SceneBuilder:
 
 class Picture:
     @staticmethod
-    def load(path: str) -> Picture: ...
+    def load(path: _Path) -> Picture: ...
     width: int
     height: int
     channels: list[str]
@@ -83,7 +85,7 @@ class Picture:
     def __contains__(self, channel: str) -> bool: ...
     def __getitem__(self, channel: str) -> numpy.ndarray: ...
     def rgb(self, aov: str = "") -> numpy.ndarray: ...
-    def save(self, path: str, exposure: Optional[float] = None) -> None: ...
+    def save(self, path: _Path, exposure: Optional[float] = None) -> None: ...
 
 class SettingInfo:
     name: str
