@@ -1,6 +1,7 @@
 // Conversion of an emitting shape to area lights: one per triangle, patch or quadric.
 #include "scene/area_lights.h"
 
+#include "core/float_range.h"
 #include "geometry/measure.h"
 #include "light/partial_emitter.h"
 
@@ -58,13 +59,22 @@ EmittingPatch emitting_patch(const BilinearMesh& mesh, std::uint32_t index,
 }
 
 /// pbrt-v4's "power" applies to each light, and each triangle of a mesh is a light.
-Spectrum radiance_of(const AreaEmission& emission, double area) {
+/// @throws Error  at the shape, for a radiance that is no finite float.
+Spectrum radiance_of(const AreaEmission& emission, double area, const SourceLocation& shape) {
     if (!(emission.power > 0) || !(area > 0)) return emission.radiance;
     const double sides = emission.two_sided ? 2 : 1;
     const double mean = emission.image ? emission.image->mean() : 1;
+    const double peak = emission.image ? emission.image->peak() : 1;
     if (!(mean > 0)) return emission.radiance;
-    return emission.radiance.scaled(
-        static_cast<float>(emission.power / (kPiDouble * area * sides * mean)));
+    const double factor = emission.power / (kPiDouble * area * sides * mean);
+    if (is_finite_float(factor)) {
+        const Spectrum radiance = emission.radiance.scaled(static_cast<float>(factor));
+        if (is_finite_float(double{radiance.luminance()} * peak)) return radiance;
+    }
+    throw Error(shape,
+                "the area light of this shape is too bright: its radiance times \"power\" over "
+                "the area is no finite float",
+                "keep it below 3.4e38: reduce \"power\", or enlarge the shape");
 }
 
 /// Limit of cells for the image tables of one shape together (12 bytes per cell), at least one cell
@@ -106,8 +116,9 @@ private:
     }
 
     void add(EmittingSurface surface, double area, const CornerUvs& uvs = {}) {
-        lights_.push_back({radiance_of(emission_, area), std::move(surface), emission_.two_sided,
-                           index_, static_cast<std::uint32_t>(lights_.size()), shape_.unseen});
+        lights_.push_back({radiance_of(emission_, area, shape_.where), std::move(surface),
+                           emission_.two_sided, index_, static_cast<std::uint32_t>(lights_.size()),
+                           shape_.unseen});
         AreaLight& light = lights_.back();
         if (emission_.image && area > 0)
             light.image =

@@ -1,6 +1,7 @@
 // The picture as the scene asks for it, and hints for the renderer.
 #include "import/pbrt/film.h"
 
+#include "core/float_range.h"
 #include "import/pbrt/data_vocabulary.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
@@ -85,6 +86,18 @@ double exposure_of(Reading& reading) {
                 "make \"shutterclose\" later than \"shutteropen\"");
 }
 
+float imaging_ratio_of(const Statement& film, Reading& reading) {
+    const double iso = film.real("iso", 100);
+    if (!(iso > 0)) throw Error(film.where, "\"iso\" is not positive", "use 100");
+    const double ratio = exposure_of(reading) * iso / 100;
+    const auto rounded = is_finite_float(ratio) ? static_cast<float>(ratio) : 0.0F;
+    if (rounded > 0) return rounded;
+    throw Error(film.where,
+                "\"iso\" / 100 times the exposure time (\"shutterclose\" - \"shutteropen\" of the "
+                "camera) is no positive finite float",
+                "keep the product above 1e-38 and below 3.4e38");
+}
+
 void read_integrator(const Statement& integrator, Reading& reading) {
     RenderHints& hints = reading.scene.hints;
     reading.log.count_word(integrator.keyword, integrator.type);
@@ -150,9 +163,7 @@ void finish_film(Reading& reading) {
     result.resolution = resolution_of(film);
     result.crop = crop_of(film, result.resolution);
     result.filename = film.text("filename").value_or("");
-    const double iso = film.real("iso", 100);
-    if (!(iso > 0)) throw Error(film.where, "\"iso\" is not positive", "use 100");
-    result.imaging_ratio = static_cast<float>(exposure_of(reading) * iso / 100);
+    result.imaging_ratio = imaging_ratio_of(film, reading);
     result.white = white_of(film, reading);
     warn_approximations(film, reading);
     reading.log.warn_unused(film);

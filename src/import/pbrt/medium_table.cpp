@@ -1,6 +1,7 @@
 // Media by their names, with the absorption of homogeneous ones.
 #include "import/pbrt/medium_table.h"
 
+#include "core/float_range.h"
 #include "import/pbrt/data_substances.h"
 #include "import/pbrt/data_vocabulary.h"
 #include "import/pbrt/version3.h"
@@ -59,7 +60,12 @@ Spectrum absorption_of(const std::string& name, const Statement& medium, Spectru
     if (scale > 0 && !is_dark(medium_is.scattering))
         warn("scatters, which is not simulated: it only absorbs");
     if (glow && !is_dark(*glow)) warn("emits, which is not simulated: \"Le\" is ignored");
-    return medium_is.absorption.scaled(static_cast<float>(scale));
+    const Spectrum absorption = medium_is.absorption.scaled(static_cast<float>(scale));
+    if (is_finite_float(absorption.luminance())) return absorption;
+    throw Error(medium.where,
+                "medium " + in_quotes(name) +
+                    " is too dense: \"sigma_a\" times \"scale\" is no finite float",
+                "keep the product below 3.4e38");
 }
 
 }  // namespace
