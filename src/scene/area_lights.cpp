@@ -2,6 +2,7 @@
 #include "scene/area_lights.h"
 
 #include "core/float_range.h"
+#include "geometry/extent.h"
 #include "geometry/measure.h"
 #include "light/partial_emitter.h"
 
@@ -29,9 +30,10 @@ Vec3d outside(const TriangleMesh& mesh, std::size_t triangle, const PlacedShape&
     return cross * (side / cross.length());
 }
 
+/// @param at  the triangle in the world.
 EmittingTriangle emitting_triangle(const TriangleMesh& mesh, std::size_t triangle,
-                                   const PlacedShape& placed) {
-    const auto [corner] = placed_triangle(mesh, Affine(placed.to_world), triangle);
+                                   const PlacedShape& placed, const Triangle& at) {
+    const auto& corner = at.corner;
     EmittingTriangle result{corner[0], corner[1] - corner[0], corner[2] - corner[0], Vec3d(0)};
     const Vec3d cross = result.edge1.cross(result.edge2);
     if (cross.length2() > 0) result.normal = outside(mesh, triangle, placed, cross);
@@ -92,15 +94,18 @@ public:
     void operator()(const TriangleMesh& mesh) {
         cells_ /= static_cast<int>(std::clamp<std::size_t>(mesh.triangles.size(), 1, kMostCells));
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            const EmittingTriangle triangle = emitting_triangle(mesh, t, shape_.placed);
-            add(triangle, 0.5 * triangle.edge1.cross(triangle.edge2).length(), corner_uvs(mesh, t));
+            const Triangle at = placed_triangle(mesh, Affine(shape_.placed.to_world), t);
+            const EmittingTriangle triangle = emitting_triangle(mesh, t, shape_.placed, at);
+            const double area = 0.5 * triangle.edge1.cross(triangle.edge2).length();
+            add({triangle, area, is_in_range(at), corner_uvs(mesh, t)});
         }
     }
     void operator()(const BilinearMesh& patches) {
         cells_ /= static_cast<int>(std::clamp<std::uint32_t>(patches.count(), 1, kMostCells));
         for (std::uint32_t p = 0; p < patches.count(); ++p) {
             const EmittingPatch patch = emitting_patch(patches, p, shape_.placed);
-            add(patch, patch.surface.area(), patches.element(p).uvs);
+            add({patch, patch.surface.area(), is_in_range(patch.surface.bounds()),
+                 patches.element(p).uvs});
         }
     }
     void operator()(const Sphere& sphere) { add_quadric(sphere); }
@@ -112,13 +117,26 @@ private:
     template <class Quadric>
     void add_quadric(const Quadric& quadric) {
         const PlacedShape& placed = shape_.placed;
-        add(EmittingQuadric<Quadric>{quadric, placed.to_world, placed.flip}, surface_area(placed));
+        add({EmittingQuadric<Quadric>{quadric, placed.to_world, placed.flip},
+             surface_area(placed),
+             is_in_range(quadric.bounds(Affine(placed.to_world))),
+             {}});
     }
 
-    void add(EmittingSurface surface, double area, const CornerUvs& uvs = {}) {
-        lights_.push_back({radiance_of(emission_, area, shape_.where), std::move(surface),
-                           emission_.two_sided, index_, static_cast<std::uint32_t>(lights_.size()),
-                           shape_.unseen});
+    /// One triangle, patch or quadric.
+    struct Element {
+        EmittingSurface surface;
+        double area = 0;
+        bool in_range = true;  // else Geometry leaves it out, and it is black here
+        CornerUvs uvs{};
+    };
+
+    void add(const Element& element) {
+        const auto& [surface, area, in_range, uvs] = element;
+        lights_.push_back({in_range ? radiance_of(emission_, area, shape_.where) : Spectrum(),
+                           surface, emission_.two_sided, index_,
+                           static_cast<std::uint32_t>(lights_.size()), shape_.unseen});
+        if (!in_range) return;
         AreaLight& light = lights_.back();
         if (emission_.image && area > 0)
             light.image =
