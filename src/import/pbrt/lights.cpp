@@ -2,6 +2,7 @@
 // "power" and "illuminance" (if positive) multiply "scale".
 #include "import/pbrt/lights.h"
 
+#include "core/float_range.h"
 #include "import/pbrt/light_images.h"
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/portals.h"
@@ -28,7 +29,11 @@ Vec3d direction_of(const Statement& statement, const Matrix& to_world) {
 }
 
 Vec3d position_of(const Statement& statement, const Matrix& to_world) {
-    return statement.point("from", {0, 0, 0}) * to_world;
+    const Vec3d position = statement.point("from", {0, 0, 0}) * to_world;
+    if (is_finite_float(position.x) && is_finite_float(position.y) && is_finite_float(position.z))
+        return position;
+    throw Error(statement.where, "the place of the light is beyond the range of floats",
+                "keep its coordinates in the world below 3.4e38");
 }
 
 Light point_light(const Statement& statement, Reading& reading) {
@@ -133,14 +138,13 @@ constexpr auto kRows = std::to_array<Row>({
     {"projection", projection_light, kExact, "`filename`, `fov`, `scale`, `power`"},
 });
 
-/// @return index of the statement in the description.
-std::uint32_t note(const Statement& statement, Reading& reading) {
+}  // namespace
+
+std::uint32_t note_light(const Statement& statement, Reading& reading) {
     std::vector<LightStatement>& all = reading.scene.light_statements;
     all.push_back({statement.title(), statement.where});
     return static_cast<std::uint32_t>(all.size() - 1);
 }
-
-}  // namespace
 
 std::span<const WordRow> light_words() {
     static constexpr auto kWords = word_rows("LightSource", kRows);
@@ -152,12 +156,13 @@ void add_light(const Statement& statement, Reading& reading) {
                                          [&](const Row& r) { return r.word == statement.type; });
     if (row == kRows.end()) {
         throw Error(statement.where, "unknown light " + in_quotes(statement.type),
-                    statement.type == "diffuse" ? "use AreaLightSource \"diffuse\""
-                                                : use_one_of(words_of(kRows), statement.type));
+                    statement.type == "diffuse"
+                        ? "make it the area light of a shape (AreaLightSource)"
+                        : use_one_of(words_of(kRows), statement.type));
     }
     reading.log.count_word(statement.keyword, statement.type);
     reading.scene.lights.push_back(row->maker(statement, reading));
-    reading.scene.stated_in.push_back(note(statement, reading));
+    reading.scene.stated_in.push_back(note_light(statement, reading));
     const MediumNumber around =
         reading.media.number_of(reading.state.outside_medium, statement.where);
     reading.scene.media.at_lights.push_back({around, around});
@@ -180,7 +185,6 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
                                         emission.image ? emission.image->peak() : 1);
     emission.two_sided = statement.flag("twosided", false);
     emission.power = std::max(statement.real("power", 0), 0.0);
-    emission.statement = note(statement, reading);
     reading.log.warn_unused(statement);
     return emission;
 }

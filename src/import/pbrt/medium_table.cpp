@@ -105,12 +105,10 @@ MediumNumber MediumTable::number_of(const std::string& name, const SourceLocatio
 void MediumTable::finish(SpectrumReader& spectra, ImportLog& log, Media& media) const {
     for (const Use& use : uses_) {
         const auto found = made_.find(use.name);
-        if (found == made_.end()) {
-            std::vector<std::string_view> known;
-            for (const auto& [word, statement] : made_) known.push_back(word);
-            throw Error(use.from, "there is no medium " + in_quotes(use.name),
-                        "make it by MakeNamedMedium; " + did_you_mean(known, use.name));
-        }
+        if (found == made_.end())
+            throw Error(
+                use.from, "there is no medium " + in_quotes(use.name),
+                "make the medium, or name another: " + did_you_mean(names_of(made_), use.name));
         media.absorption.push_back(absorption_of(use.name, found->second, spectra, log));
     }
 }

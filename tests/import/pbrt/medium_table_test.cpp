@@ -95,5 +95,11 @@ TEST(ReadMedia, that_cannot_be_are_errors) {
     EXPECT_NE(world_error("MakeNamedMedium \"ink\" \"string type\" \"fog\""), "");
 }
 
+TEST(ReadMedia, of_a_camera_that_another_one_replaces_need_not_be_made) {
+    const std::string fog = "MediumInterface \"\" \"fog\" Camera \"perspective\" ";
+    EXPECT_EQ(error_of(fog + "MediumInterface \"\" \"\" Camera \"perspective\" WorldBegin"), "");
+    EXPECT_TRUE(contains(error_of(fog + "WorldBegin"), "there is no medium \"fog\""));
+}
+
 }  // namespace
 }  // namespace sunfleck::engine
