@@ -106,6 +106,29 @@ TEST(SceneBuilder, is_empty_after_build) {
     EXPECT_EQ(builder.build().triangle_count(), 0U);
 }
 
+/// Numbers of any type; strings as a list.
+TEST(Value, takes_the_numbers_and_lists_of_a_program) {
+    using Numbers = std::vector<double>;
+    using Whole = std::vector<std::int32_t>;
+    using Texts = std::vector<std::string>;
+    const auto numbers = [](const Value& value) { return std::get<Numbers>(value.data()); };
+    const auto whole = [](const Value& value) { return std::get<Whole>(value.data()); };
+    EXPECT_EQ(numbers(0.5F), Numbers{0.5});
+    EXPECT_EQ(numbers(std::vector<float>{1, 2}), (Numbers{1, 2}));
+    EXPECT_EQ(numbers(std::array<double, 2>{3, 4}), (Numbers{3, 4}));
+    EXPECT_EQ(numbers({0, 0, 0}), (Numbers{0, 0, 0}));
+    EXPECT_EQ(whole(3), Whole{3});
+    EXPECT_EQ(whole(3U), Whole{3});
+    EXPECT_EQ(whole(-10L), Whole{-10});
+    EXPECT_EQ(whole(std::vector<std::size_t>{7, 8}), (Whole{7, 8}));
+    EXPECT_EQ(numbers(std::int64_t{1} << 40U), Numbers{0x1p40});
+    EXPECT_EQ(numbers(3'000'000'000U), Numbers{3e9});
+    EXPECT_EQ(std::get<Texts>(Value{"a", "b"}.data()), (Texts{"a", "b"}));
+    EXPECT_EQ(std::get<Texts>(Value(std::string_view("a")).data()), Texts{"a"});
+    EXPECT_EQ(std::get<Texts>(Value("a").data()), Texts{"a"});
+    EXPECT_TRUE(std::get<bool>(Value(true).data()));
+}
+
 bool tells(const std::string& fault, const std::string& word) {
     return fault.find(word) != std::string::npos;
 }
@@ -151,7 +174,7 @@ TEST(SceneBuilder, leaves_to_the_end_what_may_still_come) {
     builder.camera("perspective", {}, {});
     builder.material("board", "diffuse", {{"texture reflectance", "wood"}});
     builder.material("wall", "diffuse", {{"string normalmap", "wall.png"}});
-    builder.material("both", "mix", {{"string materials", std::vector<std::string>{"a", "b"}}});
+    builder.material("both", "mix", {{"string materials", {"a", "b"}}});
     builder.texture("wood", "spectrum", "imagemap", {{"string filename", "wood.png"}});
     EXPECT_EQ(fault_of([&] { builder.build(); }), "");
 }
