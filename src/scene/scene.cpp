@@ -18,11 +18,11 @@ namespace {
 void warn_of_extent(const ShapeDescription& shape, Warnings& warnings) {
     const std::size_t left_out = count_out_of_range(shape.placed);
     if (left_out == 0) return;
-    const std::string surfaces = left_out == 1 ? " surface" : " surfaces";
+    const std::string surfaces = left_out == 1 ? " surface is" : " surfaces are";
     warnings.add(shape.where,
                  "coordinates of about 10^17 and more are too large for ray tracing: " +
                      std::to_string(left_out) + surfaces +
-                     " of this shape (triangles, if it is a mesh) left out, and dark");
+                     " left out of this shape (triangles, if it is a mesh), and dark");
 }
 
 /// Returns whether a shape has no effect on paths: interfaces that neither emit nor separate media,

@@ -40,10 +40,10 @@ Spectrum scaled_emission(const Statement& statement, const Spectrum& curve, cons
         const Spectrum emission = curve.scaled(static_cast<float>(factor));
         if (is_finite_float(double{emission.luminance()} * peak)) return emission;
     }
-    throw Error(
-        statement.where,
-        "the light is too bright: " + product_of(statement, total.name) + " is no finite float",
-        "keep the product below 3.4e38");
+    throw Error(statement.where,
+                "the light is too bright: its emission, by " + product_of(statement, total.name) +
+                    ", is no finite float",
+                "keep it below 3.4e38");
 }
 
 }  // namespace sunfleck::engine
