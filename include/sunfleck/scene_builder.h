@@ -38,8 +38,9 @@ struct SUNFLECK_API ShapeOptions {
 };
 
 /// For one thread at a time. Spans are copied.
-/// Calls throw Error for an unknown type and for values that cannot be used; build() also for
-/// materials, media and objects that were never made.
+/// Calls throw Error for an unknown type and for values that cannot be used, and then change
+/// nothing. build() throws also for materials, media and objects that were never made, for textures
+/// of materials, and for missing files. A builder that was moved from is as if new.
 class SUNFLECK_API SceneBuilder {
 public:
     /// @param folder  of relative file names.
@@ -73,7 +74,8 @@ public:
     /// Places an object, which may be made later.
     void instance(const std::string& object, const Transform& to_world = {});
 
-    /// The scene of all calls so far; the builder is empty then, as if new.
+    /// The scene of all calls so far; the builder is empty then, as if new. If it throws, the
+    /// builder is unchanged, so that what was wrong can be mended by further calls.
     Scene build(const SceneOptions& options = {});
 
 private:

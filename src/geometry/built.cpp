@@ -1,6 +1,7 @@
 // Construction: vertices in the group's frame, surfaces that cannot be hit, groups and instances.
 #include "geometry/built.h"
 
+#include "geometry/extent.h"
 #include "geometry/measure.h"
 
 #include <algorithm>
@@ -83,8 +84,7 @@ Bounds BuiltShape::bounds_of(std::uint32_t element) const {
     const auto box_of = [&](const auto& surface) { return surface.bounds(placement_.to_world); };
     const Bounds box = std::visit(
         [&](const auto& s) { return with_exact(s, element, box_of, Bounds()); }, shape());
-    const double size = absolute_dot(box.min, Vec3d(1)) + absolute_dot(box.max, Vec3d(1));
-    return size < embree::kLargest ? box : Bounds();
+    return is_in_range(box) ? box : Bounds();
 }
 
 /// A triangle that cannot be hit keeps its index, but its corners are NaN: Embree ignores it.
@@ -96,9 +96,7 @@ void BuiltShape::place_triangles() {
         const bool exists = *std::max_element(c.begin(), c.end()) < source.positions.size();
         const Triangle t = exists ? placed_triangle(source, placement_.to_world, i)
                                   : Triangle{{Vec3d(0), Vec3d(0), Vec3d(0)}};
-        double size = 0;
-        for (const Vec3d& p : t.corner) size += absolute_dot(p, Vec3d(1));
-        const bool is_there = size < embree::kLargest && t.has_area();
+        const bool is_there = is_in_range(t) && t.has_area();
         for (const Vec3d& p : t.corner) {
             if (is_there) bounds_.extend(p);
             for (int axis = 0; axis < 3; ++axis)
@@ -126,7 +124,7 @@ BuiltInstance::BuiltInstance(const Matrix& to_world, const ShapeGroup& what, RTC
     : group(&what), placement(rounded_to_float(to_world)) {
     if (!placement.is_invertible || what.bounds.is_empty()) return;
     const double size = absolute_dot(placement.to_world.origin, Vec3d(1));
-    if (!(size < embree::kLargest)) return;
+    if (!(size < kLargestExtent)) return;
     size_of_inverse = absolute(placement.to_object);
     error_of_inverse = inverse_error(placement.to_world, placement.to_object);
     std::vector<float> columns;

@@ -9,9 +9,6 @@
 
 namespace sunfleck::engine::embree {
 
-/// Larger coordinates may abort the program inside Embree.
-inline constexpr double kLargest = 1e18;
-
 struct Release {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }

@@ -5,6 +5,7 @@
 #include "geometry/built.h"
 #include "geometry/complete_hit.h"
 #include "geometry/derivatives_at.h"
+#include "geometry/extent.h"
 #include "geometry/query.h"
 
 #include <embree3/rtcore_ray.h>
@@ -44,7 +45,7 @@ void set_ray(RTCRay& ray, const Line& line, float length) {
 bool is_traceable(const Line& line, float length) {
     const double size =
         absolute_dot(line.origin, Vec3d(1)) + absolute_dot(line.direction, Vec3d(1));
-    return size < embree::kLargest && length > 0 && line.direction != Vec3d(0);
+    return size < kLargestExtent && length > 0 && line.direction != Vec3d(0);
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 namespace sunfleck::engine {
 
 SceneDescription load_scene(const std::string& path) {
+    if (path.empty())
+        throw Error({"scene"}, "the name of the scene's file is empty", "give the name of a file");
     if (path == "-") return read_pbrt_input();
     const std::string ending = small_letters(std::filesystem::path(path).extension().string());
     if (ending == ".gltf" || ending == ".glb")

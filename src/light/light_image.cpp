@@ -60,24 +60,30 @@ LightImage::LightImage(Image image, const Share& share) : image_(std::move(image
     const auto height = static_cast<std::size_t>(size.y);
     rows_.resize(height);
     columns_.resize(width * height);
-    parallel_for(height, [&](std::size_t y) { sum_row(static_cast<int>(y), share); });
+    std::vector<double> peaks(height);
+    parallel_for(height, [&](std::size_t y) { peaks[y] = sum_row(static_cast<int>(y), share); });
+    peak_ = *std::max_element(peaks.begin(), peaks.end());
     for (std::size_t y = 1; y < height; ++y) rows_[y] += rows_[y - 1];
     mean_ = rows_.back() / static_cast<double>(width * height);
     normalise(rows_.data(), height);
     prepare_colours(image_);
 }
 
-void LightImage::sum_row(int y, const Share& share) {
+double LightImage::sum_row(int y, const Share& share) {
     const auto width = static_cast<std::size_t>(image_.resolution().x);
     double* row = &columns_[static_cast<std::size_t>(y) * width];
     double sum = 0;
+    double peak = 0;
     for (std::size_t x = 0; x < width; ++x) {
         const auto column = static_cast<int>(x);
-        sum += texel(column, y).luminance * (share ? share(column, y) : 1);
+        const double luminance = texel(column, y).luminance;
+        sum += luminance * (share ? share(column, y) : 1);
+        peak = std::max(peak, luminance);
         row[x] = sum;
     }
     rows_[static_cast<std::size_t>(y)] = sum;
     normalise(row, width);
+    return peak;
 }
 
 Vec2i LightImage::cell(const Vec2d& place) const {

@@ -44,6 +44,8 @@ public:
     const Vec2i& resolution() const { return image_.resolution(); }
     /// Returns the mean of luminance times weight.
     double mean() const { return mean_; }
+    /// Returns the greatest luminance of a texel, without weight.
+    double peak() const { return peak_; }
     TexelLight texel(int x, int y) const { return texel_light(image_.rgb(x, y)); }
     /// Returns the texel at a point of the closed unit square.
     TexelLight at(const Vec2d& place) const;
@@ -57,12 +59,14 @@ public:
 
 private:
     Vec2i cell(const Vec2d& place) const;
-    void sum_row(int y, const Share& share);
+    /// Fills the sums of a row. @return the greatest luminance of its texels.
+    double sum_row(int y, const Share& share);
 
     Image image_;
     std::vector<double> rows_;     // cumulative sums of rows, over the total
     std::vector<double> columns_;  // row by row: cumulative sums of texels, over that of the row
     double mean_ = 0;
+    double peak_ = 0;
 };
 
 }  // namespace sunfleck::engine

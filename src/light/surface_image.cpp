@@ -16,7 +16,11 @@ constexpr double kEverywhere = 0.02;
 SurfaceImage::SurfaceImage(Image image) : image_(std::move(image)) {
     const Vec2i size = image_.resolution();
     for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) mean_ += texel_light(image_.rgb(x, y)).luminance;
+        for (int x = 0; x < size.x; ++x) {
+            const double luminance = texel_light(image_.rgb(x, y)).luminance;
+            mean_ += luminance;
+            peak_ = std::max(peak_, luminance);
+        }
     mean_ /= static_cast<double>(size.x) * size.y;
     prepare_colours(image_);
 }

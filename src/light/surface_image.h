@@ -20,11 +20,14 @@ public:
     TexelLight at(const Vec2& uv) const;
     /// Returns the mean luminance of the texels.
     double mean() const { return mean_; }
+    /// Returns the greatest luminance of a texel.
+    double peak() const { return peak_; }
     const Vec2i& resolution() const { return image_.resolution(); }
 
 private:
     Image image_;
     double mean_ = 0;
+    double peak_ = 0;
 };
 
 /// An image placed on the surface of one light.

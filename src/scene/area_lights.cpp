@@ -1,6 +1,8 @@
 // Conversion of an emitting shape to area lights: one per triangle, patch or quadric.
 #include "scene/area_lights.h"
 
+#include "core/float_range.h"
+#include "geometry/extent.h"
 #include "geometry/measure.h"
 #include "light/partial_emitter.h"
 
@@ -28,9 +30,10 @@ Vec3d outside(const TriangleMesh& mesh, std::size_t triangle, const PlacedShape&
     return cross * (side / cross.length());
 }
 
+/// @param at  the triangle in the world.
 EmittingTriangle emitting_triangle(const TriangleMesh& mesh, std::size_t triangle,
-                                   const PlacedShape& placed) {
-    const auto [corner] = placed_triangle(mesh, Affine(placed.to_world), triangle);
+                                   const PlacedShape& placed, const Triangle& at) {
+    const auto& corner = at.corner;
     EmittingTriangle result{corner[0], corner[1] - corner[0], corner[2] - corner[0], Vec3d(0)};
     const Vec3d cross = result.edge1.cross(result.edge2);
     if (cross.length2() > 0) result.normal = outside(mesh, triangle, placed, cross);
@@ -58,13 +61,22 @@ EmittingPatch emitting_patch(const BilinearMesh& mesh, std::uint32_t index,
 }
 
 /// pbrt-v4's "power" applies to each light, and each triangle of a mesh is a light.
-Spectrum radiance_of(const AreaEmission& emission, double area) {
+/// @throws Error  at the shape, for a radiance that is no finite float.
+Spectrum radiance_of(const AreaEmission& emission, double area, const SourceLocation& shape) {
     if (!(emission.power > 0) || !(area > 0)) return emission.radiance;
     const double sides = emission.two_sided ? 2 : 1;
     const double mean = emission.image ? emission.image->mean() : 1;
+    const double peak = emission.image ? emission.image->peak() : 1;
     if (!(mean > 0)) return emission.radiance;
-    return emission.radiance.scaled(
-        static_cast<float>(emission.power / (kPiDouble * area * sides * mean)));
+    const double factor = emission.power / (kPiDouble * area * sides * mean);
+    if (is_finite_float(factor)) {
+        const Spectrum radiance = emission.radiance.scaled(static_cast<float>(factor));
+        if (is_finite_float(double{radiance.luminance()} * peak)) return radiance;
+    }
+    throw Error(shape,
+                "the area light of this shape is too bright: its radiance times \"power\" over "
+                "the area is no finite float",
+                "keep it below 3.4e38: reduce \"power\", or enlarge the shape");
 }
 
 /// Limit of cells for the image tables of one shape together (12 bytes per cell), at least one cell
@@ -82,15 +94,18 @@ public:
     void operator()(const TriangleMesh& mesh) {
         cells_ /= static_cast<int>(std::clamp<std::size_t>(mesh.triangles.size(), 1, kMostCells));
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            const EmittingTriangle triangle = emitting_triangle(mesh, t, shape_.placed);
-            add(triangle, 0.5 * triangle.edge1.cross(triangle.edge2).length(), corner_uvs(mesh, t));
+            const Triangle at = placed_triangle(mesh, Affine(shape_.placed.to_world), t);
+            const EmittingTriangle triangle = emitting_triangle(mesh, t, shape_.placed, at);
+            const double area = 0.5 * triangle.edge1.cross(triangle.edge2).length();
+            add({triangle, area, is_in_range(at), corner_uvs(mesh, t)});
         }
     }
     void operator()(const BilinearMesh& patches) {
         cells_ /= static_cast<int>(std::clamp<std::uint32_t>(patches.count(), 1, kMostCells));
         for (std::uint32_t p = 0; p < patches.count(); ++p) {
             const EmittingPatch patch = emitting_patch(patches, p, shape_.placed);
-            add(patch, patch.surface.area(), patches.element(p).uvs);
+            add({patch, patch.surface.area(), is_in_range(patch.surface.bounds()),
+                 patches.element(p).uvs});
         }
     }
     void operator()(const Sphere& sphere) { add_quadric(sphere); }
@@ -102,12 +117,26 @@ private:
     template <class Quadric>
     void add_quadric(const Quadric& quadric) {
         const PlacedShape& placed = shape_.placed;
-        add(EmittingQuadric<Quadric>{quadric, placed.to_world, placed.flip}, surface_area(placed));
+        add({EmittingQuadric<Quadric>{quadric, placed.to_world, placed.flip},
+             surface_area(placed),
+             is_in_range(quadric.bounds(Affine(placed.to_world))),
+             {}});
     }
 
-    void add(EmittingSurface surface, double area, const CornerUvs& uvs = {}) {
-        lights_.push_back({radiance_of(emission_, area), std::move(surface), emission_.two_sided,
-                           index_, static_cast<std::uint32_t>(lights_.size()), shape_.unseen});
+    /// One triangle, patch or quadric.
+    struct Element {
+        EmittingSurface surface;
+        double area = 0;
+        bool in_range = true;  // else Geometry leaves it out, and it is black here
+        CornerUvs uvs{};
+    };
+
+    void add(const Element& element) {
+        const auto& [surface, area, in_range, uvs] = element;
+        lights_.push_back({in_range ? radiance_of(emission_, area, shape_.where) : Spectrum(),
+                           surface, emission_.two_sided, index_,
+                           static_cast<std::uint32_t>(lights_.size()), shape_.unseen});
+        if (!in_range) return;
         AreaLight& light = lights_.back();
         if (emission_.image && area > 0)
             light.image =

@@ -1,6 +1,7 @@
 // Construction of the scene: shapes become surfaces, emitting shapes become lights.
 #include "scene/scene.h"
 
+#include "geometry/extent.h"
 #include "scene/area_lights.h"
 #include "scene/media_check.h"
 #include "scene/outer_medium.h"
@@ -11,6 +12,18 @@
 
 namespace sunfleck::engine {
 namespace {
+
+/// Warns of a shape that ray tracing leaves out, whole or in part, since it is too large or too
+/// far.
+void warn_of_extent(const ShapeDescription& shape, Warnings& warnings) {
+    const std::size_t left_out = count_out_of_range(shape.placed);
+    if (left_out == 0) return;
+    const std::string surfaces = left_out == 1 ? " surface is" : " surfaces are";
+    warnings.add(shape.where,
+                 "coordinates of about 10^17 and more are too large for ray tracing: " +
+                     std::to_string(left_out) + surfaces +
+                     " left out of this shape (triangles, if it is a mesh), and dark");
+}
 
 /// Returns whether a shape has no effect on paths: interfaces that neither emit nor separate media,
 /// and shapes that only emit.
@@ -80,6 +93,7 @@ Surfaces Scene::take_shapes(SceneDescription& description, const std::string& is
     std::vector<ShapeRecord> records;
     const auto take = [&](ShapeDescription& shape) -> std::optional<std::uint32_t> {
         if (!has_media_) shape.media = {};
+        warn_of_extent(shape, description.warnings);
         if (shape.unseen) {
             if (shape.emission) add_area_lights(shape, kNone);
             return {};

@@ -36,8 +36,6 @@ void SceneLights::finish(const SceneSphere& sphere) {
         if (infinite || (area != nullptr && !area->unseen)) has_lights_to_hit_ = true;
         weights.push_back(weight_of(all_[i], sphere_));
     }
-    has_power_ =
-        !std::all_of(weights.begin(), weights.end(), [](double weight) { return weight <= 0; });
     choice_ = LightChoice(weights);
     tree_ = LightTree(all_, weights);
 }

@@ -40,8 +40,8 @@ public:
     const SceneSphere& sphere() const { return sphere_; }
     /// Returns whether there are lights that a ray can hit (area, infinite).
     bool has_lights_to_hit() const { return has_lights_to_hit_; }
-    /// Returns whether any light emits in the visible range.
-    bool has_power() const { return has_power_; }
+    /// Returns whether any light emits in the visible range, so that choice() has one to choose.
+    bool has_power() const { return !choice_.empty(); }
 
 private:
     std::vector<LightStatement> statements_;
@@ -53,7 +53,6 @@ private:
     LightChoice choice_;
     LightTree tree_;
     bool has_lights_to_hit_ = false;
-    bool has_power_ = false;
 };
 
 }  // namespace sunfleck::engine

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 
 namespace sunfleck {
 namespace {
@@ -103,6 +104,176 @@ TEST(SceneBuilder, is_empty_after_build) {
     SceneBuilder builder = ball_builder();
     builder.build();
     EXPECT_EQ(builder.build().triangle_count(), 0U);
+}
+
+/// Numbers of any type; strings as a list.
+TEST(Value, takes_the_numbers_and_lists_of_a_program) {
+    using Numbers = std::vector<double>;
+    using Whole = std::vector<std::int32_t>;
+    using Texts = std::vector<std::string>;
+    const auto numbers = [](const Value& value) { return std::get<Numbers>(value.data()); };
+    const auto whole = [](const Value& value) { return std::get<Whole>(value.data()); };
+    EXPECT_EQ(numbers(0.5F), Numbers{0.5});
+    EXPECT_EQ(numbers(std::vector<float>{1, 2}), (Numbers{1, 2}));
+    EXPECT_EQ(numbers(std::array<double, 2>{3, 4}), (Numbers{3, 4}));
+    EXPECT_EQ(numbers({0, 0, 0}), (Numbers{0, 0, 0}));
+    EXPECT_EQ(whole(3), Whole{3});
+    EXPECT_EQ(whole(3U), Whole{3});
+    EXPECT_EQ(whole(-10L), Whole{-10});
+    EXPECT_EQ(whole(std::vector<std::size_t>{7, 8}), (Whole{7, 8}));
+    EXPECT_EQ(numbers(std::int64_t{1} << 40U), Numbers{0x1p40});
+    EXPECT_EQ(numbers(3'000'000'000U), Numbers{3e9});
+    EXPECT_EQ(std::get<Texts>(Value{"a", "b"}.data()), (Texts{"a", "b"}));
+    EXPECT_EQ(std::get<Texts>(Value(std::string_view("a")).data()), Texts{"a"});
+    EXPECT_EQ(std::get<Texts>(Value("a").data()), Texts{"a"});
+    EXPECT_TRUE(std::get<bool>(Value(true).data()));
+}
+
+bool tells(const std::string& fault, const std::string& word) {
+    return fault.find(word) != std::string::npos;
+}
+
+TEST(SceneBuilder, tells_of_types_and_values_in_the_call) {
+    SceneBuilder builder;
+    const Transform here;
+    EXPECT_TRUE(tells(fault_of([&] { builder.camera("fisheye", {}, here); }), "fisheye"));
+    EXPECT_TRUE(tells(fault_of([&] {
+                          builder.camera("perspective", {{"float fov", 0}}, here);
+                      }),
+                      "\"fov\""));
+    EXPECT_TRUE(tells(fault_of([&] {
+                          builder.camera("perspective", {{"float shutterclose", 0}}, here);
+                      }),
+                      "shutter"));
+    EXPECT_TRUE(tells(fault_of([&] {
+                          builder.camera("perspective", {}, Transform::translate({1e39, 0, 0}));
+                      }),
+                      "3.4e38"));
+    EXPECT_TRUE(tells(fault_of([&] { builder.film(0, 3); }), "film"));
+    EXPECT_TRUE(tells(fault_of([&] { builder.film(3, 3, {{"float iso", -1}}); }), "\"iso\""));
+    EXPECT_TRUE(tells(fault_of([&] { builder.filter("cone"); }), "cone"));
+    EXPECT_TRUE(tells(fault_of([&] { builder.medium("fog", "thick"); }), "thick"));
+    EXPECT_TRUE(tells(fault_of([&] {
+                          builder.medium("fog", "homogeneous", {{"float scale", -1}});
+                      }),
+                      "\"scale\""));
+    EXPECT_TRUE(tells(fault_of([&] {
+                          builder.material("m", "dielectric", {{"float eta", -1}});
+                      }),
+                      "not positive"));
+    EXPECT_TRUE(tells(fault_of([&] {
+                          builder.texture("t", "float", "checkerboard", {{"integer dimension", 4}});
+                      }),
+                      "4 dimensions"));
+    EXPECT_EQ(builder.build().width(), 1280);  // nothing was taken
+}
+
+TEST(SceneBuilder, leaves_to_the_end_what_may_still_come) {
+    SceneBuilder builder("no/such/folder");
+    builder.camera("perspective", {}, {}, "fog");
+    builder.camera("perspective", {}, {});
+    builder.material("board", "diffuse", {{"texture reflectance", "wood"}});
+    builder.material("wall", "diffuse", {{"string normalmap", "wall.png"}});
+    builder.material("both", "mix", {{"string materials", {"a", "b"}}});
+    builder.texture("wood", "spectrum", "imagemap", {{"string filename", "wood.png"}});
+    EXPECT_EQ(fault_of([&] { builder.build(); }), "");
+}
+
+TEST(SceneBuilder, is_unchanged_by_a_call_that_throws) {
+    SceneBuilder builder = ball_builder();
+    const Scene before = ball_builder().build();
+    const ShapeOptions lamp{.material = "never",
+                            .area_light = Parameters{{"rgb L", {1, 1, 1}}},
+                            .inside_medium = "never",
+                            .outside_medium = "never",
+                            .object = "never"};
+    const std::array<float, 9> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::array<std::uint32_t, 3> triangle = {0, 1, 3};
+    EXPECT_NE(fault_of([&] { builder.shape("sphere", {{"float radius", -1}}, lamp); }), "");
+    EXPECT_NE(fault_of([&] { builder.mesh({corners, triangle}, lamp); }), "");
+    EXPECT_NE(fault_of([&] {
+                  builder.shape("sphere", {{"texture alpha", "never"}, {"float odd", 1}}, lamp);
+              }),
+              "");
+    EXPECT_NE(fault_of([&] { builder.light("spot", {{"float coneangle", 0}}, {}, "never"); }), "");
+    EXPECT_NE(fault_of([&] {
+                  builder.material("never", "diffuse", {{"rgb reflectance", 1}});
+              }),
+              "");
+    const Scene after = builder.build();
+    EXPECT_EQ(after.warnings(), before.warnings());
+    ASSERT_EQ(after.lights().size(), before.lights().size());
+    for (std::size_t i = 0; i < before.lights().size(); ++i)
+        EXPECT_EQ(after.lights()[i].where, before.lights()[i].where);
+    SceneBuilder other;
+    EXPECT_NE(fault_of([&] {
+                  other.shape("sphere", {{"float radius", -1}}, {.object = "o"});
+              }),
+              "");
+    other.instance("o");
+    EXPECT_TRUE(tells(fault_of([&] { other.build(); }), "there is no object \"o\""));
+}
+
+TEST(SceneBuilder, can_be_mended_after_a_build_that_failed) {
+    SceneBuilder builder = ball_builder();
+    builder.texture("spots", "spectrum", "dots", {{"rgb inside", {1, 0, 0}}, {"float odd", 1}});
+    builder.material("spotted", "diffuse", {{"texture reflectance", "spots"}, {"float odd", 2}});
+    builder.shape("sphere", {}, {.material = "spotted"});
+    builder.shape("disk", {}, {.material = "late"});
+    builder.instance("stool");
+    EXPECT_TRUE(tells(fault_of([&] { builder.build(); }), "there is no material \"late\""));
+    builder.material("late", "diffuse");
+    EXPECT_TRUE(tells(fault_of([&] { builder.build(); }), "there is no object \"stool\""));
+    builder.shape("sphere", {}, {.object = "stool"});
+    const Scene scene = builder.build();
+    EXPECT_EQ(scene.triangle_count(), 2U);
+    EXPECT_EQ(scene.width(), 24);
+    ASSERT_EQ(scene.warnings().size(), 2U);
+    for (const std::string& warning : scene.warnings()) EXPECT_FALSE(tells(warning, "times"));
+}
+
+TEST(SceneBuilder, tells_what_files_are_still_missing_in_each_build) {
+    SceneBuilder builder("no/such/folder");
+    builder.texture("wood", "spectrum", "imagemap", {{"string filename", "wood.png"}});
+    builder.material("board", "diffuse", {{"texture reflectance", "wood"}});
+    builder.shape("sphere", {}, {.material = "board"});
+    const std::string fault = fault_of([&] { builder.build(); });
+    EXPECT_TRUE(tells(fault, "wood.png"));
+    EXPECT_EQ(fault_of([&] { builder.build(); }), fault);
+}
+
+TEST(SceneBuilder, is_as_if_new_after_a_move) {
+    SceneBuilder builder = ball_builder();
+    const SceneBuilder taken = std::move(builder);
+    builder.film(3, 2);
+    EXPECT_EQ(builder.build().width(), 3);
+    SceneBuilder another;
+    SceneBuilder third = std::move(another);
+    EXPECT_EQ(another.build().triangle_count(), 0U);
+}
+
+TEST(SceneBuilder, mends_by_what_a_program_can_do) {
+    for (const auto& [options, word] :
+         {std::pair(ShapeOptions{.material = "x"}, "make the material"),
+          std::pair(ShapeOptions{.inside_medium = "x"}, "make the medium")}) {
+        SceneBuilder builder;
+        builder.shape("sphere", {}, options);
+        const std::string fault = fault_of([&] { builder.build(); });
+        EXPECT_TRUE(tells(fault, word) && !tells(fault, "MakeNamed")) << fault;
+    }
+    SceneBuilder builder;
+    builder.instance("x");
+    EXPECT_TRUE(tells(fault_of([&] { builder.build(); }), "make the object"));
+    EXPECT_TRUE(tells(fault_of([&] {
+                          builder.shape("sphere", {{"texture alpha", "x"}});
+                      }),
+                      "make the texture before"));
+}
+
+TEST(Scene, names_the_files_that_were_read) {
+    EXPECT_TRUE(ball_builder().build().files().empty());
+    EXPECT_TRUE(Scene::parse(kBall, "ball.pbrt").files().empty());
+    EXPECT_TRUE(tells(fault_of([] { Scene::load(""); }), "empty"));
 }
 
 }  // namespace

@@ -206,5 +206,20 @@ TEST(AreaLights, power_is_spread_over_area_and_sides) {
             }
 }
 
+TEST(AreaLights, whose_power_over_their_area_is_no_float_are_told_at_their_shape) {
+    ShapeDescription shape = emitting(Sphere{1e-15, -1e-15, 1e-15, 2 * kPiDouble});
+    shape.where = {"scene.pbrt", 7, 3};
+    shape.emission->power = 1e20;
+    try {
+        area_lights_of(shape, 0);
+        FAIL() << "no Error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("scene.pbrt:7:3"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("\"power\""), std::string::npos);
+    }
+    shape.emission->power = 1;
+    EXPECT_NEAR(flux_of(area_lights_of(shape, 0)[0]), kRadiance, 1e-4);
+}
+
 }  // namespace
 }  // namespace sunfleck::engine

@@ -112,5 +112,36 @@ TEST(PassScene, evaluates_every_material_and_light) {
     EXPECT_NE(pass.wavelengths.nm, PassScene(scene, {3, 8}).wavelengths.nm);
 }
 
+/// What geometry leaves out shines neither, so that light samples and hits agree.
+TEST(Scene, tells_where_a_shape_is_too_large_for_ray_tracing) {
+    SceneDescription description = with_materials();
+    description.shapes = {square(0, 0), lamp(1, 0, 2), lamp(2, 0, 6)};
+    description.shapes[2].placed.to_world.setScale(Vec3d(1e20));
+    description.shapes[2].where = {"scene.pbrt", 7, 3};
+    const Scene scene(std::move(description));
+    ASSERT_EQ(scene.warnings().entries().size(), 1U);
+    const std::string line = scene.warnings().entries()[0].line();
+    EXPECT_NE(line.find("scene.pbrt:7:3"), std::string::npos) << line;
+    EXPECT_NE(line.find("2 surfaces"), std::string::npos) << line;
+    EXPECT_NEAR(scene.light_choice().probability(0), 0.5, 1e-9);
+    EXPECT_NEAR(scene.light_choice().probability(1), 0.5, 1e-9);
+    EXPECT_EQ(scene.light_of(down_from(scene, 1.5F)), down_from(scene, 1.5F).primitive);
+}
+
+TEST(Scene, is_dark_where_no_light_can_be_chosen) {
+    const auto is_dark = [](float radiance, double scale) {
+        SceneDescription description = with_materials();
+        description.shapes = {square(0, 0), lamp(1, 0, radiance)};
+        description.shapes[1].placed.to_world.setScale(Vec3d(scale));
+        const Scene scene(std::move(description));
+        EXPECT_EQ(scene.is_dark(), scene.light_choice().empty());
+        return scene.is_dark();
+    };
+    EXPECT_FALSE(is_dark(1, 1));
+    EXPECT_TRUE(is_dark(0, 1));
+    EXPECT_TRUE(is_dark(1, 1e20));
+    EXPECT_TRUE(is_dark(kInfinity, 1));
+}
+
 }  // namespace
 }  // namespace sunfleck::engine

@@ -17,6 +17,12 @@ struct Assets {
     /// @param log  must outlive this.
     Assets(const std::string& main_file, FileAccess access, ImportLog& its_log)
         : log(its_log), files(main_file, std::move(access), log) {}
+    /// Makes a copy that writes to another log.
+    Assets(const Assets& other, ImportLog& its_log)
+        : log(its_log),
+          files(other.files, log),
+          images(other.images, files, log),
+          textures(other.textures, spectra, images, log) {}
     ~Assets() = default;
     Assets(const Assets&) = delete;  // its members refer to each other
     Assets& operator=(const Assets&) = delete;

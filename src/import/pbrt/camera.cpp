@@ -2,6 +2,7 @@
 #include "import/pbrt/camera.h"
 
 #include "import/pbrt/reading.h"
+#include "import/pbrt/transforms.h"
 #include "import/pbrt/words.h"
 
 #include <algorithm>
@@ -93,7 +94,11 @@ constexpr auto kCameras = std::to_array<CameraRow>({
 Camera camera_of(const Statement& camera, const Matrix& to_world, const Vec2i& size) {
     const auto* const row = std::find_if(kCameras.begin(), kCameras.end(),
                                          [&](const CameraRow& r) { return r.word == camera.type; });
-    if (row != kCameras.end()) return row->maker(camera, to_world, size);
+    if (row != kCameras.end()) {
+        want(is_finite_float(to_world), camera, "the camera is beyond the range of floats",
+             "keep the entries of its matrix below 3.4e38");
+        return row->maker(camera, to_world, size);
+    }
     std::vector<std::string_view> simulated;
     for (const CameraRow& known : kCameras)
         if (known.treatment != kRefused) simulated.push_back(known.word);
@@ -113,6 +118,8 @@ void finish_camera(Reading& reading) {
     const Matrix to_world = reading.still({motion[0].inverse(), motion[1].inverse()}, camera.where);
     if (reading.options.camera) reading.log.count_word(camera.keyword, camera.type);
     reading.scene.camera = camera_of(camera, to_world, reading.scene.film.resolution);
+    reading.scene.media.at_camera =
+        reading.media.number_of(reading.options.camera_medium, camera.where);
     camera.ignore({"shutteropen", "shutterclose"});
     reading.log.warn_unused(camera);
 }

@@ -41,6 +41,7 @@ FileAccess disk_access() {
 
 NamedFile find_file(const std::string& name, const std::string& folder, const SourceLocation& from,
                     const FileAccess& files) {
+    if (name.empty()) throw Error(from, "the name of a file is empty", "give the name of the file");
     const std::string path = resolved(name, folder);
     const std::string slashed = resolved(with_slashes(name), folder);
     try {

@@ -32,7 +32,7 @@ struct NamedFile {
 
 /// Finds and reads a file that a scene names. If no file has the name, backslashes count as
 /// slashes. Thread-safe.
-/// @throws MissingFile, Error  like `files`.
+/// @throws MissingFile, Error  like `files`, and for an empty name.
 NamedFile find_file(const std::string& name, const std::string& folder, const SourceLocation& from,
                     const FileAccess& files);
 

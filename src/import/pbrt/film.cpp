@@ -1,6 +1,7 @@
 // The picture as the scene asks for it, and hints for the renderer.
 #include "import/pbrt/film.h"
 
+#include "core/float_range.h"
 #include "import/pbrt/data_vocabulary.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/words.h"
@@ -39,19 +40,19 @@ std::optional<std::array<int, 4>> crop_of(const Statement& film, const Vec2i& si
     throw Error(film.where, "the crop leaves no pixel", "check \"cropwindow\" and \"pixelbounds\"");
 }
 
-void warn_approximations(const Statement& film, Reading& reading) {
+void warn_approximations(const Statement& film, ImportLog& log) {
     if (film.type != "rgb")
-        reading.log.warn(film.where, "film " + in_quotes(film.type) + " is read as \"rgb\"");
+        log.warn(film.where, "film " + in_quotes(film.type) + " is read as \"rgb\"");
     if (film.find("scale"))
-        reading.log.warn(film.where, "\"scale\" of Film is ignored, as in pbrt-v4: use \"iso\"");
+        log.warn(film.where, "\"scale\" of Film is ignored, as in pbrt-v4: use \"iso\"");
     if (film.find("maxcomponentvalue"))
-        reading.log.warn(film.where, "\"maxcomponentvalue\" is ignored: nothing is clamped");
+        log.warn(film.where, "\"maxcomponentvalue\" is ignored: nothing is clamped");
     film.ignore({"diagonal", "savefp16", "nbuckets", "lambdamin", "lambdamax", "coordinatesystem"});
 }
 
 /// Returns the temperature of the white point. Camera sensors without a given one use 6500 K, as in
 /// pbrt-v4; their colours are those of the standard observer.
-std::optional<double> white_of(const Statement& film, Reading& reading) {
+std::optional<double> white_of(const Statement& film, ImportLog& log) {
     static constexpr std::array<std::string_view, 18> kSensors = {
         "cie1931",           "canon_eos_100d",      "canon_eos_1dx_mkii",
         "canon_eos_200d",    "canon_eos_200d_mkii", "canon_eos_5d",
@@ -66,23 +67,29 @@ std::optional<double> white_of(const Statement& film, Reading& reading) {
     const bool is_camera = sensor != "cie1931";
     const double white = film.real("whitebalance", 0);
     if (is_camera)
-        reading.log.warn(film.where, "sensor " + in_quotes(sensor) +
-                                         " is read as \"cie1931\" with its white balance");
+        log.warn(film.where,
+                 "sensor " + in_quotes(sensor) + " is read as \"cie1931\" with its white balance");
     if (white > 0) return std::max(white, 1000.0);
     if (is_camera) return 6500;
     return std::nullopt;
 }
 
-double exposure_of(Reading& reading) {
-    if (!reading.options.camera) return 1;
-    const Statement& camera = *reading.options.camera;
-    const double open = camera.real("shutteropen", 0);
-    const double close = camera.real("shutterclose", 1);
-    if (close < open)
-        reading.log.warn(camera.where, "the shutter closes before it opens: the times are swapped");
-    if (close != open) return std::abs(close - open);
-    throw Error(camera.where, "the shutter closes when it opens",
-                "make \"shutterclose\" later than \"shutteropen\"");
+double iso_of(const Statement& film) {
+    const double iso = film.real("iso", 100);
+    if (iso > 0) return iso;
+    throw Error(film.where, "\"iso\" is not positive", "use 100");
+}
+
+float imaging_ratio_of(const Statement& film, Reading& reading) {
+    const auto& camera = reading.options.camera;
+    const double seconds = camera ? exposure_time_of(*camera, reading.log) : 1;
+    const double ratio = seconds * iso_of(film) / 100;
+    const auto rounded = is_finite_float(ratio) ? static_cast<float>(ratio) : 0.0F;
+    if (rounded > 0) return rounded;
+    throw Error(film.where,
+                "\"iso\" / 100 times the exposure time (\"shutterclose\" - \"shutteropen\" of the "
+                "camera) is no positive finite float",
+                "keep the product above 1e-38 and below 3.4e38");
 }
 
 void read_integrator(const Statement& integrator, Reading& reading) {
@@ -138,23 +145,37 @@ constexpr auto kFilters = std::to_array<FilterRow>({
 
 }  // namespace
 
-void finish_film(Reading& reading) {
-    FilmDescription& result = reading.scene.film;
-    const Statement none{"Film", "rgb", {reading.scene.path}, {}, nullptr};
-    const Statement& film = reading.options.film ? *reading.options.film : none;
+double exposure_time_of(const Statement& camera, ImportLog& log) {
+    const double open = camera.real("shutteropen", 0);
+    const double close = camera.real("shutterclose", 1);
+    if (close < open)
+        log.warn(camera.where, "the shutter closes before it opens: the times are swapped");
+    if (close != open) return std::abs(close - open);
+    throw Error(camera.where, "the shutter closes when it opens",
+                "make \"shutterclose\" later than \"shutteropen\"");
+}
+
+FilmDescription film_of(const Statement& film, ImportLog& log) {
+    FilmDescription result;
     static constexpr auto kTypes = words_of(kFilmWords);
     if (std::find(kTypes.begin(), kTypes.end(), film.type) == kTypes.end())
         throw Error(film.where, "unknown film " + in_quotes(film.type),
                     use_one_of(kTypes, film.type));
-    if (reading.options.film) reading.log.count_word(film.keyword, film.type);
     result.resolution = resolution_of(film);
     result.crop = crop_of(film, result.resolution);
     result.filename = film.text("filename").value_or("");
-    const double iso = film.real("iso", 100);
-    if (!(iso > 0)) throw Error(film.where, "\"iso\" is not positive", "use 100");
-    result.imaging_ratio = static_cast<float>(exposure_of(reading) * iso / 100);
-    result.white = white_of(film, reading);
-    warn_approximations(film, reading);
+    iso_of(film);
+    result.white = white_of(film, log);
+    warn_approximations(film, log);
+    return result;
+}
+
+void finish_film(Reading& reading) {
+    const Statement none{"Film", "rgb", {reading.scene.path}, {}, nullptr};
+    const Statement& film = reading.options.film ? *reading.options.film : none;
+    reading.scene.film = film_of(film, reading.log);
+    if (reading.options.film) reading.log.count_word(film.keyword, film.type);
+    reading.scene.film.imaging_ratio = imaging_ratio_of(film, reading);
     reading.log.warn_unused(film);
 }
 
@@ -163,17 +184,14 @@ std::span<const WordRow> filter_words() {
     return kWords;
 }
 
-void finish_filter(Reading& reading) {
-    if (!reading.options.filter) return;
-    const Statement& filter = *reading.options.filter;
+FilterSettings filter_of(const Statement& filter) {
     const auto* const row = std::find_if(kFilters.begin(), kFilters.end(),
                                          [&](const FilterRow& r) { return r.word == filter.type; });
     if (row == kFilters.end()) {
         throw Error(filter.where, "unknown filter " + in_quotes(filter.type),
                     use_one_of(words_of(kFilters), filter.type));
     }
-    reading.log.count_word(filter.keyword, filter.type);
-    FilterSettings& settings = reading.scene.filter;
+    FilterSettings settings;
     settings.kind = row->kind;
     settings.radius = {filter.real("xradius", row->radius), filter.real("yradius", row->radius)};
     if (row->kind == FilterKind::gaussian) settings.sigma = filter.real("sigma", 0.5);
@@ -188,6 +206,14 @@ void finish_filter(Reading& reading) {
     if (!(least > 0 && most <= 1000))
         throw Error(filter.where, "a filter whose radius, sigma or tau is out of range",
                     "use positive ones, radii of at most 1000 pixels");
+    return settings;
+}
+
+void finish_filter(Reading& reading) {
+    if (!reading.options.filter) return;
+    const Statement& filter = *reading.options.filter;
+    reading.scene.filter = filter_of(filter);
+    reading.log.count_word(filter.keyword, filter.type);
     reading.log.warn_unused(filter);
 }
 

@@ -2,6 +2,7 @@
 #include "import/pbrt/finish.h"
 
 #include "geometry/affine.h"
+#include "geometry/extent.h"
 #include "import/pbrt/camera.h"
 #include "import/pbrt/film.h"
 #include "import/pbrt/reading.h"
@@ -21,7 +22,8 @@ bool is_extreme(const Matrix& to_world) {
         return std::max({map.x.length(), map.y.length(), map.z.length()}) > kMost;
     };
     const Affine map(to_world);
-    return is_far(map) || is_far(map.inverse());
+    return is_far(map) || is_far(map.inverse()) ||
+           !(absolute_dot(map.origin, Vec3d(1)) < kLargestExtent);
 }
 
 void finish_instances(Reading& reading) {
@@ -29,11 +31,12 @@ void finish_instances(Reading& reading) {
         const auto found = reading.objects.find(use.name);
         if (found == reading.objects.end())
             throw Error(use.where, "there is no object " + in_quotes(use.name),
-                        "make it by ObjectBegin and ObjectEnd");
+                        "make the object, or name another: " +
+                            did_you_mean(names_of(reading.objects), use.name));
         if (is_extreme(use.to_world))
             reading.log.warn(use.where,
                              "an instance was left out: its scale is below 10^-10 "
-                             "or above 10^10");
+                             "or above 10^10, or its place is beyond 10^17");
         else
             reading.scene.instances.push_back({found->second, use.to_world});
     }

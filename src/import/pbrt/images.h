@@ -24,6 +24,14 @@ public:
     /// Both must outlive this.
     ImageTable(SceneFiles& files, ImportLog& log) : files_(files), log_(log) {}
 
+    /// Makes a copy that reads by another list of files.
+    ImageTable(const ImageTable& other, SceneFiles& files, ImportLog& log)
+        : files_(files),
+          log_(log),
+          numbers_(other.numbers_),
+          slots_(other.slots_),
+          loaded_(other.loaded_) {}
+
     /// Returns the image of a file, empty until load(). @param encoding  of a PNG.
     std::shared_ptr<const Image> enter(const std::string& name, const Encoding& encoding,
                                        const SourceLocation& from);

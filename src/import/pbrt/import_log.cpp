@@ -19,6 +19,12 @@ void ImportLog::count_word(std::string_view directive, std::string_view word) {
     ++words_[{std::string(directive), std::string(word)}];
 }
 
+void ImportLog::append(const ImportLog& other) {
+    for (const Warnings::Entry& entry : other.warnings_.entries())
+        for (int i = 0; i < entry.count; ++i) warn(entry.where, entry.text);
+    for (const auto& [word, count] : other.words_) words_[word] += count;
+}
+
 std::vector<UsedWord> ImportLog::words() const {
     std::vector<UsedWord> all;
     for (const auto& [word, count] : words_) all.push_back({word.first, word.second, count});

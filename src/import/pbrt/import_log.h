@@ -22,6 +22,9 @@ public:
     /// Counts a word that the scene uses, such as `sphere` of the directive `Shape`.
     void count_word(std::string_view directive, std::string_view word);
 
+    /// Adds all warnings and words of another log.
+    void append(const ImportLog& other);
+
     const Warnings& warnings() const { return warnings_; }
     /// Returns the counted words, sorted by directive and word.
     std::vector<UsedWord> words() const;

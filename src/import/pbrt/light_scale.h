@@ -5,8 +5,6 @@
 #include "import/pbrt/reading.h"
 #include "math/spectrum.h"
 
-#include <algorithm>
-
 namespace sunfleck::engine {
 
 /// Returns the spectrum of that name, or the white of the current colour space.
@@ -14,21 +12,17 @@ inline Spectrum emission_of(const Statement& statement, std::string_view name, R
     return reading.assets.spectra.emission(statement, name, reading.state.colour_space);
 }
 
-/// Returns "scale". @throws Error  if it is negative.
-inline double scale_of(const Statement& statement) {
-    const double scale = statement.real("scale", 1);
-    if (scale >= 0) return scale;
-    throw Error(statement.find("scale")->where, "a light of negative \"scale\"", "use 0 or more");
-}
+/// A parameter that gives a light's total: a positive "power" or "illuminance" replaces the total
+/// that the light has at scale one. Without a name there is no such parameter.
+struct LightTotal {
+    std::string_view name;
+    double at_one = 0;
+};
 
-/// Returns a positive "power" or "illuminance" over the light's value at scale one; else one.
-inline double factor_by(const Statement& statement, std::string_view name, double at_one) {
-    const double wanted = statement.real(name, 0);
-    return wanted > 0 ? wanted / at_one : 1;
-}
-
-inline Spectrum scaled(const Spectrum& curve, double factor) {
-    return curve.scaled(static_cast<float>(std::min(factor, 1e30)));
-}
+/// Returns the curve times "scale", and times the total over that at scale one if a total is given.
+/// @param peak  the brightest texel of the light's image, which multiplies the curve.
+/// @throws Error  for a negative "scale", and for a product that is no finite float.
+Spectrum scaled_emission(const Statement& statement, const Spectrum& curve, const LightTotal& total,
+                         double peak = 1);
 
 }  // namespace sunfleck::engine

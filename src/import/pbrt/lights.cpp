@@ -2,6 +2,7 @@
 // "power" and "illuminance" (if positive) multiply "scale".
 #include "import/pbrt/lights.h"
 
+#include "core/float_range.h"
 #include "import/pbrt/light_images.h"
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/portals.h"
@@ -28,13 +29,17 @@ Vec3d direction_of(const Statement& statement, const Matrix& to_world) {
 }
 
 Vec3d position_of(const Statement& statement, const Matrix& to_world) {
-    return statement.point("from", {0, 0, 0}) * to_world;
+    const Vec3d position = statement.point("from", {0, 0, 0}) * to_world;
+    if (is_finite_float(position.x) && is_finite_float(position.y) && is_finite_float(position.z))
+        return position;
+    throw Error(statement.where, "the place of the light is beyond the range of floats",
+                "keep its coordinates in the world below 3.4e38");
 }
 
 Light point_light(const Statement& statement, Reading& reading) {
-    const double factor = scale_of(statement) * factor_by(statement, "power", 4 * kPiDouble);
-    return PointLight{scaled(emission_of(statement, "I", reading), factor),
-                      position_of(statement, reading.still_matrix(statement.where))};
+    return PointLight{
+        scaled_emission(statement, emission_of(statement, "I", reading), {"power", 4 * kPiDouble}),
+        position_of(statement, reading.still_matrix(statement.where))};
 }
 
 /// Covers all directions, with z and y exchanged as in pbrt-v4.
@@ -48,8 +53,8 @@ Light goniometric_light(const Statement& statement, Reading& reading) {
     Affine to_world = turn_of(statement, reading);
     std::swap(to_world.y, to_world.z);
     const double at_one = 4 * kPiDouble * distribution->mean();
-    const double factor = scale_of(statement) * factor_by(statement, "power", at_one);
-    return GoniometricLight{scaled(emission_of(statement, "I", reading), factor),
+    return GoniometricLight{scaled_emission(statement, emission_of(statement, "I", reading),
+                                            {"power", at_one}, distribution->peak()),
                             Affine(reading.still_matrix(statement.where)).origin, distribution,
                             to_world};
 }
@@ -68,10 +73,9 @@ Light projection_light(const Statement& statement, Reading& reading) {
     Affine to_world = turn_of(statement, reading);
     to_world.y = -to_world.y;
     const double at_one = 4 * half.x * half.y * distribution->mean();
-    const double factor = scale_of(statement) * factor_by(statement, "power", at_one);
-    return ProjectionLight{scaled(Spectrum::d65(), factor),
-                           Affine(reading.still_matrix(statement.where)).origin, half, distribution,
-                           to_world};
+    return ProjectionLight{
+        scaled_emission(statement, Spectrum::d65(), {"power", at_one}, distribution->peak()),
+        Affine(reading.still_matrix(statement.where)).origin, half, distribution, to_world};
 }
 
 Light spot_light(const Statement& statement, Reading& reading) {
@@ -84,25 +88,24 @@ Light spot_light(const Statement& statement, Reading& reading) {
     const double cos_total = sin_cos_2pi(cone / 360).cos;
     const double cos_start = sin_cos_2pi(std::max(cone - delta, 0.0) / 360).cos;
     const double solid_angle = 2 * kPiDouble * ((1 - cos_start) + (cos_start - cos_total) / 2);
-    const double factor = scale_of(statement) * factor_by(statement, "power", solid_angle);
-    return SpotLight{scaled(emission_of(statement, "I", reading), factor),
-                     position_of(statement, to_world), direction_of(statement, to_world), cos_total,
-                     cos_start};
+    return SpotLight{
+        scaled_emission(statement, emission_of(statement, "I", reading), {"power", solid_angle}),
+        position_of(statement, to_world), direction_of(statement, to_world), cos_total, cos_start};
 }
 
 Light distant_light(const Statement& statement, Reading& reading) {
-    const double factor = scale_of(statement) * factor_by(statement, "illuminance", 1);
-    return DistantLight{scaled(emission_of(statement, "L", reading), factor),
-                        direction_of(statement, reading.still_matrix(statement.where))};
+    return DistantLight{
+        scaled_emission(statement, emission_of(statement, "L", reading), {"illuminance", 1}),
+        direction_of(statement, reading.still_matrix(statement.where))};
 }
 
 Light image_infinite_light(const Statement& statement, Reading& reading) {
     const auto distribution = directions_light_image(statement, reading);
     // pbrt-v4 sums 2 pi / texels per texel, half of the solid angle.
     const double at_one = illuminance_from_above(*distribution) / 2;
-    const double factor = scale_of(statement) * factor_by(statement, "illuminance", at_one);
-    return ImageInfiniteLight{scaled(Spectrum::d65(), factor), distribution,
-                              turn_of(statement, reading)};
+    return ImageInfiniteLight{
+        scaled_emission(statement, Spectrum::d65(), {"illuminance", at_one}, distribution->peak()),
+        distribution, turn_of(statement, reading)};
 }
 
 Light infinite_light(const Statement& statement, Reading& reading) {
@@ -112,8 +115,8 @@ Light infinite_light(const Statement& statement, Reading& reading) {
                     "give one of them");
     if (statement.find("portal")) return portal_light(statement, reading);
     if (statement.find("filename")) return image_infinite_light(statement, reading);
-    const double factor = scale_of(statement) * factor_by(statement, "illuminance", kPiDouble);
-    return InfiniteLight{scaled(emission_of(statement, "L", reading), factor)};
+    return InfiniteLight{scaled_emission(statement, emission_of(statement, "L", reading),
+                                         {"illuminance", kPiDouble})};
 }
 
 using Maker = Light (*)(const Statement&, Reading&);
@@ -135,14 +138,13 @@ constexpr auto kRows = std::to_array<Row>({
     {"projection", projection_light, kExact, "`filename`, `fov`, `scale`, `power`"},
 });
 
-/// @return index of the statement in the description.
-std::uint32_t note(const Statement& statement, Reading& reading) {
+}  // namespace
+
+std::uint32_t note_light(const Statement& statement, Reading& reading) {
     std::vector<LightStatement>& all = reading.scene.light_statements;
     all.push_back({statement.title(), statement.where});
     return static_cast<std::uint32_t>(all.size() - 1);
 }
-
-}  // namespace
 
 std::span<const WordRow> light_words() {
     static constexpr auto kWords = word_rows("LightSource", kRows);
@@ -154,12 +156,13 @@ void add_light(const Statement& statement, Reading& reading) {
                                          [&](const Row& r) { return r.word == statement.type; });
     if (row == kRows.end()) {
         throw Error(statement.where, "unknown light " + in_quotes(statement.type),
-                    statement.type == "diffuse" ? "use AreaLightSource \"diffuse\""
-                                                : use_one_of(words_of(kRows), statement.type));
+                    statement.type == "diffuse"
+                        ? "make it the area light of a shape (AreaLightSource)"
+                        : use_one_of(words_of(kRows), statement.type));
     }
     reading.log.count_word(statement.keyword, statement.type);
     reading.scene.lights.push_back(row->maker(statement, reading));
-    reading.scene.stated_in.push_back(note(statement, reading));
+    reading.scene.stated_in.push_back(note_light(statement, reading));
     const MediumNumber around =
         reading.media.number_of(reading.state.outside_medium, statement.where);
     reading.scene.media.at_lights.push_back({around, around});
@@ -178,10 +181,10 @@ AreaEmission area_emission(const Statement& statement, Reading& reading) {
                         "give one of them");
         emission.image = std::make_shared<const SurfaceImage>(light_image(statement, reading));
     }
-    emission.radiance = scaled(emission_of(statement, "L", reading), scale_of(statement));
+    emission.radiance = scaled_emission(statement, emission_of(statement, "L", reading), {},
+                                        emission.image ? emission.image->peak() : 1);
     emission.two_sided = statement.flag("twosided", false);
     emission.power = std::max(statement.real("power", 0), 0.0);
-    emission.statement = note(statement, reading);
     reading.log.warn_unused(statement);
     return emission;
 }

@@ -18,8 +18,12 @@ std::span<const WordRow> light_words();
 /// @throws Error  for an unknown type, and for invalid parameters.
 void add_light(const Statement& statement, Reading& reading);
 
-/// Returns the emission that an AreaLightSource statement gives to the following shapes.
+/// Returns the emission of an AreaLightSource statement, which note_light() is to complete.
 /// @throws Error  as add_light().
 AreaEmission area_emission(const Statement& statement, Reading& reading);
+
+/// Adds a statement to the scene's light statements.
+/// @return its index in the description: AreaEmission::statement.
+std::uint32_t note_light(const Statement& statement, Reading& reading);
 
 }  // namespace sunfleck::engine

@@ -55,10 +55,8 @@ void MaterialTable::make(const std::string& name, Statement statement) {
 const Statement& MaterialTable::named(const std::string& name, const SourceLocation& from) const {
     const auto found = named_.find(name);
     if (found != named_.end()) return found->second;
-    std::vector<std::string_view> known;
-    for (const auto& [word, statement] : named_) known.push_back(word);
     throw Error(from, "there is no material " + in_quotes(name),
-                "make it by MakeNamedMaterial; " + did_you_mean(known, name));
+                "make the material, or name another: " + did_you_mean(names_of(named_), name));
 }
 
 }  // namespace sunfleck::engine

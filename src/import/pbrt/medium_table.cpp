@@ -1,6 +1,7 @@
 // Media by their names, with the absorption of homogeneous ones.
 #include "import/pbrt/medium_table.h"
 
+#include "core/float_range.h"
 #include "import/pbrt/data_substances.h"
 #include "import/pbrt/data_vocabulary.h"
 #include "import/pbrt/version3.h"
@@ -59,7 +60,12 @@ Spectrum absorption_of(const std::string& name, const Statement& medium, Spectru
     if (scale > 0 && !is_dark(medium_is.scattering))
         warn("scatters, which is not simulated: it only absorbs");
     if (glow && !is_dark(*glow)) warn("emits, which is not simulated: \"Le\" is ignored");
-    return medium_is.absorption.scaled(static_cast<float>(scale));
+    const Spectrum absorption = medium_is.absorption.scaled(static_cast<float>(scale));
+    if (is_finite_float(absorption.luminance())) return absorption;
+    throw Error(medium.where,
+                "medium " + in_quotes(name) +
+                    " is too dense: \"sigma_a\" times \"scale\" is no finite float",
+                "keep the product below 3.4e38");
 }
 
 }  // namespace
@@ -99,12 +105,10 @@ MediumNumber MediumTable::number_of(const std::string& name, const SourceLocatio
 void MediumTable::finish(SpectrumReader& spectra, ImportLog& log, Media& media) const {
     for (const Use& use : uses_) {
         const auto found = made_.find(use.name);
-        if (found == made_.end()) {
-            std::vector<std::string_view> known;
-            for (const auto& [word, statement] : made_) known.push_back(word);
-            throw Error(use.from, "there is no medium " + in_quotes(use.name),
-                        "make it by MakeNamedMedium; " + did_you_mean(known, use.name));
-        }
+        if (found == made_.end())
+            throw Error(
+                use.from, "there is no medium " + in_quotes(use.name),
+                "make the medium, or name another: " + did_you_mean(names_of(made_), use.name));
         media.absorption.push_back(absorption_of(use.name, found->second, spectra, log));
     }
 }

@@ -13,8 +13,7 @@ namespace {
 
 void camera(Reading& reading, TokenStream& tokens, const Token& keyword) {
     reading.options.camera = read_statement(tokens, keyword);
-    reading.scene.media.at_camera =
-        reading.media.number_of(reading.state.outside_medium, keyword.where());
+    reading.options.camera_medium = reading.state.outside_medium;
     reading.options.camera_from_world = reading.state.matrix;
     const Motion& from_world = reading.state.matrix;
     reading.coordinate_systems["camera"] = {from_world[0].inverse(), from_world[1].inverse()};

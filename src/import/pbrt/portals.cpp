@@ -52,16 +52,16 @@ Light portal_light(const Statement& statement, Reading& reading) {
         const Spectrum curve = emission_of(statement, "L", reading);
         // pbrt-v4 makes an image of one texel, at its zenith, and sums that up.
         const double at_one = 2 * kPiDouble * static_cast<double>(curve.luminance());
-        light.curve =
-            scaled(curve, scale_of(statement) * factor_by(statement, "illuminance", at_one));
+        light.curve = scaled_emission(statement, curve, {"illuminance", at_one});
         light.image =
             std::make_shared<const PortalImage>(kPlainSide, [](const Vec3d&) { return Vec3(1); });
         return light;
     }
     const Image image = directions_image(statement, reading);
-    const double at_one = illuminance_from_above(LightImage(image)) / 2;
+    const LightImage distribution(image);
+    const double at_one = illuminance_from_above(distribution) / 2;
     light.curve =
-        scaled(Spectrum::d65(), scale_of(statement) * factor_by(statement, "illuminance", at_one));
+        scaled_emission(statement, Spectrum::d65(), {"illuminance", at_one}, distribution.peak());
     const Affine turn = turn_of(statement, reading);
     const auto sky = [&](const Vec3d& w) {
         const Vec3d world = light.frame.vector(w);

@@ -11,9 +11,14 @@
 namespace sunfleck::engine {
 namespace {
 
-SceneDescription read_all(std::string text, const std::string& path, const FileAccess& files) {
+/// Where the text of the main file comes from.
+enum class Main { file, memory };
+
+SceneDescription read_all(std::string text, const std::string& path, const FileAccess& files,
+                          Main main) {
     refuse_other_content(text, path, "a scene of pbrt-v4");
     Reading reading(path, files);
+    if (main == Main::file) reading.assets.files.list(path);
     TokenStream tokens;
     tokens.push(std::move(text), std::filesystem::path(path).lexically_normal().string(), {path});
     try {
@@ -29,24 +34,24 @@ SceneDescription read_all(std::string text, const std::string& path, const FileA
 
 SceneDescription read_pbrt(const std::string& path) {
     const FileAccess files = disk_access();
-    return read_all(files(path, {path}), path, files);
+    return read_all(files(path, {path}), path, files, Main::file);
 }
 
 SceneDescription read_pbrt_input() {
     const std::string name(kStandardInput);
     const std::string text = unpacked(read_standard_input(name), name);
-    SceneDescription scene = read_all(text, name, disk_access());
+    SceneDescription scene = read_all(text, name, disk_access(), Main::file);
     scene.text = text;
     return scene;
 }
 
 SceneDescription read_pbrt_text(const std::string& text, const std::string& path) {
-    return read_all(text, path, disk_access());
+    return read_all(text, path, disk_access(), Main::memory);
 }
 
 SceneDescription read_pbrt_text(const std::string& text, const std::string& path,
                                 const FileAccess& files) {
-    return read_all(text, path, files);
+    return read_all(text, path, files, Main::memory);
 }
 
 }  // namespace sunfleck::engine

@@ -18,7 +18,8 @@ SceneDescription read_pbrt(const std::string& path);
 /// @throws Error  as read_pbrt().
 SceneDescription read_pbrt_input();
 
-/// Reads a scene from text. @param path  name of the main file, for messages and relative names.
+/// Reads a scene from text; SceneDescription::files lists the other files alone.
+/// @param path  stands for that of a main file, for messages and relative names.
 /// @throws Error  as read_pbrt().
 SceneDescription read_pbrt_text(const std::string& text, const std::string& path);
 /// @param files  access to other files.

@@ -26,6 +26,9 @@ Matrix Reading::still_matrix(const SourceLocation& where) {
 }
 
 Matrix Reading::still(const Motion& motion, const SourceLocation& where) {
+    if (!is_finite_float(motion[0]) || !is_finite_float(motion[1]))
+        throw Error(where, "the transformation is beyond the range of floats",
+                    "keep the entries of its matrix below 3.4e38");
     if (motion[0] == motion[1]) return motion[0];
     log.warn(where,
              "motion is not simulated: objects stay where they are in the middle of the exposure");

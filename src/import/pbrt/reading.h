@@ -21,7 +21,8 @@ struct Options {
     std::optional<Statement> filter;
     std::optional<Statement> sampler;
     std::optional<Statement> integrator;
-    Motion camera_from_world;  // matrix at the Camera statement
+    Motion camera_from_world;   // matrix at the Camera statement
+    std::string camera_medium;  // outside medium there; empty for none
 };
 
 /// An ObjectInstance; its object may come later in the file.
@@ -31,15 +32,25 @@ struct InstanceUse {
     SourceLocation where;
 };
 
-struct Reading {
+/// A log, and the assets that write to it; a copy writes to a log of its own.
+struct LoggedAssets {
+    LoggedAssets(const std::string& main_file, FileAccess access)
+        : assets(main_file, std::move(access), log) {}
+    LoggedAssets(const LoggedAssets& other) : log(other.log), assets(other.assets, log) {}
+    LoggedAssets& operator=(const LoggedAssets&) = delete;
+    ~LoggedAssets() = default;
+
+    ImportLog log;
+    Assets assets;
+};
+
+struct Reading : LoggedAssets {
     /// @param path  of the main file.
-    Reading(const std::string& path, FileAccess access) : assets(path, std::move(access), log) {
+    Reading(const std::string& path, FileAccess access) : LoggedAssets(path, std::move(access)) {
         scene.path = path;
     }
 
     SceneDescription scene;
-    ImportLog log;
-    Assets assets;
 
     GraphicsState state;
     std::vector<Block> blocks;

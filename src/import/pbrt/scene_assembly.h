@@ -35,13 +35,14 @@ public:
     SceneAssembly(const SceneAssembly&) = delete;
     SceneAssembly& operator=(const SceneAssembly&) = delete;
 
+    // Each throws Error for an unknown type and for parameters that cannot be used, and then
+    // changes nothing. Files that are missing are told by finish().
+
     /// @param medium  around the camera.
     void set_camera(Statement camera, const Matrix& to_world, const std::string& medium);
     void set_film(Statement film);
     void set_filter(Statement filter);
 
-    // Each throws Error for an unknown type and for parameters that cannot be used; files that are
-    // missing are told by finish().
     void add_material(const std::string& name, Statement material);
     /// @param kind  "float" or "spectrum".
     void add_texture(const std::string& kind, const std::string& name, Statement texture,
@@ -54,8 +55,9 @@ public:
     void add_instance(const std::string& object, const Matrix& to_world,
                       const SourceLocation& where);
 
+    /// Returns the scene of all statements so far, which stay.
     /// @throws Error  as finish_scene() does.
-    SceneDescription finish();
+    SceneDescription finish() const;
 
 private:
     struct Impl;

@@ -12,13 +12,11 @@ namespace sunfleck::engine {
 SceneFiles::SceneFiles(const std::string& main_file, FileAccess access, ImportLog& log)
     : folder_(std::filesystem::path(main_file).parent_path().string()),
       access_(std::move(access)),
-      log_(log),
-      paths_{main_file},
-      known_paths_{main_file} {}
+      log_(log) {}
 
 void SceneFiles::note(const NamedFile& file, const SourceLocation& from) {
     constexpr std::size_t kLongestPath = 4096;
-    if (known_paths_.insert(file.path).second) paths_.push_back(file.path);
+    list(file.path);
     if (file.by_slashes)
         log_.warn(from, "backslashes in a file's name are read as slashes: " +
                             in_quotes(file.path, kLongestPath));

@@ -13,7 +13,7 @@ namespace sunfleck::engine {
 
 class SceneFiles {
 public:
-    /// @param main_file  first of the list; relative names start at its folder.
+    /// @param main_file  relative names start at its folder; it is not listed.
     /// @param log  receives warnings of backslashes that are read as slashes; it must outlive this.
     SceneFiles(const std::string& main_file, FileAccess access, ImportLog& log);
 
@@ -23,6 +23,19 @@ public:
     /// @throws MissingFile, Error  as find_file().
     NamedFile find(const std::string& name, const SourceLocation& from) const {
         return find_file(name, folder_, from, access_);
+    }
+    /// Makes a copy that warns in another log.
+    SceneFiles(const SceneFiles& other, ImportLog& log)
+        : folder_(other.folder_),
+          access_(other.access_),
+          log_(log),
+          paths_(other.paths_),
+          known_paths_(other.known_paths_),
+          missing_(other.missing_) {}
+
+    /// Adds a file that was read to the list.
+    void list(const std::string& path) {
+        if (known_paths_.insert(path).second) paths_.push_back(path);
     }
     /// Adds a file to the list, and warns if its backslashes were read as slashes.
     void note(const NamedFile& file, const SourceLocation& from);

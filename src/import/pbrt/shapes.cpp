@@ -178,7 +178,7 @@ std::span<const WordRow> shape_words() {
     return kWords;
 }
 
-void add_shape(const Statement& statement, Reading& reading) {
+std::optional<ShapeDescription> shape_of(const Statement& statement, Reading& reading) {
     const Row& row = row_of(statement);
     reading.log.count_word(statement.keyword, statement.type);
     const GraphicsState& state = reading.state;
@@ -190,18 +190,27 @@ void add_shape(const Statement& statement, Reading& reading) {
     shape.emission = emission_here(statement, shape.placed.shape, reading);
     if (!shape.emission && turns_where_mirrored(shape.placed))
         shape.placed.flip = !shape.placed.flip;
-    shape.material = state.material;
     shape.where = statement.where;
-    shape.media = {reading.media.number_of(state.inside_medium, statement.where),
-                   reading.media.number_of(state.outside_medium, statement.where)};
     const bool is_there = take_alpha(statement, reading, shape);
     reading.log.warn_unused(statement);
-    if (!is_there) return;
+    if (!is_there) return std::nullopt;
+    return shape;
+}
+
+void place_shape(ShapeDescription shape, Reading& reading) {
+    const GraphicsState& state = reading.state;
+    shape.material = state.material;
+    shape.media = {reading.media.number_of(state.inside_medium, shape.where),
+                   reading.media.number_of(state.outside_medium, shape.where)};
     reading.materials.use(shape.material);
     auto& scene = reading.scene;
     auto& list = reading.open_object ? scene.objects[*reading.open_object] : scene.shapes;
     if (!list.empty() && joined(list.back(), shape)) return;
     list.push_back(std::move(shape));
+}
+
+void add_shape(const Statement& statement, Reading& reading) {
+    if (auto shape = shape_of(statement, reading)) place_shape(std::move(*shape), reading);
 }
 
 }  // namespace sunfleck::engine

@@ -44,10 +44,10 @@ void TextureTable::add(const std::string& kind, const std::string& name, Stateme
 
 TextureTable::Entry& TextureTable::entry_of(const std::string& kind, const Parameter& parameter) {
     const auto found = textures_.find({kind, checked(parameter).texts[0]});
-    if (found != textures_.end() && found->second.order < limit_) return found->second;
+    if (found != textures_.end() && found->second.order < at_.limit) return found->second;
     throw Error(parameter.where,
                 "there is no " + kind + " texture " + in_quotes(parameter.texts[0]),
-                "make it by Texture before, or check the name");
+                "make the texture before what uses it, or check its name and kind");
 }
 
 /// Inputs that are not given have pbrt-v4's defaults.
@@ -77,26 +77,27 @@ T TextureTable::make(Entry& entry, SpectrumUse use) {
             throw Error(entry.statement.where, "textures are nested more than 100 deep",
                         "use fewer levels");
     };
-    check(++open_);
-    const std::size_t limit_above = std::exchange(limit_, entry.order);
-    const Tree above = std::exchange(below_, {});
+    struct Return {
+        Position& at;
+        Position above;
+        ~Return() { at = above; }
+    } const back{at_, at_};
+    at_ = {entry.order, {}, at_.open + 1};
+    check(at_.open);
     T texture = texture_of<T>({entry.statement, entry.to_world, use},
                               operands_of<T>(entry.statement, use), images_, log_);
-    limit_ = limit_above;
-    const Tree below = std::exchange(below_, above);
-    entry.tree = {below.depth + 1, below.lookups + 1};
+    entry.tree = {at_.below.depth + 1, at_.below.lookups + 1};
     check(entry.tree.depth);
     if (entry.tree.lookups > kMostLookups)
         throw Error(entry.statement.where, "the tree of this texture has more than 100000 nodes",
                     "use fewer textures");
-    --open_;
     return texture;
 }
 
 FloatTexture TextureTable::number(const Parameter& parameter) {
     Entry& entry = entry_of("float", parameter);
     if (!entry.number) entry.number = make<FloatTexture>(entry, SpectrumUse::reflectance);
-    below_.add(entry.tree);
+    at_.below.add(entry.tree);
     return *entry.number;
 }
 
@@ -106,7 +107,7 @@ SpectrumTexture TextureTable::spectrum(const Parameter& parameter, SpectrumUse u
     SpectrumTexture texture =
         known != entry.spectra.end() ? known->second : make<SpectrumTexture>(entry, use);
     entry.spectra.try_emplace(use, texture);
-    below_.add(entry.tree);
+    at_.below.add(entry.tree);
     return texture;
 }
 

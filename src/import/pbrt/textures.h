@@ -19,6 +19,15 @@ public:
     TextureTable(SpectrumReader& spectra, ImageTable& images, ImportLog& log)
         : spectra_(spectra), images_(images), log_(log) {}
 
+    /// Makes a copy that reads by other tables.
+    TextureTable(const TextureTable& other, SpectrumReader& spectra, ImageTable& images,
+                 ImportLog& log)
+        : spectra_(spectra),
+          images_(images),
+          log_(log),
+          textures_(other.textures_),
+          at_(other.at_) {}
+
     /// @param kind  "float" or "spectrum".
     /// @param statement  its type is the class.
     /// @param to_world  matrix at the statement: the texture's frame.
@@ -47,6 +56,13 @@ private:
         }
     };
 
+    /// Where conversion is in the trees of textures.
+    struct Position {
+        std::size_t limit = ~std::size_t{0};  // textures can only use those that were made before
+        Tree below;                           // below the texture that is being converted
+        int open = 0;                         // textures that are being converted
+    };
+
     struct Entry {
         Statement statement;
         Matrix to_world;
@@ -68,9 +84,7 @@ private:
     ImageTable& images_;
     ImportLog& log_;
     std::map<std::pair<std::string, std::string>, Entry> textures_;  // by kind and name
-    std::size_t limit_ = ~std::size_t{0};  // textures can only use those that were made before
-    Tree below_;                           // below the texture that is being converted
-    int open_ = 0;                         // textures that are being converted
+    Position at_;
 };
 
 }  // namespace sunfleck::engine

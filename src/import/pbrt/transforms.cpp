@@ -1,6 +1,7 @@
 // Matrices by + - * / and sqrt on doubles alone.
 #include "import/pbrt/transforms.h"
 
+#include "core/float_range.h"
 #include "geometry/affine.h"
 #include "math/trigonometry.h"
 
@@ -49,6 +50,13 @@ std::optional<Matrix> look_at(const Vec3d& eye, const Vec3d& target, const Vec3d
     const Vec3d y = z.cross(x);
     return Matrix(x.x, y.x, z.x, 0, x.y, y.y, z.y, 0, x.z, y.z, z.z, 0,  //
                   -eye.dot(x), -eye.dot(y), -eye.dot(z), 1);
+}
+
+bool is_finite_float(const Matrix& m) {
+    bool all = true;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) all = all && is_finite_float(m[i][j]);
+    return all;
 }
 
 bool is_usable(const Matrix& m) {

@@ -24,6 +24,9 @@ std::optional<Matrix> look_at(const Vec3d& eye, const Vec3d& target, const Vec3d
 /// Source: Shoemake and Duff, Matrix Animation and Polar Decomposition (1992), as in pbrt-v4.
 Matrix between(const Matrix& from, const Matrix& to, double share);
 
+/// Returns whether each entry is a finite float.
+bool is_finite_float(const Matrix& matrix);
+
 /// Returns whether a matrix is finite, affine and invertible.
 bool is_usable(const Matrix& matrix);
 

@@ -85,7 +85,8 @@ void check_not_of_v3(std::string_view directive, std::string_view type,
 
 void refuse_v3(const std::string& what, const SourceLocation& where) {
     throw Error(where, what + " belongs to pbrt-v3, but pbrt-v4 is read",
-                "convert the whole scene by pbrt-v4: pbrt --upgrade OLD.pbrt > NEW.pbrt");
+                "use the words of pbrt-v4, which converts a scene file: pbrt --upgrade OLD.pbrt > "
+                "NEW.pbrt");
 }
 
 }  // namespace sunfleck::engine

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sunfleck::engine {
 
@@ -25,5 +26,13 @@ constexpr std::array<std::string_view, N> words_of(const std::array<Row, N>& row
 
 /// Returns `did you mean "Shape"?` if a known word is similar, else `check the spelling`.
 std::string did_you_mean(std::span<const std::string_view> known, std::string_view instead_of);
+
+/// Returns the keys of a map from names, for did_you_mean(); they refer to the map.
+template <class Map>
+std::vector<std::string_view> names_of(const Map& map) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, value] : map) names.push_back(name);
+    return names;
+}
 
 }  // namespace sunfleck::engine

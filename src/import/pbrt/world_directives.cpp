@@ -60,8 +60,9 @@ void light_source(Reading& reading, TokenStream& tokens, const Token& keyword) {
 void area_light_source(Reading& reading, TokenStream& tokens, const Token& keyword) {
     Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.light_defaults;
-    reading.state.emission =
-        std::make_shared<const AreaEmission>(area_emission(statement, reading));
+    AreaEmission emission = area_emission(statement, reading);
+    emission.statement = note_light(statement, reading);
+    reading.state.emission = std::make_shared<const AreaEmission>(std::move(emission));
 }
 
 void shape(Reading& reading, TokenStream& tokens, const Token& keyword) {

@@ -109,7 +109,7 @@ TEST(FileAccess, may_be_included_as_often_as_there_is_work_for) {
         read_world("ObjectBegin \"o\" Shape \"sphere\" ObjectEnd Include \"0\"",
                    tree(4, 20, "ObjectInstance \"o\""));
     EXPECT_EQ(scene.instances.size(), 160000U);
-    EXPECT_EQ(scene.files.size(), 6U);
+    EXPECT_EQ(scene.files.size(), 5U);
 }
 
 TEST(FileAccess, that_include_each_other_beyond_measure_are_refused_before_they_are_read) {
@@ -117,6 +117,16 @@ TEST(FileAccess, that_include_each_other_beyond_measure_are_refused_before_they_
     EXPECT_TRUE(contains(world_error("Include \"0\"", tree(9, 10, "Shape \"sphere\"")), flood));
     EXPECT_TRUE(contains(world_error("Include \"0\"", tree(30, 2, "")), flood));
     EXPECT_TRUE(contains(world_error("Import \"0\"", tree(9, 10, "Scale 1 1 1")), flood));
+}
+
+TEST(FileAccess, refuses_an_empty_name) {
+    for (const std::string statement :
+         {"Shape \"plymesh\" \"string filename\" \"\"", "Include \"\"",
+          "LightSource \"point\" \"spectrum I\" \"\""}) {
+        const std::string fault = world_error(statement);
+        EXPECT_TRUE(contains(fault, "main.pbrt:2:") && contains(fault, "empty"))
+            << statement << fault;
+    }
 }
 
 }  // namespace

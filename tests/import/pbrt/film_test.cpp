@@ -21,6 +21,21 @@ TEST(Film, has_pbrts_defaults) {
     EXPECT_TRUE(scene.warnings.entries().empty());
 }
 
+TEST(Film, whose_exposure_is_no_float_is_told_with_the_product) {
+    const auto fault = [](const std::string& iso, const std::string& close) {
+        return error_of("Film \"rgb\" \"float iso\" " + iso +
+                        " Camera \"perspective\" \"float shutterclose\" " + close + " WorldBegin");
+    };
+    for (const auto& [iso, close] :
+         {std::pair("3e38", "1e38"), std::pair("1e-38", "1e-38"), std::pair("1e30", "1e20")}) {
+        const std::string text = fault(iso, close);
+        EXPECT_TRUE(contains(text, "\"iso\"") && contains(text, "\"shutterclose\"") &&
+                    contains(text, "3.4e38"))
+            << iso << close << text;
+    }
+    EXPECT_EQ(fault("3e38", "1e-38"), "");
+}
+
 TEST(Film, is_read) {
     const SceneDescription scene = with(
         "Film \"rgb\" \"integer xresolution\" 30 \"integer yresolution\" 20 \"float "

@@ -1,7 +1,11 @@
 // Lights: pbrt-v4's scale, measured there on a plane of reflectance 0.5.
 #include "import/pbrt/lights.h"
 
+#include "image/image_files.h"
 #include "import/pbrt/scene_text.h"
+
+#include <array>
+#include <utility>
 
 namespace sunfleck::engine {
 namespace {
@@ -116,6 +120,56 @@ TEST(Options, are_known_or_told) {
     EXPECT_EQ(warnings("\"disablepixeljitter\" true"), 1U);
     EXPECT_EQ(warnings("\"seed\" 7"), 1U);
     EXPECT_EQ(warnings_with(read_text("Option \"gamma\" 2 WorldBegin"), "unknown Option"), 1);
+}
+
+/// Each number is a finite float; their product is none.
+TEST(Lights, whose_products_overflow_floats_are_told_with_the_product) {
+    const MemoryFiles files = {
+        {"sky.pfm", testing_support::pfm_file("Pf\n1 1\n-1\n", {1e30F}, true)}};
+    const std::string kBright = "[ 1e20 1e20 1e20 ] \"float scale\" 1e20";
+    const std::string kSky = "\"string filename\" \"sky.pfm\" \"float scale\" 1e20";
+    const std::string kPortal = "\"point3 portal\" [ 0 0 0 1 0 0 1 1 0 0 1 0 ] ";
+    const std::array<std::pair<std::string, std::string>, 13> rows = {{
+        {"LightSource \"point\" \"rgb I\" " + kBright, "\"I\" times \"scale\""},
+        {"LightSource \"spot\" \"rgb I\" " + kBright, "\"I\" times \"scale\""},
+        {"LightSource \"spot\" \"float coneangle\" 0.001 \"float power\" 1e38", "\"power\""},
+        {"LightSource \"distant\" \"rgb L\" " + kBright, "\"L\" times \"scale\""},
+        {"LightSource \"distant\" \"blackbody L\" 6500 \"float scale\" 1e20 "
+         "\"float illuminance\" 1e20",
+         "\"L\" times \"scale\" times \"illuminance\""},
+        {"LightSource \"infinite\" \"rgb L\" " + kBright, "\"L\" times \"scale\""},
+        {"LightSource \"infinite\" " + kSky, "\"filename\" times \"scale\""},
+        {"LightSource \"infinite\" " + kPortal + kSky, "\"filename\" times \"scale\""},
+        {"LightSource \"infinite\" " + kPortal + "\"rgb L\" " + kBright, "\"L\" times"},
+        {"LightSource \"goniometric\" " + kSky, "\"filename\" times \"scale\""},
+        {"LightSource \"projection\" " + kSky, "\"filename\" times \"scale\""},
+        {"AreaLightSource \"diffuse\" \"rgb L\" " + kBright, "\"L\" times \"scale\""},
+        {"AreaLightSource \"diffuse\" " + kSky, "\"filename\" times \"scale\""},
+    }};
+    for (const auto& [text, product] : rows) {
+        const std::string fault = world_error(text, files);
+        EXPECT_TRUE(contains(fault, product) && contains(fault, "3.4e38")) << text << fault;
+    }
+}
+
+TEST(Lights, of_a_thousand_million_are_read_as_they_are) {
+    const auto sun = made<DistantLight>(
+        "LightSource \"distant\" \"rgb L\" [ 1e9 1e9 1e9 ] \"float scale\" 1e20");
+    EXPECT_NEAR(value_of(sun.curve), 1e29, 1e25);
+    const auto brightest =
+        made<PointLight>("LightSource \"point\" \"rgb I\" [ 1e7 1e7 1e7 ] \"float scale\" 1e31");
+    EXPECT_NEAR(value_of(brightest.curve), 1e38, 1e34);
+}
+
+TEST(Lights, that_are_black_stay_so_whatever_their_power) {
+    const MemoryFiles files = {
+        {"night.pfm", testing_support::pfm_file("Pf\n1 1\n-1\n", {0}, true)}};
+    EXPECT_EQ(world_error("LightSource \"goniometric\" \"string filename\" \"night.pfm\" "
+                          "\"float power\" 5",
+                          files),
+              "");
+    EXPECT_EQ(world_error("LightSource \"infinite\" \"rgb L\" [ 0 0 0 ] \"float illuminance\" 5"),
+              "");
 }
 
 TEST(Lights, that_cannot_be_are_errors) {

@@ -33,6 +33,13 @@ TEST(ReadMedia, have_pbrts_defaults_and_presets) {
     EXPECT_TRUE(contains(world_error(kClear + "\"string preset\" \"Merlo\" " + kUse), "Merlot"));
 }
 
+TEST(ReadMedia, whose_density_overflows_floats_are_told_with_the_product) {
+    const std::string fault =
+        world_error(kClear + "\"rgb sigma_a\" [1e20 1e20 1e20] \"float scale\" 1e20 " + kUse);
+    EXPECT_TRUE(contains(fault, "\"sigma_a\" times \"scale\"") && contains(fault, "3.4e38"))
+        << fault;
+}
+
 TEST(ReadMedia, stand_by_the_state_of_the_graphics) {
     const SceneDescription scene = read_text(
         "MediumInterface \"air\" \"fog\" Camera \"perspective\" WorldBegin "
@@ -86,6 +93,12 @@ TEST(ReadMedia, that_cannot_be_are_errors) {
     EXPECT_NE(world_error(kClear + "\"float scale\" -1 " + kUse), "");
     EXPECT_NE(world_error("MakeNamedMedium \"ink\" "), "");
     EXPECT_NE(world_error("MakeNamedMedium \"ink\" \"string type\" \"fog\""), "");
+}
+
+TEST(ReadMedia, of_a_camera_that_another_one_replaces_need_not_be_made) {
+    const std::string fog = "MediumInterface \"\" \"fog\" Camera \"perspective\" ";
+    EXPECT_EQ(error_of(fog + "MediumInterface \"\" \"\" Camera \"perspective\" WorldBegin"), "");
+    EXPECT_TRUE(contains(error_of(fog + "WorldBegin"), "there is no medium \"fog\""));
 }
 
 }  // namespace

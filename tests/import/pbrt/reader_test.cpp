@@ -41,7 +41,7 @@ TEST(Reader, splices_includes_anywhere) {
     EXPECT_EQ(std::get<Sphere>(scene.shapes[0].placed.shape).radius, 3);
     EXPECT_EQ(scene.shapes[0].where.text(), "sub/b.pbrt:2:1");
     EXPECT_EQ(Vec3d(0) * scene.shapes[2].placed.to_world, Vec3d(1, 0, 0));
-    EXPECT_EQ(scene.files.size(), 4U);
+    EXPECT_EQ(scene.files.size(), 3U);  // the text of main.pbrt is in memory
 }
 
 TEST(Reader, keeps_the_state_of_imports_to_themselves) {
@@ -139,6 +139,10 @@ TEST(Reader, leaves_out_instances_of_extreme_size) {
         EXPECT_EQ(warnings_with(scene, "was left out"), 1) << size;
     }
     EXPECT_EQ(read("1e-6", "1e6").instances.size(), 2U);
+    const SceneDescription far = read_world(
+        "ObjectBegin \"o\" Shape \"sphere\" ObjectEnd Translate 1e19 0 0 ObjectInstance \"o\"");
+    EXPECT_EQ(far.instances.size(), 0U);
+    EXPECT_EQ(warnings_with(far, "was left out"), 1);
 }
 
 TEST(Reader, ends_its_list_of_warnings) {

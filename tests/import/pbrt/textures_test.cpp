@@ -115,7 +115,7 @@ TEST(Textures, images_are_read_once_each_from_the_main_folder) {
             "\"string filename\" \"unused.png\" Material \"diffuse\" \"texture reflectance\" \"x\" "
             "Shape \"sphere\" Material \"diffuse\" \"texture reflectance\" \"y\" Shape \"sphere\"",
         two_images());
-    const std::vector<std::string> files = {"main.pbrt", "a/i.pfm"};
+    const std::vector<std::string> files = {"a/i.pfm"};
     EXPECT_EQ(scene.files, files);
     EXPECT_TRUE(scene.warnings.entries().empty());
     const Wavelengths wavelengths = Wavelengths::of_pass({1, 0});

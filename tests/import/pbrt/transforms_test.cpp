@@ -147,5 +147,23 @@ TEST(Transforms, without_an_inverse_are_errors) {
     EXPECT_NE(world_error("Transform [ 1 0 0 0 ]"), "");
 }
 
+TEST(Transforms, beyond_floats_are_told_at_what_they_place) {
+    const std::string far = "Translate 3e38 0 0 Translate 3e38 0 0 ";
+    const std::string wide = "Scale 1e20 1e20 1e20 Scale 1e20 1e20 1e20 ";
+    for (const std::string& world :
+         {far + "LightSource \"point\"", wide + "LightSource \"spot\"", far + "Shape \"sphere\"",
+          wide + "Shape \"sphere\"",
+          std::string("Scale 1e20 1e20 1e20 LightSource \"point\" \"point3 from\" [ 1e20 0 0 ]")}) {
+        const std::string fault = world_error(world);
+        EXPECT_TRUE(contains(fault, "main.pbrt:2:") && contains(fault, "3.4e38")) << world << fault;
+    }
+    for (const std::string& before : {far, std::string("Scale 1e-20 1e-20 1e-20 Scale 1e-20 1 1 ")})
+        EXPECT_TRUE(contains(error_of(before + "Camera \"perspective\" WorldBegin"), "3.4e38"))
+            << before;
+    EXPECT_EQ(world_error("Translate 3e38 0 0 LightSource \"point\" Scale 1e-15 1e-15 1e-15 "
+                          "Shape \"sphere\""),
+              "");
+}
+
 }  // namespace
 }  // namespace sunfleck::engine
