@@ -70,7 +70,7 @@ Spectrum radiance_of(const AreaEmission& emission, double area, const SourceLoca
     if (!(mean > 0)) return emission.radiance;
     const double factor = emission.power / (kPiDouble * area * sides * mean);
     if (is_finite_float(factor)) {
-        const Spectrum radiance = emission.radiance.scaled(static_cast<float>(factor));
+        Spectrum radiance = emission.radiance.scaled(static_cast<float>(factor));
         if (is_finite_float(double{radiance.luminance()} * peak)) return radiance;
     }
     throw Error(shape,

@@ -37,7 +37,7 @@ Spectrum scaled_emission(const Statement& statement, const Spectrum& curve, cons
                          double peak) {
     const double factor = scale_of(statement) * factor_by(statement, total);
     if (is_finite_float(factor)) {
-        const Spectrum emission = curve.scaled(static_cast<float>(factor));
+        Spectrum emission = curve.scaled(static_cast<float>(factor));
         if (is_finite_float(double{emission.luminance()} * peak)) return emission;
     }
     throw Error(statement.where,

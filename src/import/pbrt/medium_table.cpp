@@ -60,7 +60,7 @@ Spectrum absorption_of(const std::string& name, const Statement& medium, Spectru
     if (scale > 0 && !is_dark(medium_is.scattering))
         warn("scatters, which is not simulated: it only absorbs");
     if (glow && !is_dark(*glow)) warn("emits, which is not simulated: \"Le\" is ignored");
-    const Spectrum absorption = medium_is.absorption.scaled(static_cast<float>(scale));
+    Spectrum absorption = medium_is.absorption.scaled(static_cast<float>(scale));
     if (is_finite_float(absorption.luminance())) return absorption;
     throw Error(medium.where,
                 "medium " + in_quotes(name) +

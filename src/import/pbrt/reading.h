@@ -38,6 +38,8 @@ struct LoggedAssets {
         : assets(main_file, std::move(access), log) {}
     LoggedAssets(const LoggedAssets& other) : log(other.log), assets(other.assets, log) {}
     LoggedAssets& operator=(const LoggedAssets&) = delete;
+    LoggedAssets(LoggedAssets&&) = delete;
+    LoggedAssets& operator=(LoggedAssets&&) = delete;
     ~LoggedAssets() = default;
 
     ImportLog log;

@@ -26,6 +26,8 @@ public:
     }
     Attempt(const Attempt&) = delete;
     Attempt& operator=(const Attempt&) = delete;
+    Attempt(Attempt&&) = delete;
+    Attempt& operator=(Attempt&&) = delete;
 
     void keep() {
         log_.append(reading_.log);

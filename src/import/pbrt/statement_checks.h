@@ -7,6 +7,7 @@
 #include "import/pbrt/parameters.h"
 
 #include <string>
+#include <utility>
 
 namespace sunfleck::engine {
 

@@ -21,6 +21,22 @@ const Parameter& checked(const Parameter& parameter) {
                 "give the name of one texture");
 }
 
+/// Gives a variable its value back at the end of a block, also when it ends by an exception.
+template <class T>
+class Restored {
+public:
+    explicit Restored(T& variable) : variable_(variable), before_(variable) {}
+    ~Restored() { variable_ = before_; }
+    Restored(const Restored&) = delete;
+    Restored& operator=(const Restored&) = delete;
+    Restored(Restored&&) = delete;
+    Restored& operator=(Restored&&) = delete;
+
+private:
+    T& variable_;
+    T before_;
+};
+
 }  // namespace
 
 void TextureTable::add(const std::string& kind, const std::string& name, Statement statement,
@@ -77,11 +93,7 @@ T TextureTable::make(Entry& entry, SpectrumUse use) {
             throw Error(entry.statement.where, "textures are nested more than 100 deep",
                         "use fewer levels");
     };
-    struct Return {
-        Position& at;
-        Position above;
-        ~Return() { at = above; }
-    } const back{at_, at_};
+    const Restored back(at_);
     at_ = {entry.order, {}, at_.open + 1};
     check(at_.open);
     T texture = texture_of<T>({entry.statement, entry.to_world, use},
