@@ -4,6 +4,13 @@
 namespace sunfleck::engine {
 namespace {
 
+/// Sanitizers take much address space, and stand before any library that is loaded first.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kHasSanitizer = true;
+#else
+constexpr bool kHasSanitizer = false;
+#endif
+
 using testing_support::Process;
 using testing_support::ProgramTest;
 using testing_support::Ran;
@@ -39,6 +46,7 @@ TEST_F(MachineLimits, of_memory_refuse_a_picture_that_is_too_large) {
 }
 
 TEST_F(MachineLimits, of_address_space_are_counted) {
+    if (kHasSanitizer) GTEST_SKIP() << "not with a sanitizer";
     expect_told(after("ulimit -v 1000000", kRender + Words{"--resolution", "1000x1000"}), 2,
                 {"1000 x 1000 pixels", "ulimit -v"});
     EXPECT_EQ(names(), "");
@@ -46,6 +54,7 @@ TEST_F(MachineLimits, of_address_space_are_counted) {
 
 /// However little there is: no abort, and no file.
 TEST_F(MachineLimits, of_address_space_end_no_program_by_a_signal) {
+    if (kHasSanitizer) GTEST_SKIP() << "not with a sanitizer";
     for (const int kibibytes : {60000, 100000, 150000, 200000}) {
         const Ran ran = after("ulimit -v " + std::to_string(kibibytes), kRender);
         EXPECT_TRUE(ran.code == 1 || ran.code == 2 || ran.code == 127 || ran.code == 0)
@@ -56,6 +65,7 @@ TEST_F(MachineLimits, of_address_space_end_no_program_by_a_signal) {
 }
 
 TEST_F(MachineLimits, of_threads_are_told_with_how_many_there_are) {
+    if (kHasSanitizer) GTEST_SKIP() << "not with a sanitizer";
     expect_told(after("export LD_PRELOAD=" SUNFLECK_FAULTS " SUNFLECK_FAULT=thread:2",
                       kRender + Words{"--nthreads", "4"}),
                 1, {"4 threads were asked for, but the machine gives 2", "ulimit -u"});
