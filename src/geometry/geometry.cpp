@@ -173,12 +173,14 @@ RayHit Geometry::Impl::trace(const Line& ray, double walked, float length,
     return ray_hit;
 }
 
-void Geometry::Impl::complete(const RayHit& m, Hit& hit) const {
-    const BuiltInstance* instance = m.instance == kNone ? nullptr : &instances[m.instance];
-    complete_hit({&shapes[m.shape], instance, m.primitive, Vec2d(m.weights), m.t},
-                 Line{m.origin, m.direction}.from(m.walked), hit);
-    hit.shape = m.shape;
-    hit.instance = m.instance;
+void Geometry::Impl::complete(const RayHit& ray_hit, Hit& hit) const {
+    const BuiltInstance* instance =
+        ray_hit.instance == kNone ? nullptr : &instances[ray_hit.instance];
+    complete_hit(
+        {&shapes[ray_hit.shape], instance, ray_hit.primitive, Vec2d(ray_hit.weights), ray_hit.t},
+        Line{ray_hit.origin, ray_hit.direction}.from(ray_hit.walked), hit);
+    hit.shape = ray_hit.shape;
+    hit.instance = ray_hit.instance;
 }
 
 /// Returns the distance that a ray can skip before it may hit anything, if it starts so far away

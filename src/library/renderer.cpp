@@ -38,16 +38,24 @@ struct Renderer::Impl {
     }
 
     /// Ends the claim.
-    struct Release {
-        std::atomic<bool>& is_running;
-        ~Release() { is_running = false; }
+    class Release {
+    public:
+        explicit Release(std::atomic<bool>& is_running) : is_running_(is_running) {}
+        ~Release() { is_running_ = false; }
+        Release(const Release&) = delete;
+        Release& operator=(const Release&) = delete;
+        Release(Release&&) = delete;
+        Release& operator=(Release&&) = delete;
+
+    private:
+        std::atomic<bool>& is_running_;
     };
 
     /// Runs task() while nothing else renders. @throws Error  as claim() does.
     template <class Task>
     auto while_idle(const Task& task) {
         claim();
-        const Release release{is_running};
+        const Release release(is_running);
         return guarded(task);
     }
 
@@ -57,7 +65,7 @@ struct Renderer::Impl {
 
     /// What start() has begun, on its thread.
     void render_on_thread(const Report& report) {
-        const Release release{is_running};
+        const Release release(is_running);
         thread_id = std::this_thread::get_id();
         try {
             outcome = guarded([&] { return session.render({}, report); });

@@ -155,6 +155,7 @@ std::optional<MediaWalks::Walk> MediaWalks::light_walk(const MediaStart& start, 
         start.sides.towards(first.normal, direction)};
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): it moves on
 void MediaWalks::walk(Walk at, bool is_named) {
     auto& [ray, medium] = at;
     look_around(nullptr, ray, medium);

@@ -32,7 +32,7 @@ struct PassScene {
 
     /// Returns whether some Bsdf of the material can gather. If so, photons are stored at all of
     /// its surfaces, whatever the Bsdf at their hits (docs/method/method.md, partial surfaces).
-    bool may_gather(std::uint32_t material) const { return may_gather_[material]; }
+    bool may_gather(std::uint32_t material) const { return may_gather_[material] != 0; }
 
     /// Returns a light's emission times its colour at a point.
     SampledSpectrum coloured(const SampledSpectrum& emitted, const std::optional<Vec3>& rgb) const {

@@ -31,6 +31,7 @@ std::string did_you_mean(std::span<const std::string_view> known, std::string_vi
 template <class Map>
 std::vector<std::string_view> names_of(const Map& map) {
     std::vector<std::string_view> names;
+    names.reserve(map.size());
     for (const auto& [name, value] : map) names.push_back(name);
     return names;
 }
