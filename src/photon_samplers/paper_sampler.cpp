@@ -58,7 +58,7 @@ private:
 /// What the chain counted since the last call.
 std::vector<SamplerSum> new_sums(PaperMemory& state) {
     const MutationSize& size = state.chain.size;
-    const std::vector<SamplerSum> sums = {
+    std::vector<SamplerSum> sums = {
         {"mutation_size", size.theta() - state.theta_counted},
         {"theta_floor_held", static_cast<double>(size.floor_held() - state.floor_counted)}};
     state.theta_counted = size.theta();
