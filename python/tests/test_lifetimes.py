@@ -83,7 +83,7 @@ print("alive")
     assert done.stderr.count("ValueError") == 2  # of those that nobody waits for
 
 
-# What ends after the module lets other threads run, as large programs do.
+# The destructor of this object runs after the module has ended, and lets other threads run.
 LATE = """
 class Late:
     def __del__(self, sleep=time.sleep): sleep(0.3)

@@ -18,7 +18,7 @@ struct GuidedPlan {
     EmissionGuide map;
     std::uint32_t paths = 0;  // zero if there is no guide
     double importance = 1;    // g in eq. (16): of the guided region for the chains, in (0,1]
-    double own_share = 1;     // s in eq. (16): their fraction of the light, in [0,1]
+    double own_share = 1;     // s in eq. (16): fraction of the light that they bring, in [0,1]
 
     GuidedRegion region() const {
         return paths == 0 ? GuidedRegion{} : GuidedRegion{&map, importance};

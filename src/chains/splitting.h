@@ -37,8 +37,8 @@ struct SplittingCounts {
 
     /// Adds another run of the same plan: counts add up, fractions are weighted by `share`.
     void add(const SplittingCounts& other, double share) {
-        levels.resize(
-            std::max(levels.size(), other.levels.size()));  // a run without survivors has fewer
+        // A run without survivors has fewer levels.
+        levels.resize(std::max(levels.size(), other.levels.size()));
         survivors.resize(std::max(survivors.size(), other.survivors.size()));
         for (std::size_t k = 0; k < other.levels.size(); ++k) levels[k] += other.levels[k];
         for (std::size_t k = 0; k < other.survivors.size(); ++k) survivors[k] += other.survivors[k];

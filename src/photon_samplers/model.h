@@ -53,9 +53,10 @@ struct PhotonTotals {
 
 /// Bytes that a render holds while photons are traced, fitted to measured peaks.
 struct SamplerMemory {
-    std::uint64_t pixel =
-        0;  // sums of film, pass and picture; a visible point and its place in the index
-    std::uint64_t path = 0;  // a photon path and its photons, until they are deposited
+    /// Of a pixel: sums of film, pass and picture; a visible point and its place in the index.
+    std::uint64_t pixel = 0;
+    /// Of a photon path: itself and its photons, until they are deposited.
+    std::uint64_t path = 0;
 };
 
 /// The state of a sampler whose passes are independent of each other.

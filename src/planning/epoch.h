@@ -3,9 +3,8 @@
 // In:  scene, settings, index of the epoch. Out: subpasses of a pass, camera paths of a pixel and
 // photon paths of a subpass, light strata and their plans. They are learned by pilots and trials
 // from visible points like those of the epoch's first pass alone, so that any pass can be rendered
-// anywhere, without earlier ones. Trials are no part of the picture: an allocation
-// computed from the pass itself would bias it. Radii shrink ever more slowly, and epochs grow
-// accordingly.
+// anywhere, without earlier ones. Trials are no part of the picture: an allocation computed from
+// the pass itself would bias it. Radii shrink ever more slowly, and epochs grow accordingly.
 #pragma once
 
 #include "camera_paths/camera_pass.h"

@@ -111,8 +111,8 @@ private:
         ScenePlaces places;
     };
     std::shared_ptr<const BeforeViews> before_views_;
-    std::vector<std::uint32_t>
-        exchanged_;  // shapes with inside and outside media exchanged for the view
+    /// Shapes whose inside and outside media are exchanged for the present view.
+    std::vector<std::uint32_t> exchanged_;
 };
 
 }  // namespace sunfleck::engine
