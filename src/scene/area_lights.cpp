@@ -1,10 +1,10 @@
 // Conversion of an emitting shape to area lights: one per triangle, patch or quadric.
 #include "scene/area_lights.h"
 
-#include "core/float_range.h"
 #include "geometry/extent.h"
 #include "geometry/measure.h"
 #include "light/partial_emitter.h"
+#include "math/finite_product.h"
 
 #include <algorithm>
 #include <utility>
@@ -69,10 +69,8 @@ Spectrum radiance_of(const AreaEmission& emission, double area, const SourceLoca
     const double peak = emission.image ? emission.image->peak() : 1;
     if (!(mean > 0)) return emission.radiance;
     const double factor = emission.power / (kPiDouble * area * sides * mean);
-    if (is_finite_float(factor)) {
-        Spectrum radiance = emission.radiance.scaled(static_cast<float>(factor));
-        if (is_finite_float(double{radiance.luminance()} * peak)) return radiance;
-    }
+    if (auto radiance = finite_product(emission.radiance, factor, peak))
+        return *std::move(radiance);
     throw Error(shape,
                 "the area light of this shape is too bright: its radiance times \"power\" over "
                 "the area is no finite float",

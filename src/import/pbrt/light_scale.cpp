@@ -1,8 +1,10 @@
 // Products of a light's parameters, within the range of floats.
 #include "import/pbrt/light_scale.h"
 
-#include "core/float_range.h"
 #include "import/pbrt/words.h"
+#include "math/finite_product.h"
+
+#include <utility>
 
 namespace sunfleck::engine {
 namespace {
@@ -36,10 +38,7 @@ std::string product_of(const Statement& statement, std::string_view total) {
 Spectrum scaled_emission(const Statement& statement, const Spectrum& curve, const LightTotal& total,
                          double peak) {
     const double factor = scale_of(statement) * factor_by(statement, total);
-    if (is_finite_float(factor)) {
-        Spectrum emission = curve.scaled(static_cast<float>(factor));
-        if (is_finite_float(double{emission.luminance()} * peak)) return emission;
-    }
+    if (auto emission = finite_product(curve, factor, peak)) return *std::move(emission);
     throw Error(statement.where,
                 "the light is too bright: its emission, by " + product_of(statement, total.name) +
                     ", is no finite float",

@@ -1,11 +1,11 @@
 // Media by their names, with the absorption of homogeneous ones.
 #include "import/pbrt/medium_table.h"
 
-#include "core/float_range.h"
 #include "import/pbrt/data_substances.h"
 #include "import/pbrt/data_vocabulary.h"
 #include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
+#include "math/finite_product.h"
 
 #include <algorithm>
 
@@ -60,8 +60,8 @@ Spectrum absorption_of(const std::string& name, const Statement& medium, Spectru
     if (scale > 0 && !is_dark(medium_is.scattering))
         warn("scatters, which is not simulated: it only absorbs");
     if (glow && !is_dark(*glow)) warn("emits, which is not simulated: \"Le\" is ignored");
-    Spectrum absorption = medium_is.absorption.scaled(static_cast<float>(scale));
-    if (is_finite_float(absorption.luminance())) return absorption;
+    if (auto absorption = finite_product(medium_is.absorption, scale))
+        return *std::move(absorption);
     throw Error(medium.where,
                 "medium " + in_quotes(name) +
                     " is too dense: \"sigma_a\" times \"scale\" is no finite float",
