@@ -129,11 +129,11 @@ void PythonRenderer::start(const py::object& report) {
 bool PythonRenderer::wait() {
     const LockClaim claim;
     if (!claim) return false;
-    if (log_->is_called_on_this_thread() || (report_ && report_->is_called_on_this_thread()))
-        throw Error({"Renderer"}, "a report cannot wait() for its own render", "return from it");
+    const bool is_in_callback =
+        log_->is_called_on_this_thread() || (report_ && report_->is_called_on_this_thread());
+    if (!is_started_ || is_in_callback) return renderer_->wait() == Outcome::finished;  // an Error
     if (is_awaited_)
         throw Error({"Renderer"}, "another thread waits for the render", "wait() on one thread");
-    if (!is_started_) return renderer_->wait() == Outcome::finished;  // an Error
     Raised interrupt;
     is_awaited_ = true;
     try {
