@@ -78,13 +78,15 @@ differential:
 	cmake --build $(BUILD) -j $(JOBS) --target differential
 	$(BUILD)/bin/differential --program $(BUILD)/bin/sunfleck --jobs $(JOBS) --scenes $(N) --seed $(SEED)
 
-# What takes hours: everything above, lint, another compiler, long fuzzing.
+# What takes hours: everything above, lint, another compiler, long fuzzing; and the benchmarks compile.
 nightly: test browser mpi sanitize tidy
 	$(CTEST) -L nightly
 	$(MAKE) differential N=1000 SEED=$$(date +%Y%m%d)
 	cmake --preset clang
 	cmake --build build/clang -j $(JOBS)
 	ctest --test-dir build/clang -j $(JOBS) --output-on-failure --no-tests=error -LE "check|nightly|browser|mpi"
+	cmake --preset bench
+	cmake --build build/bench -j $(JOBS)
 	tools/fuzz.sh $(FUZZ_SECONDS)
 
 # Ratios of speed, never compared with a fixed time.

@@ -18,6 +18,7 @@
 #include "film/luminance.h"
 #include "gain_errors.h"
 #include "import/load.h"
+#include "photon_samplers/samplers.h"
 #include "program.h"
 #include "render/progressive.h"
 #include "scene/adjust.h"

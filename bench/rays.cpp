@@ -8,12 +8,12 @@
 #include "camera_paths/trace_camera_paths.h"
 #include "core/parallel.h"
 #include "import/load.h"
+#include "photon_samplers/samplers.h"
 #include "program.h"
 #include "raw_embree.h"
 #include "render/pass.h"
 #include "room.h"
 #include "scene/adjust.h"
-#include "stages/photon_stage.h"
 #include "timing.h"
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ public:
     explicit Pass(const Settings& settings)
         : settings_(settings),
           scene_(scene_of(settings)),
-          strata_(groups_of(scene_, settings)),
+          strata_(strata_of(scene_, settings)),
           at_wavelengths_(scene_, kId) {
         PassImage to = image();
         points_ = camera_paths(to);
@@ -80,15 +80,18 @@ public:
 
     /// The photons of a pass like this one. @param number  names its random numbers.
     void photons(const VisiblePointIndex& index, PassImage& image, std::uint32_t number = 0) const {
-        trace_photons({at_wavelengths_, transport_, index}, {0, number}, settings_.sampler, strata_,
-                      {image});
+        const PhotonContext context{at_wavelengths_, transport_, index};
+        PhotonSettings photon;
+        photon.sampler = settings_.sampler;
+        SamplerState state;  // of the samplers here, none has any
+        trace_photons({context, {0, number}, strata_, photon}, {image}, state);
     }
 
 private:
     static constexpr PassId kId{0, 0};
 
     CameraPass camera_pass() const {
-        return {at_wavelengths_, transport_, eye_, window_of(scene_.film()), kId, 1};
+        return {at_wavelengths_, transport_, camera_settings_, window_of(scene_.film()), kId, 1};
     }
 
     static Scene scene_of(const Settings& settings) {
@@ -103,7 +106,7 @@ private:
         return Scene(std::move(description));
     }
 
-    static std::vector<LightStratum> groups_of(const Scene& scene, const Settings& settings) {
+    static std::vector<LightStratum> strata_of(const Scene& scene, const Settings& settings) {
         RenderSettings render;
         render.photon.sampler = settings.sampler;
         render.photon.paths_per_pass = settings.paths;
@@ -115,7 +118,7 @@ private:
     std::vector<LightStratum> strata_;
     PassScene at_wavelengths_;
     TransportSettings transport_;
-    CameraPathSettings eye_;
+    CameraPathSettings camera_settings_;
     VisiblePointLists points_;
 };
 
@@ -183,7 +186,7 @@ void run(const Settings& settings, std::size_t threads) {
     const RawEmbree camera_rays = RawEmbree::record([&] { pass.camera_paths(image); });
     const VisiblePointIndex index = pass.index();
     const RawEmbree photon_rays = RawEmbree::record([&] { pass.photons(index, image); });
-    fmt::print("{} triangles, {} photon paths, {} photon rays and {} eye rays recorded\n",
+    fmt::print("{} triangles, {} photon paths, {} photon rays and {} camera rays recorded\n",
                pass.triangles(), settings.paths, photon_rays.size(), camera_rays.size());
     const bool paths_alone = settings.sampler == PhotonSampler::uniform;
     const Bench bench{pass, photon_rays, camera_rays, paths_alone};
@@ -198,7 +201,7 @@ void run(const Settings& settings, std::size_t threads) {
         if (paths_alone) print_rate("photon paths alone", count, r.trace, r.raw_photon);
         print_rate("camera pass", count, r.camera, r.raw_camera);
         print_rate("Embree, photon rays", count, r.raw_photon, r.raw_photon);
-        print_rate("Embree, eye rays", count, r.raw_camera, r.raw_camera);
+        print_rate("Embree, camera rays", count, r.raw_camera, r.raw_camera);
     }
     const Rates& one = rates[1];
     const Rates& many = rates[threads];

@@ -57,8 +57,8 @@ Cost cost_of(const Case& c, int repeats) {
 }
 
 void print_table(const char* title, const std::vector<Case>& cases, int repeats) {
-    fmt::print("\n{}\n{:<12} {:>9} {:>9} {:>9} {:>9} {:>14} {:>8}\n", title, "", "build s", "eye s",
-               "index s", "photon s", "photon rays/s", "over 1st");
+    fmt::print("\n{}\n{:<12} {:>9} {:>9} {:>9} {:>9} {:>14} {:>8}\n", title, "", "build s",
+               "camera s", "index s", "photon s", "photon rays/s", "over 1st");
     double first = 0;
     for (const Case& c : cases) {
         const Cost cost = cost_of(c, repeats);

@@ -1,6 +1,7 @@
 // Reading and writing of film heads.
 #include "film/film_head.h"
 
+#include "film/film.h"
 #include "film/pass_groups.h"
 
 #include <bit>

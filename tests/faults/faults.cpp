@@ -21,7 +21,6 @@ namespace {
 
 /// Small pieces are asked for everywhere, and those of libraries at their start.
 constexpr std::size_t kLargeMalloc = 1 << 14;
-constexpr std::size_t kLargeMap = 1 << 16;
 
 struct Plan {
     char kind[16] = "";

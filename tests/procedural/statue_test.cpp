@@ -3,6 +3,7 @@
 #include "procedural/statue.h"
 
 #include "mesh_checks.h"
+#include "procedural/scenes.h"
 
 #include <gtest/gtest.h>
 
