@@ -1,13 +1,13 @@
 // Errors of renders against a reference, and ratios of error times processor time with intervals.
 #pragma once
 
-#include "core/random.h"
+#include "bootstrap.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -112,25 +112,15 @@ inline double mean_by(const std::vector<Sample>& samples, const std::vector<std:
 /// The ratio of error times seconds, and its 95% interval by drawing seeds again with repetition.
 inline void print_ratio(const std::string& name, const std::vector<Sample>& a,
                         const std::vector<Sample>& b, double Error::*measure) {
-    constexpr int kSubpasses = 2000;
     std::vector<std::size_t> all(a.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    const double ratio = mean_by(a, all, measure) / mean_by(b, all, measure);
-    RandomStream random(1, Purpose::test, 0, 0);
-    std::vector<double> ratios;
-    for (int subpass = 0; subpass < kSubpasses; ++subpass) {
-        std::vector<std::size_t> first;
-        std::vector<std::size_t> second;
-        const auto size = static_cast<double>(all.size());
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            first.push_back(static_cast<std::size_t>(random.next() * size));
-            second.push_back(static_cast<std::size_t>(random.next() * size));
-        }
-        ratios.push_back(mean_by(a, first, measure) / mean_by(b, second, measure));
-    }
-    std::sort(ratios.begin(), ratios.end());
-    fmt::print("{:<34} {:10.4g}   [{:.4g}, {:.4g}]\n", name, ratio, ratios[kSubpasses / 40],
-               ratios[kSubpasses - kSubpasses / 40]);
+    std::iota(all.begin(), all.end(), 0U);
+    const auto ratio = [&](const std::vector<std::size_t>& first,
+                           const std::vector<std::size_t>& second) {
+        return mean_by(a, first, measure) / mean_by(b, second, measure);
+    };
+    const Interval interval = bootstrap(a.size(), ratio);
+    fmt::print("{:<34} {:10.4g}   [{:.4g}, {:.4g}]\n", name, ratio(all, all), interval.low,
+               interval.high);
 }
 
 inline void print_ratios(const std::string& names, const std::vector<Sample>& a,

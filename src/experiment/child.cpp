@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <chrono>
@@ -16,8 +17,8 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): glibc has 
 
 namespace sunfleck::engine {
 
-int run_child(const std::vector<std::string>& words, const std::string& log,
-              const std::atomic<bool>* interrupted) {
+ChildEnd run_child(const std::vector<std::string>& words, const std::string& log,
+                   const std::atomic<bool>* interrupted) {
     std::vector<std::string> copies = words;
     std::vector<char*> argv;
     argv.reserve(copies.size() + 1);
@@ -34,15 +35,20 @@ int run_child(const std::vector<std::string>& words, const std::string& log,
         throw Error({words[0]}, "cannot be started: " + std::system_category().message(fault),
                     "check that you may write to " + log);
     int status = 0;
+    rusage usage{};
     bool told = false;
-    while (waitpid(child, &status, WNOHANG) == 0) {
+    while (wait4(child, &status, WNOHANG, &usage) == 0) {
         if (interrupted != nullptr && interrupted->load() && !told) {
             kill(child, SIGINT);
             told = true;
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            seconds(usage.ru_utime) + seconds(usage.ru_stime)};
 }
 
 }  // namespace sunfleck::engine

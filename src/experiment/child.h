@@ -7,12 +7,16 @@
 
 namespace sunfleck::engine {
 
+struct ChildEnd {
+    int code = 0;            // exit code; 128 + the signal's number if a signal ended it
+    double cpu_seconds = 0;  // of all its threads
+};
+
 /// Runs words[0] with the other words as arguments; standard output and error go to the file `log`.
 /// @param interrupted  polled several times per second; when set, the child receives SIGINT, and
 /// its end is still waited for. May be null.
-/// @return its exit code; 128 + the signal's number if a signal ended it.
 /// @throws Error  if it cannot be started.
-int run_child(const std::vector<std::string>& words, const std::string& log,
-              const std::atomic<bool>* interrupted);
+ChildEnd run_child(const std::vector<std::string>& words, const std::string& log,
+                   const std::atomic<bool>* interrupted);
 
 }  // namespace sunfleck::engine

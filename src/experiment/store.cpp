@@ -162,7 +162,7 @@ void CellStore::run(const Cell& cell, const std::atomic<bool>* interrupted) cons
     if (!fs::exists(checkpoint)) fs::remove_all(part);
     make_folder(part);
     const std::string log = (part / "log.txt").string();
-    const int code = run_child(command(cell, part.string()), log, interrupted);
+    const int code = run_child(command(cell, part.string()), log, interrupted).code;
     if (interrupted != nullptr && interrupted->load()) {
         if (!fs::exists(checkpoint)) fs::remove_all(part);
         throw Interrupted{};

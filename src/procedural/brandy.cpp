@@ -97,14 +97,14 @@ std::vector<SceneFile> brandy_scene() {
     std::string body = replaced(std::string(kBody), "@GLASS@", "1.52");
     body = replaced(body, "@RATIO@", index_table(kSnifterIndex));
     body = replaced(body, "@BRANDY@", index_table(1));
-    const Snifter glass = snifter();
+    const FilledGlass glass = filled_glass(snifter_curves(), kSnifterSegments);
     const Mesh leaves =
         canopy({.sun = Vec3d(0.748, 0.664, 0.92).normalized(), .place = Vec3d(-3, -3, 3)});
     return {{"brandy.pbrt", std::string(kHead) + shape_text(square_mesh(70, 0)) + body},
             {"geometry/canopy.ply", ply_bytes(leaves)},
             {"geometry/snifter-air.ply", ply_bytes(glass.glass_air)},
-            {"geometry/brandy-snifter.ply", ply_bytes(glass.brandy_glass)},
-            {"geometry/brandy-level.ply", ply_bytes(glass.brandy_air)}};
+            {"geometry/brandy-snifter.ply", ply_bytes(glass.liquid_glass)},
+            {"geometry/brandy-level.ply", ply_bytes(glass.liquid_air)}};
 }
 
 }  // namespace sunfleck::engine

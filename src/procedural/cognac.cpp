@@ -47,12 +47,12 @@ Shape "plymesh" "string filename" "geometry/brandy-air.ply"
 
 }  // namespace
 
-std::vector<SceneFile> cognac_scene(const CognacView& view) {
+std::vector<SceneFile> cognac_scene(const CognacView& view, const Mesh& table) {
     std::string text = replaced(std::string(kHead), "@NAME@", view.name);
     text = replaced(text, "@WHAT@", view.what);
     text = replaced(text, "@TARGET@", view.target);
     text = replaced(text, "@FOV@", view.fov);
-    text += shape_text(square_mesh(static_cast<float>(kTableHalfWidth), 0));
+    text += shape_text(table);
     text += kGlass;
     const CognacGlass glass = cognac_glass();
     return {{std::string(view.name) + ".pbrt", text},

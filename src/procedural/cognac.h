@@ -2,6 +2,7 @@
 // caustic.
 #pragma once
 
+#include "procedural/mesh.h"
 #include "procedural/scene_file.h"
 
 #include <array>
@@ -36,7 +37,13 @@ inline constexpr std::array<CognacView, 7> kCognacViews = {{
     {"cognac-6", "two thirds of a millimetre of cognac-4", "4.6 -8 0", "0.1"},
 }};
 
-/// Returns the files of one scene. @param view  one of kCognacViews.
-std::vector<SceneFile> cognac_scene(const CognacView& view);
+/// The table that the scenes have.
+inline Mesh cognac_table() {
+    return square_mesh(static_cast<float>(kTableHalfWidth), 0);
+}
+
+/// Returns the files of one scene. @param view  one of kCognacViews. @param table  another one
+/// shows what the surround costs.
+std::vector<SceneFile> cognac_scene(const CognacView& view, const Mesh& table = cognac_table());
 
 }  // namespace sunfleck::engine

@@ -17,6 +17,7 @@
 #include "procedural/two_windows.h"
 #include "procedural/watch.h"
 #include "procedural/window_room.h"
+#include "procedural/wine_glass.h"
 #include "sunfleck/error.h"
 
 #include <algorithm>
@@ -37,6 +38,12 @@ std::vector<SceneFile> nameless(const ProceduralScene& /*scene*/) {
 std::vector<SceneFile> cognac(const ProceduralScene& scene) {
     return cognac_scene(*std::find_if(kCognacViews.begin(), kCognacViews.end(),
                                       [&](const auto& view) { return view.name == scene.name; }));
+}
+
+std::vector<SceneFile> wine_glass(const ProceduralScene& scene) {
+    return wine_glass_scene(
+        *std::find_if(kWineGlassViews.begin(), kWineGlassViews.end(),
+                      [&](const auto& view) { return view.name == scene.name; }));
 }
 
 std::vector<SceneFile> keyhole(const ProceduralScene& scene) {
@@ -75,6 +82,8 @@ std::vector<Entry> entries() {
          lamp_room_scene},
     };
     all.insert(all.end(), others.begin(), others.end());
+    for (const WineGlassView& view : kWineGlassViews)
+        all.push_back({{std::string(view.name), std::string(view.what)}, wine_glass});
     for (const Keyhole& one : kKeyholes)
         all.push_back({{std::string(one.name), std::string(one.what)}, keyhole});
     return all;
