@@ -24,7 +24,8 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler m
 
 void write_error(std::string_view first, std::string_view line, std::string_view last) {
     const auto piece = [](std::string_view text) {
-        return iovec{const_cast<char*>(text.data()), text.size()};  // which is only read
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): writev() only reads
+        return iovec{const_cast<char*>(text.data()), text.size()};
     };
     const std::array<iovec, 3> pieces{piece(first), piece(line), piece(last)};
     while (::writev(STDERR_FILENO, pieces.data(), pieces.size()) < 0 && errno == EINTR) {

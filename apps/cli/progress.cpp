@@ -17,6 +17,7 @@ namespace {
 
 /// May it be written on: standard error is one whose lines can be erased?
 bool has_terminal() {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing changes the environment
     const char* const kind = std::getenv("TERM");
     return ::isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
 }

@@ -99,8 +99,8 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
     set_times(facts, result);
     if (!options.stats.empty()) {
         const std::string json = stats_json(result.film, facts);
-        InterruptGuard::finish_first(
-            [&] { faults.attempt([&] { write_file(options.stats, json); }); });
+        const auto write = [&] { write_file(options.stats, json); };
+        InterruptGuard::finish_first([&] { faults.attempt(write); });
     }
     const std::string state =
         state_text(result.film.pass_count(), result.total_seconds,

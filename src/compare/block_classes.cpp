@@ -37,8 +37,8 @@ std::vector<double> block_means(std::span<const double> pixels, std::size_t widt
 BlockClasses::BlockClasses(const std::vector<double>& brightness) {
     const double picture = mean_of(brightness);
     for (std::size_t block = 0; block < brightness.size(); ++block) {
-        const auto above = std::upper_bound(kClassEdges.begin() + 1, kClassEdges.end() - 1,
-                                            brightness[block] / picture);
+        const double* const above = std::upper_bound(kClassEdges.begin() + 1, kClassEdges.end() - 1,
+                                                     brightness[block] / picture);
         const auto number = static_cast<std::size_t>(above - kClassEdges.begin()) - 1;
         blocks_.at(number).push_back(block);
         means_.at(number) += brightness[block];

@@ -42,7 +42,7 @@ std::string link_target(const std::string& path) {
 
 std::optional<FileIdentity> identity_of(const std::string& path) {
     if (path.empty()) return {};
-    if (const auto found = existing(path)) return found;
+    if (auto found = existing(path)) return found;
     const fs::path target = link_target(path);
     const fs::path folder = target.parent_path();
     auto parent = existing(folder.empty() ? "." : folder.string());

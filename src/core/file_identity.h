@@ -15,6 +15,7 @@ struct FileIdentity {
     std::uint64_t inode = 0;
     std::string new_name;  // empty for a file that exists
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): seen in code that the compiler writes
     auto operator<=>(const FileIdentity&) const = default;
 };
 
