@@ -11,12 +11,25 @@ enum class DirectLight {
     photons   // photons, from their first hit on
 };
 
+/// Which estimator computes light that leaves its lamp straight to a diffuse surface, and comes
+/// from there to the diffuse surface that the camera sees.
+enum class IndirectLight {
+    sampled,  // camera paths, which go on by bsdf samples and next event estimation
+    photons
+};
+
 inline constexpr int kDefaultMaxDepth = 64;
 
 struct TransportSettings {
     DirectLight direct = DirectLight::sampled;
     int max_depth = kDefaultMaxDepth;  // scattering events of a path, camera and light together
     LightGroups light_groups{};
+    IndirectLight indirect = IndirectLight::photons;  // where direct light is sampled
+
+    /// Returns whether camera paths go on beyond the first diffuse surface.
+    bool goes_beyond_diffuse() const {
+        return direct == DirectLight::sampled && indirect == IndirectLight::sampled;
+    }
 };
 
 }  // namespace sunfleck::engine

@@ -88,16 +88,16 @@ struct CoatedDiffuse {
         return drawn;
     }
 
-    static constexpr Scattering scattering() { return Scattering::coated; }
-    static bool gathers(float z_from, float z_to) { return CoatedBase::gathers(z_from, z_to); }
-    SampledSpectrum diffuse_albedo(const Vec3& wo) const { return base().diffuse_albedo(wo); }
-    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
-
-private:
+    /// Returns the probability with which sample() selects the coat's reflection.
     float chance_of_top(const Vec3& wo) const {
         const float above = coat->reflectance(std::min(1.0F, std::abs(wo.z)));
         return above / (above + base().diffuse_albedo(wo).mean() + 1e-6F);
     }
+
+    static constexpr Scattering scattering() { return Scattering::coated; }
+    static bool gathers(float z_from, float z_to) { return CoatedBase::gathers(z_from, z_to); }
+    SampledSpectrum diffuse_albedo(const Vec3& wo) const { return base().diffuse_albedo(wo); }
+    static constexpr float reflection_probability(const Vec3&, const HeroWavelength&) { return 0; }
 };
 
 }  // namespace sunfleck::engine

@@ -73,7 +73,7 @@ Ray CameraPath::ray_beyond(const Hit& hit) {
 CameraRay CameraPath::start(BatchPoints& numbers) {
     const FilterSample filtered = filter_.sample(numbers.next_2d());
     const Vec2d film = pass_.window.place(pixel_, filtered.offset);
-    const CameraRay ray = camera_ray(pass_.scene.scene.camera(), film, numbers.next_2d());
+    CameraRay ray = camera_ray(pass_.scene.scene.camera(), film, numbers.next_2d());
     weight_ = filtered.weight * pass_.scene.scene.film().imaging_ratio * of_pixel_;
     throughput_ = SampledSpectrum(1);
     medium_ = pass_.scene.scene.media().at_camera;
@@ -101,6 +101,7 @@ bool CameraPath::interact(Hit& hit, BatchPoints& numbers) {
     const Bsdf& bsdf = narrowed ? *narrowed : at_surface;
     const CameraVertex vertex{hit, frame, frame.to_local(-direction_), bsdf, medium_, several};
     if (bounces_ >= transport.max_depth) return false;
+    if (beyond_) return interact_beyond(vertex, at_surface, numbers);
     if (const auto* coated = std::get_if<CoatedDiffuse>(&at_surface)) {
         const Bsdf base = coated->base();
         const Bsdf top = coated->top();
@@ -118,8 +119,10 @@ bool CameraPath::interact(Hit& hit, BatchPoints& numbers) {
 void CameraPath::gather_at_base(const CameraVertex& vertex, BatchPoints& numbers) {
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
     gather(vertex.hit, vertex.bsdf, sampled ? kScattered : kEverything);
-    if (sampled) add_direct_light(vertex, numbers, true);
+    const bool goes_beyond = pass_.transport.goes_beyond_diffuse();
+    if (sampled) add_direct_light(vertex, numbers, !goes_beyond);
     add_features(vertex.hit, diffuse_albedo(vertex.bsdf, vertex.wo));
+    if (goes_beyond) CameraPath(*this).go_beyond(vertex, numbers.branch());
 }
 
 /// Continues the path from a specular or glossy lobe. @return whether it does.
@@ -235,7 +238,8 @@ bool CameraPath::take(const CameraVertex& vertex, const BsdfSampleInput& draw, f
     spread_angle_ /= drawn->eta;
     if (drawn->pdf) spread_angle_ += kGlossySpread * std::min(1.0F, 1 / std::sqrt(*drawn->pdf));
     ++bounces_;
-    if (drawn->pdf) {
+    const bool others_bring_it = beyond_ && scattering(vertex.bsdf) != Scattering::diffuse;
+    if (drawn->pdf && !others_bring_it) {
         emitters_ = Emitters::weighted;
         bsdf_pdf_ = *drawn->pdf / static_cast<float>(ris_candidates(vertex));
         glossy_ = receiver_at(pass_.scene.scene, vertex);

@@ -39,6 +39,9 @@ private:
     /// Returns the next ray from a hit, in the new direction.
     Ray ray_beyond(const Hit& hit);
     bool interact(Hit& hit, BatchPoints& numbers);
+    void go_beyond(const CameraVertex& vertex, BatchPoints numbers);
+    bool interact_beyond(const CameraVertex& vertex, const Bsdf& at_surface, BatchPoints& numbers);
+    bool take_beyond(const CameraVertex& vertex, BatchPoints& numbers);
     void gather_at_base(const CameraVertex& vertex, BatchPoints& numbers);
     bool go_on(const CameraVertex& vertex, BatchPoints& numbers);
     void add_emission(const EmitterHit& met);
@@ -83,6 +86,7 @@ private:
     float spread_angle_ = 0;     // its growth per distance
     float eta_scale_ = 1;        // squared index ratio of refractions, undone for Russian roulette
     float share_ = 1;            // product of the branch weights
+    bool beyond_ = false;        // a diffuse surface has scattered the path: nothing is gathered
     std::uint16_t bounces_ = 0;
     Emitters emitters_ = Emitters::all;
     float bsdf_pdf_ = 0;                // of the last glossy sample, over the RIS candidates there

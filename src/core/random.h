@@ -49,7 +49,8 @@ enum class Purpose : std::uint32_t {
     metropolis_step,
     metropolis_choice,
     importon,
-    edge_search
+    edge_search,
+    caster
 };
 
 /// Converts a 64-bit fraction to a double of the open interval (0,1): an odd multiple of 2^-53.

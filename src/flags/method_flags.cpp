@@ -43,6 +43,18 @@ std::vector<RenderFlag> estimator_flags() {
          .help = "How direct light is estimated; with the sampler paper by photons",
          .needs = {needs_photon_mapping(),
                    of_value("sampled", refused_by_paper("is photons with the sampler paper"))}},
+        {.name = "--indirect",
+         .value = one_of({{"photons", "by photons"}, {"sampled", "by camera paths that go on"}},
+                         [](auto& r, const auto& name) {
+                             r.settings.transport.indirect = name == "photons"
+                                                                 ? IndirectLight::photons
+                                                                 : IndirectLight::sampled;
+                         }),
+         .help = "Who brings light from one diffuse surface to another, where a lamp lights the "
+                 "first",
+         .needs = {needs_photon_mapping(),
+                   {.flag = "--direct", .values = {"sampled"}, .why = "photons estimate all light"},
+                   of_value("sampled", refused_by_paper("photons estimate all light"))}},
         {.name = "--ris",
          .value = one_of({{"auto", "resampled importance sampling of several candidates"},
                           {"off", "one light sample per vertex"}},

@@ -86,7 +86,51 @@ EmissionGuide EmissionGuide::widened(double kept) const {
     return with_masses(std::move(masses));
 }
 
-EmissionGuide EmissionGuide::with_masses(std::vector<double> masses) const {
+std::vector<double> EmissionGuide::mean_squares(const std::vector<Worth>& trials) const {
+    constexpr double kOfParent = 8;  // trials that the box around one is worth
+    std::vector<double> count(nodes_.size());
+    std::vector<double> square(nodes_.size());
+    for (const Worth& trial : trials) {
+        const std::uint32_t box = box_of(trial.point);
+        count[box] += 1;
+        square[box] += trial.square;
+    }
+    for (std::size_t i = nodes_.size(); i-- > 0;) {  // halves come after the whole
+        const std::uint32_t left = nodes_[i].left;
+        if (left == 0) continue;
+        count[i] = count[left] + count[left + 1];
+        square[i] = square[left] + square[left + 1];
+    }
+    std::vector<double> mean(nodes_.size());
+    mean[0] = square[0];
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (nodes_[i].left == 0) continue;
+        for (std::uint32_t half = nodes_[i].left; half < nodes_[i].left + 2; ++half)
+            mean[half] = (count[half] * square[half] / nodes_[half].volume + kOfParent * mean[i]) /
+                         (count[half] + kOfParent);
+    }
+    return mean;
+}
+
+EmissionGuide EmissionGuide::by_worth(const std::vector<Worth>& trials, double kept,
+                                      const Growth& growth) const {
+    if (is_identity()) return {};
+    std::vector<double> masses = mean_squares(trials);
+    double sum = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        masses[i] = nodes_[i].left == 0 ? nodes_[i].volume * std::sqrt(masses[i]) : 0;
+        sum += masses[i];
+    }
+    const double even = growth.uniform_share;
+    const double by_worth = sum > 0 ? 1 - kept - even : 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+        if (nodes_[i].left == 0)
+            masses[i] = (sum > 0 ? by_worth * masses[i] / sum : 0) +
+                        (1 - by_worth - even) * nodes_[i].found + even * nodes_[i].volume;
+    return with_masses(std::move(masses), growth.spread);
+}
+
+EmissionGuide EmissionGuide::with_masses(std::vector<double> masses, double spread) const {
     double all = 0;
     for (const double mass : masses) all += mass;
     if (!(all > 0)) return {};
@@ -101,7 +145,22 @@ EmissionGuide EmissionGuide::with_masses(std::vector<double> masses) const {
         }
         node.density = masses[i] / node.volume;
     }
+    if (spread > 0) map.spread_masses(spread);
     return map;
+}
+
+void EmissionGuide::spread_masses(double share) {
+    std::vector<double> masses(nodes_.size());
+    masses[0] = 1;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        Node& node = nodes_[i];
+        node.density = masses[i] / node.volume;
+        if (node.left == 0) continue;
+        const double left = nodes_[node.left].volume / node.volume;
+        node.left_share = (1 - share) * node.left_share + share * left;
+        masses[node.left] = masses[i] * node.left_share;
+        masses[node.left + 1] = masses[i] * (1 - node.left_share);
+    }
 }
 
 }  // namespace sunfleck::engine

@@ -26,6 +26,7 @@ public:
     struct Growth {
         double uniform_share = 0.25;  // of the density: a defensive mixture, in (0,1]
         double least_gain = 8;        // in log likelihood, of a cut: 35 are tried
+        double spread = 0;            // of the mass of each inner box: uniform over it
     };
 
     /// @param points  samples of the wanted density; none gives the identity.
@@ -47,6 +48,19 @@ public:
     /// are as dense there are no images. If there are none anywhere: the identity.
     /// @param kept  fraction of the images, in [0,1], with the present density.
     EmissionGuide widened(double kept) const;
+
+    /// What a trial was worth to the picture.
+    struct Worth {
+        EmissionPoint point{};
+        double square = 0;  // of its worth, over the sum of the densities of all trials there
+    };
+    /// Returns the same boxes with densities in proportion to the root of the mean squared worth of
+    /// a path from there, which minimises the variance of independent paths. Few trials of a box
+    /// count less than those of the box around it.
+    /// @param kept  share of the mass that follows the points that the boxes were learned from.
+    /// @param growth  the one by which they were learned.
+    EmissionGuide by_worth(const std::vector<Worth>& trials, double kept,
+                           const Growth& growth) const;
 
     struct Image {
         EmissionPoint point;
@@ -85,7 +99,15 @@ private:
     std::uint32_t box_of(EmissionPoint at) const;
     /// Returns the same boxes with masses proportional to these: of leaves, by index; those of
     /// inner nodes are filled in. All zero: the identity.
-    EmissionGuide with_masses(std::vector<double> masses) const;
+    /// @param spread  of the mass of each inner box is spread over it.
+    EmissionGuide with_masses(std::vector<double> masses, double spread = 0) const;
+
+    /// Spreads a share of the mass of each inner box evenly over it: density falls by degrees from
+    /// where much was found to where nothing was, and a hole that a cut left by chance stays within
+    /// reach.
+    void spread_masses(double share);
+    /// Returns the mean squared worth in each box, halves drawn towards their whole.
+    std::vector<double> mean_squares(const std::vector<Worth>& trials) const;
 
     std::vector<Node> nodes_;
     std::vector<EmissionShear> shears_;

@@ -144,7 +144,8 @@ private:
         const double volume = (cut.at - region.box.low[cut.dimension]) /
                               (region.box.high[cut.dimension] - region.box.low[cut.dimension]);
         // Two more points, spread uniformly, so that no part of a box is certainly empty.
-        const double to_left = (d.in_left * d.points + 2 * volume) / (d.points + 2);
+        const double found_left = (d.in_left * d.points + 2 * volume) / (d.points + 2);
+        const double to_left = (1 - growth_.spread) * found_left + growth_.spread * volume;
         left.share *= to_left;
         right.share *= 1 - to_left;
         left.volume *= volume;

@@ -14,7 +14,7 @@ Emission DistantLight::sample_emission(const std::array<double, 4>& u,
 EmissionDimensions DistantLight::emission_dimensions(const LightRay& ray,
                                                      const SceneSphere& sphere) const {
     const Vec2d disc = scene_disc_square(sphere, direction, ray.origin);
-    return {disc.x, disc.y, 0.5, 0.5};
+    return {disc.x, disc.y, kUnread, kUnread};
 }
 
 double DistantLight::emission_pdf(const LightRay&, const SceneSphere& sphere) const {

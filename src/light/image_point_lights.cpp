@@ -39,7 +39,7 @@ Emission GoniometricLight::sample_emission(const std::array<double, 4>& u,
 EmissionDimensions GoniometricLight::emission_dimensions(const LightRay& ray,
                                                          const SceneSphere&) const {
     const Vec2d way = image->numbers(sphere_to_square(to_local(to_world, ray.direction)));
-    return {0.5, 0.5, way.x, way.y};
+    return {kUnread, kUnread, way.x, way.y};
 }
 
 double GoniometricLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
@@ -82,7 +82,7 @@ std::optional<Vec2d> ProjectionLight::place_of(const Vec3d& direction) const {
 EmissionDimensions ProjectionLight::emission_dimensions(const LightRay& ray,
                                                         const SceneSphere&) const {
     const Vec2d way = image->numbers(place_of(ray.direction).value_or(Vec2d(0.5)));
-    return {0.5, 0.5, way.x, way.y};
+    return {kUnread, kUnread, way.x, way.y};
 }
 
 double ProjectionLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {

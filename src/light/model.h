@@ -13,6 +13,7 @@
 
 #include <array>
 #include <concepts>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -48,6 +49,8 @@ struct LightRay {
 
 /// Random numbers in (0,1) of an emission: position (2), direction (2).
 using EmissionDimensions = std::array<double, 4>;
+/// In their place what the light does not read: any number leads to the same emission.
+inline constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
 
 /// Sample of the direct light at a point.
 struct DirectSample {

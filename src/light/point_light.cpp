@@ -12,7 +12,7 @@ Emission PointLight::sample_emission(const std::array<double, 4>& u, const Scene
 
 EmissionDimensions PointLight::emission_dimensions(const LightRay& ray, const SceneSphere&) const {
     const Vec2d way = sphere_to_square(ray.direction);
-    return {0.5, 0.5, way.x, way.y};
+    return {kUnread, kUnread, way.x, way.y};
 }
 
 double PointLight::emission_pdf(const LightRay&, const SceneSphere&) const {

@@ -64,7 +64,7 @@ EmissionDimensions SpotLight::emission_dimensions(const LightRay& ray, const Sce
     const double flat2 = local.x * local.x + local.y * local.y;
     const double shrink = flat2 > 0 ? std::sqrt(std::clamp(radius2, 0.0, 1.0) / flat2) : 0;
     const Vec2d way = disc_to_square(Vec2d(local.x, local.y) * shrink);
-    return {0.5, 0.5, way.x, way.y};
+    return {kUnread, kUnread, way.x, way.y};
 }
 
 double SpotLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {

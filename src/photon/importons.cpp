@@ -17,6 +17,7 @@ public:
     Importon(const PhotonContext& photon_context, const LightChoice& lights, RandomStream stream,
              WalkedEmission& found)
         : scene_(photon_context.scene),
+          goes_beyond_diffuse_(photon_context.transport.goes_beyond_diffuse()),
           guide_samples_(photon_context.scene, lights),
           stream_(stream),
           found_(found) {}
@@ -84,30 +85,24 @@ private:
         if (f.is_zero()) return;
         const double weight = weight_of(sample, f * std::abs(wi.z));
         const Ray ray = ray_from(hit, sample.direct.direction);
-        if (guide_samples_.panes_to(ray, sample.direct.distance) < 0) return;
+        const int panes = guide_samples_.panes_to(ray, sample.direct.distance);
+        if (panes < 0 || (panes == 0 && is_left_to_camera(bsdf))) return;
         add(sample, hit.position, weight);
+    }
+
+    /// Returns whether camera paths bring what this surface sends on of light straight from a lamp.
+    bool is_left_to_camera(const Bsdf& bsdf) const {
+        return goes_beyond_diffuse_ && scattering(bsdf) == Scattering::diffuse;
     }
 
     /// Returns the unoccluded contribution of a sample.
     double weight_of(const LightAtPoint& sample, const SampledSpectrum& scattered) {
-        const SampledSpectrum flux = throughput_ * scattered * emitted_by(sample.light);
+        const SampledSpectrum flux =
+            throughput_ * scattered * guide_samples_.emitted_by(sample.light);
         const double weight = static_cast<double>(flux.sum()) *
                               static_cast<double>(sample.direct.factor) / sample.probability;
         found_.possible += weight;
         return weight;
-    }
-
-    /// Returns the emission of a light; a light that is dark at the wavelengths of the pass counts
-    /// as grey, because guide samples are used in other passes, too. It is weighted by luminance
-    /// over power.
-    SampledSpectrum emitted_by(std::size_t light) const {
-        const SampledSpectrum& emission = scene_.emission[light];
-        if (!emission.is_zero()) return emission;
-        const Scene& scene = scene_.scene;
-        const LightChoice& all = scene.light_choice();
-        const double weight = all.total() * all.probability(light);
-        return SampledSpectrum(
-            static_cast<float>(weight / power(scene.lights()[light], scene.sphere())));
     }
 
     void add(const LightAtPoint& sample, const Vec3& at, double weight) {
@@ -116,6 +111,7 @@ private:
     }
 
     const PassScene& scene_;
+    bool goes_beyond_diffuse_;
     InitialGuideSamples guide_samples_;
     RandomStream stream_;
     WalkedEmission& found_;

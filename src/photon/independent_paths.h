@@ -1,49 +1,49 @@
-// Uniform photon paths: the samplers `random` and `uniform`.
+// Independent photon paths, without Markov chains: of uniform points, or of a guide's.
 //
-// `random`:  all dimensions are independent (the paper's baseline).
-// `uniform`: emission dimensions are Sobol' points with a new shift per pass.
+// In:  points: primary samples by number, with weights if they are not uniform. Out: chunks of
+// photons whose flux has the weight of their path.
 #pragma once
 
 #include "core/parallel.h"
 #include "photon/interleaved.h"
-#include "random_numbers/emission_points.h"
 #include "visible_points/photon_chunk.h"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace sunfleck::engine {
 
-enum class UniformKind { random, uniform };
-
-struct UniformPaths {
-    UniformKind kind = UniformKind::uniform;
-    PassId pass;
-    std::uint32_t count = 0;
-};
-
-/// Returns the number of paths with at least one accepted photon. @param range  of the chunk.
-inline std::uint64_t visible_paths(const PhotonChunk& chunk, const PathRange& range) {
-    std::vector<std::uint8_t> visible(range.size(), 0);
-    for (std::size_t i = 0; i < chunk.paths.size(); ++i)
-        visible[chunk.paths[i] - range.begin] |= chunk.taken[i];
-    return std::accumulate(visible.begin(), visible.end(), std::uint64_t{0});
+/// Returns the weight of a primary sample: one over its density.
+template <class Reader>
+double weight_of(const Reader& reader) {
+    if constexpr (requires { reader.weight(); })
+        return reader.weight();
+    else
+        return 1;
 }
 
+/// Result of a pass.
+struct TracedPaths {
+    Statistics statistics;      // rays, ends and deposits
+    std::uint64_t visible = 0;  // paths with an accepted photon
+    double visible_weight = 0;  // sum of the weights of these
+};
+
 /// Traces the paths of one chunk.
+/// @tparam Points  path(number) returns a primary-sample reader.
 /// @param may_accept  called with a photon: false if no visible point can accept it.
 template <class Points, class MayAccept>
 void trace_chunk(const PhotonTracer& tracer, const Points& points, const PathRange& range,
                  const MayAccept& may_accept, PhotonChunk& chunk) {
-    const auto visit = [&](const Photon& photon, std::uint32_t number) {
-        if (may_accept(photon)) chunk.add(photon, number);
+    const auto visit = [&](const Photon& photon, std::uint32_t number, const auto& reader) {
+        if (!may_accept(photon)) return;
+        chunk.add(photon, number);
+        chunk.photons.back().flux *= static_cast<float>(weight_of(reader));
     };
     const auto ended = [&](PathEnd end) { count_end(end, chunk.statistics); };
     chunk.reserve(range.size() + range.size() / 4);
     InterleavedPaths paths(tracer, points, visit, ended);
     chunk.statistics[Count::photon_rays] += paths.trace(range);
-    chunk.statistics[Count::uniform_paths] += range.size();
 }
 
 /// Paths per chunk.
@@ -51,44 +51,53 @@ inline constexpr std::size_t kChunkPaths = 512;
 
 /// Traces the paths of the range in blocks of kChunkPaths, one chunk each.
 /// @param may_accept  see trace_chunk().
-template <class MayAccept>
-std::vector<PhotonChunk> trace_chunks(const PhotonTracer& tracer, const UniformPaths& paths,
+template <class Points, class MayAccept>
+std::vector<PhotonChunk> trace_chunks(const PhotonTracer& tracer, const Points& points,
                                       const PathRange& range, const MayAccept& may_accept) {
-    const EmissionPoints even(paths.pass);
-    const IndependentPoints independent(paths.pass);
     std::vector<PhotonChunk> chunks((range.size() + kChunkPaths - 1) / kChunkPaths);
     parallel_blocks(range.size(), kChunkPaths, [&](std::size_t first, std::size_t last) {
-        PhotonChunk& chunk = chunks[first / kChunkPaths];
-        const PathRange block{range.begin + first, range.begin + last};
-        if (paths.kind == UniformKind::uniform)
-            trace_chunk(tracer, even, block, may_accept, chunk);
-        else
-            trace_chunk(tracer, independent, block, may_accept, chunk);
+        trace_chunk(tracer, points, {range.begin + first, range.begin + last}, may_accept,
+                    chunks[first / kChunkPaths]);
     });
     return chunks;
 }
 
-/// Traces all paths of the pass in groups whose photons fit in memory.
-/// @param deposit  called with the chunks of many paths; marks accepted photons and adds to the
+/// Adds the paths of a chunk that have an accepted photon. @param range  of the chunk.
+template <class Points>
+void count_visible(const PhotonChunk& chunk, const PathRange& range, const Points& points,
+                   TracedPaths& traced) {
+    std::vector<std::uint8_t> visible(range.size(), 0);
+    for (std::size_t i = 0; i < chunk.paths.size(); ++i)
+        visible[chunk.paths[i] - range.begin] |= chunk.taken[i];
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+        if (visible[i] == 0) continue;
+        ++traced.visible;
+        traced.visible_weight +=
+            weight_of(points.path(static_cast<std::uint32_t>(range.begin + i)));
+    }
+}
+
+/// Traces paths 0 .. count - 1 in groups whose photons fit in memory.
+/// @param deposit  called with the chunks of many paths; marks accepted photons and returns
 /// statistics.
-/// @return counts of paths, rays, visible paths, ends.
-template <class MayAccept, class Deposit>
-Statistics trace_uniform_paths(const PhotonTracer& tracer, const UniformPaths& paths,
-                               const MayAccept& may_accept, const Deposit& deposit) {
-    const std::size_t at_once = paths_at_once(paths.count);
-    Statistics total;
-    for (std::size_t begin = 0; begin < paths.count; begin += at_once) {
-        const PathRange range{begin, std::min<std::size_t>(paths.count, begin + at_once)};
-        std::vector<PhotonChunk> chunks = trace_chunks(tracer, paths, range, may_accept);
-        total += deposit(chunks);
+template <class Points, class MayAccept, class Deposit>
+TracedPaths trace_independent_paths(const PhotonTracer& tracer, const Points& points,
+                                    std::uint32_t count, const MayAccept& may_accept,
+                                    const Deposit& deposit) {
+    const std::size_t at_once = paths_at_once(count);
+    TracedPaths traced;
+    for (std::size_t begin = 0; begin < count; begin += at_once) {
+        const PathRange range{begin, std::min<std::size_t>(count, begin + at_once)};
+        std::vector<PhotonChunk> chunks = trace_chunks(tracer, points, range, may_accept);
+        traced.statistics += deposit(chunks);
         for (std::size_t i = 0; i < chunks.size(); ++i) {
             const std::size_t first = begin + i * kChunkPaths;
-            total += chunks[i].statistics;
-            total[Count::uniform_visible] +=
-                visible_paths(chunks[i], {first, std::min(range.end, first + kChunkPaths)});
+            traced.statistics += chunks[i].statistics;
+            count_visible(chunks[i], {first, std::min(range.end, first + kChunkPaths)}, points,
+                          traced);
         }
     }
-    return total;
+    return traced;
 }
 
 }  // namespace sunfleck::engine

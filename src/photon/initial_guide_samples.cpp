@@ -2,6 +2,7 @@
 #include "photon/initial_guide_samples.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sunfleck::engine {
 
@@ -42,6 +43,16 @@ bool InitialGuideSamples::is_clear(Hit& hit, const Vec3& direction) const {
     return through && through->wi.z * wo.z < 0;
 }
 
+SampledSpectrum InitialGuideSamples::emitted_by(std::size_t light) const {
+    const SampledSpectrum& emission = scene_.emission[light];
+    if (!emission.is_zero()) return emission;
+    const Scene& scene = scene_.scene;
+    const LightChoice& all = scene.light_choice();
+    const double weight = all.total() * all.probability(light);
+    return SampledSpectrum(
+        static_cast<float>(weight / power(scene.lights()[light], scene.sphere())));
+}
+
 std::optional<WeightedEmission> InitialGuideSamples::guide_sample(const LightAtPoint& sample,
                                                                   const Vec3& at, double weight,
                                                                   RandomStream& stream) const {
@@ -53,7 +64,8 @@ std::optional<WeightedEmission> InitialGuideSamples::guide_sample(const LightAtP
     const EmissionDimensions u =
         emission_dimensions(light, {origin, direct.normal, -to_light}, scene_.scene.sphere());
     EmissionPoint point;
-    std::copy(u.begin(), u.end(), point.begin());
+    std::transform(u.begin(), u.end(), point.begin(),
+                   [&](double x) { return std::isnan(x) ? stream.next() : x; });
     point[dimension(EmissionDimension::light)] = lights_.number(sample.light, stream.next());
     const auto is_number = [](double x) { return x > 0 && x < 1; };
     if (!(weight > 0) || !std::all_of(point.begin(), point.end(), is_number)) return {};

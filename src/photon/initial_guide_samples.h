@@ -34,6 +34,10 @@ public:
     /// flat.
     /// @param distance  to the light. @return -1 if it is blocked.
     int panes_to(Ray ray, float distance) const;
+    /// Returns the emission of a light; a light that is dark at the wavelengths of the pass counts
+    /// as grey, because guide samples are used in other passes, too. It is weighted by luminance
+    /// over power.
+    SampledSpectrum emitted_by(std::size_t light) const;
     /// Returns the emission of light that arrives so. @param weight  of the guide sample.
     /// @return nothing if no primary sample leads there, or if the weight is not positive.
     std::optional<WeightedEmission> guide_sample(const LightAtPoint& sample, const Vec3& at,

@@ -137,7 +137,7 @@ private:
         walk.surface = nullptr;
         walk.end = PathEnd::escaped;
         if (!walk.is_hit) return;
-        const auto visit = [&](const Photon& photon) { visit_(photon, walk.number); };
+        const auto visit = [&](const Photon& photon) { visit_(photon, walk.number, *walk.read); };
         const Lambert* surface = tracer_.plain_surface(walk.hit, walk.state);
         if (surface == nullptr) {
             walk.end = tracer_.go_on(*walk.read, visit, walk.hit, walk.state);

@@ -27,11 +27,13 @@ inline VisiblePointOctree octree_of(const PhotonContext& photon_context) {
 /// Some of the lights, with the plan of their paths. Fixed for an epoch.
 struct LightStratum {
     LightChoice lights;        // in which paths start
-    SplittingPlan plan;        // without levels: uniform paths only
+    SplittingPlan plan;        // without levels: uniform paths only, or guided ones only
     GuidedPlan guided;         // guided paths beside it
     double power_share = 1;    // fraction of the power of all lights
     std::uint32_t number = 0;  // names the random numbers: see PassId
 
+    /// Returns whether a guide of full support brings all light.
+    bool is_guided_alone() const { return plan.levels.empty() && guided.paths > 0; }
     std::uint64_t paths() const { return plan.paths() + guided.paths; }
 };
 

@@ -54,7 +54,7 @@ public:
     void trace(const Points& points, const PathRange& range, const PathOf& path_of,
                Statistics& counts) const {
         for (std::size_t i = range.begin; i < range.end; ++i) path_of(i).clear();
-        const auto visit = [&](const Photon& photon, std::uint32_t i) {
+        const auto visit = [&](const Photon& photon, std::uint32_t i, const auto&) {
             if (index_.may_accept(photon)) path_of(i).photons.push_back(photon);
         };
         const auto ended = [&](PathEnd end) { count_end(end, counts); };

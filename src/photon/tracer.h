@@ -113,6 +113,7 @@ public:
     template <PhotonVisitor Visitor>
     std::optional<PathEnd> visit_photon(Visitor&& visit, const Hit& hit,
                                         const PhotonState& state) const {
+        if (is_left_to_camera(state)) return PathEnd::absorbed;
         visit(photon_at(hit, state));
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
         return {};
@@ -126,6 +127,11 @@ public:
     }
 
 private:
+    /// Returns whether camera paths bring what a diffuse surface scatters of this photon.
+    bool is_left_to_camera(const PhotonState& state) const {
+        return state.bounces == 0 && transport_.goes_beyond_diffuse();
+    }
+
     [[gnu::noinline]] bool is_there(const Hit& hit, const PhotonState& state) const {
         return pass_.scene.geometry().is_there(hit, state.origin, state.direction);
     }
@@ -180,6 +186,11 @@ private:
     [[gnu::always_inline]] inline std::optional<PathEnd> interact(Reader& read, Visitor& visit,
                                                                   const Bsdf& bsdf, const Hit& hit,
                                                                   PhotonState& state) const {
+        if (is_left_to_camera(state)) {
+            if (scattering(bsdf) == Scattering::diffuse) return PathEnd::absorbed;
+            if (const auto* coated = std::get_if<CoatedDiffuse>(&bsdf))
+                return interact_with_coat(read, *coated, hit, state);
+        }
         const auto* lambert = std::get_if<Lambert>(&bsdf);
         const bool gathers = lambert != nullptr || pass_.may_gather(pass_.scene.material_of(hit));
         if (gathers) visit(photon_at(hit, state));
@@ -187,6 +198,18 @@ private:
         const bool goes_on = lambert != nullptr ? scatter_at(read, *lambert, hit, state)
                                                 : scatter(read, bsdf, hit, state);
         if (!goes_on) return PathEnd::absorbed;
+        leave(hit, state);
+        return {};
+    }
+
+    /// Scatters a photon at the coat alone: camera paths bring what the base scatters.
+    template <PrimarySampleReader Reader>
+    [[gnu::noinline]] std::optional<PathEnd> interact_with_coat(Reader& read,
+                                                                const CoatedDiffuse& coated,
+                                                                const Hit& hit,
+                                                                PhotonState& state) const {
+        if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
+        if (!scatter(read, Bsdf(coated.top()), hit, state)) return PathEnd::absorbed;
         leave(hit, state);
         return {};
     }

@@ -15,7 +15,9 @@ PhotonTotals SplittingSampler::trace(const PhotonPass& pass, const PhotonTarget&
     std::optional<VisiblePointOctree> octree;  // splitting alone needs it
     for (const LightStratum& stratum : pass.strata) {
         StratumCounts counts{stratum.paths(), stratum.power_share, 0, {}};
-        if (stratum.plan.levels.empty()) {
+        if (stratum.is_guided_alone()) {
+            counts.visible_fraction = trace_guided_stratum(pass, stratum, target, totals);
+        } else if (stratum.plan.levels.empty()) {
             counts.visible_fraction =
                 trace_uniform_stratum(pass, UniformKind::uniform, stratum, target, totals);
         } else {

@@ -2,6 +2,8 @@
 #include "photon_samplers/uniform_sampler.h"
 
 #include "estimate/deposit.h"
+#include "guide/guided_points.h"
+#include "random_numbers/emission_points.h"
 
 #include <algorithm>
 
@@ -21,17 +23,44 @@ double count_uniform(Statistics& counts, Statistics& all) {
     return static_cast<double>(visible) / static_cast<double>(counts[Count::uniform_paths]);
 }
 
+namespace {
+
+template <class Points>
+TracedPaths traced(const PhotonPass& pass, const LightStratum& stratum, const Points& points,
+                   std::uint32_t paths, const PhotonTarget& target) {
+    const PhotonContext& context = pass.photon_context;
+    const PhotonTracer tracer(context.scene, context.transport, stratum.lights);
+    const Depositor deposit(context.scene, context.index, target.image, paths, target.taken);
+    return trace_independent_paths(
+        tracer, points, paths,
+        [&](const Photon& photon) { return context.index.may_accept(photon); }, deposit);
+}
+
+}  // namespace
+
 double trace_uniform_stratum(const PhotonPass& pass, UniformKind kind, const LightStratum& stratum,
                              const PhotonTarget& target, PhotonTotals& totals) {
-    const PhotonContext& photon_context = pass.photon_context;
-    const PhotonTracer tracer(photon_context.scene, photon_context.transport, stratum.lights);
+    const PassId id = pass.id.with_stratum(stratum.number);
     const std::uint32_t paths = stratum.plan.uniform_paths;
-    const Depositor deposit(photon_context.scene, photon_context.index, target.image, paths,
-                            target.taken);
-    Statistics counts = trace_uniform_paths(
-        tracer, {kind, pass.id.with_stratum(stratum.number), paths},
-        [&](const Photon& photon) { return photon_context.index.may_accept(photon); }, deposit);
-    return count_uniform(counts, totals.statistics);
+    TracedPaths done = kind == UniformKind::uniform
+                           ? traced(pass, stratum, EmissionPoints(id), paths, target)
+                           : traced(pass, stratum, IndependentPoints(id), paths, target);
+    done.statistics[Count::uniform_paths] = paths;
+    done.statistics[Count::uniform_visible] = done.visible;
+    return count_uniform(done.statistics, totals.statistics);
+}
+
+double trace_guided_stratum(const PhotonPass& pass, const LightStratum& stratum,
+                            const PhotonTarget& target, PhotonTotals& totals) {
+    const GuidedPoints points(pass.id.with_stratum(stratum.number), stratum.guided.map);
+    const std::uint32_t paths = stratum.guided.paths;
+    const TracedPaths done = traced(pass, stratum, points, paths, target);
+    totals.statistics += done.statistics;
+    totals.statistics[Count::guided_paths] += paths;
+    for (const Count count :
+         {Count::guided_visible, Count::distinct_visible, Count::visible_states})
+        totals.statistics[count] += done.visible;
+    return done.visible_weight / paths;
 }
 
 PhotonTotals trace_uniform_strata(const PhotonPass& pass, UniformKind kind,

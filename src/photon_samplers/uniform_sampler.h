@@ -2,12 +2,14 @@
 // a digital net; those of `random` are independent.
 #pragma once
 
-#include "photon/uniform_paths.h"
+#include "photon/independent_paths.h"
 #include "photon_samplers/model.h"
 
 #include <string>
 
 namespace sunfleck::engine {
+
+enum class UniformKind { random, uniform };
 
 /// Returns the default number of photon paths of a pass: two for each pixel, at least 200,000.
 std::uint32_t usual_photon_paths(std::size_t pixels);
@@ -16,6 +18,10 @@ std::uint32_t usual_photon_paths(std::size_t pixels);
 /// @param stratum  with no levels in its plan. @return the visible fraction.
 double trace_uniform_stratum(const PhotonPass& pass, UniformKind kind, const LightStratum& stratum,
                              const PhotonTarget& target, PhotonTotals& totals);
+
+/// Adds the light of a stratum whose paths all come from its guide. @return the visible fraction.
+double trace_guided_stratum(const PhotonPass& pass, const LightStratum& stratum,
+                            const PhotonTarget& target, PhotonTotals& totals);
 
 /// Counts uniform paths, of which each visible one contributed once. @return the visible fraction.
 double count_uniform(Statistics& counts, Statistics& all);

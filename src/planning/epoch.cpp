@@ -8,13 +8,19 @@
 #include "photon_samplers/samplers.h"
 #include "planning/photon_budget.h"
 #include "planning/trial_iterations.h"
+#include "planning/worth_guide.h"
 #include "visible_points/radius.h"
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 #include <utility>
 
 namespace sunfleck::engine {
 namespace {
+
+/// Photon paths where nothing in the scene bends light, so that they bring nothing.
+constexpr std::uint32_t kFewPaths = 1024;
 
 /// The first epoch is too short for a budget to pay, and for trials as large as those of others;
 /// long ones can pay for more.
@@ -38,6 +44,41 @@ std::uint64_t worth_learning(std::uint32_t epoch) {
     return std::max(passes, kTargetBatches * kBatchPasses);
 }
 
+/// How photon paths of an epoch are chosen.
+struct PathPlanner {
+    std::function<std::vector<LightStratum>(std::uint32_t)> plan;  // of so many paths
+    std::uint32_t paths = 0;                                       // of a usual subpass
+};
+
+/// All lights in one stratum. @param guide  of full support; the identity: uniform paths.
+std::vector<LightStratum> in_one_stratum(const LightChoice& lights, const EmissionGuide& guide,
+                                         std::uint32_t paths) {
+    LightStratum stratum{lights, {}, {}};
+    if (guide.is_identity())
+        stratum.plan.uniform_paths = paths;
+    else
+        stratum.guided = {guide, paths, 1, 1};
+    return {stratum};
+}
+
+/// @param context  must outlive the result.
+PathPlanner planner_of(const PhotonContext& context, const RenderSettings& settings,
+                       const PixelWindow& window, const CameraTrial& seen, const PilotName& name) {
+    const PhotonSettings& photon = settings.photon;
+    const std::uint32_t paths = usual_paths(photon, window.pixels());
+    if (!context.transport.goes_beyond_diffuse()) {
+        const std::uint64_t work = worth_learning(name.epoch) * (paths + window.pixels());
+        auto planner = std::make_shared<LightPlanner>(context, photon, name, work);
+        return {[planner](std::uint32_t count) { return planner->plan(count); }, paths};
+    }
+    EmissionGuide guide;
+    if (photon.emission_guide) guide = learned_worth_guide(context, window, seen, name);
+    const bool bends_nothing = photon.emission_guide && guide.is_identity();
+    const LightChoice& lights = context.scene.scene.light_choice();
+    return {[&lights, guide](std::uint32_t count) { return in_one_stratum(lights, guide, count); },
+            bends_nothing && !photon.paths_per_pass ? std::min(paths, kFewPaths) : paths};
+}
+
 }  // namespace
 
 bool needs_learning(const Scene& scene, const RenderSettings& settings) {
@@ -49,14 +90,16 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
                   const std::function<void(double)>& trial_traced) {
     Stopwatch watch;
     const PixelWindow window = window_of(scene.film());
-    const std::uint32_t paths = usual_paths(settings.photon, window.pixels());
-    Epoch epoch{.number = epoch_of(pass), .paths = paths, .log2_samples = {}, .strata = {}};
+    Epoch epoch{.number = epoch_of(pass),
+                .paths = usual_paths(settings.photon, window.pixels()),
+                .log2_samples = {},
+                .strata = {}};
     if (scene.is_dark() && settings.integrator == Integrator::sppm) {
         epoch.paths = 0;
         return epoch;
     }
-    if (!needs_learning(scene, settings) || paths < 2) {
-        epoch.strata.push_back({scene.light_choice(), {paths, {}}, {}});
+    if (!needs_learning(scene, settings) || epoch.paths < 2) {
+        epoch.strata.push_back({scene.light_choice(), {epoch.paths, {}}, {}});
         return epoch;
     }
     const std::uint32_t first = first_pass_of(epoch.number);
@@ -72,8 +115,8 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     const CameraTrial seen = view_of(camera);
     if (trial_traced) trial_traced(watch.lap());
     const PhotonContext photon_context{at_wavelengths, settings.transport, seen.index};
-    const std::uint64_t work = worth_learning(epoch.number) * (paths + window.pixels());
-    LightPlanner planner(photon_context, settings.photon, name, work);
+    const PathPlanner planner = planner_of(photon_context, settings, window, seen, name);
+    const std::uint32_t paths = epoch.paths = planner.paths;
     epoch.strata = planner.plan(paths);
     const SubpassRequest request =
         request_of(settings.photon, epoch.number, paths, window.pixels());

@@ -11,6 +11,9 @@
 
 namespace sunfleck::engine {
 
+inline constexpr std::uint32_t kCasterIteration = 440;
+inline constexpr std::uint32_t kWorthIteration = 441;  // of the first round of trials
+inline constexpr std::uint32_t kWorthRounds = 3;
 inline constexpr std::uint32_t kPixelTrialsIteration = 466;  // subpasses are nets of trials
 inline constexpr std::uint32_t kSecondTrialIteration = 482;
 inline constexpr std::uint32_t kExploredTrialIteration = 498;  // the trial that planners explore

@@ -66,7 +66,7 @@ void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     for (const CountRow& row : kCountRows)
         film.count(row.name, pass.statistics[row.count] - counted_by_film(pass.image, row.count));
     for (const SamplerSum& sum : pass.sums) film.sum(sum.name, sum.value);
-    if (pass.statistics[Count::uniform_paths] == 0) return;
+    if (pass.statistics[Count::uniform_paths] + pass.statistics[Count::guided_paths] == 0) return;
     film.count("starved_passes", is_starved(pass) ? 1 : 0);
     film.sum("visible_fraction", pass.visible_fraction);
     film.sum("visible_fraction_square",

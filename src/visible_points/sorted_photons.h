@@ -23,6 +23,8 @@ public:
 
     std::size_t size() const { return photons_.size(); }
     const Photon& operator[](std::size_t i) const { return photons_[i]; }
+    /// Returns the chunk that photon i came from, and its place there.
+    const MortonKey& origin(std::size_t i) const { return order_[i]; }
     /// Returns a kind whose boxes contain photons 0 .. end - 1. @param end  may be beyond the last
     /// photon.
     PhotonKind widest_before(std::size_t end) const {

@@ -73,6 +73,10 @@ std::vector<EmissionGuide> maps() {
     all.push_back(all[3].where_visible(trials, 0.05));
     all.push_back(all[4].where_visible(trials, 0.05));
     all.push_back(all[3].widened(0.1));
+    std::vector<EmissionGuide::Worth> worth;
+    for (const WeightedEmission& p : two) worth.push_back({p.point, p.point[2] < 0.5 ? 9.0 : 1.0});
+    const EmissionGuide::Growth growth{0.05, 4, 0.01};
+    all.push_back(EmissionGuide::learned(two, growth).by_worth(worth, 0.3, growth));
     return all;
 }
 
@@ -128,6 +132,40 @@ TEST(EmissionGuide, follows_a_slanted_tube) {
         EXPECT_GT(inside, 6000) << width;
         EXPECT_LT(map.boxes(), 400U) << width;
     }
+}
+
+/// Two halves of a square, alike in samples: trials of one are worth four times those of the other,
+/// so its density is four times as large, but for the shares that do not follow worth.
+TEST(EmissionGuide, density_follows_the_root_of_the_mean_squared_worth) {
+    const auto is_right = [](const EmissionPoint& p) { return p[0] > 0.3; };
+    const EmissionGuide::Growth growth{0.01, 4, 0};
+    Points points = around(0.2, {0, 1}, 20'000);
+    std::vector<EmissionGuide::Worth> trials;
+    for (WeightedEmission& p : points) {
+        trials.push_back({p.point, is_right(p.point) ? 16.0 : 1.0});
+        p.weight = is_right(p.point) ? 16 : 1;  // for a cut between the halves
+    }
+    const EmissionGuide guide =
+        EmissionGuide::learned(points, growth).by_worth(trials, 0.01, growth);
+    RandomStream random(7, Purpose::test, 0, 0);
+    int right = 0;
+    int left = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const EmissionPoint p = guide(uniform(random)).point;
+        if (is_inside(p, 0.2, {0, 1})) ++(is_right(p) ? right : left);
+    }
+    EXPECT_NEAR(static_cast<double>(right) / left, 4, 0.6);
+}
+
+/// Where nothing was found beside where much was, density falls by degrees.
+TEST(EmissionGuide, spread_reaches_what_lies_beside) {
+    const Points points = around(1e-3, {0, 1}, 20'000);
+    const EmissionPoint beside = {0.3007, 0.3, 0.5, 0.5, 0.5};
+    const EmissionGuide without = EmissionGuide::learned(points, {0.05, 4, 0});
+    const EmissionGuide with = EmissionGuide::learned(points, {0.05, 4, 0.01});
+    EXPECT_GT(with.density(beside), 20 * without.density(beside));
+    EXPECT_GT(with.density({0.3, 0.3, 0.5, 0.5, 0.5}),
+              0.5 * without.density({0.3, 0.3, 0.5, 0.5, 0.5}));
 }
 
 TEST(EmissionGuide, is_nowhere_zero_unless_it_is_asked_to_be) {

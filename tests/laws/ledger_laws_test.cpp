@@ -2,7 +2,7 @@
 // every surface sees the flux that it should.
 //
 // Grey scenes: Russian roulette keeps the flux of a path constant, so paths count as energy.
-#include "photon/uniform_paths.h"
+#include "photon/independent_paths.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Photon paths side by side are the paths one by one; what a pass counts of them.
-#include "photon/uniform_paths.h"
+#include "photon/independent_paths.h"
 
+#include "random_numbers/emission_points.h"
 #include "support/lantern.h"
 
 #include <gtest/gtest.h>
@@ -17,13 +18,15 @@ struct Seen {
     Statistics statistics;
 };
 
-class UniformPathsTest : public ::testing::TestWithParam<UniformKind> {
+enum class Kind { random, uniform };
+
+class IndependentPathsTest : public ::testing::TestWithParam<Kind> {
 protected:
     /// One by one, by the tracer's plain loop.
     Seen expected(std::uint32_t count) const {
         Seen seen;
         for (std::uint32_t i = 0; i < count; ++i)
-            if (GetParam() == UniformKind::uniform)
+            if (GetParam() == Kind::uniform)
                 trace(EmissionPoints(id_).path(i), i, seen);
             else
                 trace(IndependentPoints(id_).path(i), i, seen);
@@ -39,6 +42,13 @@ protected:
         ++seen.statistics[Count::uniform_paths];
     }
 
+    /// Calls with the points of the kind.
+    template <class Call>
+    auto with_points(const Call& call) const {
+        return GetParam() == Kind::uniform ? call(EmissionPoints(id_))
+                                           : call(IndependentPoints(id_));
+    }
+
     PassId id_{7, 2};
     Scene scene_{lantern()};
     PassScene pass_{scene_, id_};
@@ -46,17 +56,20 @@ protected:
     PhotonTracer tracer_{pass_, transport_};
 };
 
-TEST_P(UniformPathsTest, side_by_side_are_those_one_by_one) {
+TEST_P(IndependentPathsTest, side_by_side_are_those_one_by_one) {
     for (const std::uint32_t count : {1U, 15U, 1300U}) {
         const Seen one_by_one = expected(count);
         Seen seen;
         const auto all = [](const Photon&) { return true; };
-        for (const PhotonChunk& chunk :
-             trace_chunks(tracer_, {GetParam(), id_, count}, {0, count}, all)) {
+        const auto chunks = with_points([&](const auto& points) {
+            return trace_chunks(tracer_, points, {0, count}, all);
+        });
+        for (const PhotonChunk& chunk : chunks) {
             for (std::size_t i = 0; i < chunk.photons.size(); ++i)
                 seen.photons[chunk.paths[i]].push_back(chunk.photons[i]);
             seen.statistics += chunk.statistics;
         }
+        seen.statistics[Count::uniform_paths] = count;
         EXPECT_EQ(seen.statistics, one_by_one.statistics);
         ASSERT_EQ(seen.photons.size(), one_by_one.photons.size());
         for (const auto& [path, photons] : one_by_one.photons) {
@@ -75,7 +88,7 @@ TEST_P(UniformPathsTest, side_by_side_are_those_one_by_one) {
 
 /// More paths than are traced at once; photons of the upper sheet are unwanted, those of the
 /// lower sheet's left half are taken.
-TEST_P(UniformPathsTest, counts_the_visible_paths_and_keeps_what_is_wanted) {
+TEST_P(IndependentPathsTest, counts_the_visible_paths_and_keeps_what_is_wanted) {
     const auto count = static_cast<std::uint32_t>(paths_at_once(1) + 700);
     std::uint64_t visible = 0;
     const auto taken = [](const Photon& photon) { return photon.position.x < 0; };
@@ -97,11 +110,13 @@ TEST_P(UniformPathsTest, counts_the_visible_paths_and_keeps_what_is_wanted) {
             }
         return counted;
     };
-    const Statistics counted =
-        trace_uniform_paths(tracer_, {GetParam(), id_, count}, wanted, deposit);
+    const TracedPaths traced = with_points([&](const auto& points) {
+        return trace_independent_paths(tracer_, points, count, wanted, deposit);
+    });
+    const Statistics& counted = traced.statistics;
     EXPECT_EQ(calls, 2U);
-    EXPECT_EQ(counted[Count::uniform_paths], count);
-    EXPECT_EQ(counted[Count::uniform_visible], visible);
+    EXPECT_EQ(traced.visible, visible);
+    EXPECT_EQ(traced.visible_weight, static_cast<double>(visible));
     EXPECT_GT(counted[Count::photons_stored], visible);
     EXPECT_EQ(counted[Count::photon_rays], one_by_one.statistics[Count::photon_rays]);
     EXPECT_EQ(counted[Count::escaped], one_by_one.statistics[Count::escaped]);
@@ -120,10 +135,9 @@ TEST(PathsAtOnce, are_few_deposits_of_many_paths) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(kinds, UniformPathsTest,
-                         ::testing::Values(UniformKind::random, UniformKind::uniform),
-                         [](const auto& info) {
-                             return info.param == UniformKind::random ? "random" : "uniform";
+INSTANTIATE_TEST_SUITE_P(kinds, IndependentPathsTest,
+                         ::testing::Values(Kind::random, Kind::uniform), [](const auto& info) {
+                             return info.param == Kind::random ? "random" : "uniform";
                          });
 
 }  // namespace

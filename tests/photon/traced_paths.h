@@ -32,11 +32,10 @@ struct Path {
     std::uint64_t rays = 0;
 };
 
-inline std::vector<Path> paths_of(const SceneDescription& description, int max_depth,
-                                  std::uint32_t count = 2000) {
+inline std::vector<Path> paths_of(const SceneDescription& description,
+                                  const TransportSettings& transport, std::uint32_t count = 2000) {
     const Scene scene(description);
     const PassScene pass(scene, {1, 0});
-    const TransportSettings transport{DirectLight::photons, max_depth};
     const PhotonTracer tracer(pass, transport);
     std::vector<Path> paths(count);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -50,6 +49,12 @@ inline std::vector<Path> paths_of(const SceneDescription& description, int max_d
             path.rays);
     }
     return paths;
+}
+
+/// All light by photons.
+inline std::vector<Path> paths_of(const SceneDescription& description, int max_depth,
+                                  std::uint32_t count = 2000) {
+    return paths_of(description, TransportSettings{DirectLight::photons, max_depth}, count);
 }
 
 }  // namespace sunfleck::engine

@@ -46,6 +46,42 @@ TEST(PhotonTracer, kinds_follow_what_scattered_the_photon) {
     EXPECT_GT(indirect, 5);
 }
 
+/// Camera paths bring what a diffuse surface sends on of light straight from a lamp; what glass
+/// sends on stays with photons, beyond the floor, too.
+TEST(PhotonTracer, leaves_light_of_a_diffuse_first_surface_to_camera_paths) {
+    TransportSettings transport{DirectLight::sampled, 64};
+    transport.indirect = IndirectLight::sampled;
+    for (const Path& path : paths_of(sunny({square(0, 0)}), transport)) {
+        EXPECT_TRUE(path.photons.empty());
+        EXPECT_LE(path.rays, 1U);
+    }
+    int beyond_the_floor = 0;
+    for (const Path& path : paths_of(sunny({square(0, 0), square(1, 1)}), transport)) {
+        if (path.photons.empty()) continue;
+        EXPECT_EQ(path.photons.front().kind, PhotonKind::caustic);
+        beyond_the_floor += path.photons.size() > 1 ? 1 : 0;
+    }
+    EXPECT_GT(beyond_the_floor, 5);
+}
+
+/// Of a varnished first surface photons bring the reflection by the coat alone.
+TEST(PhotonTracer, leaves_the_base_of_a_coated_first_surface_to_camera_paths) {
+    TransportSettings transport{DirectLight::sampled, 64};
+    transport.indirect = IndirectLight::sampled;
+    int reflected = 0;
+    SceneDescription scene = sunny({square(0, 4), square(1, 0)});
+    scene.materials.emplace_back(CoatedDiffuseMaterial{
+        Spectrum::constant(0.5F), std::make_shared<const Coat>(1.5F, std::nullopt, 0.0F)});
+    scene.lights = {DistantLight{Spectrum::constant(1), Vec3d(0.8, 0, -0.6)}};
+    for (const Path& path : paths_of(scene, transport)) {
+        if (path.photons.empty()) continue;
+        ++reflected;
+        EXPECT_EQ(path.photons.front().kind, PhotonKind::caustic);
+        EXPECT_EQ(path.photons.front().position.z, 1);
+    }
+    EXPECT_GT(reflected, 3);
+}
+
 /// Between panes some light goes to and fro: few events or many, by smooth surfaces alone.
 TEST(PhotonTracer, many_smooth_surfaces_make_a_deep_caustic) {
     for (const int panes :

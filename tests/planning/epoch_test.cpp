@@ -1,10 +1,14 @@
-// Epochs: which pass belongs to which, as docs/method/sampling.md says.
+// Epochs: which pass belongs to which, and how their photon paths are chosen.
 #include "planning/epoch.h"
+
+#include "support/renders.h"
 
 #include <gtest/gtest.h>
 
 namespace sunfleck::engine {
 namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
 TEST(Epoch, begins_at_passes_0_16_128_1024) {
     for (const auto& [epoch, first] : {std::pair(0U, 0U), std::pair(1U, 16U), std::pair(2U, 128U),
@@ -15,6 +19,43 @@ TEST(Epoch, begins_at_passes_0_16_128_1024) {
             EXPECT_EQ(epoch_of(first - 1), epoch - 1);
         }
     }
+}
+
+/// A floor in the sun, half of its side as given, and what stands on it.
+Scene floor_in_the_sun(const std::string& half, const std::string& objects) {
+    return scene_of(view("0 -1.2 1.2  0.35 0 0  0 0 1", 20, 32) +
+                    "LightSource \"distant\" \"point3 from\" [-.5 0 1] \"point3 to\" [0 0 0]\n" +
+                    diffuse("0.5 0.5 0.5") +
+                    quad("-" + half + " -" + half + " 0  " + half + " -" + half + " 0  " + half +
+                         " " + half + " 0  -" + half + " " + half + " 0") +
+                    "AttributeBegin\nTranslate 0 0 .31\n" + objects + "AttributeEnd\n");
+}
+
+Epoch learned(const Scene& scene, IndirectLight indirect, bool guide = true) {
+    RenderSettings settings;
+    settings.transport.indirect = indirect;
+    settings.photon.emission_guide = guide;
+    return learn_epoch(scene, settings, 0);
+}
+
+constexpr const char* kBall = "Material \"dielectric\"\nShape \"sphere\" \"float radius\" .3\n";
+
+TEST(Epoch, aims_all_photons_where_camera_paths_go_on) {
+    const Scene scene = floor_in_the_sun("50", kBall);
+    EXPECT_FALSE(learned(scene, IndirectLight::photons).strata.at(0).is_guided_alone());
+    const Epoch sampled = learned(scene, IndirectLight::sampled);
+    EXPECT_TRUE(sampled.strata.at(0).is_guided_alone());
+    EXPECT_EQ(sampled.strata.at(0).guided.paths, sampled.paths);
+}
+
+TEST(Epoch, has_few_photons_where_nothing_bends_light) {
+    const Scene bare = floor_in_the_sun("50", diffuse("0.5 0.5 0.5") + box({-1, -1, 0}, {0, 0, 1}));
+    const Epoch sampled = learned(bare, IndirectLight::sampled);
+    EXPECT_LT(sampled.paths, 2000U);
+    EXPECT_FALSE(sampled.strata.at(0).is_guided_alone());
+    const Epoch unguided = learned(floor_in_the_sun("50", kBall), IndirectLight::sampled, false);
+    EXPECT_FALSE(unguided.strata.at(0).is_guided_alone());
+    EXPECT_EQ(unguided.paths, 200'000U);
 }
 
 }  // namespace

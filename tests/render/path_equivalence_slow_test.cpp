@@ -50,6 +50,9 @@ void expect_equivalent(const Scene& scene, const Effort& effort) {
     settings.photon.paths_per_pass = 40'000;
     settings.transport.direct = DirectLight::sampled;
     expect("sampled", effort.sampled_renders, effort.sampled_tolerance);
+    settings.transport.indirect = IndirectLight::sampled;
+    expect("indirect light sampled", effort.sampled_renders, effort.sampled_tolerance);
+    settings.transport.indirect = IndirectLight::photons;
     settings.transport.direct = DirectLight::photons;
     expect("photons", effort.photon_renders, effort.photon_tolerance);
 }

@@ -22,7 +22,7 @@ std::string scene_text(const std::string& object_material) {
            "\nTranslate 0 0 0.8\nShape \"sphere\" \"float radius\" 0.7\n";
 }
 
-RenderSettings settings(Integrator integrator) {
+RenderSettings settings_of(Integrator integrator) {
     RenderSettings settings;
     settings.integrator = integrator;
     settings.photon.paths_per_pass = 3'000;
@@ -33,46 +33,56 @@ RenderSettings settings(Integrator integrator) {
 
 /// The film of these passes, in this order.
 Film film_of(const Scene& scene, const std::vector<std::uint32_t>& passes,
-             Integrator integrator = Integrator::sppm) {
-    const RenderJob job{scene, settings(integrator), {}, 0};
+             const RenderSettings& settings) {
+    const RenderJob job{scene, settings, {}, 0};
     RenderState state{Film(key_of(job)), {}, 0, 0, 1, {}};
     PassMaker maker(job, state);
     for (const std::uint32_t p : passes) maker.make(p, state.film);
     return std::move(state.film);
 }
 
-class SameBytes : public ::testing::TestWithParam<const char*> {};
+struct Case {
+    const char* name;
+    const char* material;
+    IndirectLight indirect = IndirectLight::photons;
+};
+
+class SameBytes : public ::testing::TestWithParam<Case> {};
 
 TEST_P(SameBytes, with_any_number_of_threads_and_in_any_order) {
-    const Scene scene = scene_of(scene_text(GetParam()));
+    const Scene scene = scene_of(scene_text(GetParam().material));
+    RenderSettings settings = settings_of(Integrator::sppm);
+    settings.transport.indirect = GetParam().indirect;
     std::vector<std::uint32_t> order(kPasses);
     for (std::uint32_t p = 0; p < kPasses; ++p) order[p] = p;
     const Film whole = [&] {
         const ThreadLimit limit(1);
-        return film_of(scene, order);
+        return film_of(scene, order, settings);
     }();
     EXPECT_GT(whole.statistic("deposits"), 0);
     std::reverse(order.begin(), order.end());
     std::swap(order[2], order[11]);
     for (const std::size_t threads : {2U, 3U, 8U}) {
         const ThreadLimit limit(threads);
-        EXPECT_TRUE(film_of(scene, order).sums() == whole.sums()) << threads;
+        EXPECT_TRUE(film_of(scene, order, settings).sums() == whole.sums()) << threads;
         std::rotate(order.begin(), order.begin() + 5, order.end());
     }
     // In three pieces, each film by itself, merged out of order.
-    Film merged = film_of(scene, {order.begin() + 9, order.end()});
-    merge(merged, film_of(scene, {order.begin(), order.begin() + 4}));
-    merge(merged, film_of(scene, {order.begin() + 4, order.begin() + 9}));
+    Film merged = film_of(scene, {order.begin() + 9, order.end()}, settings);
+    merge(merged, film_of(scene, {order.begin(), order.begin() + 4}, settings));
+    merge(merged, film_of(scene, {order.begin() + 4, order.begin() + 9}, settings));
     EXPECT_TRUE(merged.sums() == whole.sums());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Scenes, SameBytes,
-    ::testing::Values("\"diffuse\"", "\"dielectric\" \"spectrum eta\" \"glass-F11\"",
-                      "\"conductor\" \"float roughness\" 0.2"),
-    [](const auto& scene) {
-        return std::string(scene.index == 0 ? "diffuse" : scene.index == 1 ? "glass" : "glossy");
-    });
+INSTANTIATE_TEST_SUITE_P(Scenes, SameBytes,
+                         ::testing::Values(Case{"diffuse", "\"diffuse\""},
+                                           Case{"glass",
+                                                "\"dielectric\" \"spectrum eta\" \"glass-F11\""},
+                                           Case{"glossy", "\"conductor\" \"float roughness\" 0.2"},
+                                           Case{"glass_and_long_camera_paths",
+                                                "\"dielectric\" \"spectrum eta\" \"glass-F11\"",
+                                                IndirectLight::sampled}),
+                         [](const auto& row) { return std::string(row.param.name); });
 
 class ReferenceSameBytes : public ::testing::TestWithParam<Integrator> {};
 
@@ -80,7 +90,7 @@ TEST_P(ReferenceSameBytes, with_any_number_of_threads_and_merged) {
     const Scene scene = scene_of(scene_text("\"dielectric\" \"spectrum eta\" \"glass-F11\""));
     const auto film = [&](std::size_t threads, const std::vector<std::uint32_t>& passes) {
         const ThreadLimit limit(threads);
-        return film_of(scene, passes, GetParam());
+        return film_of(scene, passes, settings_of(GetParam()));
     };
     const Film whole = film(1, {0, 1, 2, 3});
     EXPECT_FALSE(film(1, {0, 1, 2, 4}).sums() == whole.sums());

@@ -1,0 +1,26 @@
+// Worth guide: an emission guide of full support for independent photon paths, by what they are
+// worth to the picture.
+//
+// In:  visible points, light that needs no photon. Out: a density of emission. Its first samples
+// are of casters; rounds of trials, each through the guide so far, correct it.
+// The worth of a path is the sum over pixels of what it brings over the pixel's brightness: for a
+// picture judged by relative error, the density of least variance is in proportion to the root of
+// the mean squared worth.
+// Equations: docs/method/sampling.md, eqs. (38) and (39).
+#pragma once
+
+#include "chains/chain_walk.h"
+#include "guide/emission_guide.h"
+#include "photon/light_stratum.h"
+#include "planning/photon_trials.h"
+
+namespace sunfleck::engine {
+
+/// Returns the guide; the identity if nothing in the scene bends light.
+/// @param context  whose camera paths bring what diffuse surfaces send on first
+///                 (TransportSettings::goes_beyond_diffuse()).
+/// @param seen  the trial that the visible points are of.
+EmissionGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& window,
+                                  const CameraTrial& seen, const PilotName& name);
+
+}  // namespace sunfleck::engine
