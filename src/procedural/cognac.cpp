@@ -47,7 +47,7 @@ Shape "plymesh" "string filename" "geometry/brandy-air.ply"
 
 }  // namespace
 
-std::vector<SceneFile> cognac_scene(const CognacView& view, const Mesh& table) {
+std::vector<SceneFile> cognac_scene(const CloseUp& view, const Mesh& table) {
     std::string text = replaced(std::string(kHead), "@NAME@", view.name);
     text = replaced(text, "@WHAT@", view.what);
     text = replaced(text, "@TARGET@", view.target);

@@ -2,6 +2,7 @@
 // caustic.
 #pragma once
 
+#include "procedural/close_up.h"
 #include "procedural/mesh.h"
 #include "procedural/scene_file.h"
 
@@ -17,17 +18,9 @@ namespace sunfleck::engine {
 /// set the fractions of the other scenes.
 inline constexpr double kTableHalfWidth = 31;
 
-/// A camera for the scene. Numbers are stored as text, as in the scene file.
-struct CognacView {
-    std::string_view name;
-    std::string_view what;
-    std::string_view target;  // point at the centre of the picture, cm
-    std::string_view fov;     // degrees
-};
-
 /// Fractions of uniform photon paths that reach the view after refraction or reflection (estimated,
 /// table reflectance 0.5): 1e-2, 2.7e-3, 1.1e-3, 1.1e-3, 3e-4, 1e-5, 1e-6.
-inline constexpr std::array<CognacView, 7> kCognacViews = {{
+inline constexpr std::array<CloseUp, 7> kCognacViews = {{
     {"cognac-0", "a glass of brandy in the sun and its caustic on the table", "2.2 -3.4 3.2", "31"},
     {"cognac-1", "the caustic of cognac-0, filling the picture", "3.1 -6.6 0", "7.5"},
     {"cognac-2", "the same, closer: light folded by the bowl", "4.3 -8.4 0", "5"},
@@ -44,6 +37,6 @@ inline Mesh cognac_table() {
 
 /// Returns the files of one scene. @param view  one of kCognacViews. @param table  another one
 /// shows what the surround costs.
-std::vector<SceneFile> cognac_scene(const CognacView& view, const Mesh& table = cognac_table());
+std::vector<SceneFile> cognac_scene(const CloseUp& view, const Mesh& table = cognac_table());
 
 }  // namespace sunfleck::engine

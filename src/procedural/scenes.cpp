@@ -55,7 +55,7 @@ std::vector<SceneFile> keyhole(const ProceduralScene& scene) {
 std::vector<Entry> entries() {
     std::vector<Entry> all = {
         {{"cornell", "the Cornell box, 36 triangles"}, nameless<cornell_scene>}};
-    for (const CognacView& view : kCognacViews)
+    for (const CloseUp& view : kCognacViews)
         all.push_back({{std::string(view.name), std::string(view.what)}, cognac});
     const std::vector<Entry> others = {
         {{"window-room", "the sun through one pane into a closed room"}, window_room_scene},
@@ -82,7 +82,7 @@ std::vector<Entry> entries() {
          lamp_room_scene},
     };
     all.insert(all.end(), others.begin(), others.end());
-    for (const WineGlassView& view : kWineGlassViews)
+    for (const CloseUp& view : kWineGlassViews)
         all.push_back({{std::string(view.name), std::string(view.what)}, wine_glass});
     for (const Keyhole& one : kKeyholes)
         all.push_back({{std::string(one.name), std::string(one.what)}, keyhole});

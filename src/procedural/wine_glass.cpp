@@ -55,7 +55,7 @@ GlassCurves wine_glass_curves() {
     return {kWall, kBottom, 0.05};
 }
 
-std::vector<SceneFile> wine_glass_scene(const WineGlassView& view, const Mesh& table) {
+std::vector<SceneFile> wine_glass_scene(const CloseUp& view, const Mesh& table) {
     std::string camera = replaced(std::string(kCamera), "@TARGET@", view.target);
     camera = replaced(camera, "@FOV@", view.fov);
     SceneFolder folder({std::string(view.name), std::string(view.what)},

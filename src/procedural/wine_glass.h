@@ -2,6 +2,7 @@
 // whole, and from ever closer to the dark side of its caustic.
 #pragma once
 
+#include "procedural/close_up.h"
 #include "procedural/filled_glass.h"
 #include "procedural/scene_file.h"
 
@@ -19,16 +20,8 @@ inline constexpr std::size_t kWineGlassSegments = 256;
 
 GlassCurves wine_glass_curves();
 
-/// A camera for the scene. Numbers are stored as text, as in the scene file.
-struct WineGlassView {
-    std::string_view name;
-    std::string_view what;
-    std::string_view target;  // point at the centre of the picture, cm
-    std::string_view fov;     // degrees
-};
-
 /// Each sees a third of the width of the one before.
-inline constexpr std::array<WineGlassView, 4> kWineGlassViews = {{
+inline constexpr std::array<CloseUp, 4> kWineGlassViews = {{
     {"wine-glass-1", "a filled wine glass in the sun, and its caustic on a large table", "3 2 6",
      "35"},
     {"wine-glass-2", "the shadow of the bowl, and the caustic in it", "8 5 0", "12"},
@@ -43,7 +36,7 @@ inline Mesh wine_glass_table() {
 
 /// Returns the files of one scene. @param view  one of kWineGlassViews. @param table  another one
 /// shows what the surround costs.
-std::vector<SceneFile> wine_glass_scene(const WineGlassView& view,
+std::vector<SceneFile> wine_glass_scene(const CloseUp& view,
                                         const Mesh& table = wine_glass_table());
 
 }  // namespace sunfleck::engine

@@ -16,7 +16,7 @@ std::string world(const SceneFile& file) {
 
 TEST(Cognac, all_views_show_the_same_world) {
     const std::vector<SceneFile> whole = cognac_scene(kCognacViews[0]);
-    for (const CognacView& view : kCognacViews) {
+    for (const CloseUp& view : kCognacViews) {
         const std::vector<SceneFile> closer = cognac_scene(view);
         EXPECT_EQ(world(closer.at(0)), world(whole.at(0)));
         for (std::size_t i = 1; i < whole.size(); ++i)

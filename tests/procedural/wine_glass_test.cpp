@@ -18,7 +18,7 @@ std::string world(const SceneFile& file) {
 
 TEST(WineGlass, all_views_show_the_same_world) {
     const std::vector<SceneFile> whole = wine_glass_scene(kWineGlassViews[0]);
-    for (const WineGlassView& view : kWineGlassViews) {
+    for (const CloseUp& view : kWineGlassViews) {
         const std::vector<SceneFile> closer = wine_glass_scene(view);
         EXPECT_EQ(world(closer.at(0)), world(whole.at(0)));
         for (std::size_t i = 1; i < whole.size(); ++i)
@@ -27,7 +27,7 @@ TEST(WineGlass, all_views_show_the_same_world) {
 }
 
 TEST(WineGlass, each_view_sees_a_third_of_the_width_of_the_one_before) {
-    const auto width = [](const WineGlassView& view) {
+    const auto width = [](const CloseUp& view) {
         return std::tan(std::stod(std::string(view.fov)) * 3.14159265358979 / 360);
     };
     for (std::size_t i = 1; i < kWineGlassViews.size(); ++i)
