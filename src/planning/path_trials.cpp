@@ -70,6 +70,19 @@ private:
     SortedPhotons photons_;
 };
 
+/// Where a path starts.
+struct Start {
+    EmissionPoint point{};
+    double weight = 1;
+};
+
+Start start_of(GuidedPoints::Reader reader) {
+    Start start;
+    for (std::uint32_t s = 0; s < kGuidedDimensions; ++s) start.point[s] = to_unit(reader(s));
+    start.weight = reader.weight();
+    return start;
+}
+
 /// Sums the entries of each path and block.
 std::vector<PathLight> summed(std::vector<PathLight> entries) {
     const auto key = [](const PathLight& e) { return std::tie(e.path, e.block); };
@@ -108,18 +121,15 @@ PathTrials try_paths(const PhotonContext& context, const LightChoice& lights,
     const std::vector<PhotonChunk> chunks =
         trace_chunks(tracer, points, {0, count},
                      [&](const Photon& photon) { return context.index.may_accept(photon); });
-    PathTrials trials{std::vector<EmissionPoint>(count), {}};
-    std::vector<double> weights(count);
+    std::vector<Start> starts(count);
     parallel_blocks(count, kChunkPaths, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            auto reader = points.path(static_cast<std::uint32_t>(i));
-            for (std::uint32_t s = 0; s < kGuidedDimensions; ++s)
-                trials.points[i][s] = to_unit(reader(s));
-            weights[i] = reader.weight();
-        }
+        for (std::size_t i = begin; i < end; ++i)
+            starts[i] = start_of(points.path(static_cast<std::uint32_t>(i)));
     });
+    PathTrials trials;
+    for (const Start& start : starts) trials.points.push_back(start.point);
     trials.light = summed(TrialGatherer(context, grid, chunks).gather());
-    for (PathLight& light : trials.light) light.luminance /= weights[light.path];
+    for (PathLight& light : trials.light) light.luminance /= starts[light.path].weight;
     return trials;
 }
 

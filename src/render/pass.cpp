@@ -14,20 +14,27 @@
 namespace sunfleck::engine {
 namespace {
 
+/// What a subpass adds to.
+struct SubpassTarget {
+    PassResult& result;
+    SamplerState& state;
+    PhotonCounts* taken = nullptr;  // null: none are kept
+};
+
 /// Adds one subpass: camera paths and the photon paths that belong to them.
 PhotonTotals render_subpass(const RenderSettings& settings, const CameraPass& camera,
-                            const std::vector<LightStratum>& strata, PhotonCounts* taken,
-                            SamplerState& state, PassResult& result) {
+                            const std::vector<LightStratum>& strata, const SubpassTarget& target) {
+    PassResult& result = target.result;
     Stopwatch watch;
     auto points = trace_camera_paths(camera, result.image, result.statistics);
-    if (const auto factor = shrink_radii(state, points)) result.radius_factor = *factor;
+    if (const auto factor = shrink_radii(target.state, points)) result.radius_factor = *factor;
     result.seconds.camera += watch.lap();
     const VisiblePointIndex index(std::move(points), camera.transport.max_depth);
     result.seconds.index += watch.lap();
     const PhotonContext photon_context{camera.scene, settings.transport, index};
     PhotonTotals photons = trace_photons(
         {photon_context, camera.id.subpass(camera.subpass.number), strata, settings.photon},
-        {result.image, taken}, state);
+        {result.image, target.taken}, target.state);
     result.seconds.photon += watch.lap();
     return photons;
 }
@@ -40,8 +47,8 @@ void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch&
     PhotonCounts taken(are_counted ? result.image.pixels() : 0);
     for (std::uint32_t subpass = 0; subpass < epoch.subpasses; ++subpass) {
         camera.subpass = {subpass, epoch.subpasses};
-        photons.add(render_subpass(settings, camera, epoch.strata, are_counted ? &taken : nullptr,
-                                   state, result),
+        photons.add(render_subpass(settings, camera, epoch.strata,
+                                   {result, state, are_counted ? &taken : nullptr}),
                     1.0 / epoch.subpasses);
     }
     if (are_counted) add_samples(taken, result.image);

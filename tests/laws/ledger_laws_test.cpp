@@ -2,7 +2,8 @@
 // every surface sees the flux that it should.
 //
 // Grey scenes: Russian roulette keeps the flux of a path constant, so paths count as energy.
-#include "photon/independent_paths.h"
+#include "photon/tracer.h"
+#include "random_numbers/emission_points.h"
 
 #include <gtest/gtest.h>
 
