@@ -8,7 +8,6 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -163,8 +162,9 @@ OpenFile open_input_file(const std::string& path, const SourceLocation& from) {
     std::error_code code;
     const std::uintmax_t size = fs::file_size(path, code);
     std::ifstream stream(path, std::ios::binary);
-    if (code || !stream)
-        throw Error(from, in_one_line(path) + " cannot be opened: " + std::strerror(errno),
+    if (!code && !stream) code.assign(errno, std::generic_category());
+    if (code)
+        throw Error(from, in_one_line(path) + " cannot be opened: " + code.message(),
                     "check that you may read it");
     return {std::move(stream), size};
 }
