@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bootstrap.h"
+#include "compare/relative_square.h"
 
 #include <fmt/format.h>
 
@@ -17,11 +18,6 @@ inline double mean_of(const std::vector<double>& values) {
     double sum = 0;
     for (const double v : values) sum += v;
     return sum / static_cast<double>(values.size());
-}
-
-/// Squared error / (reference^2 + 0.01 mean^2). @param mean  of the reference picture.
-inline double relative_square(double square, double reference, double mean) {
-    return square / (reference * reference + 0.01 * mean * mean);
 }
 
 /// Means over pixels: relative squares, and squares over the picture's mean.

@@ -27,25 +27,29 @@ void add(std::vector<double>& sum, const std::vector<double>& values, double fac
     for (std::size_t i = 0; i < values.size(); ++i) sum[i] += factor * values[i];
 }
 
-/// Adds the mean of a part's pieces, and the variance of that mean in blocks.
 void add_pieces(Reference& reference, const std::vector<std::vector<double>>& pieces) {
-    const auto count = static_cast<double>(pieces.size());
     std::vector<std::vector<double>> blocks;
-    std::vector<double> mean;
     for (const std::vector<double>& piece : pieces) {
-        add(reference.pixels, piece, 1 / count);
+        add(reference.pixels, piece, 1 / static_cast<double>(pieces.size()));
         blocks.push_back(block_means(piece, reference.width));
-        add(mean, blocks.back(), 1 / count);
     }
-    std::vector<double> variance(mean.size());
-    for (const std::vector<double>& piece : blocks)
-        for (std::size_t i = 0; i < mean.size(); ++i)
-            variance[i] += std::pow(piece[i] - mean[i], 2) / (count * (count - 1));
-    add(reference.blocks.mean, mean, 1);
-    add(reference.blocks.variance, variance, 1);
+    const ReferenceBlocks mean = mean_of_blocks(blocks);
+    add(reference.blocks.mean, mean.mean, 1);
+    add(reference.blocks.variance, mean.variance, 1);
 }
 
 }  // namespace
+
+ReferenceBlocks mean_of_blocks(const std::vector<std::vector<double>>& pictures) {
+    const auto count = static_cast<double>(pictures.size());
+    ReferenceBlocks result;
+    for (const std::vector<double>& picture : pictures) add(result.mean, picture, 1 / count);
+    result.variance.resize(result.mean.size());
+    for (const std::vector<double>& picture : pictures)
+        for (std::size_t i = 0; i < picture.size(); ++i)
+            result.variance[i] += std::pow(picture[i] - result.mean[i], 2) / (count * (count - 1));
+    return result;
+}
 
 Light light_of(const std::string& picture) {
     const Picture read = read_exr(picture);

@@ -17,6 +17,9 @@ inline constexpr std::array<std::string_view, 3> kParts = {"all", "caustic", "in
 /// Luminance of each part, row by row; empty for an AOV that the picture lacks.
 using Light = std::array<std::vector<double>, kParts.size()>;
 
+/// Returns the mean of pictures in blocks, and the variance of that mean.
+ReferenceBlocks mean_of_blocks(const std::vector<std::vector<double>>& pictures);
+
 Light light_of(const std::string& picture);
 
 /// The reference of a scene: all light.

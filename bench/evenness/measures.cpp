@@ -12,18 +12,11 @@ double sum_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Returns the mean of the pictures in blocks, with a variance that leaves a squared difference
-/// from it unbiased.
-ReferenceBlocks mean_of_blocks(const std::vector<std::vector<double>>& pictures) {
-    const auto count = static_cast<double>(pictures.size());
-    ReferenceBlocks mean;
-    mean.mean.resize(pictures.front().size());
-    mean.variance.resize(pictures.front().size());
-    for (const std::vector<double>& picture : pictures)
-        for (std::size_t i = 0; i < picture.size(); ++i) mean.mean[i] += picture[i] / count;
-    for (const std::vector<double>& picture : pictures)
-        for (std::size_t i = 0; i < picture.size(); ++i)
-            mean.variance[i] -= std::pow(picture[i] - mean.mean[i], 2) / (count * (count - 1));
+/// Returns the mean of the pictures in blocks, with a variance that leaves the squared difference
+/// of each of them from it unbiased: that difference lacks what the mean shares with the picture.
+ReferenceBlocks own_mean(const std::vector<std::vector<double>>& pictures) {
+    ReferenceBlocks mean = mean_of_blocks(pictures);
+    for (double& variance : mean.variance) variance = -variance;
     return mean;
 }
 
@@ -67,7 +60,7 @@ SceneErrors errors_of(const Reference& reference, const std::vector<Render>& ren
     for (std::size_t part = 0; part < kParts.size(); ++part)
         if (!blocks[part].front().empty())
             measure_part(errors, part, classes,
-                         part == 0 ? reference.blocks : mean_of_blocks(blocks[part]), blocks[part]);
+                         part == 0 ? reference.blocks : own_mean(blocks[part]), blocks[part]);
     return errors;
 }
 

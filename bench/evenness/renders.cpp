@@ -5,7 +5,6 @@
 #include "experiment/child.h"
 #include "image/atomic_file.h"
 #include "image/read_file.h"
-#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 
@@ -22,11 +21,6 @@ std::string record_of(const Render& render) {
     return render.folder + "/seconds.txt";
 }
 
-std::string last_line(std::string text) {
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    return text.substr(text.find_last_of('\n') + 1);
-}
-
 void make(const Render& render) {
     fs::create_directories(render.folder);
     std::vector<std::string> words = {render.method.program, "render", render.scene_file};
@@ -40,11 +34,7 @@ void make(const Render& render) {
     words.insert(words.end(), usual.begin(), usual.end());
     const std::string log = render.folder + "/log.txt";
     const ChildEnd end = run_child(words, log, nullptr);
-    if (end.code != 0)
-        throw Error(
-            {log},
-            fmt::format("the render ended with code {}: {}", end.code, last_line(read_file(log))),
-            "run its command by hand for details");
+    check_render(end, log);
     write_file(record_of(render), fmt::format("{}\n", end.cpu_seconds));
 }
 

@@ -1,19 +1,17 @@
 // Views and their files.
 #include "evenness/views.h"
 
-#include "image/atomic_file.h"
+#include "experiment/store.h"
 #include "procedural/cognac.h"
 #include "procedural/placement.h"
 #include "procedural/scenes.h"
 #include "procedural/wine_glass.h"
-#include "sunfleck/error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <functional>
 #include <string_view>
 
 namespace sunfleck::engine::bench {
@@ -55,20 +53,10 @@ const std::array<View, 4> kViews = {{
     {"wine-glass-3", wine_glass, kWineTableHalfWidth, kSmallWine, {6, 4, 0}},
 }};
 
-/// @return the path of the main file.
-std::string written(const fs::path& folder, const std::vector<SceneFile>& files) {
-    for (const SceneFile& file : files) {
-        const fs::path path = folder / file.name;
-        fs::create_directories(path.parent_path());
-        write_file(path.string(), file.bytes);
-    }
-    return (folder / files.front().name).string();
-}
-
 std::string written_view(const fs::path& folder, const View& view, double half_width) {
     const Vec3d middle = half_width < view.half_width ? view.small_middle : Vec3d(0);
     const Mesh table = placed(square_mesh(static_cast<float>(half_width), 0), at(middle));
-    return written(folder, view.make(view.name, table));
+    return write_scene(folder.string(), view.make(view.name, table));
 }
 
 }  // namespace
@@ -106,7 +94,7 @@ TestScene other_scene(const std::string& folder, const std::string& scene,
     if (scene.ends_with(".pbrt"))
         result.name = result.view = fs::path(scene).stem().string();
     else
-        result.scene_file = written(fs::path(folder) / "scenes" / scene, make_scene(scene));
+        result.scene_file = write_scene(folder + "/scenes/" + scene, make_scene(scene));
     result.reference.push_back({result.name + "-reference", result.scene_file, flags, false});
     return result;
 }

@@ -212,7 +212,7 @@ bool CameraPath::scatter(const CameraVertex& vertex, BatchPoints& numbers) {
         Transport::radiance,
         hero_};
     const float mirrored = reflection_probability(vertex.bsdf, vertex.wo, hero_);
-    if (importance() * std::min(mirrored, 1 - mirrored) < kLeastBranch)
+    if (beyond_ || importance() * std::min(mirrored, 1 - mirrored) < kLeastBranch)
         return take(vertex, draw, 1, choices.y);
     draw.u.x = 0.5F * mirrored;
     add_features(vertex.hit, SampledSpectrum(1));  // all of it is reflected or refracted

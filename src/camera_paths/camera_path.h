@@ -41,7 +41,6 @@ private:
     bool interact(Hit& hit, BatchPoints& numbers);
     void go_beyond(const CameraVertex& vertex, BatchPoints numbers);
     bool interact_beyond(const CameraVertex& vertex, const Bsdf& at_surface, BatchPoints& numbers);
-    bool take_beyond(const CameraVertex& vertex, BatchPoints& numbers);
     void gather_at_base(const CameraVertex& vertex, BatchPoints& numbers);
     bool go_on(const CameraVertex& vertex, BatchPoints& numbers);
     void add_emission(const EmitterHit& met);

@@ -1,6 +1,6 @@
 // The part of a camera path beyond the first diffuse surface: path tracing of the light that leaves
 // its lamp straight to a diffuse surface. Photons bring what a smooth or glossy surface sends on
-// first (docs/method/method.md, which estimator brings which light).
+// first (docs/method/method.md, which estimator brings which light). Paths do not split here.
 #include "camera_paths/camera_path.h"
 
 namespace sunfleck::engine {
@@ -8,7 +8,7 @@ namespace sunfleck::engine {
 /// @param vertex  the first diffuse surface.
 void CameraPath::go_beyond(const CameraVertex& vertex, BatchPoints numbers) {
     beyond_ = true;
-    if (take_beyond(vertex, numbers))
+    if (scatter(vertex, numbers))
         follow(pass_.scene.scene.geometry().intersect(ray_beyond(vertex.hit)), numbers);
 }
 
@@ -20,7 +20,7 @@ bool CameraPath::interact_beyond(const CameraVertex& vertex, const Bsdf& at_surf
     if (coated == nullptr) {
         if (scattering(vertex.bsdf) == Scattering::diffuse)
             add_direct_light(vertex, numbers, false);
-        return take_beyond(vertex, numbers);
+        return scatter(vertex, numbers);
     }
     const Bsdf base = coated->base();
     const Bsdf top = coated->top();
@@ -29,20 +29,8 @@ bool CameraPath::interact_beyond(const CameraVertex& vertex, const Bsdf& at_surf
     const float chance = coated->chance_of_top(vertex.wo);
     const bool is_above = numbers.next() < double{chance};
     throughput_ /= is_above ? chance : 1 - chance;
-    if (!is_above) return take_beyond(below, numbers);
-    return take_beyond({vertex.hit, vertex.frame, vertex.wo, top, vertex.medium, vertex.ris},
-                       numbers);
-}
-
-/// Goes on by one bsdf sample; at smooth glass, too, only one of both lobes is followed.
-bool CameraPath::take_beyond(const CameraVertex& vertex, BatchPoints& numbers) {
-    const Vec2d u = numbers.next_2d();
-    const Vec2d choices = numbers.next_2d();
-    const BsdfSampleInput draw{
-        {static_cast<float>(choices.x), static_cast<float>(u.x), static_cast<float>(u.y)},
-        Transport::radiance,
-        hero_};
-    return take(vertex, draw, 1, choices.y);
+    if (!is_above) return scatter(below, numbers);
+    return scatter({vertex.hit, vertex.frame, vertex.wo, top, vertex.medium, vertex.ris}, numbers);
 }
 
 }  // namespace sunfleck::engine

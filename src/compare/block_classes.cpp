@@ -1,6 +1,8 @@
 // Means of blocks, and their errors.
 #include "compare/block_classes.h"
 
+#include "compare/relative_square.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -69,11 +71,9 @@ std::array<ClassError, kClassCount> class_errors(const BlockClasses& classes,
 double relative_square_error(const ReferenceBlocks& reference, const std::vector<double>& blocks) {
     const double picture = mean_of(reference.mean);
     double sum = 0;
-    for (std::size_t block = 0; block < blocks.size(); ++block) {
-        const double brightness = reference.mean.at(block);
-        sum += square_of(reference, blocks, block) /
-               (brightness * brightness + 0.01 * picture * picture);
-    }
+    for (std::size_t block = 0; block < blocks.size(); ++block)
+        sum +=
+            relative_square(square_of(reference, blocks, block), reference.mean.at(block), picture);
     return sum / static_cast<double>(blocks.size());
 }
 

@@ -1,6 +1,8 @@
 // Counts of spots.
 #include "compare/spots.h"
 
+#include "compare/relative_square.h"
+
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -36,8 +38,7 @@ Spots spots_of(std::span<const double> reference, std::span<const double> pixels
     std::vector<double> squares(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const double difference = pixels[i] - reference[i];
-        squares[i] =
-            difference * difference / (reference[i] * reference[i] + 0.01 * picture * picture);
+        squares[i] = relative_square(difference * difference, reference[i], picture);
         if (pixels[i] <= picture) continue;
         const double around = largest_around(reference, width, i % width, i / width);
         spots.count += pixels[i] > kFactor * around ? 1 : 0;

@@ -1,9 +1,11 @@
 // posix_spawn, and waiting with polls for interruptions.
 #include "experiment/child.h"
 
+#include "image/read_file.h"
 #include "sunfleck/error.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -16,6 +18,22 @@
 extern char** environ;  // NOLINT(readability-redundant-declaration): glibc has it for GNU alone
 
 namespace sunfleck::engine {
+namespace {
+
+std::string last_line(const std::string& path) {
+    std::string text = read_file(path);
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text.substr(text.find_last_of('\n') + 1);
+}
+
+}  // namespace
+
+void check_render(const ChildEnd& end, const std::string& log) {
+    if (end.code != 0)
+        throw Error({log},
+                    fmt::format("the render ended with code {}: {}", end.code, last_line(log)),
+                    "run its command by hand for details");
+}
 
 ChildEnd run_child(const std::vector<std::string>& words, const std::string& log,
                    const std::atomic<bool>* interrupted) {

@@ -19,4 +19,7 @@ struct ChildEnd {
 ChildEnd run_child(const std::vector<std::string>& words, const std::string& log,
                    const std::atomic<bool>* interrupted);
 
+/// @throws Error  with the last line of the log, if a render did not end well.
+void check_render(const ChildEnd& end, const std::string& log);
+
 }  // namespace sunfleck::engine

@@ -79,13 +79,16 @@ void drop_pictures(const fs::path& folder, bool keep_series) {
     }
 }
 
-std::string last_line(const std::string& path) {
-    std::string text = read_file(path);
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    return text.substr(text.find_last_of('\n') + 1);
-}
-
 }  // namespace
+
+std::string write_scene(const std::string& folder, const std::vector<SceneFile>& files) {
+    for (std::size_t i = files.size(); i-- > 0;) {
+        const fs::path path = fs::path(folder) / files[i].name;
+        make_folder(path.parent_path());
+        write_file(path.string(), files[i].bytes);
+    }
+    return (fs::path(folder) / files.front().name).string();
+}
 
 CellStore::CellStore(RunSettings settings) : settings_(std::move(settings)) {
     make_folder(settings_.folder);
@@ -122,14 +125,7 @@ std::string CellStore::scene_file(const std::string& scene) const {
     const fs::path base = fs::path(settings_.folder) / "scenes" / scene;
     const fs::path main = base / (scene + ".pbrt");
     if (fs::exists(main)) return main.string();
-    const std::vector<SceneFile> files = make_scene(scene);
-    for (std::size_t i = files.size();
-         i-- > 0;) {  // the main file last, so that its existence means that all exist
-        const fs::path path = base / files[i].name;
-        make_folder(path.parent_path());
-        write_file(path.string(), files[i].bytes);
-    }
-    return main.string();
+    return write_scene(base.string(), make_scene(scene));
 }
 
 std::vector<std::string> CellStore::command(const Cell& cell, const std::string& target) const {
@@ -162,14 +158,12 @@ void CellStore::run(const Cell& cell, const std::atomic<bool>* interrupted) cons
     if (!fs::exists(checkpoint)) fs::remove_all(part);
     make_folder(part);
     const std::string log = (part / "log.txt").string();
-    const int code = run_child(command(cell, part.string()), log, interrupted).code;
+    const ChildEnd end = run_child(command(cell, part.string()), log, interrupted);
     if (interrupted != nullptr && interrupted->load()) {
         if (!fs::exists(checkpoint)) fs::remove_all(part);
         throw Interrupted{};
     }
-    if (code != 0)
-        throw Error({log}, fmt::format("the render ended with code {}: {}", code, last_line(log)),
-                    "run its command by hand for details");
+    check_render(end, log);
     drop_pictures(part, keeps_series(cell.scene));
     fs::remove(checkpoint);
     fs::rename(part, done);

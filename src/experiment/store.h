@@ -10,11 +10,16 @@
 #pragma once
 
 #include "experiment/cell.h"
+#include "procedural/scene_file.h"
 
 #include <atomic>
 #include <string>
 
 namespace sunfleck::engine {
+
+/// Writes the files of a procedural scene, the main one last, so that where it stands all stand.
+/// @return its path.
+std::string write_scene(const std::string& folder, const std::vector<SceneFile>& files);
 
 /// Thrown if the user asks to stop; finished cells are kept.
 struct Interrupted {};

@@ -68,6 +68,10 @@ public:
         return {x, std::min(x + size_, width_), y, std::min(y + size_, height_)};
     }
 
+    std::size_t block_of(std::size_t pixel) const {
+        return pixel / width_ / size_ * across() + pixel % width_ / size_;
+    }
+
     /// Calls visit(pixel) for each pixel of block i, row by row.
     template <class Visit>
     void for_pixels(std::size_t i, const Visit& visit) const {

@@ -29,6 +29,15 @@ struct GeometryInput {
     std::vector<PlacedShape> shapes;
     std::vector<std::uint32_t> in_world;  // indices of the shapes in the world
     std::vector<PlacedInstance> instances;
+
+    /// Calls visit(number of the shape, frame around it) for each shape in the world and in each
+    /// instance.
+    template <class Visit>
+    void for_each_placed(const Visit& visit) const {
+        for (const std::uint32_t shape : in_world) visit(shape, Matrix());
+        for (const PlacedInstance& instance : instances)
+            for (const std::uint32_t shape : instance.shapes) visit(shape, instance.to_world);
+    }
 };
 
 }  // namespace sunfleck::engine

@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "geometry/affine.h"
+#include "geometry/measure.h"
 #include "light/emitting_surface.h"
 #include "photon/initial_guide_samples.h"
 
@@ -31,10 +32,9 @@ class Casters {
 public:
     explicit Casters(const Scene& scene) : scene_(scene) {
         const GeometryInput& input = scene.geometry().input();
-        for (const std::uint32_t s : input.in_world) add(s, input.shapes[s], {});
-        for (const PlacedInstance& instance : input.instances)
-            for (const std::uint32_t s : instance.shapes)
-                add(s, input.shapes[s], instance.to_world);
+        input.for_each_placed([&](std::uint32_t shape, const Matrix& outer) {
+            add(shape, input.shapes[shape], outer);
+        });
     }
 
     bool empty() const { return casters_.empty(); }
@@ -62,8 +62,7 @@ public:
 private:
     struct Caster {
         const PlacedShape* placed;
-        Affine to_world;
-        Matrix matrix;
+        Matrix to_world;
         double area = 0;
         double end = 0;  // of all areas so far
     };
@@ -73,11 +72,10 @@ private:
         hit.shape = shape;
         if (!may_bend_light(scene_, scene_.materials()[scene_.material_of(hit)])) return;
         if (elements_of(placed.shape) == 0) return;
-        const Matrix matrix = placed.to_world * outer;
-        const double area = area_of(shape, placed.shape, Affine(matrix));
+        const double area = area_of(shape, placed, Affine(outer));
         if (!(area > 0) || !std::isfinite(area)) return;
         const double before = casters_.empty() ? 0 : casters_.back().end;
-        casters_.push_back({&placed, Affine(matrix), matrix, area, before + area});
+        casters_.push_back({&placed, placed.to_world * outer, area, before + area});
     }
 
     static std::size_t elements_of(const Shape& shape) {
@@ -86,59 +84,35 @@ private:
         return std::holds_alternative<Curves>(shape) ? 0 : 1;
     }
 
-    /// Approximate for meshes under matrices that stretch: it only decides how often a shape is
-    /// looked at.
-    double area_of(std::uint32_t number, const Shape& shape, const Affine& to_world) {
-        const auto* mesh = std::get_if<TriangleMesh>(&shape);
-        if (mesh == nullptr) return area_of(shape, to_world);
-        const auto [known, is_new] = mesh_areas_.try_emplace(number, 0);
-        if (is_new)
-            for (const auto& t : mesh->triangles) {
-                const Vec3d first = corner(mesh->positions, t[0]);
-                const double area = 0.5 * (corner(mesh->positions, t[1]) - first)
-                                              .cross(corner(mesh->positions, t[2]) - first)
-                                              .length();
-                if (std::isfinite(area)) known->second += area;
-            }
-        const double scale = std::cbrt(static_cast<float>(std::abs(to_world.determinant())));
+    /// Approximate in instances that are stretched: it only decides how often a shape is looked at.
+    double area_of(std::uint32_t number, const PlacedShape& placed, const Affine& outer) {
+        const auto [known, is_new] = areas_.try_emplace(number, 0);
+        if (is_new) known->second = surface_area(placed);
+        const double scale = std::cbrt(static_cast<float>(std::abs(outer.determinant())));
         return known->second * scale * scale;
-    }
-    static double area_of(const Shape& shape, const Affine& to_world) {
-        return std::visit(
-            [&](const auto& s) {
-                if constexpr (HasArea<std::decay_t<decltype(s)>>)
-                    return s.area(to_world);
-                else
-                    return 0.0;
-            },
-            shape);
-    }
-
-    /// NaN for an invalid index: such an element is not in the geometry.
-    static Vec3d corner(const std::vector<Vec3>& positions, std::uint32_t index) {
-        constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-        return index < positions.size() ? Vec3d(positions[index]) : Vec3d(kNowhere);
     }
 
     static SurfaceSample on(const Caster& caster, std::uint32_t element, const Vec2d& u) {
         return std::visit([&](const auto& s) { return on(s, caster, element, u); },
                           caster.placed->shape);
     }
+    /// Nowhere for a triangle with an invalid index, which is not in the geometry.
     static SurfaceSample on(const TriangleMesh& mesh, const Caster& caster, std::uint32_t element,
                             const Vec2d& u) {
-        const auto& t = mesh.triangles[element];
-        const Vec3d first = caster.to_world.point(corner(mesh.positions, t[0]));
-        const Vec3d edge1 = caster.to_world.point(corner(mesh.positions, t[1])) - first;
-        const Vec3d edge2 = caster.to_world.point(corner(mesh.positions, t[2])) - first;
+        const auto& corners = mesh.triangles[element];
+        if (*std::max_element(corners.begin(), corners.end()) >= mesh.positions.size())
+            return {Vec3d(std::numeric_limits<double>::quiet_NaN()), Vec3d(0)};
+        const Triangle t = placed_triangle(mesh, Affine(caster.to_world), element);
         return sample_surface(
-            EmittingTriangle{first, edge1, edge2, edge1.cross(edge2).normalized()}, u);
+            EmittingTriangle{t.corner[0], t.corner[1] - t.corner[0], t.corner[2] - t.corner[0],
+                             t.area_vector().normalized()},
+            u);
     }
     static SurfaceSample on(const BilinearMesh& mesh, const Caster& caster, std::uint32_t element,
                             const Vec2d& u) {
-        EmittingPatch patch;
-        for (std::size_t i = 0; i < 4; ++i)
-            patch.surface.corner[i] =
-                caster.to_world.point(corner(mesh.positions, mesh.patches[element][i]));
+        const Affine to_world(caster.to_world);
+        EmittingPatch patch{mesh.element(element).surface};
+        for (Vec3d& corner : patch.surface.corner) corner = to_world.point(corner);
         return sample_surface(patch, u);
     }
     static SurfaceSample on(const Curves&, const Caster&, std::uint32_t, const Vec2d&) {
@@ -147,12 +121,12 @@ private:
     template <class Quadric>
     static SurfaceSample on(const Quadric& quadric, const Caster& caster, std::uint32_t,
                             const Vec2d& u) {
-        return sample_surface(EmittingQuadric<Quadric>{quadric, caster.matrix}, u);
+        return sample_surface(EmittingQuadric<Quadric>{quadric, caster.to_world}, u);
     }
 
     const Scene& scene_;
     std::vector<Caster> casters_;
-    std::map<std::uint32_t, double> mesh_areas_;  // in their own frames, by shape
+    std::map<std::uint32_t, double> areas_;  // of shapes, outside of any instance
 };
 
 }  // namespace

@@ -40,9 +40,8 @@ Elements elements_of(const Shape& shape) {
 class Edges {
 public:
     explicit Edges(const GeometryInput& input) {
-        for (const std::uint32_t s : input.in_world) add(input.shapes[s], {});
-        for (const PlacedInstance& instance : input.instances)
-            for (const std::uint32_t s : instance.shapes) add(input.shapes[s], instance.to_world);
+        input.for_each_placed(
+            [&](std::uint32_t shape, const Matrix& outer) { add(input.shapes[shape], outer); });
     }
 
     bool empty() const { return shapes_.empty(); }

@@ -9,18 +9,17 @@
 #include "visible_points/photon_chunk.h"
 
 #include <algorithm>
+#include <concepts>
+#include <type_traits>
 #include <vector>
 
 namespace sunfleck::engine {
 
-/// Returns the weight of a primary sample: one over its density.
+/// A primary sample that is not uniform: weight() is one over its density.
 template <class Reader>
-double weight_of(const Reader& reader) {
-    if constexpr (requires { reader.weight(); })
-        return reader.weight();
-    else
-        return 1;
-}
+concept WeightedReader = requires(const Reader& reader) {
+    { reader.weight() } -> std::same_as<double>;
+};
 
 /// Result of a pass.
 struct TracedPaths {
@@ -38,7 +37,8 @@ void trace_chunk(const PhotonTracer& tracer, const Points& points, const PathRan
     const auto visit = [&](const Photon& photon, std::uint32_t number, const auto& reader) {
         if (!may_accept(photon)) return;
         chunk.add(photon, number);
-        chunk.photons.back().flux *= static_cast<float>(weight_of(reader));
+        if constexpr (WeightedReader<std::decay_t<decltype(reader)>>)
+            chunk.photons.back().flux *= static_cast<float>(reader.weight());
     };
     const auto ended = [&](PathEnd end) { count_end(end, chunk.statistics); };
     chunk.reserve(range.size() + range.size() / 4);
@@ -72,8 +72,11 @@ void count_visible(const PhotonChunk& chunk, const PathRange& range, const Point
     for (std::size_t i = 0; i < visible.size(); ++i) {
         if (visible[i] == 0) continue;
         ++traced.visible;
-        traced.visible_weight +=
-            weight_of(points.path(static_cast<std::uint32_t>(range.begin + i)));
+        if constexpr (WeightedReader<decltype(points.path(0))>)
+            traced.visible_weight +=
+                points.path(static_cast<std::uint32_t>(range.begin + i)).weight();
+        else
+            traced.visible_weight += 1;
     }
 }
 

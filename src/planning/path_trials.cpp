@@ -2,7 +2,6 @@
 #include "planning/path_trials.h"
 
 #include "estimate/photon_terms.h"
-#include "film/luminance.h"
 #include "guide/guided_points.h"
 #include "photon/independent_paths.h"
 #include "visible_points/lookup.h"
@@ -16,9 +15,12 @@ namespace {
 /// Gathers the photons of some paths.
 class TrialGatherer {
 public:
-    TrialGatherer(const PhotonContext& context, const WorthBlocks& grid,
+    TrialGatherer(const PhotonContext& context, const BlockGrid& blocks,
                   const std::vector<PhotonChunk>& chunks)
-        : context_(context), grid_(grid), chunks_(chunks), photons_(chunks, context.index.grid()) {}
+        : context_(context),
+          blocks_(blocks),
+          chunks_(chunks),
+          photons_(chunks, context.index.grid()) {}
 
     /// @return one entry per photon and visible point that accepts it, in an order that does not
     /// depend on threads.
@@ -60,12 +62,13 @@ private:
                 light_of(context_.scene, point, photon) * share_of(point, radius, 1));
             const double y = luminance({rgb.x, rgb.y, rgb.z});
             if (y > 0)
-                list.push_back({path, static_cast<std::uint32_t>(grid_.block_of(point.pixel)), y});
+                list.push_back(
+                    {path, static_cast<std::uint32_t>(blocks_.block_of(point.pixel)), y});
         }
     }
 
     const PhotonContext& context_;
-    const WorthBlocks& grid_;
+    const BlockGrid& blocks_;
     const std::vector<PhotonChunk>& chunks_;
     SortedPhotons photons_;
 };
@@ -99,22 +102,19 @@ std::vector<PathLight> summed(std::vector<PathLight> entries) {
 
 }  // namespace
 
-WorthBlocks::WorthBlocks(const PixelWindow& window)
-    : width_(static_cast<std::size_t>(window.width())),
-      across_((width_ + kSide - 1) / kSide),
-      pixels_(across_ * ((static_cast<std::size_t>(window.height()) + kSide - 1) / kSide)) {
-    for (std::size_t pixel = 0; pixel < window.pixels(); ++pixel) pixels_[block_of(pixel)] += 1;
+BlockGrid worth_blocks(const PixelWindow& window) {
+    return {window.width(), window.height(), 8};
 }
 
-std::vector<double> WorthBlocks::sums(const PixelValues& values) const {
-    std::vector<double> sums(blocks());
+std::vector<double> block_sums(const BlockGrid& blocks, const PixelValues& values) {
+    std::vector<double> sums(blocks.count());
     for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
-        sums[block_of(pixel)] += values[pixel];
+        sums[blocks.block_of(pixel)] += values[pixel];
     return sums;
 }
 
 PathTrials try_paths(const PhotonContext& context, const LightChoice& lights,
-                     const EmissionGuide& guide, const WorthBlocks& grid, PassId pass,
+                     const EmissionGuide& guide, const BlockGrid& blocks, PassId pass,
                      std::uint32_t count) {
     const PhotonTracer tracer(context.scene, context.transport, lights);
     const GuidedPoints points(pass, guide);
@@ -128,7 +128,7 @@ PathTrials try_paths(const PhotonContext& context, const LightChoice& lights,
     });
     PathTrials trials;
     for (const Start& start : starts) trials.points.push_back(start.point);
-    trials.light = summed(TrialGatherer(context, grid, chunks).gather());
+    trials.light = summed(TrialGatherer(context, blocks, chunks).gather());
     for (PathLight& light : trials.light) light.luminance /= starts[light.path].weight;
     return trials;
 }

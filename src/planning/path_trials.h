@@ -3,6 +3,7 @@
 // In:  visible points, a guide. Out: emission and light of paths that are no part of a picture.
 #pragma once
 
+#include "film/luminance.h"
 #include "guide/emission_guide.h"
 #include "photon/light_stratum.h"
 #include "planning/pixel_buffer.h"
@@ -11,26 +12,11 @@
 
 namespace sunfleck::engine {
 
-/// Blocks of pixels, row by row; those at the right and lower edges may be smaller.
-class WorthBlocks {
-public:
-    static constexpr std::size_t kSide = 8;  // in pixels
+/// Blocks of 8 x 8 pixels.
+BlockGrid worth_blocks(const PixelWindow& window);
 
-    explicit WorthBlocks(const PixelWindow& window);
-
-    std::size_t blocks() const { return pixels_.size(); }
-    std::size_t block_of(std::size_t pixel) const {
-        return pixel / width_ / kSide * across_ + pixel % width_ / kSide;
-    }
-    /// Returns the number of pixels of a block.
-    double pixels(std::size_t block) const { return pixels_[block]; }
-    std::vector<double> sums(const PixelValues& values) const;
-
-private:
-    std::size_t width_;
-    std::size_t across_;
-    std::vector<double> pixels_;
-};
+/// Returns the sum of the values in each block.
+std::vector<double> block_sums(const BlockGrid& blocks, const PixelValues& values);
 
 /// The luminance that a path alone brings to the pixels of a block: with the weight one.
 struct PathLight {
@@ -46,7 +32,7 @@ struct PathTrials {
 
 /// @param pass  names the random numbers.
 PathTrials try_paths(const PhotonContext& context, const LightChoice& lights,
-                     const EmissionGuide& guide, const WorthBlocks& grid, PassId pass,
+                     const EmissionGuide& guide, const BlockGrid& blocks, PassId pass,
                      std::uint32_t count);
 
 }  // namespace sunfleck::engine

@@ -28,9 +28,9 @@ public:
                  const PilotName& name)
         : context_(context),
           lights_(context.scene.scene.light_choice()),
-          grid_(window),
+          blocks_(worth_blocks(window)),
           name_(name),
-          unlit_(grid_.sums(luminance_of(seen.image))) {}
+          unlit_(block_sums(blocks_, luminance_of(seen.image))) {}
 
     EmissionGuide learn() {
         samples_ = caster_samples(context_.scene, lights_, name_.iteration(kCasterIteration),
@@ -42,38 +42,62 @@ public:
         EmissionGuide guide = EmissionGuide::learned(samples_, kGrowth);
         for (std::uint32_t round = 0; round < kWorthRounds; ++round) {
             const PassId pass = name_.iteration(kWorthIteration + round);
-            rounds_.push_back({guide, try_paths(context_, lights_, guide, grid_, pass, kTrials)});
+            add_round(guide, try_paths(context_, lights_, guide, blocks_, pass, kTrials));
             guide = corrected();
         }
         return guide;
     }
 
 private:
-    struct Round {
-        EmissionGuide guide;
-        PathTrials trials;
-    };
-
-    /// What a path brought, over the density of all trials where it started.
+    /// What a trial brought.
     struct Brought {
         EmissionPoint point{};
-        double density = 0;
-        std::size_t begin = 0;  // of its light in `light`
+        /// Expected number of trials per volume there: of all rounds, a mixture. One for a path
+        /// that brought nothing, for which nobody asks.
+        double density = 1;
+        std::size_t begin = 0;  // of its light in light_
         std::size_t end = 0;
     };
 
+    void add_round(const EmissionGuide& guide, const PathTrials& trials) {
+        constexpr std::size_t kBlock = 1024;
+        const std::size_t before = paths_.size();
+        auto next = trials.light.begin();
+        for (std::uint32_t path = 0; path < trials.points.size(); ++path) {
+            const std::size_t begin = light_.size();
+            for (; next != trials.light.end() && next->path == path; ++next)
+                light_.push_back(*next);
+            paths_.push_back({trials.points[path], 1, begin, light_.size()});
+        }
+        guides_.push_back(guide);
+        parallel_blocks(paths_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                Brought& path = paths_[i];
+                if (path.begin == path.end) continue;
+                if (i < before)
+                    path.density += kTrials * guide.density(path.point);
+                else
+                    path.density = density(path.point);
+            }
+        });
+    }
+
+    double density(const EmissionPoint& at) const {
+        double sum = 0;
+        for (const EmissionGuide& guide : guides_) sum += kTrials * guide.density(at);
+        return sum;
+    }
+
     /// Returns the guide that all rounds together suggest.
     EmissionGuide corrected() const {
-        std::vector<PathLight> light;
-        const std::vector<Brought> paths = brought(light);
-        const std::vector<double> brightness = this->brightness(paths, light);
+        const std::vector<double> brightness = this->brightness();
         std::vector<EmissionGuide::Worth> trials;
         std::vector<WeightedEmission> points;
         double all = 0;
-        for (const Brought& path : paths) {
+        for (const Brought& path : paths_) {
             double worth = 0;
             for (std::size_t i = path.begin; i < path.end; ++i)
-                worth += light[i].luminance / brightness[light[i].block];
+                worth += light_[i].luminance / brightness[light_[i].block];
             trials.push_back({path.point, worth * worth / path.density});
             if (!(worth > 0)) continue;
             points.push_back({path.point, worth / path.density});
@@ -88,62 +112,36 @@ private:
         return EmissionGuide::learned(std::move(points), kGrowth).by_worth(trials, kKept, kGrowth);
     }
 
-    /// Returns all paths of all rounds, in order.
-    /// @param light  receives theirs.
-    std::vector<Brought> brought(std::vector<PathLight>& light) const {
-        std::vector<Brought> paths;
-        for (const Round& round : rounds_) {
-            auto next = round.trials.light.begin();
-            for (std::uint32_t path = 0; path < round.trials.points.size(); ++path) {
-                Brought& one = paths.emplace_back();
-                one.point = round.trials.points[path];
-                one.begin = light.size();
-                for (; next != round.trials.light.end() && next->path == path; ++next)
-                    light.push_back(*next);
-                one.end = light.size();
-            }
-        }
-        constexpr std::size_t kBlock = 1024;
-        parallel_blocks(paths.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) paths[i].density = density(paths[i]);
-        });
-        return paths;
-    }
-
-    /// Returns the expected number of trials per volume: of all rounds, a mixture. One for paths
-    /// that brought nothing, for which nobody asks.
-    double density(const Brought& path) const {
-        if (path.begin == path.end) return 1;
-        double sum = 0;
-        for (const Round& round : rounds_) sum += kTrials * round.guide.density(path.point);
-        return sum;
-    }
-
     /// Returns the brightness of a pixel of each block, and the least that counts added.
-    std::vector<double> brightness(const std::vector<Brought>& paths,
-                                   const std::vector<PathLight>& light) const {
+    std::vector<double> brightness() const {
         std::vector<double> blocks = unlit_;
-        for (const Brought& path : paths)
+        for (const Brought& path : paths_)
             for (std::size_t i = path.begin; i < path.end; ++i)
-                blocks[light[i].block] += light[i].luminance / path.density;
+                blocks[light_[i].block] += light_[i].luminance / path.density;
         double all = 0;
         double pixels = 0;
         for (std::size_t b = 0; b < blocks.size(); ++b) {
             all += blocks[b];
-            pixels += grid_.pixels(b);
+            pixels += pixels_of(b);
         }
         for (std::size_t b = 0; b < blocks.size(); ++b)
-            blocks[b] = blocks[b] / grid_.pixels(b) + kLeastBrightness * all / pixels;
+            blocks[b] = blocks[b] / pixels_of(b) + kLeastBrightness * all / pixels;
         return blocks;
+    }
+
+    double pixels_of(std::size_t block) const {
+        return static_cast<double>(blocks_.block(block).pixels());
     }
 
     const PhotonContext& context_;
     const LightChoice& lights_;
-    WorthBlocks grid_;
+    BlockGrid blocks_;
     PilotName name_;
     std::vector<double> unlit_;              // light that needs no photon, by block
     std::vector<WeightedEmission> samples_;  // of casters
-    std::vector<Round> rounds_;
+    std::vector<EmissionGuide> guides_;      // of the rounds so far
+    std::vector<Brought> paths_;             // of all rounds
+    std::vector<PathLight> light_;           // of all paths, by path
 };
 
 }  // namespace

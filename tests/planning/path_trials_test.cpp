@@ -24,15 +24,15 @@ Scene paned_floor() {
 
 TEST(WorthBlocks, cover_each_pixel_once) {
     const PixelWindow window{3, 5, 23, 16};  // 20 x 11
-    const WorthBlocks blocks(window);
-    EXPECT_EQ(blocks.blocks(), 6U);
-    EXPECT_EQ(blocks.pixels(0), 64);
-    EXPECT_EQ(blocks.pixels(2), 4 * 8);
-    EXPECT_EQ(blocks.pixels(5), 4 * 3);
+    const BlockGrid blocks = worth_blocks(window);
+    EXPECT_EQ(blocks.count(), 6U);
+    EXPECT_EQ(blocks.block(0).pixels(), 64U);
+    EXPECT_EQ(blocks.block(2).pixels(), 4U * 8U);
+    EXPECT_EQ(blocks.block(5).pixels(), 4U * 3U);
     EXPECT_EQ(blocks.block_of(0), 0U);
     EXPECT_EQ(blocks.block_of(19), 2U);
     EXPECT_EQ(blocks.block_of(20 * 8), 3U);
-    const std::vector<double> sums = blocks.sums(PixelValues(window.pixels(), 0.5));
+    const std::vector<double> sums = block_sums(blocks, PixelValues(window.pixels(), 0.5));
     EXPECT_EQ(sums[5], 6);
 }
 
@@ -46,7 +46,7 @@ TEST(PathTrials, bring_what_a_pass_brings) {
     const PixelWindow window = window_of(scene.film());
     const CameraTrial seen = view_of({pass, transport, camera, window, {1, 0}});
     const PhotonContext context{pass, transport, seen.index};
-    const WorthBlocks blocks(window);
+    const BlockGrid blocks = worth_blocks(window);
     std::vector<WeightedEmission> corner(1000);
     RandomStream random(1, Purpose::test, 0, 0);
     for (WeightedEmission& sample : corner)

@@ -2,6 +2,7 @@
 
 #include "procedural/cognac.h"
 
+#include "one_world.h"
 #include "procedural/cognac_glass.h"
 #include "scene_reading.h"
 
@@ -10,18 +11,8 @@
 namespace sunfleck::engine {
 namespace {
 
-std::string world(const SceneFile& file) {
-    return file.bytes.substr(file.bytes.find("WorldBegin"));
-}
-
 TEST(Cognac, all_views_show_the_same_world) {
-    const std::vector<SceneFile> whole = cognac_scene(kCognacViews[0]);
-    for (const CloseUp& view : kCognacViews) {
-        const std::vector<SceneFile> closer = cognac_scene(view);
-        EXPECT_EQ(world(closer.at(0)), world(whole.at(0)));
-        for (std::size_t i = 1; i < whole.size(); ++i)
-            EXPECT_EQ(closer.at(i).bytes, whole.at(i).bytes);
-    }
+    expect_one_world(kCognacViews, [](const CloseUp& view) { return cognac_scene(view); });
 }
 
 TEST(Cognac, the_views_close_in) {

@@ -2,6 +2,7 @@
 
 #include "procedural/wine_glass.h"
 
+#include "one_world.h"
 #include "scene_reading.h"
 
 #include <gtest/gtest.h>
@@ -12,18 +13,8 @@
 namespace sunfleck::engine {
 namespace {
 
-std::string world(const SceneFile& file) {
-    return file.bytes.substr(file.bytes.find("WorldBegin"));
-}
-
 TEST(WineGlass, all_views_show_the_same_world) {
-    const std::vector<SceneFile> whole = wine_glass_scene(kWineGlassViews[0]);
-    for (const CloseUp& view : kWineGlassViews) {
-        const std::vector<SceneFile> closer = wine_glass_scene(view);
-        EXPECT_EQ(world(closer.at(0)), world(whole.at(0)));
-        for (std::size_t i = 1; i < whole.size(); ++i)
-            EXPECT_EQ(closer.at(i).bytes, whole.at(i).bytes);
-    }
+    expect_one_world(kWineGlassViews, [](const CloseUp& view) { return wine_glass_scene(view); });
 }
 
 TEST(WineGlass, each_view_sees_a_third_of_the_width_of_the_one_before) {
