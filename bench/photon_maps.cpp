@@ -9,7 +9,7 @@
 #include "import/load.h"
 #include "photon/paper_chain.h"
 #include "photon/photon_space.h"
-#include "planning/epoch.h"
+#include "planning/learn_epoch.h"
 #include "program.h"
 #include "random_numbers/emission_points.h"
 #include "render/pass.h"

@@ -3,6 +3,9 @@
 
 #include "aovs/light_groups.h"
 
+#include <array>
+#include <string_view>
+
 namespace sunfleck::engine {
 
 /// Which estimator computes direct light at surfaces that gather.
@@ -13,10 +16,23 @@ enum class DirectLight {
 
 /// Which estimator computes light that leaves its lamp straight to a diffuse surface, and comes
 /// from there to the diffuse surface that the camera sees.
-enum class IndirectLight {
-    sampled,  // camera paths, which go on by bsdf samples and next event estimation
-    photons
+enum class IndirectLight { automatic, photons, sampled };
+
+struct IndirectLightRow {
+    IndirectLight indirect;
+    std::string_view name;  // as the user writes it
+    std::string_view what;
 };
+
+inline constexpr std::array<IndirectLightRow, 3> kIndirectLights = {{
+    {IndirectLight::automatic, "auto", "by whichever trials find better"},
+    {IndirectLight::photons, "photons", "by photons"},
+    {IndirectLight::sampled, "sampled", "by camera paths that go on"},
+}};
+
+inline std::string_view name_of(IndirectLight indirect) {
+    return kIndirectLights.at(static_cast<std::size_t>(indirect)).name;
+}
 
 inline constexpr int kDefaultMaxDepth = 64;
 
@@ -24,7 +40,7 @@ struct TransportSettings {
     DirectLight direct = DirectLight::sampled;
     int max_depth = kDefaultMaxDepth;  // scattering events of a path, camera and light together
     LightGroups light_groups{};
-    IndirectLight indirect = IndirectLight::photons;  // where direct light is sampled
+    IndirectLight indirect = IndirectLight::automatic;  // where direct light is sampled
 
     /// Returns whether camera paths go on beyond the first diffuse surface.
     bool goes_beyond_diffuse() const {

@@ -44,11 +44,10 @@ std::vector<RenderFlag> estimator_flags() {
          .needs = {needs_photon_mapping(),
                    of_value("sampled", refused_by_paper("is photons with the sampler paper"))}},
         {.name = "--indirect",
-         .value = one_of({{"photons", "by photons"}, {"sampled", "by camera paths that go on"}},
+         .value = one_of(choices_of(kIndirectLights),
                          [](auto& r, const auto& name) {
-                             r.settings.transport.indirect = name == "photons"
-                                                                 ? IndirectLight::photons
-                                                                 : IndirectLight::sampled;
+                             r.settings.transport.indirect =
+                                 row_named(kIndirectLights, name)->indirect;  // a choice
                          }),
          .help = "Who brings light from one diffuse surface to another, where a lamp lights the "
                  "first",

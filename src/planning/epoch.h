@@ -1,18 +1,13 @@
-// Epoch: a range of passes with one plan of their photon paths.
+// Epoch: a range of passes with one plan: subpasses of a pass, camera paths of a pixel, photon
+// paths of a subpass, light strata and who brings indirect light.
 //
-// In:  scene, settings, index of the epoch. Out: subpasses of a pass, camera paths of a pixel and
-// photon paths of a subpass, light strata and their plans. They are learned by pilots and trials
-// from visible points like those of the epoch's first pass alone, so that any pass can be rendered
-// anywhere, without earlier ones. Trials are no part of the picture: an allocation computed from
-// the pass itself would bias it. Radii shrink ever more slowly, and epochs grow accordingly.
+// Radii shrink ever more slowly, and epochs grow accordingly.
 #pragma once
 
 #include "camera_paths/camera_pass.h"
 #include "photon/light_stratum.h"
-#include "stages/settings.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -35,19 +30,10 @@ struct Epoch {
     std::uint32_t paths = 0;           // photon paths of a subpass
     std::uint32_t subpasses = 1;       // of a pass, which is their mean
     std::uint32_t weight = 1;          // of a pass in the mean over passes
+    TransportSettings transport{};     // with the way that brings indirect light
     Log2Samples log2_samples;          // of a subpass's camera paths
     std::vector<LightStratum> strata;  // at least one, unless the scene is dark
     double seconds = 0;
 };
-
-/// Returns whether pilots and trials have to run. If not, all epochs are the same but for their
-/// numbers.
-bool needs_learning(const Scene& scene, const RenderSettings& settings);
-
-/// Returns the epoch of a pass.
-/// @param trial_traced  called, long before learning ends, with the seconds that camera paths and
-///                      index of one trial took.
-Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
-                  const std::function<void(double)>& trial_traced = {});
 
 }  // namespace sunfleck::engine

@@ -2,6 +2,7 @@
 #include "planning/photon_budget.h"
 
 #include "planning/trial_iterations.h"
+#include "planning/trial_work.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,7 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr double kSurvivors = 128;   // at least so many per subpass, if splitting has one level set
-constexpr double kRaysOfPath = 0.6;  // work per camera path besides its rays
-constexpr double kRaysOfDeposit = 0.6;  // in units of a ray
+constexpr double kSurvivors = 128;  // at least so many per subpass, if splitting has one level set
 constexpr double kMoreDeposits = 0.17;  // fraction of that for several points at once
 
 constexpr double kWorthwhile = 0.96;  // of the error: worth more camera paths
@@ -35,9 +34,7 @@ Work work_of(const CameraTrial& trial, const PhotonTrials& trials) {
         return static_cast<double>(counts[which]);
     };
     const double paths = kPhotonSets * trials.pair.paths;
-    return {count(trial.counts, Count::camera_rays) +
-                kRaysOfPath * count(trial.counts, Count::camera_paths),
-            count(trials.totals.statistics, Count::photon_rays) / paths,
+    return {camera_work(trial.counts), count(trials.totals.statistics, Count::photon_rays) / paths,
             kRaysOfDeposit * trials.deposits / paths};
 }
 

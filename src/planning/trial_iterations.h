@@ -7,13 +7,16 @@
 
 #include "math/wavelengths.h"
 
+#include <array>
 #include <cstdint>
 
 namespace sunfleck::engine {
 
-inline constexpr std::uint32_t kCasterIteration = 440;
-inline constexpr std::uint32_t kWorthIteration = 441;  // of the first round of trials
-inline constexpr std::uint32_t kWorthRounds = 3;
+inline constexpr std::uint32_t kWaySetsIteration = 416;  // of the first set of photons
+inline constexpr std::array<std::uint32_t, 3> kWayCameraIterations = {424, 432, 448};
+inline constexpr std::uint32_t kCasterIteration = 433;
+inline constexpr std::uint32_t kWorthIteration = 434;  // of the first round of trials
+inline constexpr std::uint32_t kMostWorthRounds = 8;
 inline constexpr std::uint32_t kPixelTrialsIteration = 466;  // subpasses are nets of trials
 inline constexpr std::uint32_t kSecondTrialIteration = 482;
 inline constexpr std::uint32_t kExploredTrialIteration = 498;  // the trial that planners explore

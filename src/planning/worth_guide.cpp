@@ -12,6 +12,11 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint32_t kTrials = 50'000;  // of a round
+
+/// Rounds go on while few trials are visible, or many more than in the round before.
+constexpr std::uint32_t kLeastRounds = 3;
+constexpr std::size_t kEnough = 1000;
+
 constexpr std::size_t kCasterSamples = 50'000;
 
 constexpr EmissionGuide::Growth kGrowth{0.05, 4, 0.01};
@@ -40,10 +45,14 @@ public:
         if (!(flux > 0)) return {};
         for (WeightedEmission& sample : samples_) sample.weight /= flux;
         EmissionGuide guide = EmissionGuide::learned(samples_, kGrowth);
-        for (std::uint32_t round = 0; round < kWorthRounds; ++round) {
+        std::size_t before = 0;
+        for (std::uint32_t round = 0; round < kMostWorthRounds; ++round) {
             const PassId pass = name_.iteration(kWorthIteration + round);
             add_round(guide, try_paths(context_, lights_, guide, blocks_, pass, kTrials));
             guide = corrected();
+            const std::size_t visible = visible_of_last_round();
+            if (round + 1 >= kLeastRounds && visible >= kEnough && 2 * visible < 3 * before) break;
+            before = visible;
         }
         return guide;
     }
@@ -80,6 +89,12 @@ private:
                     path.density = density(path.point);
             }
         });
+    }
+
+    std::size_t visible_of_last_round() const {
+        return static_cast<std::size_t>(
+            std::count_if(paths_.end() - kTrials, paths_.end(),
+                          [](const Brought& p) { return p.begin != p.end; }));
     }
 
     double density(const EmissionPoint& at) const {

@@ -47,6 +47,7 @@ void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     film.count(name + "weight", pass.weight);
     film.count(name + "camera_paths", pass.statistics[Count::camera_paths]);
     film.count(name + "paths", paths);
+    film.count(name + "indirect_sampled", pass.indirect == IndirectLight::sampled ? 1 : 0);
 }
 
 /// What Film::add_pass() counts by itself.

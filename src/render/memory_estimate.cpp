@@ -3,7 +3,7 @@
 
 #include "photon_samplers/samplers.h"
 #include "planning/adaptive_pixels.h"
-#include "planning/epoch.h"
+#include "planning/learn_epoch.h"
 #include "random_numbers/path_range.h"
 
 #include <algorithm>

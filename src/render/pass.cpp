@@ -31,7 +31,7 @@ PhotonTotals render_subpass(const RenderSettings& settings, const CameraPass& ca
     result.seconds.camera += watch.lap();
     const VisiblePointIndex index(std::move(points), camera.transport.max_depth);
     result.seconds.index += watch.lap();
-    const PhotonContext photon_context{camera.scene, settings.transport, index};
+    const PhotonContext photon_context{camera.scene, camera.transport, index};
     PhotonTotals photons = trace_photons(
         {photon_context, camera.id.subpass(camera.subpass.number), strata, settings.photon},
         {result.image, target.taken}, target.state);
@@ -74,13 +74,14 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
                       0,
                       {},
                       epoch.subpasses,
-                      epoch.weight};
+                      epoch.weight,
+                      epoch.transport.indirect};
     // A state counts passes: a black one, too, goes the whole way.
     if (scene.is_dark() && settings.aovs == AovSet{} && !sequential) return result;
     Stopwatch watch;
     const PassScene at_wavelengths(scene, id);
     result.seconds.build = watch.lap();
-    const CameraPass camera{at_wavelengths,      settings.transport, settings.camera, window, id,
+    const CameraPass camera{at_wavelengths,      epoch.transport, settings.camera, window, id,
                             result.radius_factor};
     const ReferencePass reference{at_wavelengths, settings.transport, window, id};
     switch (settings.integrator) {

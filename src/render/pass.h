@@ -8,7 +8,7 @@
 #pragma once
 
 #include "photon_samplers/sampler_state.h"
-#include "planning/epoch.h"
+#include "planning/learn_epoch.h"
 #include "stages/pass_result.h"
 
 namespace sunfleck::engine {

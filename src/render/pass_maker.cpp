@@ -10,7 +10,8 @@
 
 namespace sunfleck::engine {
 
-PassMaker::PassMaker(const RenderJob& job, RenderState& state) : job_(job), state_(state) {
+PassMaker::PassMaker(const RenderJob& job, RenderState& state)
+    : job_(job), settings_(job.settings), state_(state) {
     if (is_sequential(job.settings) && std::holds_alternative<NoState>(state.sampler))
         state.sampler =
             first_state(job.settings.photon, job.settings.alpha, state.film.key().pixels());
@@ -22,11 +23,13 @@ bool PassMaker::learn(std::uint32_t number, const PassHooks& hooks) {
     const bool is_told = hooks.learning && needs_learning(job_.scene, job_.settings);
     if (is_told) hooks.learning(true);
     const bool is_learned = run_unless(hooks.cuts_learning, [&] {
-        epoch_ = learn_epoch(job_.scene, job_.settings, number, hooks.trial_traced);
+        epoch_ = learn_epoch(job_.scene, settings_, number, hooks.trial_traced);
     });
     if (is_told) hooks.learning(false);
-    if (is_learned) state_.seconds.learn += epoch_->seconds;
-    return is_learned;
+    if (!is_learned) return false;
+    state_.seconds.learn += epoch_->seconds;
+    settings_.transport.indirect = epoch_->transport.indirect;
+    return true;
 }
 
 std::optional<double> PassMaker::make(std::uint32_t number, Film& film, PassHooks hooks) {
@@ -37,7 +40,7 @@ std::optional<double> PassMaker::make(std::uint32_t number, Film& film, PassHook
     std::optional<PassResult> pass;
     if (!learn(number, hooks)) return {};
     const bool is_whole = run_unless(hooks.cuts_pass, [&] {
-        pass.emplace(render_pass(job_.scene, job_.settings, number, *epoch_, state_.sampler));
+        pass.emplace(render_pass(job_.scene, settings_, number, *epoch_, state_.sampler));
     });
     if (!is_whole) return {};
     change_film(hooks.change, [&] {

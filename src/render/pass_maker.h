@@ -1,7 +1,7 @@
 // Passes one after the other, each added to a film.
 #pragma once
 
-#include "planning/epoch.h"
+#include "planning/learn_epoch.h"
 #include "render/render_hooks.h"
 #include "render/render_job.h"
 #include "render/render_state.h"
@@ -34,6 +34,7 @@ private:
     bool learn(std::uint32_t number, const PassHooks& hooks);
 
     const RenderJob& job_;
+    RenderSettings settings_;  // the job's; once an epoch is learned, with its way
     RenderState& state_;
     std::optional<Epoch> epoch_;
 };

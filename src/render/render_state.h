@@ -8,7 +8,8 @@
 namespace sunfleck::engine {
 
 /// All that goes from one pass to the next. What adaptive sampling has learned is no part of it: an
-/// epoch's plan is learned again, to the same bits, from the number of the pass (planning/epoch.h).
+/// epoch's plan is learned again, to the same bits, from the number of the pass
+/// (planning/learn_epoch.h).
 struct RenderState {
     Film film;
     PassTimes seconds;

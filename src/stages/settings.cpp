@@ -31,7 +31,8 @@ std::string RenderSettings::text() const {
         optional_number(photon.paths_per_pass), optional_number(camera.radius_pixels),
         optional_number(camera.radius), optional_number(camera.indirect_radius), alpha);
     if (energy_compensation) text += "energy_compensation=on\n";
-    if (transport.goes_beyond_diffuse()) text += "indirect=sampled\n";
+    if (integrator == Integrator::sppm && transport.direct == DirectLight::sampled)
+        text += fmt::format("indirect={}\n", name_of(transport.indirect));
     if (!camera.ris) text += "ris=off\n";
     for (const AdaptivePart& part : kAdaptiveParts)
         if (!(photon.*part.is_on)) text += setting_of(part) + "=off\n";

@@ -89,7 +89,8 @@ Json epochs_json(const Film& film) {
              {"subpasses_per_pass", film.statistic(name + "subpasses") / passes},
              {"weight", film.statistic(name + "weight") / passes},
              {"camera_paths_per_pixel", film.statistic(name + "camera_paths") / passes / pixels},
-             {"photons_per_pass", film.statistic(name + "paths") / passes}});
+             {"photons_per_pass", film.statistic(name + "paths") / passes},
+             {"indirect", film.statistic(name + "indirect_sampled") > 0 ? "sampled" : "photons"}});
     }
     return epochs;
 }

@@ -42,8 +42,8 @@ TEST_F(AdaptiveParts, of_what_is_off_are_refused) {
 }
 
 TEST_F(AdaptiveParts, one_set_in_place_of_splitting) {
-    use("cognac-4",
-        {"--resolution", "16x16", "--photons-per-pass", "20000", "--emission-guide", "off"});
+    use("cognac-4", {"--resolution", "16x16", "--photons-per-pass", "20000", "--emission-guide",
+                     "off", "--indirect", "photons"});
     EXPECT_GE(stats("0:1")["splitting"]["levels"], 3);
     EXPECT_EQ(stats("0:1", {"--splitting", "off"})["splitting"]["levels"], 1);
 }
@@ -57,7 +57,7 @@ TEST_F(AdaptiveParts, light_that_only_a_search_from_the_view_finds) {
 }
 
 TEST_F(AdaptiveParts, all_passes_count_once) {
-    use("keyhole-4", {"--resolution", "48x48", "--pass-weights", "off"});
+    use("keyhole-4", {"--resolution", "48x48", "--indirect", "photons", "--pass-weights", "off"});
     const auto s = stats("16:17");
     EXPECT_EQ(s["epochs"][0]["photons_per_pass"], 400'000);
     EXPECT_EQ(s["epochs"][0]["weight"], 1);

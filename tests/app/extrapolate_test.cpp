@@ -128,7 +128,8 @@ TEST_F(Extrapolate, has_no_meaning_without_discs_that_shrink) {
 
 /// Large discs: noise reaches the target first, bias and noise together later.
 TEST_F(Extrapolate, the_target_error_holds_the_bias) {
-    const Words words{"--radius-pixels", "8", "--target-error", "8%", "--passes", "3000"};
+    const Words words{"--radius-pixels", "8",    "--target-error", "8%",
+                      "--passes",        "3000", "--indirect",     "photons"};
     const auto stats = [&](const Words& more) {
         const Ran ran = render(Words{"-o", "x.exr", "--stats", "x.json"} + words + more);
         EXPECT_EQ(ran.code, 0) << ran.err;

@@ -10,7 +10,7 @@ class Balance : public DeterminismTest {
 protected:
     void SetUp() override {
         DeterminismTest::SetUp();
-        use("cornell", {"--resolution", "12x12"});
+        use("cornell", {"--resolution", "12x12", "--indirect", "photons"});
     }
 };
 
@@ -34,7 +34,7 @@ TEST_F(Balance, is_told_in_the_statistics) {
 }
 
 TEST_F(Balance, passes_of_more_photons_count_more_than_once) {
-    use("keyhole-4", {"--resolution", "48x48"});
+    use("keyhole-4", {"--resolution", "48x48", "--indirect", "photons"});
     const auto s = stats("15:17");
     EXPECT_EQ(s["epochs"][0]["weight"], 1);
     EXPECT_EQ(s["epochs"][1]["photons_per_pass"], 400'000);

@@ -42,8 +42,8 @@ TEST_F(Stats, are_those_of_the_documentation) {
 }
 
 TEST_F(Stats, add_up) {
-    const auto s =
-        stats({"--passes", "32", "--seed", "5", "--nthreads", "2", "--adaptive-pixels", "off"});
+    const auto s = stats({"--passes", "32", "--seed", "5", "--nthreads", "2", "--adaptive-pixels",
+                          "off", "--indirect", "photons"});
     EXPECT_EQ(s["version"], SUNFLECK_VERSION);
     EXPECT_EQ(s["scene"], "room.pbrt");
     EXPECT_NE(s["command"].get<std::string>().find("--seed 5"), std::string::npos);

@@ -52,7 +52,7 @@ TEST_F(Stops, time_shorter_than_a_pass_gives_one_pass) {
 }
 
 TEST_F(Stops, target_error_ends_at_the_first_batch_that_reaches_it) {
-    const Words few{"--photons-per-pass", "200"};
+    const Words few{"--photons-per-pass", "200", "--indirect", "photons"};
     const auto stats = stats_of(few + Words{"--target-error", "2%", "--passes", "5000"});
     const int passes = stats["passes"];
     EXPECT_LE(stats["image"]["target_error"], 0.02);

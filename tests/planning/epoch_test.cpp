@@ -1,6 +1,5 @@
 // Epochs: which pass belongs to which, and how their photon paths are chosen.
-#include "planning/epoch.h"
-
+#include "planning/learn_epoch.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +55,24 @@ TEST(Epoch, has_few_photons_where_nothing_bends_light) {
     const Epoch unguided = learned(floor_in_the_sun("50", kBall), IndirectLight::sampled, false);
     EXPECT_FALSE(unguided.strata.at(0).is_guided_alone());
     EXPECT_EQ(unguided.paths, 200'000U);
+}
+
+TEST(Epoch, lets_trials_of_its_first_pass_choose_who_brings_indirect_light) {
+    const Scene open = floor_in_the_sun("50", kBall);
+    RenderSettings settings;
+    const IndirectLight way = learn_epoch(open, settings, 0).transport.indirect;
+    EXPECT_EQ(way, IndirectLight::sampled);
+    EXPECT_EQ(learn_epoch(open, settings, 16).transport.indirect, way);
+}
+
+TEST(Epoch, leaves_indirect_light_to_photons_where_nothing_is_learned) {
+    const Scene scene = floor_in_the_sun("50", kBall);
+    RenderSettings settings;
+    settings.photon.sampler = PhotonSampler::uniform;
+    EXPECT_EQ(learn_epoch(scene, settings, 0).transport.indirect, IndirectLight::photons);
+    settings = {};
+    settings.transport.direct = DirectLight::photons;
+    EXPECT_FALSE(learn_epoch(scene, settings, 0).transport.goes_beyond_diffuse());
 }
 
 }  // namespace

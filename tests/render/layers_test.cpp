@@ -28,6 +28,7 @@ Scene all_classes() {
 RenderSettings settings_for(DirectLight direct) {
     RenderSettings settings;
     settings.transport.direct = direct;
+    settings.transport.indirect = IndirectLight::photons;
     settings.transport.max_depth = 12;
     settings.photon.paths_per_pass = 20'000;
     settings.camera.radius_pixels = 0.5;

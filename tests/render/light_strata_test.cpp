@@ -13,6 +13,7 @@ RenderSettings settings(std::uint64_t seed, std::uint32_t paths = 20'000) {
     RenderSettings settings;
     settings.seed = seed;
     settings.photon.paths_per_pass = paths;
+    settings.transport.indirect = IndirectLight::photons;
     return settings;
 }
 

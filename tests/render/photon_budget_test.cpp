@@ -33,10 +33,12 @@ Scene even_wall() {
                     diffuse("0.5 0.5 0.5") + quad("-4 -4 0  4 -4 0  4 4 0  -4 4 0"));
 }
 
-/// With discs of two pixels, whose noise is less than that of small pictures' discs.
+/// All indirect light by photons, in discs of two pixels, whose noise is less than that of small
+/// pictures' discs.
 RenderSettings wide_discs() {
     RenderSettings settings;
     settings.camera.radius_pixels = 2;
+    settings.transport.indirect = IndirectLight::photons;
     return settings;
 }
 
@@ -114,6 +116,7 @@ TEST(PhotonBudget, holds_for_an_epoch_whatever_the_threads) {
 TEST(PhotonBudget, is_not_asked_in_the_first_epoch_or_where_the_number_is_given) {
     const Scene scene = small_room();
     RenderSettings settings;
+    settings.transport.indirect = IndirectLight::photons;
     EXPECT_EQ(learned(scene, settings, 15).paths, kUsual);
     settings.photon.photon_budget = false;
     EXPECT_EQ(learned(scene, settings).paths, kUsual);

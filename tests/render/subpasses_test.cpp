@@ -25,6 +25,7 @@ class Draws : public ::testing::Test {
 protected:
     Draws() {
         settings_.photon.paths_per_pass = 500;
+        settings_.transport.indirect = IndirectLight::photons;
         settings_.aovs[static_cast<std::size_t>(Aov::direct)] = true;
         settings_.aovs[static_cast<std::size_t>(Aov::indirect)] = true;
     }

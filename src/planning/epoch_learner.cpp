@@ -1,0 +1,128 @@
+// A pilot or a guide by worth, then trials, for visible points like those of the epoch's first
+// pass.
+#include "planning/epoch_learner.h"
+
+#include "core/stopwatch.h"
+#include "film/target_error.h"
+#include "math/wavelengths.h"
+#include "photon/light_strata.h"
+#include "photon_samplers/samplers.h"
+#include "planning/photon_budget.h"
+#include "planning/trial_iterations.h"
+#include "planning/worth_guide.h"
+#include "visible_points/radius.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace sunfleck::engine {
+namespace {
+
+/// Photon paths where nothing in the scene bends light, so that they bring nothing.
+constexpr std::uint32_t kFewPaths = 1024;
+
+/// The first epoch is too short for a budget to pay, and for trials as large as those of others;
+/// long ones can pay for more.
+SubpassRequest request_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual,
+                          std::size_t pixels) {
+    constexpr std::size_t kLarge = 1'000'000;  // so many know enough by every fourth
+    SubpassRequest request;
+    request.usual = usual;
+    request.budget = settings.photon_budget && !settings.paths_per_pass;
+    if (pixels > kLarge) request.cells = 2;
+    if (epoch == 0) request = {usual, false, true, {1, 3}, 16, 2};
+    request.trials.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
+    request.shares = settings.adaptive_pixels;
+    return request;
+}
+
+/// The passes by which it is measured what learning may cost: those of the epoch, or as many as the
+/// error of a picture asks for.
+std::uint64_t worth_learning(std::uint32_t epoch) {
+    const std::uint64_t passes = first_pass_of(epoch + 1) - first_pass_of(epoch);
+    return std::max(passes, kTargetBatches * kBatchPasses);
+}
+
+/// All lights in one stratum. @param guide  of full support; the identity: uniform paths.
+std::vector<LightStratum> in_one_stratum(const LightChoice& lights, const EmissionGuide& guide,
+                                         std::uint32_t paths) {
+    LightStratum stratum{lights, {}, {}};
+    if (guide.is_identity())
+        stratum.plan.uniform_paths = paths;
+    else
+        stratum.guided = {guide, paths, 1, 1};
+    return {stratum};
+}
+
+}  // namespace
+
+EpochLearner::EpochLearner(const PassScene& scene, const RenderSettings& settings,
+                           IndirectLight way, std::uint32_t epoch)
+    : settings_(settings.photon),
+      epoch_{.number = epoch, .transport = settings.transport, .log2_samples = {}, .strata = {}},
+      name_{settings.seed, epoch},
+      camera_{scene,
+              epoch_.transport,
+              settings.camera,
+              window_of(scene.scene.film()),
+              name_.iteration(kExploredTrialIteration),
+              radius_factor(first_pass_of(epoch), settings.alpha)} {
+    epoch_.transport.indirect = way;
+}
+
+void EpochLearner::look(const std::function<void(double)>& trial_traced) {
+    Stopwatch watch;
+    seen_.emplace(view_of(camera_));
+    if (trial_traced) trial_traced(watch.lap());
+    context_.emplace(PhotonContext{camera_.scene, epoch_.transport, seen_->index});
+}
+
+void EpochLearner::plan() {
+    epoch_.paths = usual_paths(settings_, camera_.window.pixels());
+    if (epoch_.transport.goes_beyond_diffuse())
+        plan_independent_paths();
+    else
+        plan_chains();
+    epoch_.strata = planner_(epoch_.paths);
+}
+
+void EpochLearner::plan_chains() {
+    const std::uint64_t work =
+        worth_learning(name_.epoch) * (epoch_.paths + camera_.window.pixels());
+    auto planner = std::make_shared<LightPlanner>(*context_, settings_, name_, work);
+    planner_ = [planner](std::uint32_t paths) { return planner->plan(paths); };
+}
+
+void EpochLearner::plan_independent_paths() {
+    EmissionGuide guide;
+    if (settings_.emission_guide) {
+        guide = learned_worth_guide(*context_, camera_.window, *seen_, name_);
+        const bool bends_nothing = guide.is_identity();
+        if (bends_nothing && !settings_.paths_per_pass)
+            epoch_.paths = std::min(epoch_.paths, kFewPaths);
+    }
+    const LightChoice& lights = context_->scene.scene.light_choice();
+    planner_ = [&lights, guide](std::uint32_t paths) {
+        return in_one_stratum(lights, guide, paths);
+    };
+}
+
+Epoch EpochLearner::measured() {
+    const std::uint32_t paths = epoch_.paths;
+    const SubpassRequest request =
+        request_of(settings_, epoch_.number, paths, camera_.window.pixels());
+    SubpassPlan plan = measured_plan(camera_, *seen_, epoch_.strata, name_, request);
+    epoch_.log2_samples = std::move(plan.log2_samples);
+    if (!request.budget) return std::move(epoch_);
+    const PhotonBudget& budget = plan.budget;
+    if (budget.paths > paths) epoch_.strata = planner_(budget.paths);
+    if (budget.paths < paths)
+        epoch_.strata = fraction_of(std::move(epoch_.strata), paths / budget.paths);
+    epoch_.paths = static_cast<std::uint32_t>(paths_of(epoch_.strata));
+    epoch_.subpasses = budget.subpasses;
+    epoch_.weight = settings_.pass_weights ? budget.weight : 1;
+    return std::move(epoch_);
+}
+
+}  // namespace sunfleck::engine

@@ -1,0 +1,57 @@
+// EpochLearner: learns an epoch where one way brings indirect light, step by step.
+//
+// In:  scene, settings, the way. Out: trials of the way, and the epoch.
+#pragma once
+
+#include "planning/epoch.h"
+#include "planning/indirect_choice.h"
+#include "stages/settings.h"
+
+#include <functional>
+#include <optional>
+
+namespace sunfleck::engine {
+
+class EpochLearner {
+public:
+    /// @param scene  at the wavelengths of the epoch's first pass; must outlive this, as must
+    ///               `settings`.
+    EpochLearner(const PassScene& scene, const RenderSettings& settings, IndirectLight way,
+                 std::uint32_t epoch);
+    EpochLearner(const EpochLearner&) = delete;
+    EpochLearner(EpochLearner&&) = delete;
+    EpochLearner& operator=(const EpochLearner&) = delete;
+    EpochLearner& operator=(EpochLearner&&) = delete;
+    ~EpochLearner() = default;
+
+    /// Traces the visible points. @param trial_traced  see learn_epoch().
+    void look(const std::function<void(double)>& trial_traced);
+    /// Learns where photon paths start, after look().
+    void plan();
+    /// Measures how many paths pay, after plan(). @return the epoch, which this no longer has.
+    Epoch measured();
+
+    /// After look().
+    WayTrials without_photons() const { return camera_trials(camera_, *seen_, name_); }
+    /// After plan().
+    void add_photons(WayTrials& trials) const {
+        add_photon_trials(camera_, *seen_, epoch_.strata, name_, trials);
+    }
+
+private:
+    /// Plans so many photon paths.
+    using Planner = std::function<std::vector<LightStratum>(std::uint32_t)>;
+
+    void plan_chains();
+    void plan_independent_paths();
+
+    const PhotonSettings& settings_;
+    Epoch epoch_;
+    PilotName name_;
+    CameraPass camera_;
+    std::optional<CameraTrial> seen_;
+    std::optional<PhotonContext> context_;
+    Planner planner_;
+};
+
+}  // namespace sunfleck::engine

@@ -1,0 +1,147 @@
+// Several sets of photons for the same visible points: their differences are the noise of a set.
+#include "planning/indirect_choice.h"
+
+#include "camera_paths/trace_camera_paths.h"
+#include "photon_samplers/splitting_sampler.h"
+#include "planning/path_trials.h"
+#include "planning/trial_iterations.h"
+#include "planning/trial_work.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sunfleck::engine {
+namespace {
+
+/// Sets of photons: two would not tell what all chains of a set have in common.
+constexpr std::uint32_t kSets = 4;
+/// Photon paths of a set: fewer would miss the noise of rare ones.
+constexpr std::uint64_t kPathsOfASet = 100'000;
+/// And at most so much of a pass.
+constexpr std::uint64_t kLeastParts = 4;
+
+/// Camera paths of trials beside the one that was seen; at least those of one trial.
+constexpr std::size_t kCameraPaths = 200'000;
+
+/// Darker blocks are no worse than those of so much of the picture's squared brightness.
+constexpr double kDark = 0.01;
+
+/// Sums of numbers, and of their squares, by block.
+class BlockMoments {
+public:
+    explicit BlockMoments(const BlockGrid& blocks)
+        : blocks_(blocks), sums_(blocks.count()), squares_(blocks.count()) {}
+
+    /// @param light  of the pixels.
+    void add(const PassImage& light) {
+        const std::vector<double> sums = block_sums(blocks_, luminance_of(light));
+        for (std::size_t b = 0; b < sums.size(); ++b) {
+            const double mean = sums[b] / static_cast<double>(blocks_.block(b).pixels());
+            sums_[b] += mean;
+            squares_[b] += mean * mean;
+        }
+        ++count_;
+    }
+
+    double mean(std::size_t block) const { return sums_[block] / count_; }
+
+    /// Returns the variances of one image.
+    std::vector<double> variances() const {
+        std::vector<double> variances;
+        for (std::size_t b = 0; b < sums_.size(); ++b)
+            variances.push_back(std::max(0.0, squares_[b] - sums_[b] * mean(b)) / (count_ - 1));
+        return variances;
+    }
+
+private:
+    const BlockGrid& blocks_;
+    std::vector<double> sums_;
+    std::vector<double> squares_;
+    double count_ = 0;
+};
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::size_t more_camera_trials(std::size_t pixels) {
+    return std::clamp<std::size_t>(kCameraPaths / pixels, 1, kWayCameraIterations.size());
+}
+
+/// Relative noise, as the mean over blocks.
+struct RelativeNoise {
+    double camera = 0;
+    double photons = 0;
+    double missing = 0;  // light that the other way found, and this one did not
+};
+
+RelativeNoise relative_noise(const WayTrials& one, const WayTrials& other, double mean) {
+    const auto blocks = static_cast<double>(one.light.size());
+    RelativeNoise noise;
+    for (std::size_t b = 0; b < one.light.size(); ++b) {
+        const double light = std::max(one.light[b], other.light[b]);
+        const double square = light * light + kDark * mean * mean;
+        noise.camera += one.camera.variance[b] / square / blocks;
+        noise.missing += (other.light[b] - one.light[b]) / std::sqrt(square) / blocks;
+        if (one.passes > 0) noise.photons += one.photons.variance[b] / square / blocks;
+    }
+    return noise;
+}
+
+}  // namespace
+
+WayTrials camera_trials(const CameraPass& camera, const CameraTrial& seen, const PilotName& name) {
+    const BlockGrid blocks = worth_blocks(camera.window);
+    const std::size_t pixels = camera.window.pixels();
+    BlockMoments moments(blocks);
+    moments.add(seen.image);
+    for (std::size_t trial = 0; trial < more_camera_trials(pixels); ++trial) {
+        CameraPass pass = camera;
+        pass.id = name.iteration(kWayCameraIterations.at(trial));
+        PassImage image(pixels, {});
+        Statistics unused;
+        trace_camera_paths(pass, image, unused);
+        moments.add(image);
+    }
+    WayTrials trials{{}, {moments.variances(), camera_work(seen.counts)}, {}};
+    for (std::size_t b = 0; b < blocks.count(); ++b) trials.light.push_back(moments.mean(b));
+    return trials;
+}
+
+void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
+                       const std::vector<LightStratum>& plan, const PilotName& name,
+                       WayTrials& trials) {
+    const std::uint64_t paths = paths_of(plan);
+    const std::vector<LightStratum> strata =
+        fraction_of(plan, static_cast<std::uint32_t>(std::max(kLeastParts, paths / kPathsOfASet)));
+    const double part = static_cast<double>(paths_of(strata)) / static_cast<double>(paths);
+    const PhotonContext context{camera.scene, camera.transport, seen.index};
+    const BlockGrid blocks = worth_blocks(camera.window);
+    BlockMoments moments(blocks);
+    PhotonTotals totals;
+    for (std::uint32_t set = 0; set < kSets; ++set) {
+        PassImage image(camera.window.pixels(), {});
+        const PhotonPass pass{context, name.iteration(kWaySetsIteration + set), strata, {}};
+        NoState none;
+        totals.add(SplittingSampler::trace(pass, {image}, none), 1.0 / kSets);
+        moments.add(image);
+    }
+    trials.passes = kSets * part;
+    trials.photons = {moments.variances(), photon_work(totals.statistics) / trials.passes};
+    for (double& variance : trials.photons.variance) variance *= part;
+    for (std::size_t b = 0; b < blocks.count(); ++b) trials.light[b] += moments.mean(b);
+}
+
+double error_of_way(const WayTrials& one, const WayTrials& other) {
+    const double mean = std::max(mean_of(one.light), mean_of(other.light));
+    if (!(mean > 0)) return 0;
+    const RelativeNoise noise = relative_noise(one, other, mean);
+    const double missing = std::max(0.0, noise.missing);
+    const double found =
+        std::sqrt(noise.camera * one.camera.work) + std::sqrt(noise.photons * one.photons.work);
+    const double work = one.camera.work + one.photons.work;
+    return found * found + one.passes * missing * missing * work;
+}
+
+}  // namespace sunfleck::engine

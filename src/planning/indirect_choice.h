@@ -1,0 +1,43 @@
+// Who brings indirect light: trials of photons and of camera paths that go on, and their errors.
+//
+// In:  visible points and a plan of each way. Out: its error at equal work, by which the better way
+// is chosen. The error is what a picture is judged by: variance of blocks over their squared
+// brightness. Trials are no part of a picture.
+// Equations: docs/method/sampling.md, eqs. (40) and (41).
+#pragma once
+
+#include "planning/photon_trials.h"
+
+#include <vector>
+
+namespace sunfleck::engine {
+
+/// Noise and cost of the camera paths of a pass, or of its photon paths.
+struct Noise {
+    std::vector<double> variance;  // of a pixel's mean, by block
+    double work = 0;               // in rays
+};
+
+/// Trials of one way.
+struct WayTrials {
+    std::vector<double> light;  // mean of a pixel, by block
+    Noise camera;
+    Noise photons;
+    double passes = 0;  // as many passes have the photons of all trials; zero: no photons tried
+};
+
+/// Returns trials without photons. @param camera  a pass like the epoch's first.
+/// @param seen  its trial.
+WayTrials camera_trials(const CameraPass& camera, const CameraTrial& seen, const PilotName& name);
+
+/// Adds photons to camera_trials(). @param plan  of a pass.
+void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
+                       const std::vector<LightStratum>& plan, const PilotName& name,
+                       WayTrials& trials);
+
+/// Returns the error of one way after a unit of work, split between camera and photon paths as is
+/// best. Light that the other way found, and this one did not, counts as noise. Without photons, a
+/// lower bound.
+double error_of_way(const WayTrials& one, const WayTrials& other);
+
+}  // namespace sunfleck::engine

@@ -1,0 +1,79 @@
+// The epoch of a pass: with nothing to learn, by one way, or by the better of two.
+#include "planning/learn_epoch.h"
+
+#include "core/stopwatch.h"
+#include "photon_samplers/samplers.h"
+#include "planning/epoch_learner.h"
+
+namespace sunfleck::engine {
+namespace {
+
+/// Returns the first epoch, by the better way.
+Epoch better_epoch(const PassScene& scene, const RenderSettings& settings,
+                   const std::function<void(double)>& trial_traced) {
+    EpochLearner photons(scene, settings, IndirectLight::photons, 0);
+    photons.look(trial_traced);
+    photons.plan();
+    WayTrials by_photons = photons.without_photons();
+    photons.add_photons(by_photons);
+    EpochLearner sampled(scene, settings, IndirectLight::sampled, 0);
+    sampled.look({});
+    WayTrials by_camera = sampled.without_photons();
+    const auto camera_is_better = [&] {
+        return error_of_way(by_camera, by_photons) < error_of_way(by_photons, by_camera);
+    };
+    if (!camera_is_better()) return photons.measured();  // nor with the noise of its photons
+    sampled.plan();
+    sampled.add_photons(by_camera);
+    return camera_is_better() ? sampled.measured() : photons.measured();
+}
+
+/// Returns the epoch that needs no pilots and trials.
+Epoch usual_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t number) {
+    const std::uint32_t paths = usual_paths(settings.photon, window_of(scene.film()).pixels());
+    Epoch epoch{.number = number,
+                .paths = paths,
+                .transport = settings.transport,
+                .log2_samples = {},
+                .strata = {}};
+    if (epoch.transport.indirect == IndirectLight::automatic)
+        epoch.transport.indirect = IndirectLight::photons;
+    if (scene.is_dark() && settings.integrator == Integrator::sppm)
+        epoch.paths = 0;
+    else
+        epoch.strata.push_back({scene.light_choice(), {paths, {}}, {}});
+    return epoch;
+}
+
+}  // namespace
+
+bool needs_learning(const Scene& scene, const RenderSettings& settings) {
+    return !scene.is_dark() && settings.integrator == Integrator::sppm &&
+           learns(settings.photon.sampler) &&
+           usual_paths(settings.photon, window_of(scene.film()).pixels()) >= 2;
+}
+
+Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
+                  const std::function<void(double)>& trial_traced) {
+    const std::uint32_t number = epoch_of(pass);
+    if (!needs_learning(scene, settings)) return usual_epoch(scene, settings, number);
+    Stopwatch watch;
+    IndirectLight way = settings.transport.indirect;
+    if (settings.transport.direct == DirectLight::photons) way = IndirectLight::photons;
+    std::optional<Epoch> epoch;
+    if (way == IndirectLight::automatic) {
+        epoch = better_epoch(PassScene(scene, {settings.seed, 0}), settings, trial_traced);
+        way = epoch->transport.indirect;
+    }
+    if (!epoch || number > 0) {
+        const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(number)});
+        EpochLearner learner(at_wavelengths, settings, way, number);
+        learner.look(trial_traced);
+        learner.plan();
+        epoch = learner.measured();
+    }
+    epoch->seconds = watch.seconds();
+    return *std::move(epoch);
+}
+
+}  // namespace sunfleck::engine

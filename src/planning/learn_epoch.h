@@ -1,0 +1,26 @@
+// Learning of an epoch.
+//
+// In:  scene, settings, a pass. Out: its epoch. Who brings indirect light is learned from trials of
+// the first pass; all else by pilots and trials, from visible points like those of the epoch's
+// first pass alone, so that any pass can be rendered anywhere, without earlier ones. Trials are no
+// part of the picture: an allocation computed from the pass itself would bias it.
+#pragma once
+
+#include "planning/epoch.h"
+#include "stages/settings.h"
+
+#include <functional>
+
+namespace sunfleck::engine {
+
+/// Returns whether pilots and trials have to run. If not, all epochs are the same but for their
+/// numbers.
+bool needs_learning(const Scene& scene, const RenderSettings& settings);
+
+/// Returns the epoch of a pass.
+/// @param trial_traced  called, long before learning ends, with the seconds that camera paths and
+///                      index of one trial took.
+Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
+                  const std::function<void(double)>& trial_traced = {});
+
+}  // namespace sunfleck::engine

@@ -1,0 +1,135 @@
+// The choice who brings indirect light: what trials measure, and how errors are compared.
+#include "planning/indirect_choice.h"
+
+#include "planning/path_trials.h"
+#include "render/pass.h"
+#include "support/renders.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace sunfleck::engine {
+namespace {
+
+using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
+
+/// Trials of one pass, with the noise of camera paths alone.
+WayTrials trials(double variance, double light = 1, double work = 1) {
+    return {std::vector(4, light), {std::vector(4, variance), work}, {std::vector(4, 0.0), 0}, 1};
+}
+
+TEST(ErrorOfWay, is_variance_over_squared_brightness_times_work) {
+    const WayTrials usual = trials(0.1);
+    const double error = error_of_way(usual, usual);
+    EXPECT_NEAR(error, 0.1 / 1.01, 1e-12);
+    EXPECT_NEAR(error_of_way(trials(0.2), usual), 2 * error, 1e-12);
+    EXPECT_NEAR(error_of_way(trials(0.1, 1, 3), usual), 3 * error, 1e-12);
+    EXPECT_NEAR(error_of_way(trials(0.1, 2), trials(0.1, 2)), error / 4, 1e-12);
+}
+
+TEST(ErrorOfWay, splits_work_between_camera_and_photon_paths) {
+    // n camera passes and m photon passes have the variance .1/n + .4/m, for the work n + 9 m:
+    // least for a unit of work at n = 1/7, m = 2/21.
+    WayTrials both = trials(0.1);
+    both.photons = {std::vector(4, 0.4), 9};
+    EXPECT_NEAR(error_of_way(both, both), (0.1 * 7 + 0.4 * 21 / 2) / 1.01, 1e-9);
+    both.passes = 0;  // no photons tried
+    EXPECT_NEAR(error_of_way(both, both), 0.1 / 1.01, 1e-9);
+}
+
+TEST(ErrorOfWay, is_large_where_the_other_way_found_light_that_this_one_missed) {
+    EXPECT_GT(error_of_way(trials(0, 0), trials(0.1)), 0.9);
+    EXPECT_LT(error_of_way(trials(0.1), trials(0, 0)), 0.11);
+    // Blocks that are darker by chance are balanced by brighter ones.
+    WayTrials uneven = trials(0.1);
+    uneven.light = {0.9, 1.1, 1, 1};
+    EXPECT_NEAR(error_of_way(uneven, trials(0.1)), 0.1 / 1.01, 0.01);
+}
+
+TEST(ErrorOfWay, is_zero_in_the_dark) {
+    EXPECT_EQ(error_of_way(trials(0, 0), trials(0, 0)), 0);
+}
+
+/// A floor and a wall in the light of a lamp, and a ball of glass.
+Scene corner() {
+    return scene_of(view("0 -2.5 1.2  0 0 0.5  0 0 1", 40, 32) +
+                    "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [5 5 5]\n" +
+                    quad("-.5 -.5 3  -.5 .5 3  .5 .5 3  .5 -.5 3") + "AttributeEnd\n" +
+                    diffuse("0.5 0.5 0.5") + quad("-2 -2 0  2 -2 0  2 2 0  -2 2 0") +
+                    quad("-2 1 0  2 1 0  2 1 2  -2 1 2") +
+                    "AttributeBegin\nTranslate 0 0 .31\nMaterial \"dielectric\"\n"
+                    "Shape \"sphere\" \"float radius\" .3\nAttributeEnd\n");
+}
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// What passes measure.
+struct OfPasses {
+    double light = 0;     // mean of a pixel
+    double variance = 0;  // of a block's mean in one pass, as the mean over blocks
+};
+
+class TrialsOfWay : public ::testing::TestWithParam<IndirectLight> {
+protected:
+    TrialsOfWay() {
+        settings_.transport.indirect = GetParam();
+        settings_.photon.photon_budget = settings_.photon.adaptive_pixels = false;
+        settings_.alpha = 0.999;  // discs that hardly shrink have one bias
+        epoch_ = learn_epoch(scene_, settings_, 0);
+    }
+
+    WayTrials trials() const {
+        const PassScene at_wavelengths(scene_, {1, 0});
+        const PilotName name{1, 0};
+        const CameraPass camera{at_wavelengths, epoch_.transport, settings_.camera,
+                                window_of(scene_.film()), name.iteration(0)};
+        const CameraTrial seen = view_of(camera);
+        WayTrials trials = camera_trials(camera, seen, name);
+        add_photon_trials(camera, seen, epoch_.strata, name, trials);
+        return trials;
+    }
+
+    OfPasses passes(std::uint32_t count) const {
+        const BlockGrid blocks = worth_blocks(window_of(scene_.film()));
+        std::vector<double> sums(blocks.count());
+        std::vector<double> squares(blocks.count());
+        for (std::uint32_t pass = 0; pass < count; ++pass) {
+            const PassResult result = render_pass(scene_, settings_, pass, epoch_);
+            const auto light = block_sums(blocks, luminance_of(result.image));
+            for (std::size_t b = 0; b < blocks.count(); ++b) {
+                const double mean = light[b] / static_cast<double>(blocks.block(b).pixels());
+                sums[b] += mean;
+                squares[b] += mean * mean;
+            }
+        }
+        const double light = mean_of(sums) / count;
+        for (std::size_t b = 0; b < blocks.count(); ++b)
+            squares[b] = (squares[b] - sums[b] * sums[b] / count) / (count - 1);
+        return {light, mean_of(squares)};
+    }
+
+    const Scene scene_ = corner();
+    RenderSettings settings_;
+    Epoch epoch_;
+};
+
+TEST_P(TrialsOfWay, tell_light_and_noise_of_passes) {
+    const WayTrials measured = trials();
+    const OfPasses truth = passes(12);
+    EXPECT_NEAR(mean_of(measured.light), truth.light, 0.03 * truth.light);
+    const double variance = mean_of(measured.camera.variance) + mean_of(measured.photons.variance);
+    // Trials do not have the noise of where visible points are, all sets share them.
+    EXPECT_GT(variance, 0.2 * truth.variance);
+    EXPECT_LT(variance, 2 * truth.variance);
+    EXPECT_NEAR(measured.passes, 1, 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothWays, TrialsOfWay,
+                         ::testing::Values(IndirectLight::photons, IndirectLight::sampled),
+                         [](const auto& info) { return std::string(name_of(info.param)); });
+
+}  // namespace
+}  // namespace sunfleck::engine
