@@ -12,6 +12,7 @@ namespace sunfleck::engine {
 /// Returns the fraction of pixels near which importons find light that photons compute: by rough
 /// surfaces, or through glass. Light that arrives by mirrors alone, or through strongly refracting
 /// glass, is not found. Zero for other integrators, which have no photons.
+/// @param settings  with who brings indirect light: not `automatic`.
 double share_lit_by_photons(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace sunfleck::engine

@@ -8,6 +8,9 @@
 namespace sunfleck::engine {
 namespace {
 
+/// Passes whose camera paths bring indirect light: all of a render, or none.
+constexpr const char* kIndirectSampled = "indirect_sampled";
+
 /// Counts level by level, as sums over passes.
 void count_splitting(Film& film, const std::string& name, const SplittingCounts& splitting) {
     for (std::size_t k = 0; k < splitting.levels.size(); ++k) {
@@ -47,7 +50,6 @@ void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     film.count(name + "weight", pass.weight);
     film.count(name + "camera_paths", pass.statistics[Count::camera_paths]);
     film.count(name + "paths", paths);
-    film.count(name + "indirect_sampled", pass.indirect == IndirectLight::sampled ? 1 : 0);
 }
 
 /// What Film::add_pass() counts by itself.
@@ -69,11 +71,16 @@ void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
     for (const SamplerSum& sum : pass.sums) film.sum(sum.name, sum.value);
     if (pass.statistics[Count::uniform_paths] + pass.statistics[Count::guided_paths] == 0) return;
     film.count("starved_passes", is_starved(pass) ? 1 : 0);
+    film.count(kIndirectSampled, pass.indirect == IndirectLight::sampled ? 1 : 0);
     film.sum("visible_fraction", pass.visible_fraction);
     film.sum("visible_fraction_square",
              pass.visible_fraction * pass.visible_fraction * kSquareUnits);
     count_epoch(film, number, pass);
     count_strata(film, pass.strata);
+}
+
+IndirectLight indirect_of(const Film& film) {
+    return film.statistic(kIndirectSampled) > 0 ? IndirectLight::sampled : IndirectLight::photons;
 }
 
 }  // namespace sunfleck::engine

@@ -13,4 +13,7 @@ inline constexpr double kSquareUnits = 0x1p32;
 /// "stratum.G.", G from 0; else the one splitting's are under "splitting.".
 void add_pass(Film& film, std::uint32_t number, const PassResult& pass);
 
+/// Returns who brought indirect light in the passes of a film: in all of them the same.
+IndirectLight indirect_of(const Film& film);
+
 }  // namespace sunfleck::engine

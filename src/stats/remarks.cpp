@@ -4,6 +4,7 @@
 #include "core/duration_text.h"
 #include "core/processor.h"
 #include "planning/missing_light.h"
+#include "render/count_pass.h"
 #include "stats/darkness.h"
 #include "stats/image_stats.h"
 #include "stats/stats.h"
@@ -41,8 +42,11 @@ std::vector<std::string> remarks_after(const RenderJob& job, const RenderResult&
                          duration_text(*job.stop.seconds))});
     // The scene's warnings say already that a scene without lights is black.
     if (job.scene.is_dark()) return remarks;
-    add(darkness_warnings(result.film,
-                          [&] { return share_lit_by_photons(job.scene, job.settings); }));
+    add(darkness_warnings(result.film, [&] {
+        RenderSettings settings = job.settings;
+        settings.transport.indirect = indirect_of(result.film);
+        return share_lit_by_photons(job.scene, settings);
+    }));
     add(reliability_warnings(result.film));
     return remarks;
 }

@@ -90,7 +90,7 @@ Json epochs_json(const Film& film) {
              {"weight", film.statistic(name + "weight") / passes},
              {"camera_paths_per_pixel", film.statistic(name + "camera_paths") / passes / pixels},
              {"photons_per_pass", film.statistic(name + "paths") / passes},
-             {"indirect", film.statistic(name + "indirect_sampled") > 0 ? "sampled" : "photons"}});
+             {"indirect", name_of(indirect_of(film))}});
     }
     return epochs;
 }

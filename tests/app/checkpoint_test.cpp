@@ -182,7 +182,8 @@ TEST_F(Resume, a_target_is_reached_where_it_is_in_one_go) {
 
 /// Seconds add up, and a time limit counts them all.
 TEST_F(Resume, time_already_spent_counts) {
-    const Words words{"-o", "x.exr", "--stats", "x.json", "--checkpoint", "x.ckpt", "--quiet"};
+    const Words words{"-o",     "x.exr",   "--stats",          "x.json", "--checkpoint",
+                      "x.ckpt", "--quiet", "--photon-sampler", "uniform"};  // no time to learn
     ASSERT_EQ(render(words + Words{"--time", "0.3"}).code, 0);
     const auto first = json("x.json");
     const double spent = read_checkpoint(path("x.ckpt")).state.total_seconds;

@@ -45,6 +45,17 @@ TEST_F(Darkness, is_not_where_all_light_is_direct) {
     }
 }
 
+/// Nothing bends light: no photon is of use, and trials leave indirect light to camera paths.
+TEST_F(Darkness, is_not_where_camera_paths_bring_indirect_light) {
+    const std::string wall =
+        "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
+        "\"point3 P\" [-3 1 0  3 1 0  3 1 3  -3 1 3]\n";
+    for (const char* light : {kSky, kSun, kLamp}) {
+        EXPECT_EQ(said(light + (kFloor + wall), {"--passes", "3", "--stats", "x.json"}), "");
+        EXPECT_EQ(json("x.json")["epochs"][0]["indirect"], "sampled");
+    }
+}
+
 /// All light in the shadow of the ball is to come through it.
 TEST_F(Darkness, of_light_that_photons_did_not_bring_is_told_with_its_share) {
     const Words few{"--passes", "1", "--photons-per-pass", "1", "--radius", "1e-5"};

@@ -35,7 +35,10 @@ protected:
 TEST_F(ResumeSlow, has_the_bytes_of_a_whole_render) {
     ASSERT_EQ(run({"scene", "cognac-4", "-o", "."}).code, 0);
     const std::vector<Words> ways = {
-        {"--photon-sampler", "adaptive", "--photons-per-pass", "6000", "--aovs", "caustic,depth"},
+        {"--photon-sampler", "adaptive", "--indirect", "photons", "--photons-per-pass", "6000",
+         "--aovs", "caustic,depth"},
+        {"--indirect", "auto", "--photons-per-pass", "6000"},
+        {"--indirect", "sampled", "--photons-per-pass", "6000"},
         {"--photon-sampler", "uniform", "--photons-per-pass", "2000"},
         {"--photon-sampler", "random", "--photons-per-pass", "2000"},
         {"--photon-sampler", "paper", "--photons-per-pass", "2000"},

@@ -24,6 +24,7 @@ TEST(LightStrataSlow, bring_the_light_of_uniform_paths) {
             settings.seed = static_cast<std::uint64_t>(i);
             settings.aovs.fill(true);
             settings.photon.sampler = sampler;
+            settings.transport.indirect = IndirectLight::photons;
             settings.photon.paths_per_pass = paths;
             const MeanPicture picture = render_mean(scene, settings, 4, Aov::indirect);
             means[0].push_back(luminance(picture.mean(0, 0, kPixels / 2, kPixels)));
