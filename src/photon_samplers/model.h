@@ -66,9 +66,8 @@ using NoState = std::monostate;
 /// kind:          its value of the enum PhotonSampler.
 /// name:          its name in flags.
 /// what:          its explanation in the help.
-/// learns:        whether pilots and trials make the plan of an epoch (planning/learn_epoch.h).
-/// Otherwise
-///                the plan is one stratum of all lights.
+/// learns:        whether pilots and trials make the plan of an epoch (planning/learn_epoch.h). If
+///                not, the plan is one stratum of all lights.
 /// State:         what it carries from pass to pass; NoState where passes are independent.
 /// memory:        bytes that it holds.
 /// default_paths: photon paths per pass where the user gives no number.

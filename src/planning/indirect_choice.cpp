@@ -4,12 +4,12 @@
 #include "camera_paths/trace_camera_paths.h"
 #include "photon_samplers/splitting_sampler.h"
 #include "planning/path_trials.h"
+#include "planning/pixel_buffer.h"
 #include "planning/trial_iterations.h"
 #include "planning/trial_work.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace sunfleck::engine {
 namespace {
@@ -60,10 +60,6 @@ private:
     std::vector<double> squares_;
     double count_ = 0;
 };
-
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 std::size_t more_camera_trials(std::size_t pixels) {
     return std::clamp<std::size_t>(kCameraPaths / pixels, 1, kWayCameraIterations.size());
@@ -134,7 +130,7 @@ void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
 }
 
 double error_of_way(const WayTrials& one, const WayTrials& other) {
-    const double mean = std::max(mean_of(one.light), mean_of(other.light));
+    const double mean = std::max(mean_value(one.light), mean_value(other.light));
     if (!(mean > 0)) return 0;
     const RelativeNoise noise = relative_noise(one, other, mean);
     const double missing = std::max(0.0, noise.missing);

@@ -30,12 +30,9 @@ struct Work {
 };
 
 Work work_of(const CameraTrial& trial, const PhotonTrials& trials) {
-    const auto count = [](const Statistics& counts, Count which) {
-        return static_cast<double>(counts[which]);
-    };
+    const auto rays = static_cast<double>(trials.totals.statistics[Count::photon_rays]);
     const double paths = kPhotonSets * trials.pair.paths;
-    return {camera_work(trial.counts), count(trials.totals.statistics, Count::photon_rays) / paths,
-            kRaysOfDeposit * trials.deposits / paths};
+    return {camera_work(trial.counts), rays / paths, kRaysOfDeposit * trials.deposits / paths};
 }
 
 /// Returns the fraction of the usual paths that leaves kSurvivors.

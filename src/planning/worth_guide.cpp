@@ -48,9 +48,9 @@ public:
         std::size_t before = 0;
         for (std::uint32_t round = 0; round < kMostWorthRounds; ++round) {
             const PassId pass = name_.iteration(kWorthIteration + round);
-            add_round(guide, try_paths(context_, lights_, guide, blocks_, pass, kTrials));
+            const std::size_t visible =
+                add_round(guide, try_paths(context_, lights_, guide, blocks_, pass, kTrials));
             guide = corrected();
-            const std::size_t visible = visible_of_last_round();
             if (round + 1 >= kLeastRounds && visible >= kEnough && 2 * visible < 3 * before) break;
             before = visible;
         }
@@ -68,15 +68,18 @@ private:
         std::size_t end = 0;
     };
 
-    void add_round(const EmissionGuide& guide, const PathTrials& trials) {
+    /// @return the number of trials that brought any light.
+    std::size_t add_round(const EmissionGuide& guide, const PathTrials& trials) {
         constexpr std::size_t kBlock = 1024;
         const std::size_t before = paths_.size();
+        std::size_t visible = 0;
         auto next = trials.light.begin();
         for (std::uint32_t path = 0; path < trials.points.size(); ++path) {
             const std::size_t begin = light_.size();
             for (; next != trials.light.end() && next->path == path; ++next)
                 light_.push_back(*next);
             paths_.push_back({trials.points[path], 1, begin, light_.size()});
+            if (light_.size() > begin) ++visible;
         }
         guides_.push_back(guide);
         parallel_blocks(paths_.size(), kBlock, [&](std::size_t begin, std::size_t end) {
@@ -89,12 +92,7 @@ private:
                     path.density = density(path.point);
             }
         });
-    }
-
-    std::size_t visible_of_last_round() const {
-        return static_cast<std::size_t>(
-            std::count_if(paths_.end() - kTrials, paths_.end(),
-                          [](const Brought& p) { return p.begin != p.end; }));
+        return visible;
     }
 
     double density(const EmissionPoint& at) const {

@@ -40,7 +40,7 @@ std::optional<double> PassMaker::make(std::uint32_t number, Film& film, PassHook
     std::optional<PassResult> pass;
     if (!learn(number, hooks)) return {};
     const bool is_whole = run_unless(hooks.cuts_pass, [&] {
-        pass.emplace(render_pass(job_.scene, settings_, number, *epoch_, state_.sampler));
+        pass.emplace(render_pass(job_.scene, job_.settings, number, *epoch_, state_.sampler));
     });
     if (!is_whole) return {};
     change_film(hooks.change, [&] {

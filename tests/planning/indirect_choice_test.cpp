@@ -2,12 +2,11 @@
 #include "planning/indirect_choice.h"
 
 #include "planning/path_trials.h"
+#include "planning/pixel_buffer.h"
 #include "render/pass.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
-
-#include <numeric>
 
 namespace sunfleck::engine {
 namespace {
@@ -62,10 +61,6 @@ Scene corner() {
                     "Shape \"sphere\" \"float radius\" .3\nAttributeEnd\n");
 }
 
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 /// What passes measure.
 struct OfPasses {
     double light = 0;     // mean of a pixel
@@ -105,10 +100,10 @@ protected:
                 squares[b] += mean * mean;
             }
         }
-        const double light = mean_of(sums) / count;
+        const double light = mean_value(sums) / count;
         for (std::size_t b = 0; b < blocks.count(); ++b)
             squares[b] = (squares[b] - sums[b] * sums[b] / count) / (count - 1);
-        return {light, mean_of(squares)};
+        return {light, mean_value(squares)};
     }
 
     const Scene scene_ = corner();
@@ -119,8 +114,9 @@ protected:
 TEST_P(TrialsOfWay, tell_light_and_noise_of_passes) {
     const WayTrials measured = trials();
     const OfPasses truth = passes(12);
-    EXPECT_NEAR(mean_of(measured.light), truth.light, 0.03 * truth.light);
-    const double variance = mean_of(measured.camera.variance) + mean_of(measured.photons.variance);
+    EXPECT_NEAR(mean_value(measured.light), truth.light, 0.03 * truth.light);
+    const double variance =
+        mean_value(measured.camera.variance) + mean_value(measured.photons.variance);
     // Trials do not have the noise of where visible points are, all sets share them.
     EXPECT_GT(variance, 0.2 * truth.variance);
     EXPECT_LT(variance, 2 * truth.variance);
