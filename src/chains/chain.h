@@ -27,7 +27,7 @@ public:
         : space_(space), target_(target), stream_(stream), sample_(std::move(survivor)) {
         space_.trace(RepeatingReader(sample_, stream_), path_, tally);
         height_ = space_.height(path_);
-        is_guided_ = target_.guided.contains(sample_);
+        share_ = target_.share_of(sample_);
     }
 
     /// Proposes a mutation. @return the path if it was accepted; the caller then calls accept().
@@ -49,19 +49,20 @@ public:
         std::swap(sample_, proposed_sample_);
         std::swap(path_, proposed_path_);
         height_ = proposed_height_;
-        is_guided_ = proposed_is_guided_;
+        share_ = proposed_share_;
     }
 
     const StoredSample& sample() const { return sample_; }
     const Path& path() const { return path_; }
     int height() const { return height_; }
-    bool is_guided() const { return is_guided_; }
+    const ChainShare& share() const { return share_; }
 
 private:
-    /// Accepts a step into the guided region with the probability of its importance.
+    /// Accepts a step to lower importance with the probability of their ratio.
     bool is_important() {
-        proposed_is_guided_ = target_.guided.contains(proposed_sample_);
-        return is_guided_ || !proposed_is_guided_ || stream_.next() < target_.guided.importance;
+        proposed_share_ = target_.share_of(proposed_sample_);
+        return proposed_share_.importance >= share_.importance ||
+               stream_.next() * share_.importance < proposed_share_.importance;
     }
 
     const Space& space_;
@@ -73,8 +74,8 @@ private:
     Path proposed_path_;
     int height_ = 0;
     int proposed_height_ = 0;
-    bool is_guided_ = false;
-    bool proposed_is_guided_ = false;
+    ChainShare share_;
+    ChainShare proposed_share_;
 };
 
 }  // namespace sunfleck::engine

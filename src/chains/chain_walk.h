@@ -28,7 +28,9 @@ public:
     using Tally = typename Space::Tally;
 
     /// @param space  must outlive this.
-    ChainWalk(const Space& space, const PilotName& name) : space_(space), name_(name) {}
+    /// @param guided  the chains' target beside it; must outlive this. Null: the same everywhere.
+    ChainWalk(const Space& space, const PilotName& name, const GuidedPlan* guided = nullptr)
+        : space_(space), name_(name), guided_(guided) {}
 
     /// Returns the streams of the next iteration.
     PassId next_iteration() { return name_.iteration(round_++); }
@@ -37,7 +39,7 @@ public:
     LevelCounts once(int height, float target, MutationScales& scales, Population& population,
                      Tally& tally) {
         const LevelPlan plan{height, kStates, kChains, scales};
-        const Level<Space> level(space_, next_iteration(), 1, plan, population);
+        const Level<Space> level(space_, next_iteration(), 1, plan, population, guided_);
         LevelCounts counts;
         population = surviving_states(level, height, counts, tally);
         scales = adapted(scales, counts.acceptances, target);
@@ -78,6 +80,7 @@ private:
 
     const Space& space_;
     PilotName name_;
+    const GuidedPlan* guided_;
     std::uint32_t round_ = 0;
     std::uint64_t paths_ = 0;
 };

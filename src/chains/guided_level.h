@@ -12,19 +12,6 @@
 
 namespace sunfleck::engine {
 
-/// Counts and weights of guided paths. They contribute a fraction of the guided region's light; the
-/// last chains of splitting, which start from visible guided paths, contribute the rest.
-struct GuidedPlan {
-    EmissionGuide map;
-    std::uint32_t paths = 0;  // zero if there is no guide
-    double importance = 1;    // g in eq. (16): of the guided region for the chains, in (0,1]
-    double own_share = 1;     // s in eq. (16): fraction of the light that they bring, in [0,1]
-
-    GuidedRegion region() const {
-        return paths == 0 ? GuidedRegion{} : GuidedRegion{&map, importance};
-    }
-};
-
 /// Keeps visible paths of a block: contribution and survivor.
 template <PathSpace Space, class Collector>
 struct GuidedBlock {

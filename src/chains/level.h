@@ -37,15 +37,15 @@ struct LevelCounts {
     std::uint64_t states = 0;    // with repeats
     std::uint64_t distinct = 0;  // survivors and accepted mutations
     Acceptances acceptances;
-    HeightCounts heights{};    // of states, with repeats
-    std::uint64_t guided = 0;  // states in the guided region, with repeats
-    std::uint64_t distinct_guided = 0;
+    HeightCounts heights{};      // of states, with repeats
+    std::uint64_t lighting = 0;  // states that bring light, with repeats
+    std::uint64_t distinct_lighting = 0;
 
     LevelCounts& operator+=(const LevelCounts& other) {
         states += other.states;
         distinct += other.distinct;
-        guided += other.guided;
-        distinct_guided += other.distinct_guided;
+        lighting += other.lighting;
+        distinct_lighting += other.distinct_lighting;
         for (std::size_t k = 0; k < kMutationKinds; ++k) acceptances[k] += other.acceptances[k];
         for (std::size_t h = 0; h < heights.size(); ++h) heights[h] += other.heights[h];
         return *this;
@@ -70,7 +70,7 @@ struct ChainState {
     const typename Space::Path& path;
     int height;
     std::uint32_t steps;  // steps in this state, at least 1
-    bool is_guided = false;
+    ChainShare share = {};
 };
 
 /// Receives the states of one chain in order.
@@ -86,7 +86,7 @@ public:
 
     /// @param number  of the level, 1 to 31: names the streams. @param population  not empty.
     Level(const Space& space, PassId pass, std::uint32_t number, const LevelPlan& plan,
-          const Population& population, const GuidedRegion& guided = {})
+          const Population& population, const GuidedPlan* guided = nullptr)
         : space_(space),
           pass_(pass),
           number_(number),
@@ -143,11 +143,11 @@ private:
         std::uint32_t steps = 1;
         const auto leave = [&] {
             collect(ChainState<Space>{chain.sample(), chain.path(), chain.height(), steps,
-                                      chain.is_guided()});
+                                      chain.share()});
             counts.states += steps;
             ++counts.distinct;
-            counts.guided += chain.is_guided() ? steps : 0;
-            counts.distinct_guided += chain.is_guided() ? 1 : 0;
+            counts.lighting += chain.share().light > 0 ? steps : 0;
+            counts.distinct_lighting += chain.share().light > 0 ? 1 : 0;
             counts.heights[static_cast<std::size_t>(chain.height())] += steps;
         };
         for (std::uint64_t i = 1; i < one.states; ++i) {

@@ -43,12 +43,12 @@ public:
         return some;
     }
 
-    /// Returns the survivors outside the guided region, with the weight of each step times
+    /// Returns the survivors that no guided path reaches, with the weight of each step times
     /// `weight`.
-    Population outside(const GuidedRegion& region, double weight) && {
+    Population outside(const GuidedPlan& guided, double weight) && {
         Population some;
         for (Survivor& survivor : survivors_) {
-            if (region.contains(survivor.sample)) continue;
+            if (guided.reaches(survivor.sample)) continue;
             survivor.weight *= weight;
             some.add(std::move(survivor));
         }

@@ -67,23 +67,18 @@ struct SurvivorCollector {
     }
 };
 
-/// Weight of a step in the last level set.
-struct StateWeight {
-    double outside = 0;  // of the guided region
-    double inside = 0;
-
-    double of(bool is_guided) const { return is_guided ? inside : outside; }
-};
-
 /// Passes the states of a chain on with their weights.
 template <PathSpace Space, class Collector>
 struct WeightedCollector {
     Collector collect;
-    StateWeight weight;
+    double each;         // weight of a step of an even target that brings all light
+    double brought = 0;  // sum of the weights
 
     void operator()(const ChainState<Space>& state) {
-        const double w = weight.of(state.is_guided);
-        if (w > 0) collect(state.path, w * state.steps);
+        const double weight = each * state.share.light / state.share.importance * state.steps;
+        if (!(weight > 0)) return;
+        collect(state.path, weight);
+        brought += weight;
     }
 };
 
@@ -104,6 +99,33 @@ Population surviving_states(const Level<Space>& level, int least_height, LevelCo
         },
         counts, tally);
     return population;
+}
+
+/// Runs the last level: its states bring light.
+/// @param survivors  of the visible set, with weights whose sum estimates the measure of the
+/// level's target, not empty.
+/// @return the sum of all weights.
+template <PathSpace Space, PathSink<Space> Sink>
+double run_last_level(const Level<Space>& level, const Population& survivors, Sink& sink,
+                      LevelCounts& counts, typename Space::Tally& tally) {
+    using Weighted = splitting_detail::WeightedCollector<Space, typename Sink::Collector>;
+    const double each = survivors.weight() / static_cast<double>(level.states());
+    double brought = 0;
+    level.run(
+        [&] {
+            return Weighted{sink.make(), each};
+        },
+        [&](std::vector<Weighted>&& chains) {
+            std::vector<typename Sink::Collector> inner;
+            inner.reserve(chains.size());
+            for (Weighted& chain : chains) {
+                inner.push_back(std::move(chain.collect));
+                brought += chain.brought;
+            }
+            sink.take(std::move(inner));
+        },
+        counts, tally);
+    return brought;
 }
 
 /// All levels of a plan that has any, and guided paths.
@@ -131,7 +153,11 @@ public:
                 level.population.weight() / guided_.importance * guided_.own_share;
             survivors.add(std::move(level.population));
         }
-        if (survivors.units() > 0) run_last(survivors, sink, counts, tally);
+        if (survivors.units() == 0) return counts;
+        const Level<Space> level(space_, pass_, number(plan_.levels.size() - 1),
+                                 plan_.levels.back(), survivors, &guided_);
+        counts.visible_fraction +=
+            run_last_level(level, survivors, sink, counts.levels.emplace_back(), tally);
         return counts;
     }
 
@@ -157,33 +183,7 @@ private:
                 surviving_states(level, plan_.levels[k + 1].height, counts.levels.back(), tally);
             counts.survivors.back() = population.units();
         }
-        return std::move(population).outside(guided_.region(), weight);
-    }
-
-    /// @param survivors  of the last set, with weights whose sum estimates its measure.
-    template <class Sink>
-    void run_last(Population& survivors, Sink& sink, SplittingCounts& counts, Tally& tally) const {
-        using Weighted = splitting_detail::WeightedCollector<Space, typename Sink::Collector>;
-        const Level<Space> level(space_, pass_, number(plan_.levels.size() - 1),
-                                 plan_.levels.back(), survivors, guided_.region());
-        const double each = survivors.weight() / static_cast<double>(level.states());
-        const splitting_detail::StateWeight weight{
-            each, each * (1 - guided_.own_share) / guided_.importance};
-        LevelCounts& counted = counts.levels.emplace_back();
-        level.run(
-            [&] {
-                return Weighted{sink.make(), weight};
-            },
-            [&](std::vector<Weighted>&& chains) {
-                std::vector<typename Sink::Collector> inner;
-                inner.reserve(chains.size());
-                for (Weighted& c : chains) inner.push_back(std::move(c.collect));
-                sink.take(std::move(inner));
-            },
-            counted, tally);
-        counts.visible_fraction +=
-            weight.outside * static_cast<double>(counted.states - counted.guided) +
-            weight.inside * static_cast<double>(counted.guided);
+        return std::move(population).outside(guided_, weight);
     }
 
     const Space& space_;

@@ -1,12 +1,17 @@
-// Target: the distribution of a chain, a level set with lower density in the guided region.
+// Target: the distribution of a chain, a level set with lower density where guided paths bring
+// light.
 //
-// In:  a primary sample. Out: its importance, the target density up to a factor.
-// Equations: docs/method/sampling.md, eq. (16).
+// In:  a primary sample. Out: its importance, the target density up to a factor, and the share of
+// its light that chains bring.
+// Equations: docs/method/sampling.md, eqs. (16) and (42).
 #pragma once
 
 #include "chains/path_space.h"
 #include "chains/stored_sample.h"
 #include "guide/emission_guide.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace sunfleck::engine {
 
@@ -19,19 +24,46 @@ inline EmissionPoint emission_of(const StoredSample& sample) {
     return point;
 }
 
-/// The guided region, where chains need less density because guided paths sample it.
-struct GuidedRegion {
-    const EmissionGuide* map = nullptr;  // null if there is no guide
-    double importance = 1;               // in the region, in (0,1]
+/// What chains do with a sample.
+struct ChainShare {
+    double importance = 1;  // the target density up to a factor: zero if they never go there
+    double light = 1;       // fraction of the sample's light that they bring
+};
 
-    bool contains(const StoredSample& sample) const {
-        return map != nullptr && map->covers(emission_of(sample));
+inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+/// Guided paths of a pass, and how they share the light with chains. There are two ways:
+/// - Beside splitting, they bring a fraction of the light of the region that the map covers, eq.
+/// (16).
+/// - A map of full support brings everything, but no path weighs more than a bound. The chains
+/// bring what that leaves, eq. (42).
+struct GuidedPlan {
+    EmissionGuide map;
+    std::uint32_t paths = 0;  // zero if there is no guide
+    double importance = 1;    // g in eq. (16): of the guided region for the chains, in (0,1]
+    double own_share = 1;     // s in eq. (16): fraction of the light that they bring, in [0,1]
+    double most_weight = kUnbounded;  // w in eq. (42); it alone counts if there is one
+
+    /// Returns whether guided paths come there.
+    bool reaches(const StoredSample& sample) const {
+        return paths > 0 && map.covers(emission_of(sample));
+    }
+    ChainShare for_chains(const StoredSample& sample) const {
+        if (most_weight < kUnbounded) {
+            const double rest = std::max(0.0, 1 - most_weight * map.density(emission_of(sample)));
+            return {rest, rest};
+        }
+        return reaches(sample) ? ChainShare{importance, 1 - own_share} : ChainShare{};
     }
 };
 
 struct Target {
-    int height = kVisible;  // least height of paths in the set
-    GuidedRegion guided = {};
+    int height = kVisible;               // least height of paths in the set
+    const GuidedPlan* guided = nullptr;  // null: the same density everywhere
+
+    ChainShare share_of(const StoredSample& sample) const {
+        return guided == nullptr ? ChainShare{} : guided->for_chains(sample);
+    }
 };
 
 }  // namespace sunfleck::engine

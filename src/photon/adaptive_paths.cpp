@@ -1,6 +1,7 @@
 // Conversion of the splitting's paths to photons.
 #include "photon/adaptive_paths.h"
 
+#include "chains/guided_remainder.h"
 #include "photon/photon_space.h"
 #include "random_numbers/emission_points.h"
 
@@ -34,6 +35,16 @@ struct PhotonSink {
     }
 };
 
+/// Counts the mutations, and the states of the last level, if it was reached.
+void count_chains(const SplittingCounts& splitting, std::size_t levels, Statistics& counts) {
+    const Acceptance mutations = splitting.mutations();
+    counts[Count::mutated_paths] += mutations.proposed;
+    counts[Count::accepted_paths] += mutations.accepted;
+    if (splitting.levels.size() <= levels) return;  // starved
+    counts[Count::distinct_visible] += splitting.levels.back().distinct_lighting;
+    counts[Count::visible_states] += splitting.levels.back().lighting;
+}
+
 }  // namespace
 
 AdaptivePaths trace_adaptive_paths(const PhotonContext& photon_context,
@@ -50,20 +61,29 @@ AdaptivePaths trace_adaptive_paths(const PhotonContext& photon_context,
     counts += traced;
     counts[Count::uniform_paths] += stratum.plan.uniform_paths;
     counts[Count::uniform_visible] += splitting.levels.front().at_least(kVisible);
-    const Acceptance mutations = splitting.mutations();
-    counts[Count::mutated_paths] += mutations.proposed;
-    counts[Count::accepted_paths] += mutations.accepted;
     const std::uint64_t guided_visible = splitting.guided.at_least(kVisible);
     counts[Count::guided_paths] += splitting.guided.states;
     counts[Count::guided_visible] += guided_visible;
     counts[Count::distinct_visible] += guided_visible;
     counts[Count::visible_states] += guided_visible;
-    if (splitting.levels.size() <= stratum.plan.levels.size()) return paths;  // starved
-    const LevelCounts& last = splitting.levels.back();
-    const bool brings_all = stratum.guided.own_share <
-                            1;  // otherwise guided paths contribute the light of their region
-    counts[Count::distinct_visible] += last.distinct - (brings_all ? 0 : last.distinct_guided);
-    counts[Count::visible_states] += last.states - (brings_all ? 0 : last.guided);
+    count_chains(splitting, stratum.plan.levels.size(), counts);
+    return paths;
+}
+
+AdaptivePaths trace_remainder(const PhotonContext& photon_context, const VisiblePointOctree& octree,
+                              PassId pass, const LightStratum& stratum,
+                              std::span<const std::uint32_t> bounded,
+                              const DepositChunks& deposit) {
+    const PhotonTracer tracer(photon_context.scene, photon_context.transport, stratum.lights);
+    const PhotonSpace space(tracer, photon_context.index, octree);
+    AdaptivePaths paths;
+    auto& [splitting, counts] = paths;
+    PhotonSink sink{deposit, counts};
+    Statistics traced;
+    splitting = bring_remainder(space, pass, stratum.guided, stratum.plan.levels.back(), bounded,
+                                sink, traced);
+    counts += traced;
+    count_chains(splitting, 1, counts);
     return paths;
 }
 

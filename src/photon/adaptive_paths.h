@@ -7,7 +7,9 @@
 #include "photon/light_stratum.h"
 #include "visible_points/photon_chunk.h"
 
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -26,5 +28,12 @@ struct AdaptivePaths {
 AdaptivePaths trace_adaptive_paths(const PhotonContext& photon_context,
                                    const VisiblePointOctree& octree, PassId pass,
                                    const LightStratum& stratum, const DepositChunks& deposit);
+
+/// Brings what the guided paths of a stratum leave, because their weight is bounded.
+/// @param stratum  with a plan of one level. @param bounded  numbers of the visible paths whose
+/// weight was bounded.
+AdaptivePaths trace_remainder(const PhotonContext& photon_context, const VisiblePointOctree& octree,
+                              PassId pass, const LightStratum& stratum,
+                              std::span<const std::uint32_t> bounded, const DepositChunks& deposit);
 
 }  // namespace sunfleck::engine

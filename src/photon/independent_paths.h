@@ -15,17 +15,19 @@
 
 namespace sunfleck::engine {
 
-/// A primary sample that is not uniform: weight() is one over its density.
+/// A primary sample that is not uniform: weight() is one over its density, or a bound.
 template <class Reader>
 concept WeightedReader = requires(const Reader& reader) {
     { reader.weight() } -> std::same_as<double>;
+    { reader.is_bounded() } -> std::same_as<bool>;
 };
 
 /// Result of a pass.
 struct TracedPaths {
-    Statistics statistics;      // rays, ends and deposits
-    std::uint64_t visible = 0;  // paths with an accepted photon
-    double visible_weight = 0;  // sum of the weights of these
+    Statistics statistics;               // rays, ends and deposits
+    std::uint64_t visible = 0;           // paths with an accepted photon
+    double visible_weight = 0;           // sum of the weights of these
+    std::vector<std::uint32_t> bounded;  // numbers of those whose weight was bounded
 };
 
 /// Traces the paths of one chunk.
@@ -72,11 +74,14 @@ void count_visible(const PhotonChunk& chunk, const PathRange& range, const Point
     for (std::size_t i = 0; i < visible.size(); ++i) {
         if (visible[i] == 0) continue;
         ++traced.visible;
-        if constexpr (WeightedReader<decltype(points.path(0))>)
-            traced.visible_weight +=
-                points.path(static_cast<std::uint32_t>(range.begin + i)).weight();
-        else
+        if constexpr (WeightedReader<decltype(points.path(0))>) {
+            const auto number = static_cast<std::uint32_t>(range.begin + i);
+            const auto reader = points.path(number);
+            traced.visible_weight += reader.weight();
+            if (reader.is_bounded()) traced.bounded.push_back(number);
+        } else {
             traced.visible_weight += 1;
+        }
     }
 }
 

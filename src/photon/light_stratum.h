@@ -28,12 +28,12 @@ inline VisiblePointOctree octree_of(const PhotonContext& photon_context) {
 struct LightStratum {
     LightChoice lights;        // in which paths start
     SplittingPlan plan;        // without levels: uniform paths only, or guided ones only
-    GuidedPlan guided;         // guided paths beside it
+    GuidedPlan guided;         // guided paths beside it, or before its one level
     double power_share = 1;    // fraction of the power of all lights
     std::uint32_t number = 0;  // names the random numbers: see PassId
 
-    /// Returns whether a guide of full support brings all light.
-    bool is_guided_alone() const { return plan.levels.empty() && guided.paths > 0; }
+    /// Returns whether all paths start by a guide of full support, if they do not by chains.
+    bool has_full_guide() const { return plan.uniform_paths == 0 && guided.paths > 0; }
     std::uint64_t paths() const { return plan.paths() + guided.paths; }
 };
 

@@ -8,31 +8,70 @@
 #include <utility>
 
 namespace sunfleck::engine {
+namespace {
+
+/// Traces the strata of a pass.
+class StrataTracer {
+public:
+    StrataTracer(const PhotonPass& pass, const PhotonTarget& target)
+        : pass_(pass), target_(target) {}
+
+    PhotonTotals trace() {
+        for (const LightStratum& stratum : pass_.strata) {
+            StratumCounts counts{stratum.paths(), stratum.power_share, 0, {}};
+            if (stratum.has_full_guide())
+                trace_by_guide(stratum, counts);
+            else if (stratum.plan.levels.empty())
+                counts.visible_fraction =
+                    trace_uniform_stratum(pass_, UniformKind::uniform, stratum, target_, totals_);
+            else
+                take(
+                    trace_adaptive_paths(context(), octree(), id_of(stratum), stratum, depositor()),
+                    counts);
+            totals_.add_stratum(std::move(counts));
+        }
+        return std::move(totals_);
+    }
+
+private:
+    void trace_by_guide(const LightStratum& stratum, StratumCounts& counts) {
+        const TracedPaths guided = trace_guided_paths(pass_, stratum, target_, totals_);
+        counts.visible_fraction = guided.visible_weight / stratum.guided.paths;
+        if (stratum.plan.levels.empty()) return;
+        take(trace_remainder(context(), octree(), id_of(stratum), stratum, guided.bounded,
+                             depositor()),
+             counts);
+    }
+
+    void take(AdaptivePaths&& paths, StratumCounts& counts) {
+        totals_.statistics += paths.statistics;
+        counts.splitting = std::move(paths.splitting);
+        counts.visible_fraction += counts.splitting.visible_fraction;
+    }
+
+    const PhotonContext& context() const { return pass_.photon_context; }
+    PassId id_of(const LightStratum& stratum) const {
+        return pass_.id.with_stratum(stratum.number);
+    }
+    Depositor depositor() const {
+        return {context().scene, context().index, target_.image, 1, target_.taken};
+    }
+    /// Chains alone need it.
+    const VisiblePointOctree& octree() {
+        if (!octree_) octree_.emplace(octree_of(context()));
+        return *octree_;
+    }
+
+    const PhotonPass& pass_;
+    const PhotonTarget& target_;
+    PhotonTotals totals_;
+    std::optional<VisiblePointOctree> octree_;
+};
+
+}  // namespace
 
 PhotonTotals SplittingSampler::trace(const PhotonPass& pass, const PhotonTarget& target, State&) {
-    const PhotonContext& photon_context = pass.photon_context;
-    PhotonTotals totals;
-    std::optional<VisiblePointOctree> octree;  // splitting alone needs it
-    for (const LightStratum& stratum : pass.strata) {
-        StratumCounts counts{stratum.paths(), stratum.power_share, 0, {}};
-        if (stratum.is_guided_alone()) {
-            counts.visible_fraction = trace_guided_stratum(pass, stratum, target, totals);
-        } else if (stratum.plan.levels.empty()) {
-            counts.visible_fraction =
-                trace_uniform_stratum(pass, UniformKind::uniform, stratum, target, totals);
-        } else {
-            if (!octree) octree.emplace(octree_of(photon_context));
-            const Depositor deposit(photon_context.scene, photon_context.index, target.image, 1,
-                                    target.taken);
-            AdaptivePaths paths = trace_adaptive_paths(
-                photon_context, *octree, pass.id.with_stratum(stratum.number), stratum, deposit);
-            totals.statistics += paths.statistics;
-            counts.splitting = std::move(paths.splitting);
-            counts.visible_fraction = counts.splitting.visible_fraction;
-        }
-        totals.add_stratum(std::move(counts));
-    }
-    return totals;
+    return StrataTracer(pass, target).trace();
 }
 
 }  // namespace sunfleck::engine

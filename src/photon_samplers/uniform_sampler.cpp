@@ -50,17 +50,17 @@ double trace_uniform_stratum(const PhotonPass& pass, UniformKind kind, const Lig
     return count_uniform(done.statistics, totals.statistics);
 }
 
-double trace_guided_stratum(const PhotonPass& pass, const LightStratum& stratum,
-                            const PhotonTarget& target, PhotonTotals& totals) {
-    const GuidedPoints points(pass.id.with_stratum(stratum.number), stratum.guided.map);
-    const std::uint32_t paths = stratum.guided.paths;
-    const TracedPaths done = traced(pass, stratum, points, paths, target);
+TracedPaths trace_guided_paths(const PhotonPass& pass, const LightStratum& stratum,
+                               const PhotonTarget& target, PhotonTotals& totals) {
+    const GuidedPlan& guided = stratum.guided;
+    const GuidedPoints points(pass.id.with_stratum(stratum.number), guided.map, guided.most_weight);
+    TracedPaths done = traced(pass, stratum, points, guided.paths, target);
     totals.statistics += done.statistics;
-    totals.statistics[Count::guided_paths] += paths;
+    totals.statistics[Count::guided_paths] += guided.paths;
     for (const Count count :
          {Count::guided_visible, Count::distinct_visible, Count::visible_states})
         totals.statistics[count] += done.visible;
-    return done.visible_weight / paths;
+    return done;
 }
 
 PhotonTotals trace_uniform_strata(const PhotonPass& pass, UniformKind kind,

@@ -19,9 +19,9 @@ std::uint32_t usual_photon_paths(std::size_t pixels);
 double trace_uniform_stratum(const PhotonPass& pass, UniformKind kind, const LightStratum& stratum,
                              const PhotonTarget& target, PhotonTotals& totals);
 
-/// Adds the light of a stratum whose paths all come from its guide. @return the visible fraction.
-double trace_guided_stratum(const PhotonPass& pass, const LightStratum& stratum,
-                            const PhotonTarget& target, PhotonTotals& totals);
+/// Adds the light of a stratum's guided paths, which are of full support. @return their counts.
+TracedPaths trace_guided_paths(const PhotonPass& pass, const LightStratum& stratum,
+                               const PhotonTarget& target, PhotonTotals& totals);
 
 /// Counts uniform paths, of which each visible one contributed once. @return the visible fraction.
 double count_uniform(Statistics& counts, Statistics& all);

@@ -8,6 +8,7 @@
 #include "photon/light_strata.h"
 #include "photon_samplers/samplers.h"
 #include "planning/photon_budget.h"
+#include "planning/remainder_scales.h"
 #include "planning/trial_iterations.h"
 #include "planning/worth_guide.h"
 #include "visible_points/radius.h"
@@ -44,14 +45,18 @@ std::uint64_t worth_learning(std::uint32_t epoch) {
     return std::max(passes, kTargetBatches * kBatchPasses);
 }
 
-/// All lights in one stratum. @param guide  of full support; the identity: uniform paths.
-std::vector<LightStratum> in_one_stratum(const LightChoice& lights, const EmissionGuide& guide,
-                                         std::uint32_t paths) {
-    LightStratum stratum{lights, {}, {}};
-    if (guide.is_identity())
-        stratum.plan.uniform_paths = paths;
-    else
-        stratum.guided = {guide, paths, 1, 1};
+/// All lights in one stratum. @param by_worth  a plan of full support: if its map is the identity,
+/// paths are uniform. @param scales  of the chains that bring what its bounded weights leave.
+std::vector<LightStratum> in_one_stratum(const LightChoice& lights, const GuidedPlan& by_worth,
+                                         const MutationScales& scales, std::uint32_t paths) {
+    constexpr std::uint32_t kPathsOfAState = 20;
+    constexpr std::uint32_t kStatesOfAChain = 32;
+    if (by_worth.map.is_identity()) return {{lights, {paths, {}}, {}}};
+    LightStratum stratum{lights, {}, by_worth};
+    const std::uint32_t states = by_worth.most_weight < kUnbounded ? paths / kPathsOfAState : 0;
+    stratum.guided.paths = paths - states;
+    if (states > 0)
+        stratum.plan.levels = {{kVisible, states, std::max(1U, states / kStatesOfAChain), scales}};
     return {stratum};
 }
 
@@ -95,16 +100,20 @@ void EpochLearner::plan_chains() {
 }
 
 void EpochLearner::plan_independent_paths() {
-    EmissionGuide guide;
+    const LightChoice& lights = context_->scene.scene.light_choice();
+    GuidedPlan by_worth;
+    MutationScales scales;
     if (settings_.emission_guide) {
-        guide = learned_worth_guide(*context_, camera_.window, *seen_, name_);
-        const bool bends_nothing = guide.is_identity();
+        WorthGuide guide = learned_worth_guide(*context_, camera_.window, *seen_, name_);
+        const bool bends_nothing = guide.map.is_identity();
         if (bends_nothing && !settings_.paths_per_pass)
             epoch_.paths = std::min(epoch_.paths, kFewPaths);
+        by_worth.map = std::move(guide.map);
+        by_worth.most_weight = guide.most_weight;
+        scales = remainder_scales(*context_, lights, by_worth, guide.bounded, name_);
     }
-    const LightChoice& lights = context_->scene.scene.light_choice();
-    planner_ = [&lights, guide](std::uint32_t paths) {
-        return in_one_stratum(lights, guide, paths);
+    planner_ = [&lights, by_worth, scales](std::uint32_t paths) {
+        return in_one_stratum(lights, by_worth, scales, paths);
     };
 }
 

@@ -52,7 +52,7 @@ double least_share(const std::vector<LightStratum>& strata, const PhotonTotals& 
     double share = 0;
     for (std::size_t g = 0; g < strata.size(); ++g) {
         const LightStratum& stratum = strata[g];
-        if (stratum.plan.levels.empty()) continue;
+        if (stratum.plan.levels.empty() || stratum.has_full_guide()) continue;
         const SplittingCounts& splitting = totals.strata[g].splitting;
         if (!(splitting.visible_fraction > 0)) return 1;
         const bool is_simple = stratum.plan.levels.size() == 1 && stratum.guided.paths == 0;

@@ -41,14 +41,16 @@ CameraTrial view_of(const CameraPass& pass) {
 }
 
 std::vector<LightStratum> fraction_of(std::vector<LightStratum> strata, std::uint32_t parts) {
-    const auto part = [&](std::uint32_t& number) { number = std::max(1U, number / parts); };
+    const auto part = [&](std::uint32_t& number) {
+        if (number > 0) number = std::max(1U, number / parts);
+    };
     for (LightStratum& stratum : strata) {
         part(stratum.plan.uniform_paths);
         for (LevelPlan& level : stratum.plan.levels) {
             part(level.states);
             part(level.chains);
         }
-        if (stratum.guided.paths > 0) part(stratum.guided.paths);
+        part(stratum.guided.paths);
     }
     return strata;
 }

@@ -27,6 +27,33 @@ constexpr double kLeastBrightness = 0.05;
 /// Of all trials' weight: one that met a hole of the guide must not become its only goal.
 constexpr double kMostOfAll = 0.002;
 
+/// Of all worth: what a bound of the weights leaves to chains.
+constexpr double kLeft = 0.01;
+
+/// A part of all worth.
+struct WorthPart {
+    double density;  // of the guide there
+    double worth;
+};
+
+/// Returns the bound of weights that leaves kLeft of all worth.
+double bound_of_weights(std::vector<WorthPart> parts) {
+    std::sort(parts.begin(), parts.end(),
+              [](const WorthPart& a, const WorthPart& b) { return a.density < b.density; });
+    double all = 0;
+    for (const WorthPart& part : parts) all += part.worth;
+    // Sums over the parts that would weigh more than the bound.
+    double worth = 0;
+    double brought = 0;  // by paths of weight one
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        worth += parts[i].worth;
+        brought += parts[i].worth * parts[i].density;
+        const double bound = (worth - kLeft * all) / brought;
+        if (i + 1 == parts.size() || bound * parts[i + 1].density >= 1) return bound;
+    }
+    return kUnbounded;
+}
+
 class WorthLearner {
 public:
     WorthLearner(const PhotonContext& context, const PixelWindow& window, const CameraTrial& seen,
@@ -37,7 +64,7 @@ public:
           name_(name),
           unlit_(block_sums(blocks_, luminance_of(seen.image))) {}
 
-    EmissionGuide learn() {
+    WorthGuide learn() {
         samples_ = caster_samples(context_.scene, lights_, name_.iteration(kCasterIteration),
                                   {0, kCasterSamples});
         double flux = 0;
@@ -54,7 +81,7 @@ public:
             if (round + 1 >= kLeastRounds && visible >= kEnough && 2 * visible < 3 * before) break;
             before = visible;
         }
-        return guide;
+        return with_bound(std::move(guide));
     }
 
 private:
@@ -102,10 +129,10 @@ private:
     }
 
     /// Returns the guide that all rounds together suggest.
-    EmissionGuide corrected() const {
+    EmissionGuide corrected() {
         const std::vector<double> brightness = this->brightness();
         std::vector<EmissionGuide::Worth> trials;
-        std::vector<WeightedEmission> points;
+        worth_.clear();
         double all = 0;
         for (const Brought& path : paths_) {
             double worth = 0;
@@ -113,16 +140,28 @@ private:
                 worth += light_[i].luminance / brightness[light_[i].block];
             trials.push_back({path.point, worth * worth / path.density});
             if (!(worth > 0)) continue;
-            points.push_back({path.point, worth / path.density});
-            all += points.back().weight;
+            worth_.push_back({path.point, worth / path.density});
+            all += worth_.back().weight;
         }
-        for (WeightedEmission& point : points)
-            point.weight = (1 - kKept) * std::min(point.weight / all, kMostOfAll);
-        for (WeightedEmission sample : samples_) {
-            sample.weight *= kKept;
-            points.push_back(sample);
-        }
+        for (WeightedEmission& point : worth_)
+            point.weight = std::min(point.weight / all, kMostOfAll);
+        std::vector<WeightedEmission> points;
+        for (const WeightedEmission& point : worth_)
+            points.push_back({point.point, (1 - kKept) * point.weight});
+        for (const WeightedEmission& sample : samples_)
+            points.push_back({sample.point, kKept * sample.weight});
         return EmissionGuide::learned(std::move(points), kGrowth).by_worth(trials, kKept, kGrowth);
+    }
+
+    WorthGuide with_bound(EmissionGuide guide) const {
+        std::vector<WorthPart> parts;
+        for (const WeightedEmission& point : worth_)
+            parts.push_back({guide.density(point.point), point.weight});
+        WorthGuide result{std::move(guide), bound_of_weights(parts), {}};
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (parts[i].density * result.most_weight < 1)
+                result.bounded.push_back(worth_[i].point);
+        return result;
     }
 
     /// Returns the brightness of a pixel of each block, and the least that counts added.
@@ -155,12 +194,13 @@ private:
     std::vector<EmissionGuide> guides_;      // of the rounds so far
     std::vector<Brought> paths_;             // of all rounds
     std::vector<PathLight> light_;           // of all paths, by path
+    std::vector<WeightedEmission> worth_;    // of paths that brought light: parts of all worth
 };
 
 }  // namespace
 
-EmissionGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& window,
-                                  const CameraTrial& seen, const PilotName& name) {
+WorthGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& window,
+                               const CameraTrial& seen, const PilotName& name) {
     return WorthLearner(context, window, seen, name).learn();
 }
 

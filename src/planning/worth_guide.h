@@ -5,8 +5,9 @@
 // are of casters; rounds of trials, each through the guide so far, correct it.
 // The worth of a path is the sum over pixels of what it brings over the pixel's brightness: for a
 // picture judged by relative error, the density of least variance is in proportion to the root of
-// the mean squared worth.
-// Equations: docs/method/sampling.md, eqs. (38) and (39).
+// the mean squared worth. Where that density is low by chance, a path would be a spot: a bound of
+// its weight leaves a small part of all worth to chains (chains/guided_remainder.h).
+// Equations: docs/method/sampling.md, eqs. (38), (39) and (42).
 #pragma once
 
 #include "chains/chain_walk.h"
@@ -16,11 +17,16 @@
 
 namespace sunfleck::engine {
 
-/// Returns the guide; the identity if nothing in the scene bends light.
+struct WorthGuide {
+    EmissionGuide map;                   // the identity if nothing in the scene bends light
+    double most_weight = kUnbounded;     // of a path: chains bring what is left
+    std::vector<EmissionPoint> bounded;  // where trials of worth started that would weigh more
+};
+
 /// @param context  whose camera paths bring what diffuse surfaces send on first
 ///                 (TransportSettings::goes_beyond_diffuse()).
 /// @param seen  the trial that the visible points are of.
-EmissionGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& window,
-                                  const CameraTrial& seen, const PilotName& name);
+WorthGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& window,
+                               const CameraTrial& seen, const PilotName& name);
 
 }  // namespace sunfleck::engine

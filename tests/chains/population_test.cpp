@@ -65,13 +65,13 @@ TEST(Population, what_is_guided_is_left_out) {
     }
     const EmissionGuide map = EmissionGuide::learned(starts, {0.5}).where_visible(trials, 1e-9);
     const Population population = four();  // first dimensions 0, 1/16, 2/16, 3/16
-    const GuidedRegion region{&map, 0.25};
-    ASSERT_TRUE(region.contains(population.survivors()[0].sample));
-    ASSERT_FALSE(region.contains(population.survivors()[3].sample));
+    const GuidedPlan guided{map, 1, 0.25};
+    ASSERT_TRUE(guided.reaches(population.survivors()[0].sample));
+    ASSERT_FALSE(guided.reaches(population.survivors()[3].sample));
     std::uint64_t expected = 0;
     for (const Survivor& s : population.survivors())
-        expected += region.contains(s.sample) ? 0 : s.units;
-    const Population rest = four().outside(region, 0.5);
+        expected += guided.reaches(s.sample) ? 0 : s.units;
+    const Population rest = four().outside(guided, 0.5);
     EXPECT_EQ(rest.units(), expected);
     EXPECT_DOUBLE_EQ(rest.weight(), 0.5 * static_cast<double>(expected));
     EXPECT_EQ(four().outside({}, 2).units(), 11U);

@@ -29,21 +29,38 @@ inline std::vector<int> top(int sets) {
     return heights;
 }
 
-/// A map that covers places where the first dimension lies in [low, high], and nothing else.
-/// @param importance  to the chains, of what it covers. @param own_share  of the light from there.
-inline GuidedPlan guided_over(double low, double high, std::uint32_t paths, double importance,
-                              double own_share) {
+/// Starts of paths whose first dimension lies in [low, high].
+inline std::vector<WeightedEmission> starts_over(double low, double high) {
     RandomStream random(3, Purpose::test, 0, 0);
     std::vector<WeightedEmission> starts;
-    std::vector<EmissionGuide::Trial> trials;
     for (int i = 0; i < 4000; ++i) {
         WeightedEmission& start = starts.emplace_back();
         for (double& x : start.point) x = random.next();
         start.point[0] = low + (high - low) * start.point[0];
-        trials.push_back({start.point, true});
     }
+    return starts;
+}
+
+/// A map that covers places where the first dimension lies in [low, high], and nothing else.
+/// @param importance  to the chains, of what it covers. @param own_share  of the light from there.
+inline GuidedPlan guided_over(double low, double high, std::uint32_t paths, double importance,
+                              double own_share) {
+    const std::vector<WeightedEmission> starts = starts_over(low, high);
+    std::vector<EmissionGuide::Trial> trials;
+    for (const WeightedEmission& start : starts) trials.push_back({start.point, true});
     return {EmissionGuide::learned(starts, {0.25}).where_visible(trials, 0.5), paths, importance,
             own_share};
+}
+
+/// A map of full support with four densities: most paths start where the first dimension lies in
+/// [.14,.3], some in [.66,.7]. @param most_weight  of a path.
+inline GuidedPlan bounded(std::uint32_t paths, double most_weight) {
+    std::vector<WeightedEmission> starts = starts_over(0.14, 0.3);
+    for (WeightedEmission start : starts_over(0.66, 0.7)) {
+        start.weight = 0.15;
+        starts.push_back(start);
+    }
+    return {EmissionGuide::learned(starts, {0.75}), paths, 1, 1, most_weight};
 }
 
 /// Passes are as many as the bands of the laws need.
@@ -77,6 +94,22 @@ inline std::vector<SamplerExample> sampler_examples() {
          0.01,
          0.002,
          guided_over(0.17, 0.24, 512, 0.05, 0)},
+        {"bounded_weights_few_chains",
+         emission,
+         true,
+         plan_over(top(1), 0, 512, 16, 0.3F),
+         {1000, 105000},
+         0.01,
+         0.001,
+         bounded(1024, 0.5)},
+        {"bounded_weights_many_chains",
+         emission,
+         true,
+         plan_over(top(1), 0, 512, 256, 0.1F),
+         {1000, 105000},
+         0.01,
+         0.001,
+         bounded(1024, 1)},
         {"guided_in_eight_dimensions",
          eight,
          true,

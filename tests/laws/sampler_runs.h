@@ -3,7 +3,7 @@
 // In:  an example and a pass. Out: the sums that the laws speak of.
 #pragma once
 
-#include "chains/splitting.h"
+#include "chains/guided_remainder.h"
 #include "laws/toy_paths.h"
 #include "math/statistics.h"
 #include "random_numbers/emission_points.h"
@@ -33,7 +33,7 @@ struct SamplerExample {
     } passes;
     double quick_band = 0.01;  // relative: where the interval of the mean must lie
     double slow_band = 0.001;
-    GuidedPlan guided = {};  // paths besides, through a guide
+    GuidedPlan guided = {};  // paths besides, through a guide; or all, of bounded weight
 };
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
@@ -80,9 +80,36 @@ struct SummingSink {
     }
 };
 
+/// Guided paths of bounded weight, and the chains that bring what they leave.
+template <PathSpace Space>
+PassSums run_bounded(const Space& space, PassId pass, const LevelPlan& level,
+                     const GuidedPlan& guided) {
+    PassSums sums;
+    SummingSink sink{sums};
+    ToyTally tally;
+    const GuidedPoints points(pass, guided.map, guided.most_weight);
+    std::vector<SummingSink::Collector> one(1);
+    std::vector<std::uint32_t> bounded;
+    ToyPath path;
+    for (std::uint32_t i = 0; i < guided.paths; ++i) {
+        GuidedPoints::Reader reader = points.path(i);
+        space.trace(reader, path, tally);
+        if (space.height(path) != kVisible) continue;
+        one[0](path, reader.weight() / guided.paths);
+        if (reader.is_bounded()) bounded.push_back(i);
+    }
+    sink.take(std::move(one));
+    const double guided_weight = sums.weight;
+    sums.counts = bring_remainder(space, pass, guided, level, bounded, sink, tally);
+    sums.visible_fraction = guided_weight + sums.counts.visible_fraction;
+    return sums;
+}
+
 template <PathSpace Space, class Points>
 PassSums run_pass(const Space& space, const Points& points, PassId pass, const SplittingPlan& plan,
                   const GuidedPlan& guided = {}) {
+    if (guided.most_weight < kUnbounded)
+        return run_bounded(space, pass, plan.levels.back(), guided);
     PassSums sums;
     SummingSink sink{sums};
     ToyTally tally;

@@ -1,7 +1,8 @@
 // Worth guides: photon paths through them find what uniform ones hardly find, and bring the same.
 #include "planning/worth_guide.h"
 
-#include "photon_samplers/uniform_sampler.h"
+#include "photon_samplers/splitting_sampler.h"
+#include "planning/learn_epoch.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
@@ -36,24 +37,31 @@ public:
         transport_.indirect = IndirectLight::sampled;
     }
 
-    EmissionGuide guide() const { return learned_worth_guide(context_, window_, seen_, {1, 0}); }
+    EmissionGuide guide() const {
+        return learned_worth_guide(context_, window_, seen_, {1, 0}).map;
+    }
 
-    /// @param guide  the identity: uniform paths.
-    Photons traced(const EmissionGuide& guide, std::uint32_t number, std::uint32_t paths) const {
-        LightStratum stratum{scene_.light_choice(), {}, {}};
-        if (guide.is_identity())
-            stratum.plan.uniform_paths = paths;
-        else
-            stratum.guided = {guide, paths, 1, 1};
+    LightStratum uniform(std::uint32_t paths) const {
+        return {scene_.light_choice(), {paths, {}}, {}};
+    }
+    LightStratum through(const EmissionGuide& guide, std::uint32_t paths) const {
+        return {scene_.light_choice(), {}, {guide, paths}};
+    }
+    /// With the bound of weights, and chains that bring what it leaves.
+    LightStratum learned(std::uint32_t parts) const {
+        RenderSettings settings;
+        settings.transport = transport_;
+        return fraction_of(learn_epoch(scene_, settings, 0).strata, parts).at(0);
+    }
+
+    Photons traced(const LightStratum& stratum, std::uint32_t number) const {
         const std::vector<LightStratum> strata = {stratum};
-        const PhotonPass photons{context_, {3, number}, strata, {}};
         PassImage image(window_.pixels(), {});
-        PhotonTotals totals;
-        if (guide.is_identity())
-            trace_uniform_stratum(photons, UniformKind::uniform, stratum, {image}, totals);
-        else
-            trace_guided_stratum(photons, stratum, {image}, totals);
-        return {static_cast<double>(totals.statistics[Count::visible_states]) / paths,
+        NoState none;
+        const PhotonTotals totals =
+            SplittingSampler::trace({context_, {3, number}, strata, {}}, {image}, none);
+        return {static_cast<double>(totals.statistics[Count::visible_states]) /
+                    static_cast<double>(stratum.paths()),
                 mean_value(luminance_of(image))};
     }
 
@@ -72,19 +80,23 @@ private:
 TEST(WorthGuide, brings_what_uniform_paths_bring) {
     const Scene scene = ball(0.7);
     const PhotonsOf photons(scene);
-    const EmissionGuide guide = photons.guide();
     constexpr int kRenders = 40;
-    const auto light = [&](const EmissionGuide& through, std::uint32_t paths) {
+    const auto light = [&](const LightStratum& stratum) {
         return Estimate::over(kRenders, [&](int i) {
-            return photons.traced(through, static_cast<std::uint32_t>(i), paths).light;
+            return photons.traced(stratum, static_cast<std::uint32_t>(i)).light;
         });
     };
-    const Estimate guided = light(guide, 20'000);
-    const Estimate uniform = light({}, 280'000);
-    EXPECT_LT(worst_ratio(guided, uniform), 0.03)
-        << guided.mean / uniform.mean << ", errors " << guided.error / guided.mean << ' '
-        << uniform.error / uniform.mean;
-    EXPECT_LT(guided.error, uniform.error);
+    const Estimate uniform = light(photons.uniform(280'000));
+    const LightStratum learned = photons.learned(5);
+    EXPECT_LT(learned.guided.most_weight, kUnbounded);
+    ASSERT_EQ(learned.plan.levels.size(), 1U);
+    for (const LightStratum& stratum : {photons.through(photons.guide(), 20'000), learned}) {
+        const Estimate guided = light(stratum);
+        EXPECT_LT(worst_ratio(guided, uniform), 0.03)
+            << guided.mean / uniform.mean << ", errors " << guided.error / guided.mean << ' '
+            << uniform.error / uniform.mean;
+        EXPECT_LT(guided.error, uniform.error);
+    }
 }
 
 /// However large the floor around the view, photons are aimed at the ball: a million times the area
@@ -92,12 +104,14 @@ TEST(WorthGuide, brings_what_uniform_paths_bring) {
 TEST(WorthGuide, does_not_mind_what_is_not_seen) {
     const Scene small = ball(1.5);
     const PhotonsOf near(small);
-    const double visible = near.traced(near.guide(), 0, 20'000).visible;
+    const double visible = near.traced(near.through(near.guide(), 20'000), 0).visible;
     EXPECT_GT(visible, 0.15);
     for (const double half : {15.0, 1500.0}) {
         const Scene scene = ball(half);
         const PhotonsOf photons(scene);
-        EXPECT_GT(photons.traced(photons.guide(), 0, 20'000).visible, 0.4 * visible) << half;
+        EXPECT_GT(photons.traced(photons.through(photons.guide(), 20'000), 0).visible,
+                  0.4 * visible)
+            << half;
     }
 }
 
