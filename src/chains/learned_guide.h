@@ -31,6 +31,9 @@ struct LearnedGuide {
 struct GuideSampleBudget {
     std::size_t most = 2048;  // guide samples, evenly selected from all
     int tries = 256;          // per guide sample
+    // Fewer tries do where they find enough.
+    int few_tries = 16;
+    std::size_t enough = 256;
 };
 
 /// Traces visible paths with the emission of guide samples and other dimensions at random: at most
@@ -42,18 +45,25 @@ Population visible_from(const Space& space, const std::vector<WeightedEmission>&
     const std::size_t count = std::min(effort.most, guide_samples.size());
     std::vector<std::vector<Survivor>> found(count);
     std::vector<typename Space::Tally> tallies(count);
-    parallel_for(count, [&](std::size_t i) {
+    std::vector<RandomStream> streams;
+    for (std::size_t i = 0; i < count; ++i) streams.push_back(pass.stream(Purpose::chain, i));
+    const auto try_each = [&](std::size_t i, int tries) {
         const EmissionPoint& guide_sample = guide_samples[i * guide_samples.size() / count].point;
-        RandomStream stream = pass.stream(Purpose::chain, i);
         typename Space::Path path;
-        for (int k = 0; k < effort.tries && found[i].empty(); ++k) {
+        for (int k = 0; k < tries && found[i].empty(); ++k) {
             StoredSample sample;
             for (std::uint32_t s = 0; s < kGuidedDimensions; ++s)
                 sample.set(s, to_fraction(guide_sample.at(s)));
-            space.trace(RepeatingReader(sample, stream), path, tallies[i]);
+            space.trace(RepeatingReader(sample, streams[i]), path, tallies[i]);
             if (space.height(path) == kVisible) found[i].push_back({sample, 1, kVisible});
         }
-    });
+    };
+    const int few = std::min(effort.few_tries, effort.tries);
+    parallel_for(count, [&](std::size_t i) { try_each(i, few); });
+    const auto failed = std::count_if(found.begin(), found.end(),
+                                      [](const auto& survivors) { return survivors.empty(); });
+    if (count - static_cast<std::size_t>(failed) < effort.enough)
+        parallel_for(count, [&](std::size_t i) { try_each(i, effort.tries - few); });
     Population population;
     for (std::size_t i = 0; i < count; ++i) {
         population.add(std::move(found[i]));

@@ -104,7 +104,8 @@ void EpochLearner::plan_independent_paths() {
     GuidedPlan by_worth;
     MutationScales scales;
     if (settings_.emission_guide) {
-        WorthGuide guide = learned_worth_guide(*context_, camera_.window, *seen_, name_);
+        WorthGuide guide =
+            learned_worth_guide(*context_, camera_.window, *seen_, name_, epoch_.paths);
         const bool bends_nothing = guide.map.is_identity();
         if (bends_nothing && !settings_.paths_per_pass)
             epoch_.paths = std::min(epoch_.paths, kFewPaths);

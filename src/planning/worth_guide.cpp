@@ -11,13 +11,15 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::uint32_t kTrials = 50'000;  // of a round
+/// Trials of a round, and samples of casters: so many parts of a pass have as many paths.
+constexpr std::uint32_t kPartsOfAPass = 4;
+constexpr std::uint32_t kLeastTrials = 2000;
+constexpr std::uint32_t kMostTrials = 50'000;
 
-/// Rounds go on while few trials are visible, or many more than in the round before.
+/// Rounds go on while few trials are visible, one of so many, or many more than in the round
+/// before.
 constexpr std::uint32_t kLeastRounds = 3;
-constexpr std::size_t kEnough = 1000;
-
-constexpr std::size_t kCasterSamples = 50'000;
+constexpr std::size_t kFew = 50;
 
 constexpr EmissionGuide::Growth kGrowth{0.05, 4, 0.01};
 /// Of the guide's mass: a lasting share of where samples of casters and trials were.
@@ -57,16 +59,17 @@ double bound_of_weights(std::vector<WorthPart> parts) {
 class WorthLearner {
 public:
     WorthLearner(const PhotonContext& context, const PixelWindow& window, const CameraTrial& seen,
-                 const PilotName& name)
+                 const PilotName& name, std::uint32_t paths)
         : context_(context),
           lights_(context.scene.scene.light_choice()),
           blocks_(worth_blocks(window)),
           name_(name),
+          trials_(std::clamp(paths / kPartsOfAPass, kLeastTrials, kMostTrials)),
           unlit_(block_sums(blocks_, luminance_of(seen.image))) {}
 
     WorthGuide learn() {
         samples_ = caster_samples(context_.scene, lights_, name_.iteration(kCasterIteration),
-                                  {0, kCasterSamples});
+                                  {0, trials_});
         double flux = 0;
         for (const WeightedEmission& sample : samples_) flux += sample.weight;
         if (!(flux > 0)) return {};
@@ -76,9 +79,10 @@ public:
         for (std::uint32_t round = 0; round < kMostWorthRounds; ++round) {
             const PassId pass = name_.iteration(kWorthIteration + round);
             const std::size_t visible =
-                add_round(guide, try_paths(context_, lights_, guide, blocks_, pass, kTrials));
+                add_round(guide, try_paths(context_, lights_, guide, blocks_, pass, trials_));
             guide = corrected();
-            if (round + 1 >= kLeastRounds && visible >= kEnough && 2 * visible < 3 * before) break;
+            if (round + 1 >= kLeastRounds && kFew * visible >= trials_ && 2 * visible < 3 * before)
+                break;
             before = visible;
         }
         return with_bound(std::move(guide));
@@ -114,7 +118,7 @@ private:
                 Brought& path = paths_[i];
                 if (path.begin == path.end) continue;
                 if (i < before)
-                    path.density += kTrials * guide.density(path.point);
+                    path.density += trials_ * guide.density(path.point);
                 else
                     path.density = density(path.point);
             }
@@ -124,7 +128,7 @@ private:
 
     double density(const EmissionPoint& at) const {
         double sum = 0;
-        for (const EmissionGuide& guide : guides_) sum += kTrials * guide.density(at);
+        for (const EmissionGuide& guide : guides_) sum += trials_ * guide.density(at);
         return sum;
     }
 
@@ -189,6 +193,7 @@ private:
     const LightChoice& lights_;
     BlockGrid blocks_;
     PilotName name_;
+    std::uint32_t trials_;                   // of a round
     std::vector<double> unlit_;              // light that needs no photon, by block
     std::vector<WeightedEmission> samples_;  // of casters
     std::vector<EmissionGuide> guides_;      // of the rounds so far
@@ -200,8 +205,9 @@ private:
 }  // namespace
 
 WorthGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& window,
-                               const CameraTrial& seen, const PilotName& name) {
-    return WorthLearner(context, window, seen, name).learn();
+                               const CameraTrial& seen, const PilotName& name,
+                               std::uint32_t paths) {
+    return WorthLearner(context, window, seen, name, paths).learn();
 }
 
 }  // namespace sunfleck::engine

@@ -25,8 +25,8 @@ struct WorthGuide {
 
 /// @param context  whose camera paths bring what diffuse surfaces send on first
 ///                 (TransportSettings::goes_beyond_diffuse()).
-/// @param seen  the trial that the visible points are of.
+/// @param seen  the trial that the visible points are of. @param paths  of a pass.
 WorthGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& window,
-                               const CameraTrial& seen, const PilotName& name);
+                               const CameraTrial& seen, const PilotName& name, std::uint32_t paths);
 
 }  // namespace sunfleck::engine

@@ -38,14 +38,13 @@ TEST_F(Merge, writes_every_format_and_statistics) {
                          "--stats", "x.json", "--exposure", "1"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     EXPECT_EQ(names(), "a.film b.film x.exr x.film x.json x.png");
-    part("whole.exr", "0:32");
+    part("whole.exr", "0:32", {"--stats", "whole.json"});
     EXPECT_EQ(read_text(path("whole.exr")), read_text(path("x.exr")));
     const auto stats = json("x.json");
     EXPECT_EQ(stats["passes"], 32);
     EXPECT_EQ(stats["batches"], 2);
-    EXPECT_EQ(
-        stats["photon_paths"]["uniform"].get<int>() + stats["photon_paths"]["guided"].get<int>(),
-        64000);
+    EXPECT_GT(stats["photon_paths"]["guided"], 50'000);
+    EXPECT_EQ(stats["photon_paths"], json("whole.json")["photon_paths"]);
 }
 
 TEST_F(Merge, one_film_is_copied_to_the_bit) {
