@@ -2,16 +2,19 @@
 #include "light/partial_emitter.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sunfleck::engine {
 
-PartialEmitter::PartialEmitter(Cover cover, const CornerUvs& uvs, const EmittingSurface& surface)
-    : cover_(std::move(cover)), uvs_(uvs) {
+PartialEmitter::PartialEmitter(Cover cover, CornerUvs uvs, const EmittingSurface& surface)
+    : cover_(std::move(cover)), uvs_(std::move(uvs)) {
     constexpr int kAcross = 8;
     double there = 0;
     double area = 0;
     for (int i = 0; i < kAcross * kAcross; ++i) {
-        const Vec2d u((i % kAcross + 0.5) / kAcross, (i / kAcross + 0.5) / kAcross);
+        const int column = i % kAcross;
+        const int row = i / kAcross;
+        const Vec2d u((column + 0.5) / kAcross, (row + 0.5) / kAcross);
         const SurfaceSample on = sample_surface(surface, u);
         there += on.spread * at(surface, on.position, on.normal);
         area += on.spread;

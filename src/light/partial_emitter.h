@@ -10,7 +10,7 @@ namespace sunfleck::engine {
 class PartialEmitter {
 public:
     /// @param cover  alpha of the shape; not null.
-    PartialEmitter(Cover cover, const CornerUvs& uvs, const EmittingSurface& surface);
+    PartialEmitter(Cover cover, CornerUvs uvs, const EmittingSurface& surface);
 
     /// Returns alpha at a point of the surface, in [0,1].
     /// @param normal  of the surface there, unit, either side.

@@ -24,10 +24,10 @@ double student_quantile(double within, double degrees) {
         density = next;
     }
     const double wanted = within * below.back();
-    const auto end = std::upper_bound(below.begin() + 1, below.end() - 1, wanted);
-    const double start = *std::prev(end);
-    const double x = static_cast<double>(std::distance(below.begin(), end) - 1) +
-                     (wanted - start) / (*end - start);
+    const auto end = static_cast<std::size_t>(
+        std::distance(below.begin(), std::upper_bound(below.begin() + 1, below.end() - 1, wanted)));
+    const double start = below.at(end - 1);
+    const double x = static_cast<double>(end - 1) + (wanted - start) / (below.at(end) - start);
     return std::sqrt(n) * std::tan(x * kStep);
 }
 

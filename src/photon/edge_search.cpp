@@ -106,7 +106,8 @@ Vec3 point_by(const Edge& edge, RandomStream& stream) {
     const Vec3d on = edge.from + way * stream.next();
     const double distance = way.length() * std::exp2(static_cast<float>(-kOctaves * stream.next()));
     const double first = stream.next();
-    return Vec3(on + uniform_sphere({first, stream.next()}) * distance);
+    const Vec3 point(on + uniform_sphere({first, stream.next()}) * distance);
+    return point;
 }
 
 }  // namespace

@@ -34,10 +34,7 @@ double Inclusions::words_of(const std::string& path, const std::string& text, co
         bool includes = false;
         for (auto token = lexer.next(); token; token = lexer.next()) {
             ++own;
-            if (includes && token->kind == TokenKind::string) {
-                const NamedFile next = files(unescaped(*token), token->where());
-                all += kWordsPerOpening + words_of(next.path, next.bytes, files);
-            }
+            if (includes && token->kind == TokenKind::string) all += words_included(*token, files);
             includes = token->kind == TokenKind::word &&
                        (token->text == "Include" || token->text == "Import");
         }
@@ -46,6 +43,11 @@ double Inclusions::words_of(const std::string& path, const std::string& text, co
     --depth_;
     distinct_ += own;
     return known->second = all + own;
+}
+
+double Inclusions::words_included(const Token& name, const Files& files) {
+    const NamedFile file = files(unescaped(name), name.where());
+    return kWordsPerOpening + words_of(file.path, file.bytes, files);
 }
 
 }  // namespace sunfleck::engine

@@ -30,6 +30,7 @@ public:
 
 private:
     double words_of(const std::string& path, const std::string& text, const Files& files);
+    double words_included(const Token& name, const Files& files);
 
     std::set<std::string> included_;
     std::map<std::string, double> words_;  // of a file with its inclusions, by path

@@ -73,22 +73,23 @@ void read_values(TokenStream& tokens, Parameter& parameter) {
 
 }  // namespace
 
-Parameter declared_parameter(const std::string& whole, const SourceLocation& where,
+Parameter declared_parameter(const std::string& declaration, const SourceLocation& where,
                              ColourSpace space) {
-    const std::string_view text = trimmed(whole);
-    if (const auto odd = odd_character_in(whole))
-        throw Error(where, "unexpected " + odd->what + " in the declaration " + in_quotes(whole),
+    const std::string_view text = trimmed(declaration);
+    if (const auto odd = odd_character_in(declaration))
+        throw Error(where,
+                    "unexpected " + odd->what + " in the declaration " + in_quotes(declaration),
                     odd->mend);
     const std::size_t blank = text.find_first_of(" \t");
     if (blank == std::string_view::npos)
-        throw Error(where, "expected a parameter, found " + in_quotes(whole),
+        throw Error(where, "expected a parameter, found " + in_quotes(declaration),
                     "write its type and name, such as \"float radius\"");
     const auto type = parameter_type(text.substr(0, blank));
     const std::string_view name = trimmed(text.substr(blank));
     if (is_parameter_type_of_v3(text.substr(0, blank)) || is_parameter_of_v3(name))
-        refuse_v3("the parameter " + in_quotes(whole), where);
+        refuse_v3("the parameter " + in_quotes(declaration), where);
     if (!type)
-        throw Error(where, "unknown parameter type in " + in_quotes(whole),
+        throw Error(where, "unknown parameter type in " + in_quotes(declaration),
                     "use float, integer, bool, string, point2, point3, vector3, normal, rgb, "
                     "spectrum, blackbody or texture");
     Parameter parameter;

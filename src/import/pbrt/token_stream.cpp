@@ -25,7 +25,7 @@ void TokenStream::push(std::string text, const std::string& file, const SourceLo
 bool TokenStream::is_open(const std::string& file) const {
     const bool here = std::any_of(open_.begin(), open_.end(),
                                   [&](const auto& lexer) { return lexer->file() == file; });
-    return here || (outer_ && outer_->is_open(file));
+    return here || (outer_ != nullptr && outer_->is_open(file));
 }
 
 std::optional<Token> TokenStream::next() {

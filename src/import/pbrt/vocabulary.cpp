@@ -45,7 +45,7 @@ std::string_view name_of(Treatment treatment) {
 }
 
 std::span<const WordRow> vocabulary() {
-    static const std::vector<WordRow> kAll = [] {
+    static const std::vector<WordRow> all_rows = [] {
         std::vector<WordRow> all;
         for (const std::span<const WordRow> words :
              {std::span<const WordRow>(kDirectiveWords), camera_words(),
@@ -56,7 +56,7 @@ std::span<const WordRow> vocabulary() {
             all.insert(all.end(), words.begin(), words.end());
         return all;
     }();
-    return kAll;
+    return all_rows;
 }
 
 const WordRow* find_word(std::string_view directive, std::string_view word) {

@@ -30,27 +30,27 @@ std::vector<Vec3d> without_repeats(std::span<const Vec3d> corners) {
 
 }  // namespace
 
-bool is_planar_and_convex(std::span<const Vec3d> given) {
-    const std::vector<Vec3d> corners = without_repeats(given);
-    if (corners.size() < 3) return true;
+bool is_planar_and_convex(std::span<const Vec3d> corners) {
+    const std::vector<Vec3d> distinct = without_repeats(corners);
+    if (distinct.size() < 3) return true;
     double size = 0;
     double coordinate = 0;
-    for (const Vec3d& corner : corners) {
-        size = std::max(size, (corner - corners[0]).length());
+    for (const Vec3d& corner : distinct) {
+        size = std::max(size, (corner - distinct[0]).length());
         coordinate = std::max(coordinate, corner.length());
     }
     const double tolerance = kOfSize * size + kOfCoordinates * coordinate;
-    const Vec3d area = area_of(corners);
+    const Vec3d area = area_of(distinct);
     const Vec3d normal = area.length() > tolerance * size ? area.normalized() : Vec3d(0);
     double turn = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec3d& here = corners[(i + 1) % corners.size()];
-        const Vec3d before = here - corners[i];
-        const Vec3d after = corners[(i + 2) % corners.size()] - here;
+    for (std::size_t i = 0; i < distinct.size(); ++i) {
+        const Vec3d& here = distinct[(i + 1) % distinct.size()];
+        const Vec3d before = here - distinct[i];
+        const Vec3d after = distinct[(i + 2) % distinct.size()] - here;
         const Vec3d cross = before.cross(after);
         const double slack = tolerance * (before.length() + after.length());
         if (normal == Vec3d(0) && cross.length() > slack) return false;
-        if (std::abs((here - corners[0]).dot(normal)) > tolerance) return false;
+        if (std::abs((here - distinct[0]).dot(normal)) > tolerance) return false;
         if (cross.dot(normal) < -slack) return false;
         turn += std::atan2(cross.dot(normal), before.dot(after));
     }
