@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace sunfleck::engine {
 namespace {
 
@@ -22,8 +24,8 @@ constexpr double kBlockBand = 0.02;
 /// Brightness of the picture and of its blocks, by batch of one render.
 class Brightness {
 public:
-    Brightness(const Scene& scene, const RenderSettings& settings)
-        : scene_(scene), settings_(settings) {}
+    Brightness(const Scene& scene, RenderSettings settings)
+        : scene_(scene), settings_(std::move(settings)) {}
 
     const std::vector<double>& mean() const { return mean_; }
     const std::vector<double>& block(std::size_t b) const { return blocks_.at(b); }

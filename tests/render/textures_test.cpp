@@ -189,6 +189,7 @@ Shape "sphere" "float radius" .4 "texture alpha" "d"
         const ThreadLimit limit(threads);
         const MeanPicture mean = render_mean(scene, settings, 4);
         std::vector<Vec3d> pixels;
+        pixels.reserve(64);
         for (int i = 0; i < 64; ++i) pixels.push_back(mean.at(i % 8, i / 8));
         return pixels;
     };

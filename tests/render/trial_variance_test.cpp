@@ -118,7 +118,7 @@ TEST(TrialVariance, is_relative_and_leaves_dark_blocks_out) {
     const BlockVariance before = measured(pair, by_chance(), {});
     const auto dim = [&](const auto& pixels) {
         for (Trial* view : {&pair.one, &pair.other})
-            for (PixelValues* values : {&view->camera, &view->lit[0], &view->lit[1]})
+            for (PixelValues* values : {&view->camera, &view->lit.front(), &view->lit.back()})
                 pixels([&](std::size_t i) { values->at(i) *= 1e-3; });
     };
     dim([](const auto& visit) {
