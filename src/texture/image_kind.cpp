@@ -19,18 +19,18 @@ float scaled(const ImageKind& m, float value) {
 
 }  // namespace
 
-float image_number(const FloatImageKind& m, const TexturePoint& point) {
-    const std::array<float, 4> v = texel(m, point);
-    if (m.image->channels() == 1) return scaled(m, v[0]);
-    if (m.image->channels() == 4) return scaled(m, v[3]);
-    return scaled(m, (v[0] + v[1] + v[2]) / 3);
+float image_number(const FloatImageKind& image, const TexturePoint& point) {
+    const std::array<float, 4> v = texel(image, point);
+    if (image.image->channels() == 1) return scaled(image, v[0]);
+    if (image.image->channels() == 4) return scaled(image, v[3]);
+    return scaled(image, (v[0] + v[1] + v[2]) / 3);
 }
 
-Vec3 image_rgb(const ImageKind& m, const TexturePoint& point) {
-    const std::array<float, 4> v = texel(m, point);
-    const bool grey = m.image->channels() == 1;
+Vec3 image_rgb(const ImageKind& image, const TexturePoint& point) {
+    const std::array<float, 4> v = texel(image, point);
+    const bool grey = image.image->channels() == 1;
     const auto channel = [&](std::size_t c) {
-        const float value = scaled(m, v.at(grey ? 0 : c));
+        const float value = scaled(image, v.at(grey ? 0 : c));
         return value > 0 ? value : 0;  // also for NaN
     };
     return {channel(0), channel(1), channel(2)};

@@ -107,11 +107,11 @@ float noise(const Vec3& p) {
     return mixed(near, far, z.weight);
 }
 
-float fbm(Vec3 p, const Octaves& octaves) {
+float fbm(const Vec3& p, const Octaves& octaves) {
     return sum_of_octaves(p, octaves, [](float value) { return value; }).sum;
 }
 
-float turbulence(Vec3 p, const Octaves& octaves) {
+float turbulence(const Vec3& p, const Octaves& octaves) {
     const OctaveSum total = sum_of_octaves(p, octaves, [](float value) { return std::abs(value); });
     return total.sum + total.next_strength * 0.2F;
 }

@@ -20,8 +20,8 @@ struct Octaves {
 };
 
 /// Returns the sum of noise over the octaves.
-float fbm(Vec3 p, const Octaves& octaves);
+float fbm(const Vec3& p, const Octaves& octaves);
 /// Returns the sum of |noise| over the octaves, plus 0.2 for the mean of the next one.
-float turbulence(Vec3 p, const Octaves& octaves);
+float turbulence(const Vec3& p, const Octaves& octaves);
 
 }  // namespace sunfleck::engine

@@ -104,17 +104,17 @@ struct FloatValue : ValueOf<At> {
 
 /// Returns a point of the Bezier curves through the colours of pbrt-v4's marble.
 Vec3 marble_colour(float t) {
-    static const std::array<Vec3, 9> kColours = {
+    static const std::array<Vec3, 9> colours = {
         Vec3(0.58F, 0.58F, 0.6F), Vec3(0.58F, 0.58F, 0.6F), Vec3(0.58F, 0.58F, 0.6F),
         Vec3(0.5F, 0.5F, 0.5F),   Vec3(0.6F, 0.59F, 0.58F), Vec3(0.58F, 0.58F, 0.6F),
         Vec3(0.58F, 0.58F, 0.6F), Vec3(0.2F, 0.2F, 0.33F),  Vec3(0.58F, 0.58F, 0.6F)};
-    constexpr std::size_t kPieces = kColours.size() - 3;
+    constexpr std::size_t kPieces = colours.size() - 3;
     const float place = t * static_cast<float>(kPieces);
     const std::size_t first = std::min(static_cast<std::size_t>(place), kPieces - 1);
     const float s = place - static_cast<float>(first);
     const float r = 1 - s;
-    return (kColours.at(first) * (r * r * r) + kColours.at(first + 1) * (3 * s * r * r) +
-            kColours.at(first + 2) * (3 * s * s * r) + kColours.at(first + 3) * (s * s * s)) *
+    return (colours.at(first) * (r * r * r) + colours.at(first + 1) * (3 * s * r * r) +
+            colours.at(first + 2) * (3 * s * s * r) + colours.at(first + 3) * (s * s * s)) *
            1.5F;
 }
 

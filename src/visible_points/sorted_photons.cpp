@@ -22,7 +22,8 @@ MortonKeys in_order(const std::vector<PhotonChunk>& chunks, const MortonGrid& gr
         chunks.size(), [&](std::size_t b) { return chunks[b].photons.size(); },
         [&](std::size_t b, std::size_t i) {
             const Photon& photon = chunks[b].photons[i];
-            return grid.code(photon.position) >> 1U | std::uint64_t{is_long_chain(photon)} << 62U;
+            const std::uint64_t is_last = is_long_chain(photon) ? 1 : 0;
+            return grid.code(photon.position) >> 1U | is_last << 62U;
         },
         kSortedBits);
 }

@@ -76,7 +76,7 @@ private:
     Ran run_with(const Words& words, const std::string& fault) const {
         const Words start{"120",
                           "/usr/bin/env",
-                          "LD_PRELOAD=" SUNFLECK_FAULTS,
+                          std::string("LD_PRELOAD=") + SUNFLECK_FAULTS,
                           "SUNFLECK_FAULT=" + fault,
                           "SUNFLECK_FAULT_COUNT=" + path("count"),
                           SUNFLECK_PROGRAM};

@@ -24,6 +24,7 @@ public:
         argv.push_back(nullptr);
         pid_ = ::forkpty(&terminal_, nullptr, nullptr, &size);
         if (pid_ != 0) return;
+        // NOLINTNEXTLINE(concurrency-mt-unsafe): a forked process has one thread
         ::setenv("TERM", kind, 1);
         if (::chdir(folder.c_str()) == 0) ::execv(SUNFLECK_PROGRAM, argv.data());
         ::_exit(99);
@@ -45,7 +46,7 @@ public:
         if (terminal_ >= 0) ::close(terminal_);
         terminal_ = -1;
     }
-    int wait() {
+    int wait() const {
         int status = 0;
         ::waitpid(pid_, &status, 0);
         return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);

@@ -234,7 +234,7 @@ TEST(CameraPath, the_sky_is_emission) {
 // whatever their numbers of paths.
 TEST(CameraPath, the_paths_of_a_pixel_share_its_light) {
     SceneDescription description = seen_from_above({square(0, 0)});
-    description.lights.push_back(InfiniteLight{Spectrum::constant(0)});
+    description.lights.emplace_back(InfiniteLight{Spectrum::constant(0)});
     const Scene scene(description);
     const PassId id{2, 0};
     const PassScene at(scene, id);

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 class InputFile : public testing::Test {
-protected:
+public:
     InputFile() { fs::create_directories(folder_ / "tex"); }
     ~InputFile() override { fs::remove_all(folder_); }
     InputFile(const InputFile&) = delete;
@@ -21,6 +21,7 @@ protected:
     InputFile(InputFile&&) = delete;
     InputFile& operator=(InputFile&&) = delete;
 
+protected:
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
     std::string fault(const std::string& name) const {

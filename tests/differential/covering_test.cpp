@@ -59,6 +59,7 @@ TEST(GuideCoverage, a_seed_gives_the_same_choices_and_another_one_others) {
     const auto of_seed = [&](std::uint64_t seed) {
         CoveringChoices choices(table, seed);
         std::vector<Choice> all;
+        all.reserve(20);
         for (int i = 0; i < 20; ++i) all.push_back(choices.next());
         return all;
     };

@@ -53,7 +53,7 @@ TEST(Equivalence, false_alarms_are_as_rare_as_asked_for) {
     constexpr int kTrials = 20000;
     int alarms = 0;
     for (int i = 0; i < kTrials; ++i)
-        alarms += decide(four(), four(), 0, 0.005) == Verdict::different;  // of each side
+        alarms += decide(four(), four(), 0, 0.005) == Verdict::different ? 1 : 0;  // of each side
     EXPECT_LT(alarms, 0.013 * kTrials);
     EXPECT_GT(alarms, 0.004 * kTrials);
 }

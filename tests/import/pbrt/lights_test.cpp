@@ -126,25 +126,25 @@ TEST(Options, are_known_or_told) {
 TEST(Lights, whose_products_overflow_floats_are_told_with_the_product) {
     const MemoryFiles files = {
         {"sky.pfm", testing_support::pfm_file("Pf\n1 1\n-1\n", {1e30F}, true)}};
-    const std::string kBright = "[ 1e20 1e20 1e20 ] \"float scale\" 1e20";
-    const std::string kSky = "\"string filename\" \"sky.pfm\" \"float scale\" 1e20";
-    const std::string kPortal = "\"point3 portal\" [ 0 0 0 1 0 0 1 1 0 0 1 0 ] ";
+    const std::string bright = "[ 1e20 1e20 1e20 ] \"float scale\" 1e20";
+    const std::string sky = "\"string filename\" \"sky.pfm\" \"float scale\" 1e20";
+    const std::string portal = "\"point3 portal\" [ 0 0 0 1 0 0 1 1 0 0 1 0 ] ";
     const std::array<std::pair<std::string, std::string>, 13> rows = {{
-        {"LightSource \"point\" \"rgb I\" " + kBright, "\"I\" times \"scale\""},
-        {"LightSource \"spot\" \"rgb I\" " + kBright, "\"I\" times \"scale\""},
+        {"LightSource \"point\" \"rgb I\" " + bright, "\"I\" times \"scale\""},
+        {"LightSource \"spot\" \"rgb I\" " + bright, "\"I\" times \"scale\""},
         {"LightSource \"spot\" \"float coneangle\" 0.001 \"float power\" 1e38", "\"power\""},
-        {"LightSource \"distant\" \"rgb L\" " + kBright, "\"L\" times \"scale\""},
+        {"LightSource \"distant\" \"rgb L\" " + bright, "\"L\" times \"scale\""},
         {"LightSource \"distant\" \"blackbody L\" 6500 \"float scale\" 1e20 "
          "\"float illuminance\" 1e20",
          "\"L\" times \"scale\" times \"illuminance\""},
-        {"LightSource \"infinite\" \"rgb L\" " + kBright, "\"L\" times \"scale\""},
-        {"LightSource \"infinite\" " + kSky, "\"filename\" times \"scale\""},
-        {"LightSource \"infinite\" " + kPortal + kSky, "\"filename\" times \"scale\""},
-        {"LightSource \"infinite\" " + kPortal + "\"rgb L\" " + kBright, "\"L\" times"},
-        {"LightSource \"goniometric\" " + kSky, "\"filename\" times \"scale\""},
-        {"LightSource \"projection\" " + kSky, "\"filename\" times \"scale\""},
-        {"AreaLightSource \"diffuse\" \"rgb L\" " + kBright, "\"L\" times \"scale\""},
-        {"AreaLightSource \"diffuse\" " + kSky, "\"filename\" times \"scale\""},
+        {"LightSource \"infinite\" \"rgb L\" " + bright, "\"L\" times \"scale\""},
+        {"LightSource \"infinite\" " + sky, "\"filename\" times \"scale\""},
+        {"LightSource \"infinite\" " + portal + sky, "\"filename\" times \"scale\""},
+        {"LightSource \"infinite\" " + portal + "\"rgb L\" " + bright, "\"L\" times"},
+        {"LightSource \"goniometric\" " + sky, "\"filename\" times \"scale\""},
+        {"LightSource \"projection\" " + sky, "\"filename\" times \"scale\""},
+        {"AreaLightSource \"diffuse\" \"rgb L\" " + bright, "\"L\" times \"scale\""},
+        {"AreaLightSource \"diffuse\" " + sky, "\"filename\" times \"scale\""},
     }};
     for (const auto& [text, product] : rows) {
         const std::string fault = world_error(text, files);

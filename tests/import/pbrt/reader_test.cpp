@@ -4,6 +4,8 @@
 #include "import/pbrt/scene_text.h"
 #include "support/no_access.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
