@@ -60,7 +60,7 @@ TEST_P(FluxSums, are_those_of_a_loop) {
             BlockLight actual = expected;
             for (const TakenPhoton& t : list)
                 for (std::size_t i = 0; i < expected.size(); ++i)
-                    if ((t.accepting & points) >> i & 1U && all[t.photon].kind == kind)
+                    if (((t.accepting & points) >> i & 1U) != 0 && all[t.photon].kind == kind)
                         expected[i] += all[t.photon].flux;
             add_flux(all, list, kind, points, actual);
             EXPECT_EQ(actual, expected) << count;
