@@ -16,25 +16,33 @@
 
 namespace sunfleck::engine {
 
-/// Traces guided paths again. @param plan  with a most weight.
-/// @param numbers  of the visible paths whose weight was bounded.
+/// What guided paths of a pass leave.
+struct GuidedRemainder {
+    PassId pass;
+    const GuidedPlan& guided;                // with a most weight
+    const LevelPlan& level;                  // of the visible set
+    std::span<const std::uint32_t> bounded;  // numbers of visible paths whose weight was bounded
+};
+
+/// Traces the bounded paths again.
 /// @return them as survivors, with weights whose sum estimates the measure of the chains' target.
 template <PathSpace Space>
-Population bounded_paths(const Space& space, PassId pass, const GuidedPlan& plan,
-                         std::span<const std::uint32_t> numbers, typename Space::Tally& tally) {
-    const GuidedPoints points(pass, plan.map, plan.most_weight);
+Population bounded_paths(const Space& space, const GuidedRemainder& rest,
+                         typename Space::Tally& tally) {
+    const GuidedPlan& guided = rest.guided;
+    const GuidedPoints points(rest.pass, guided.map, guided.most_weight);
     constexpr std::size_t kBlock = 64;
-    std::vector<Survivor> survivors(numbers.size());
-    std::vector<typename Space::Tally> tallies((numbers.size() + kBlock - 1) / kBlock);
-    parallel_blocks(numbers.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    std::vector<Survivor> survivors(rest.bounded.size());
+    std::vector<typename Space::Tally> tallies((rest.bounded.size() + kBlock - 1) / kBlock);
+    parallel_blocks(rest.bounded.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         typename Space::Path path;
         for (std::size_t i = begin; i < end; ++i) {
-            const GuidedPoints::Reader reader = points.path(numbers[i]);
+            const GuidedPoints::Reader reader = points.path(rest.bounded[i]);
             Survivor& survivor = survivors[i];
             space.trace(RecordingReader(reader, survivor.sample), path, tallies[begin / kBlock]);
             survivor.height = space.height(path);
-            survivor.weight = reader.unbounded_weight() / plan.paths *
-                              plan.for_chains(survivor.sample).importance;
+            survivor.weight = reader.unbounded_weight() / guided.paths *
+                              guided.for_chains(survivor.sample).importance;
         }
     });
     for (const auto& some : tallies) tally += some;
@@ -44,17 +52,16 @@ Population bounded_paths(const Space& space, PassId pass, const GuidedPlan& plan
     return population;
 }
 
-/// Runs chains from these paths. @param level  of the visible set. @param numbers  see
-/// bounded_paths(). @return counts: level 0 is empty.
+/// Runs chains from the bounded paths. @return counts: level 0 is empty.
 template <PathSpace Space, PathSink<Space> Sink>
-SplittingCounts bring_remainder(const Space& space, PassId pass, const GuidedPlan& plan,
-                                const LevelPlan& level, std::span<const std::uint32_t> numbers,
-                                Sink& sink, typename Space::Tally& tally) {
-    const Population survivors = bounded_paths(space, pass, plan, numbers, tally);
+SplittingCounts bring_remainder(const Space& space, const GuidedRemainder& rest, Sink& sink,
+                                typename Space::Tally& tally) {
+    const Population survivors = bounded_paths(space, rest, tally);
     SplittingCounts counts{{{}}, {survivors.units()}, {}, 0};
     if (survivors.units() == 0) return counts;
-    counts.visible_fraction = run_last_level(Level<Space>(space, pass, 1, level, survivors, &plan),
-                                             survivors, sink, counts.levels.emplace_back(), tally);
+    const Level<Space> level(space, rest.pass, 1, rest.level, survivors, &rest.guided);
+    counts.visible_fraction =
+        run_last_level(level, survivors, sink, counts.levels.emplace_back(), tally);
     return counts;
 }
 

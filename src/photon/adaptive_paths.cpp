@@ -1,7 +1,6 @@
 // Conversion of the splitting's paths to photons.
 #include "photon/adaptive_paths.h"
 
-#include "chains/guided_remainder.h"
 #include "photon/photon_space.h"
 #include "random_numbers/emission_points.h"
 
@@ -71,17 +70,15 @@ AdaptivePaths trace_adaptive_paths(const PhotonContext& photon_context,
 }
 
 AdaptivePaths trace_remainder(const PhotonContext& photon_context, const VisiblePointOctree& octree,
-                              PassId pass, const LightStratum& stratum,
-                              std::span<const std::uint32_t> bounded,
+                              const LightChoice& lights, const GuidedRemainder& rest,
                               const DepositChunks& deposit) {
-    const PhotonTracer tracer(photon_context.scene, photon_context.transport, stratum.lights);
+    const PhotonTracer tracer(photon_context.scene, photon_context.transport, lights);
     const PhotonSpace space(tracer, photon_context.index, octree);
     AdaptivePaths paths;
     auto& [splitting, counts] = paths;
     PhotonSink sink{deposit, counts};
     Statistics traced;
-    splitting = bring_remainder(space, pass, stratum.guided, stratum.plan.levels.back(), bounded,
-                                sink, traced);
+    splitting = bring_remainder(space, rest, sink, traced);
     counts += traced;
     count_chains(splitting, 1, counts);
     return paths;

@@ -4,12 +4,11 @@
 // weighted so that their sum is the light of the stratum in this pass: the estimate's N is one.
 #pragma once
 
+#include "chains/guided_remainder.h"
 #include "photon/light_stratum.h"
 #include "visible_points/photon_chunk.h"
 
-#include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -29,11 +28,10 @@ AdaptivePaths trace_adaptive_paths(const PhotonContext& photon_context,
                                    const VisiblePointOctree& octree, PassId pass,
                                    const LightStratum& stratum, const DepositChunks& deposit);
 
-/// Brings what the guided paths of a stratum leave, because their weight is bounded.
-/// @param stratum  with a plan of one level. @param bounded  numbers of the visible paths whose
-/// weight was bounded.
+/// Brings what guided paths leave, because their weight is bounded. @param lights  where they
+/// start.
 AdaptivePaths trace_remainder(const PhotonContext& photon_context, const VisiblePointOctree& octree,
-                              PassId pass, const LightStratum& stratum,
-                              std::span<const std::uint32_t> bounded, const DepositChunks& deposit);
+                              const LightChoice& lights, const GuidedRemainder& rest,
+                              const DepositChunks& deposit);
 
 }  // namespace sunfleck::engine

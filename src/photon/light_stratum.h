@@ -32,7 +32,8 @@ struct LightStratum {
     double power_share = 1;    // fraction of the power of all lights
     std::uint32_t number = 0;  // names the random numbers: see PassId
 
-    /// Returns whether all paths start by a guide of full support, if they do not by chains.
+    /// Returns whether a guide of full support starts all paths; chains may bring what bounded
+    /// weights leave.
     bool has_full_guide() const { return plan.uniform_paths == 0 && guided.paths > 0; }
     std::uint64_t paths() const { return plan.paths() + guided.paths; }
 };

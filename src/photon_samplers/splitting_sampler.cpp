@@ -38,9 +38,9 @@ private:
         const TracedPaths guided = trace_guided_paths(pass_, stratum, target_, totals_);
         counts.visible_fraction = guided.visible_weight / stratum.guided.paths;
         if (stratum.plan.levels.empty()) return;
-        take(trace_remainder(context(), octree(), id_of(stratum), stratum, guided.bounded,
-                             depositor()),
-             counts);
+        const GuidedRemainder rest{id_of(stratum), stratum.guided, stratum.plan.levels.back(),
+                                   guided.bounded};
+        take(trace_remainder(context(), octree(), stratum.lights, rest, depositor()), counts);
     }
 
     void take(AdaptivePaths&& paths, StratumCounts& counts) {

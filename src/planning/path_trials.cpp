@@ -113,10 +113,9 @@ std::vector<double> block_sums(const BlockGrid& blocks, const PixelValues& value
     return sums;
 }
 
-PathTrials try_paths(const PhotonContext& context, const LightChoice& lights,
-                     const EmissionGuide& guide, const BlockGrid& blocks, PassId pass,
-                     std::uint32_t count) {
-    const PhotonTracer tracer(context.scene, context.transport, lights);
+PathTrials try_paths(const PhotonContext& context, const EmissionGuide& guide,
+                     const BlockGrid& blocks, PassId pass, std::uint32_t count) {
+    const PhotonTracer tracer(context.scene, context.transport, context.scene.scene.light_choice());
     const GuidedPoints points(pass, guide);
     const std::vector<PhotonChunk> chunks =
         trace_chunks(tracer, points, {0, count},

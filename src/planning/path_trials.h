@@ -31,8 +31,7 @@ struct PathTrials {
 };
 
 /// @param pass  names the random numbers.
-PathTrials try_paths(const PhotonContext& context, const LightChoice& lights,
-                     const EmissionGuide& guide, const BlockGrid& blocks, PassId pass,
-                     std::uint32_t count);
+PathTrials try_paths(const PhotonContext& context, const EmissionGuide& guide,
+                     const BlockGrid& blocks, PassId pass, std::uint32_t count);
 
 }  // namespace sunfleck::engine

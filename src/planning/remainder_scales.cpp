@@ -13,16 +13,15 @@ constexpr GuideSampleBudget kTries{1024, 16};
 }  // namespace
 
 MutationScales remainder_scales(const PhotonContext& context, const LightChoice& lights,
-                                const GuidedPlan& guided, const std::vector<EmissionPoint>& starts,
+                                const GuidedPlan& guided,
+                                const std::vector<WeightedEmission>& starts,
                                 const PilotName& name) {
     const PhotonTracer tracer(context.scene, context.transport, lights);
     const VisiblePointOctree octree = octree_of(context);
     const PhotonSpace space(tracer, context.index, octree);
     ChainWalk<PhotonSpace> walk(space, name, &guided);
     Statistics unused;
-    std::vector<WeightedEmission> points;
-    for (const EmissionPoint& start : starts) points.push_back({start, 1});
-    Population population = visible_from(space, points, walk.next_iteration(), unused, kTries);
+    Population population = visible_from(space, starts, walk.next_iteration(), unused, kTries);
     MutationScales scales;
     if (population.units() > 0)
         walk.until_settled(kVisible, kTargetAcceptance, scales, population, unused);

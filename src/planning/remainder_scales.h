@@ -12,7 +12,7 @@ namespace sunfleck::engine {
 /// @param guided  with a most weight. @param starts  where visible paths start that would weigh
 /// more.
 MutationScales remainder_scales(const PhotonContext& context, const LightChoice& lights,
-                                const GuidedPlan& guided, const std::vector<EmissionPoint>& starts,
-                                const PilotName& name);
+                                const GuidedPlan& guided,
+                                const std::vector<WeightedEmission>& starts, const PilotName& name);
 
 }  // namespace sunfleck::engine

@@ -79,7 +79,7 @@ public:
         for (std::uint32_t round = 0; round < kMostWorthRounds; ++round) {
             const PassId pass = name_.iteration(kWorthIteration + round);
             const std::size_t visible =
-                add_round(guide, try_paths(context_, lights_, guide, blocks_, pass, trials_));
+                add_round(guide, try_paths(context_, guide, blocks_, pass, trials_));
             guide = corrected();
             if (round + 1 >= kLeastRounds && kFew * visible >= trials_ && 2 * visible < 3 * before)
                 break;
@@ -163,8 +163,7 @@ private:
             parts.push_back({guide.density(point.point), point.weight});
         WorthGuide result{std::move(guide), bound_of_weights(parts), {}};
         for (std::size_t i = 0; i < parts.size(); ++i)
-            if (parts[i].density * result.most_weight < 1)
-                result.bounded.push_back(worth_[i].point);
+            if (parts[i].density * result.most_weight < 1) result.bounded.push_back(worth_[i]);
         return result;
     }
 

@@ -18,9 +18,9 @@
 namespace sunfleck::engine {
 
 struct WorthGuide {
-    EmissionGuide map;                   // the identity if nothing in the scene bends light
-    double most_weight = kUnbounded;     // of a path: chains bring what is left
-    std::vector<EmissionPoint> bounded;  // where trials of worth started that would weigh more
+    EmissionGuide map;                      // the identity if nothing in the scene bends light
+    double most_weight = kUnbounded;        // of a path: chains bring what is left
+    std::vector<WeightedEmission> bounded;  // where trials of worth started that would weigh more
 };
 
 /// @param context  whose camera paths bring what diffuse surfaces send on first

@@ -100,7 +100,7 @@ PassSums run_bounded(const Space& space, PassId pass, const LevelPlan& level,
     }
     sink.take(std::move(one));
     const double guided_weight = sums.weight;
-    sums.counts = bring_remainder(space, pass, guided, level, bounded, sink, tally);
+    sums.counts = bring_remainder(space, {pass, guided, level, bounded}, sink, tally);
     sums.visible_fraction = guided_weight + sums.counts.visible_fraction;
     return sums;
 }

@@ -55,8 +55,7 @@ TEST(PathTrials, bring_what_a_pass_brings) {
     ASSERT_FALSE(guide.is_identity());
     const auto light = [&](const EmissionGuide& through, std::uint32_t number) {
         constexpr std::uint32_t kPaths = 20'000;
-        const PathTrials trials =
-            try_paths(context, scene.light_choice(), through, blocks, {1, 100 + number}, kPaths);
+        const PathTrials trials = try_paths(context, through, blocks, {1, 100 + number}, kPaths);
         EXPECT_EQ(trials.points.size(), kPaths);
         double sum = 0;
         for (std::size_t i = 0; i < trials.light.size(); ++i) {
