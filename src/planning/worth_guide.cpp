@@ -21,7 +21,7 @@ constexpr std::uint32_t kMostTrials = 50'000;
 constexpr std::uint32_t kLeastRounds = 3;
 constexpr std::size_t kFew = 50;
 
-constexpr EmissionGuide::Growth kGrowth{0.05, 4, 0.01};
+constexpr EmissionGuide::Growth kGrowth{.uniform_share = 0.05, .least_gain = 4, .spread = 0.01};
 /// Of the guide's mass: a lasting share of where samples of casters and trials were.
 constexpr double kKept = 0.3;
 /// Of the picture's brightness: pixels darker than that are no worse than it.
