@@ -24,6 +24,14 @@ struct GuidedRemainder {
     std::span<const std::uint32_t> bounded;  // numbers of visible paths whose weight was bounded
 };
 
+/// Some guided points.
+struct ChosenPoints {
+    const GuidedPoints& points;
+    std::span<const std::uint32_t> numbers;
+
+    GuidedPoints::Reader path(std::uint32_t i) const { return points.path(numbers[i]); }
+};
+
 /// Traces the bounded paths again.
 /// @return them as survivors, with weights whose sum estimates the measure of the chains' target.
 template <PathSpace Space>
@@ -31,25 +39,14 @@ Population bounded_paths(const Space& space, const GuidedRemainder& rest,
                          typename Space::Tally& tally) {
     const GuidedPlan& guided = rest.guided;
     const GuidedPoints points(rest.pass, guided.map, guided.most_weight);
-    constexpr std::size_t kBlock = 64;
-    std::vector<Survivor> survivors(rest.bounded.size());
-    std::vector<typename Space::Tally> tallies((rest.bounded.size() + kBlock - 1) / kBlock);
-    parallel_blocks(rest.bounded.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-        typename Space::Path path;
-        for (std::size_t i = begin; i < end; ++i) {
-            const GuidedPoints::Reader reader = points.path(rest.bounded[i]);
-            Survivor& survivor = survivors[i];
-            space.trace(RecordingReader(reader, survivor.sample), path, tallies[begin / kBlock]);
-            survivor.height = space.height(path);
-            survivor.weight = reader.unbounded_weight() / guided.paths *
-                              guided.for_chains(survivor.sample).importance;
-        }
-    });
-    for (const auto& some : tallies) tally += some;
-    Population population;
-    for (Survivor& survivor : survivors)
-        if (survivor.height == kVisible && survivor.weight > 0) population.add(std::move(survivor));
-    return population;
+    const auto keep = [&](std::vector<Survivor>& survivors, const GuidedPoints::Reader& reader,
+                          const StoredSample& sample, const typename Space::Path&, int height) {
+        const double weight =
+            reader.unbounded_weight() / guided.paths * guided.for_chains(sample).importance;
+        if (height == kVisible && weight > 0) survivors.push_back({sample, 1, height, weight});
+    };
+    return traced_level(space, ChosenPoints{points, rest.bounded}, rest.bounded.size(), keep, tally)
+        .population;
 }
 
 /// Runs chains from the bounded paths. @return counts: level 0 is empty.

@@ -8,10 +8,9 @@
 
 #include "chains/path_space.h"
 #include "chains/stored_sample.h"
-#include "guide/emission_guide.h"
+#include "guide/guided_points.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace sunfleck::engine {
 
@@ -29,8 +28,6 @@ struct ChainShare {
     double importance = 1;  // the target density up to a factor: zero if they never go there
     double light = 1;       // fraction of the sample's light that they bring
 };
-
-inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// Guided paths of a pass, and how they share the light with chains. There are two ways:
 /// - Beside splitting, they bring a fraction of the light of the region that the map covers, eq.

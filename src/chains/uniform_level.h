@@ -52,25 +52,38 @@ LevelCounts trace_range(const Space& space, const Points& points, const PathRang
     return counts;
 }
 
-/// @tparam Points  path(number) -> a primary-sample reader, uniform in its marginal distribution.
-/// @param least_height  of the paths that are kept.
-template <PathSpace Space, class Points>
-UniformLevel uniform_level(const Space& space, const Points& points, std::uint32_t count,
-                           int least_height, typename Space::Tally& tally) {
+/// Traces paths 0 .. count - 1. @param keep  called as keep(survivors, reader, sample, path,
+/// height) to append those that survive.
+template <PathSpace Space, class Points, class Keep>
+UniformLevel traced_level(const Space& space, const Points& points, std::size_t count,
+                          const Keep& keep, typename Space::Tally& tally) {
     using Block = PathBlock<Space>;
     std::vector<Block> blocks(Block::needed(count));
     parallel_blocks(count, Block::kPaths, [&](std::size_t begin, std::size_t end) {
         Block& block = blocks[begin / Block::kPaths];
         block.counts = trace_range(
             space, points, {begin, end},
-            [&](const auto&, const StoredSample& sample, const typename Space::Path&, int height) {
-                if (height >= least_height) block.survivors.push_back({sample, 1, height});
-            },
+            [&](const auto& reader, const StoredSample& sample, const typename Space::Path& path,
+                int height) { keep(block.survivors, reader, sample, path, height); },
             block.tally);
     });
     UniformLevel level;
     level.take(std::move(blocks), tally);
     return level;
+}
+
+/// @tparam Points  path(number) -> a primary-sample reader, uniform in its marginal distribution.
+/// @param least_height  of the paths that are kept.
+template <PathSpace Space, class Points>
+UniformLevel uniform_level(const Space& space, const Points& points, std::uint32_t count,
+                           int least_height, typename Space::Tally& tally) {
+    return traced_level(
+        space, points, count,
+        [&](std::vector<Survivor>& survivors, const auto&, const StoredSample& sample,
+            const typename Space::Path&, int height) {
+            if (height >= least_height) survivors.push_back({sample, 1, height});
+        },
+        tally);
 }
 
 }  // namespace sunfleck::engine

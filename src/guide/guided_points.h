@@ -14,12 +14,14 @@
 
 namespace sunfleck::engine {
 
+/// A bound of weights that leaves nothing.
+inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
 class GuidedPoints {
 public:
     /// @param pass  its own uniform points are independent of these. @param map  must outlive this.
     /// @param most_weight  the bound: chains bring what it leaves.
-    GuidedPoints(PassId pass, const EmissionGuide& map,
-                 double most_weight = std::numeric_limits<double>::infinity())
+    GuidedPoints(PassId pass, const EmissionGuide& map, double most_weight = kUnbounded)
         : points_(pass.with_stratum(PassId::kStrata / 2)), guide_(map), most_weight_(most_weight) {}
 
     class Reader {

@@ -101,19 +101,17 @@ void EpochLearner::plan_chains() {
 
 void EpochLearner::plan_independent_paths() {
     const LightChoice& lights = context_->scene.scene.light_choice();
-    GuidedPlan by_worth;
+    WorthGuide guide;
     MutationScales scales;
     if (settings_.emission_guide) {
-        WorthGuide guide =
-            learned_worth_guide(*context_, camera_.window, *seen_, name_, epoch_.paths);
-        const bool bends_nothing = guide.map.is_identity();
+        guide = learned_worth_guide(*context_, camera_.window, *seen_, name_, epoch_.paths);
+        const bool bends_nothing = guide.plan.map.is_identity();
         if (bends_nothing && !settings_.paths_per_pass)
             epoch_.paths = std::min(epoch_.paths, kFewPaths);
-        by_worth.map = std::move(guide.map);
-        by_worth.most_weight = guide.most_weight;
-        scales = remainder_scales(*context_, lights, by_worth, guide.bounded, name_);
+        if (!guide.bounded.empty())
+            scales = remainder_scales(*context_, lights, guide.plan, guide.bounded, name_);
     }
-    planner_ = [&lights, by_worth, scales](std::uint32_t paths) {
+    planner_ = [&lights, by_worth = std::move(guide.plan), scales](std::uint32_t paths) {
         return in_one_stratum(lights, by_worth, scales, paths);
     };
 }

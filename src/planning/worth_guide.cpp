@@ -161,9 +161,11 @@ private:
         std::vector<WorthPart> parts;
         for (const WeightedEmission& point : worth_)
             parts.push_back({guide.density(point.point), point.weight});
-        WorthGuide result{std::move(guide), bound_of_weights(parts), {}};
+        WorthGuide result;
+        result.plan.map = std::move(guide);
+        result.plan.most_weight = bound_of_weights(parts);
         for (std::size_t i = 0; i < parts.size(); ++i)
-            if (parts[i].density * result.most_weight < 1) result.bounded.push_back(worth_[i]);
+            if (parts[i].density * result.plan.most_weight < 1) result.bounded.push_back(worth_[i]);
         return result;
     }
 

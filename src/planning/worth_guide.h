@@ -18,8 +18,8 @@
 namespace sunfleck::engine {
 
 struct WorthGuide {
-    EmissionGuide map;                      // the identity if nothing in the scene bends light
-    double most_weight = kUnbounded;        // of a path: chains bring what is left
+    GuidedPlan
+        plan;  // of no paths yet; its map is the identity if nothing in the scene bends light
     std::vector<WeightedEmission> bounded;  // where trials of worth started that would weigh more
 };
 
