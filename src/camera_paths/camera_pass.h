@@ -15,6 +15,9 @@ namespace sunfleck::engine {
 /// Pixel i has 2^log2_samples[i] camera paths of equal weight; one path if the list is empty.
 using Log2Samples = std::vector<std::uint8_t>;
 
+/// One for a pixel whose discs may reach over the edge of a surface.
+using EdgePixels = std::vector<std::uint8_t>;
+
 struct CameraPass {
     const PassScene& scene;
     const TransportSettings& transport;
@@ -29,6 +32,8 @@ struct CameraPass {
     float indirect_radius_scale = static_cast<float>(
         sunfleck::engine::indirect_radius_scale(settings, scene.scene.film().resolution));
     std::span<const std::uint8_t> log2_samples = {};  // Log2Samples
+    std::span<const std::uint8_t> edges =
+        {};  // EdgePixels: the others are not probed, unless empty
     /// The rays of each pixel's paths are added here, unless it is empty.
     std::span<std::uint64_t> rays = {};
     Subpass subpass = {};

@@ -16,7 +16,8 @@ struct CameraPathSettings {
     std::optional<double> radius;             // in place of that: initial radius in scene units
     std::optional<double> indirect_radius{};  // of discs for indirect photons, over that for
                                               // others; 1 or more; see indirect_radius_scale()
-    bool ris = true;  // several light samples per vertex, or one picked from several
+    bool edges = true;  // discs are probed for edges of surfaces; see edge_probes.h
+    bool ris = true;    // several light samples per vertex, or one picked from several
 };
 
 /// Returns (side / other)^(5/8), where the side is the square root of the number of pixels. Pixels

@@ -2,9 +2,23 @@
 #include "camera_paths/trace_camera_paths.h"
 
 #include "camera_paths/camera_path.h"
+#include "camera_paths/edge_probes.h"
 #include "core/parallel.h"
 
 namespace sunfleck::engine {
+namespace {
+
+/// Probes the discs of a pixel. @param points  of a block, the pixel's from `first` on.
+void probe(const CameraPass& pass, std::size_t pixel, std::vector<VisiblePoint>& points,
+           std::size_t first) {
+    if (!pass.settings.edges || first == points.size()) return;
+    if (!pass.edges.empty() && pass.edges[pixel] == 0) return;
+    probe_edges(pass.scene, std::span(points).subspan(first),
+                pass.id.subpass(pass.subpass.number).stream(Purpose::edge_probe, pixel));
+}
+
+}  // namespace
+
 VisiblePointLists trace_camera_paths(const CameraPass& pass, PassImage& image,
                                      Statistics& statistics) {
     constexpr std::size_t kBlock = 256;
@@ -22,10 +36,12 @@ VisiblePointLists trace_camera_paths(const CameraPass& pass, PassImage& image,
             PathOfPixel path{0, pass.log2_samples.empty() ? 0U : pass.log2_samples[pixel],
                              pass.subpass};
             const std::uint64_t before = count[Count::camera_rays];
+            const std::size_t first = lists[block].size();
             for (; path.number < path.count(); ++path.number)
                 CameraPath(pass, filter, image, lists[block], count)
                     .trace(static_cast<std::uint32_t>(pixel), path);
             count[Count::camera_paths] += path.count();
+            probe(pass, pixel, lists[block], first);
             if (!pass.rays.empty()) pass.rays[pixel] += count[Count::camera_rays] - before;
         }
         count[Count::visible_points] += lists[block].size();

@@ -50,7 +50,8 @@ enum class Purpose : std::uint32_t {
     metropolis_choice,
     importon,
     edge_search,
-    caster
+    caster,
+    edge_probe
 };
 
 /// Converts a 64-bit fraction to a double of the open interval (0,1): an odd multiple of 2^-53.

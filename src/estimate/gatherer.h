@@ -165,7 +165,7 @@ private:
     }
 
     SampledSpectrum share(std::size_t i, PhotonKind kind) const {
-        return share_of(point(i), all_.index.radius(block_, i, kind), all_.paths);
+        return share_of(point(i), kind, all_.index.radius(block_, i, kind), all_.paths);
     }
 
     void add(std::size_t i, const Photon& photon, BlockLight& light) const {

@@ -1,6 +1,6 @@
 // The contribution of one photon to the radiance estimate at a visible point, in two factors.
 //
-// L = 1 / (N pi r^2) sum over photons of throughput * f(w, wo) * flux * |n_s.w| / |n_g.w|.
+// L = 1 / (N pi r^2 s) sum over photons of throughput * f(w, wo) * flux * |n_s.w| / |n_g.w|.
 // Source: paper section 3.1 (progressive density estimation); Hachisuka and Jensen 2009, eq. 8,
 // with one radius per pass; shading normals: photon density measures |n_g.w|, a bsdf |n_s.w|
 // (Veach, Robust Monte Carlo Methods, 1997, section 5.3.2). n_g is the normal at the photon: beyond
@@ -44,11 +44,13 @@ inline SampledSpectrum light_of(const PassScene& pass, const VisiblePoint& point
     return point.bsdf == kLambertian ? light : light * gather_lobe(pass, point, photon.w);
 }
 
-/// Returns the factor that all photons of a point share.
-/// @param radius  of its gather disc.
+/// Returns the factor that all photons of a kind share at a point.
+/// @param radius  of its gather disc for them.
 /// @param paths  N.
-inline SampledSpectrum share_of(const VisiblePoint& point, float radius, std::uint32_t paths) {
-    return point.throughput * (1 / (static_cast<float>(paths) * (kPi * radius * radius)));
+inline SampledSpectrum share_of(const VisiblePoint& point, PhotonKind kind, float radius,
+                                std::uint32_t paths) {
+    const float surface = kPi * radius * radius / point.disc_over_surface.at(radius_number(kind));
+    return point.throughput * (1 / (static_cast<float>(paths) * surface));
 }
 
 /// Returns the AOV of the light that a photon of this kind brings to this point.

@@ -96,6 +96,14 @@ std::vector<RenderFlag> gathering_flags() {
          .default_value = "2 to 3.1, more in pictures of more than 512 pixels a side; less where a "
                           "radius is given; with the sampler paper 1",
          .needs = {needs_photon_mapping(), refused_by_paper("is 1 with the sampler paper")}},
+        {.name = "--edges",
+         .value =
+             one_of({{"auto", "light is divided by the share of the disc that lies on a surface"},
+                     {"off", "discs that reach over an edge lose light"}},
+                    [](auto& r, const auto& name) { r.settings.camera.edges = name == "auto"; }),
+         .help = "Gather discs at the edges of surfaces; with the sampler paper off",
+         .needs = {needs_photon_mapping(),
+                   of_value("auto", refused_by_paper("is off with the sampler paper"))}},
         {.name = "--alpha",
          .value = number(1e-6, 1 - 1e-6, [](auto& r, const auto& x) { r.settings.alpha = x; }),
          .help = "How slowly radii shrink: areas go with the number of passes to the power of "

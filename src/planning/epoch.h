@@ -32,6 +32,7 @@ struct Epoch {
     std::uint32_t weight = 1;          // of a pass in the mean over passes
     TransportSettings transport{};     // with the way that brings indirect light
     Log2Samples log2_samples;          // of a subpass's camera paths
+    EdgePixels edges;                  // where discs are probed
     std::vector<LightStratum> strata;  // at least one, unless the scene is dark
     double seconds = 0;
 };

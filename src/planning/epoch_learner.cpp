@@ -7,6 +7,7 @@
 #include "math/wavelengths.h"
 #include "photon/light_strata.h"
 #include "photon_samplers/samplers.h"
+#include "planning/edge_pixels.h"
 #include "planning/photon_budget.h"
 #include "planning/remainder_scales.h"
 #include "planning/trial_iterations.h"
@@ -65,7 +66,11 @@ std::vector<LightStratum> in_one_stratum(const LightChoice& lights, const Guided
 EpochLearner::EpochLearner(const PassScene& scene, const RenderSettings& settings,
                            IndirectLight way, std::uint32_t epoch)
     : settings_(settings.photon),
-      epoch_{.number = epoch, .transport = settings.transport, .log2_samples = {}, .strata = {}},
+      epoch_{.number = epoch,
+             .transport = settings.transport,
+             .log2_samples = {},
+             .edges = {},
+             .strata = {}},
       name_{settings.seed, epoch},
       camera_{scene,
               epoch_.transport,
@@ -80,6 +85,8 @@ void EpochLearner::look(const std::function<void(double)>& trial_traced) {
     Stopwatch watch;
     seen_.emplace(view_of(camera_));
     if (trial_traced) trial_traced(watch.lap());
+    if (camera_.settings.edges) epoch_.edges = edge_pixels(*seen_, camera_.window);
+    camera_.edges = epoch_.edges;
     context_.emplace(PhotonContext{camera_.scene, epoch_.transport, seen_->index});
 }
 

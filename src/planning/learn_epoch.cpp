@@ -35,6 +35,7 @@ Epoch usual_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
                 .paths = paths,
                 .transport = settings.transport,
                 .log2_samples = {},
+                .edges = {},
                 .strata = {}};
     if (epoch.transport.indirect == IndirectLight::automatic)
         epoch.transport.indirect = IndirectLight::photons;

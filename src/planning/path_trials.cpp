@@ -59,7 +59,7 @@ private:
                 context_.index.points()[block * VisiblePointIndex::kWidth + i];
             const float radius = context_.index.radius(block, i, photon.kind);
             const Vec3 rgb = context_.scene.wavelengths.to_rgb(
-                light_of(context_.scene, point, photon) * share_of(point, radius, 1));
+                light_of(context_.scene, point, photon) * share_of(point, photon.kind, radius, 1));
             const double y = luminance({rgb.x, rgb.y, rgb.z});
             if (y > 0)
                 list.push_back(

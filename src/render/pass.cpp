@@ -43,6 +43,7 @@ void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch&
                  SamplerState& state, PassResult& result) {
     PhotonTotals photons;
     camera.log2_samples = epoch.log2_samples;
+    camera.edges = epoch.edges;
     const bool are_counted = result.image.has(Aov::samples);
     PhotonCounts taken(are_counted ? result.image.pixels() : 0);
     for (std::uint32_t subpass = 0; subpass < epoch.subpasses; ++subpass) {

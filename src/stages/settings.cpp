@@ -12,6 +12,7 @@ void use_paper_mode(RenderSettings& settings) {
     settings.transport.direct = DirectLight::photons;
     settings.alpha = 0.7;
     settings.camera.indirect_radius = 1;
+    settings.camera.edges = false;
     if (!settings.camera.radius_pixels) settings.camera.radius_pixels = 2;
 }
 
@@ -33,6 +34,7 @@ std::string RenderSettings::text() const {
     if (energy_compensation) text += "energy_compensation=on\n";
     if (integrator == Integrator::sppm && transport.direct == DirectLight::sampled)
         text += fmt::format("indirect={}\n", name_of(transport.indirect));
+    if (!camera.edges) text += "edges=off\n";
     if (!camera.ris) text += "ris=off\n";
     for (const AdaptivePart& part : kAdaptiveParts)
         if (!(photon.*part.is_on)) text += setting_of(part) + "=off\n";

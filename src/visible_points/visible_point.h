@@ -11,6 +11,7 @@
 #include "math/sampled_spectrum.h"
 #include "math/vector.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -47,6 +48,12 @@ struct Photon {
 inline float radius_of_kind(PhotonKind kind, float sharp, float indirect) {
     if (kind == PhotonKind::indirect) return indirect;
     return kind == PhotonKind::long_specular_chain ? (indirect + indirect) - sharp : sharp;
+}
+
+/// Returns the number of the radius that radius_of_kind() gives, 0 to 2.
+inline std::size_t radius_number(PhotonKind kind) {
+    if (kind == PhotonKind::indirect) return 1;
+    return kind == PhotonKind::long_specular_chain ? 2 : 0;
 }
 
 /// The gather disc: the part of a visible point that decides which photons it accepts. 36 bytes.
@@ -117,6 +124,8 @@ struct VisiblePoint {
     Vec3 wo{0};                  // world, unit, towards the camera
     SampledSpectrum throughput;  // of the camera path, with the filter's weight; for a Lambertian
                                  // surface times albedo / pi
+    /// By radius: estimates of the disc's area over that of the surface in it.
+    std::array<float, 3> disc_over_surface = {1, 1, 1};
     std::uint32_t pixel = 0;
     std::uint32_t bsdf = 0;  // for PassScene::kept(); kLambertian needs none
     std::uint8_t hero = 0;   // hero wavelength of a path whose secondary wavelengths are terminated
