@@ -51,7 +51,7 @@ sunfleck_module(texture NEEDS module_image module_geometry)
 sunfleck_module(material NEEDS module_bsdf module_texture)
 sunfleck_module(light NEEDS module_geometry module_image)
 sunfleck_module(aovs NEEDS module_math)
-sunfleck_module(visible_points ONE_BY_ONE NEEDS module_bsdf module_aovs hwy::hwy)
+sunfleck_module(visible_points ONE_BY_ONE NEEDS module_bsdf module_geometry module_aovs hwy::hwy)
 sunfleck_module(scene NEEDS module_material module_light module_camera)
 sunfleck_module(import_pbrt FOLDER import/pbrt ALONE materials texture_kinds world_directives
   NEEDS module_scene module_import_ply)

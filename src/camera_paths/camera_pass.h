@@ -15,8 +15,13 @@ namespace sunfleck::engine {
 /// Pixel i has 2^log2_samples[i] camera paths of equal weight; one path if the list is empty.
 using Log2Samples = std::vector<std::uint8_t>;
 
-/// One for a pixel whose discs may reach over the edge of a surface.
-using EdgePixels = std::vector<std::uint8_t>;
+/// What the discs of a pixel may reach over.
+enum class Edge : std::uint8_t {
+    none,
+    of_surface,  // no surface lies there
+    of_sight     // or one that something hides: a wall, a box on the floor
+};
+using EdgePixels = std::vector<Edge>;
 
 struct CameraPass {
     const PassScene& scene;
@@ -32,8 +37,7 @@ struct CameraPass {
     float indirect_radius_scale = static_cast<float>(
         sunfleck::engine::indirect_radius_scale(settings, scene.scene.film().resolution));
     std::span<const std::uint8_t> log2_samples = {};  // Log2Samples
-    std::span<const std::uint8_t> edges =
-        {};  // EdgePixels: the others are not probed, unless empty
+    std::span<const Edge> edges = {};  // EdgePixels; all discs are probed if it is empty
     /// The rays of each pixel's paths are added here, unless it is empty.
     std::span<std::uint64_t> rays = {};
     Subpass subpass = {};

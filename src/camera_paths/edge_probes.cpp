@@ -1,6 +1,8 @@
 // Probes are short rays through a disc, along its normal.
 #include "camera_paths/edge_probes.h"
 
+#include "visible_points/sight.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,14 +15,30 @@ constexpr int kMostProbes = 16;
 /// Surfaces that a probe looks at: others may lie above.
 constexpr int kMostSurfaces = 4;
 
-class EdgeProbes {
+class EdgeProber {
 public:
-    EdgeProbes(const PassScene& pass, RandomStream& stream) : pass_(pass), stream_(stream) {}
+    EdgeProber(const PassScene& pass, Probes probes, RandomStream& stream)
+        : pass_(pass), probes_(probes), stream_(stream) {}
 
+    void probe(VisiblePoint& point) {
+        constexpr std::array<PhotonKind, 3> kOfRadius = {PhotonKind::caustic, PhotonKind::indirect,
+                                                         PhotonKind::long_specular_chain};
+        Disc disc = point.disc;
+        disc.bounces = 0;
+        if (disc.accepts_kind(PhotonKind::direct))
+            disc.kinds |= static_cast<std::uint8_t>(PhotonKind::caustic);
+        found_hidden_ = false;
+        for (const PhotonKind kind : kOfRadius)
+            if (disc.accepts_kind(kind))
+                point.disc_over_surface.at(radius_number(kind)) = disc_over_surface(disc, kind);
+        point.needs_sight = probes_ == Probes::of_sight || found_hidden_;
+    }
+
+private:
     /// Returns an estimate of disc over surface: the number of probes until one meets a surface,
     /// whose mean is one over the share that has any, times the cosine there, for slanted surface
     /// is larger than what it covers of the disc. @param kind  one that is accepted.
-    float disc_over_surface(const Disc& disc, PhotonKind kind) const {
+    float disc_over_surface(const Disc& disc, PhotonKind kind) {
         for (int probes = 1; probes < kMostProbes; ++probes) {
             const float cosine = cosine_met(disc, kind);
             if (cosine > 0) return static_cast<float>(probes) * cosine;
@@ -28,11 +46,10 @@ public:
         return kMostProbes;
     }
 
-private:
     /// Returns the cosine between the disc and a surface at a random point of the disc; zero if
-    /// there is none whose photons the disc accepts. A surface that is there in part counts as a
-    /// whole one: photons are stored at all of it.
-    float cosine_met(const Disc& disc, PhotonKind kind) const {
+    /// there is none whose photons count. A surface that is there in part counts as a whole one:
+    /// photons are stored at all of it.
+    float cosine_met(const Disc& disc, PhotonKind kind) {
         const Geometry& geometry = pass_.scene.geometry();
         const float radius = disc.radius_for(kind);
         const float out = radius * std::sqrt(static_cast<float>(stream_.next()));
@@ -48,10 +65,17 @@ private:
             if (!geometry.complete(geometry.trace(ray, AlphaTest::off), hit)) return 0;
             const Photon photon = photon_at(hit, disc, kind);
             if (pass_.may_gather(pass_.scene.material_of(hit)) && accepts(disc, photon, 1))
-                return photon.normal.dot(disc.normal);
+                return counts(disc, photon, radius) ? photon.normal.dot(disc.normal) : 0;
             from -= hit.distance + step;
         }
         return 0;
+    }
+
+    bool counts(const Disc& disc, const Photon& photon, float radius) {
+        if (probes_ == Probes::of_surface) return true;
+        if (sees(pass_.scene.geometry(), disc, photon.position, photon.normal, radius)) return true;
+        found_hidden_ = true;
+        return false;
     }
 
     /// Returns a photon that arrives there on the disc's side.
@@ -64,25 +88,17 @@ private:
     }
 
     const PassScene& pass_;
+    Probes probes_;
     RandomStream& stream_;
+    bool found_hidden_ = false;  // for the current point
 };
 
 }  // namespace
 
-void probe_edges(const PassScene& pass, std::span<VisiblePoint> points, RandomStream stream) {
-    constexpr std::array<PhotonKind, 3> kOfRadius = {PhotonKind::caustic, PhotonKind::indirect,
-                                                     PhotonKind::long_specular_chain};
-    const EdgeProbes probes(pass, stream);
-    for (VisiblePoint& point : points) {
-        Disc disc = point.disc;
-        disc.bounces = 0;
-        if (disc.accepts_kind(PhotonKind::direct))
-            disc.kinds |= static_cast<std::uint8_t>(PhotonKind::caustic);
-        for (const PhotonKind kind : kOfRadius)
-            if (disc.accepts_kind(kind))
-                point.disc_over_surface.at(radius_number(kind)) =
-                    probes.disc_over_surface(disc, kind);
-    }
+void probe_edges(const PassScene& pass, std::span<VisiblePoint> points, Probes probes,
+                 RandomStream stream) {
+    EdgeProber prober(pass, probes, stream);
+    for (VisiblePoint& point : points) prober.probe(point);
 }
 
 }  // namespace sunfleck::engine

@@ -18,7 +18,15 @@
 
 namespace sunfleck::engine {
 
+/// How to probe.
+enum class Probes {
+    of_surface,  // hidden surface counts
+    of_sight,    // hidden surface does not count: points need sight
+    of_trial     // points need sight where a probe found hidden surface
+};
+
 /// Probes the discs of one pixel. @param stream  of the pixel.
-void probe_edges(const PassScene& pass, std::span<VisiblePoint> points, RandomStream stream);
+void probe_edges(const PassScene& pass, std::span<VisiblePoint> points, Probes probes,
+                 RandomStream stream);
 
 }  // namespace sunfleck::engine

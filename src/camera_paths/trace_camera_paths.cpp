@@ -12,8 +12,12 @@ namespace {
 void probe(const CameraPass& pass, std::size_t pixel, std::vector<VisiblePoint>& points,
            std::size_t first) {
     if (!pass.settings.edges || first == points.size()) return;
-    if (!pass.edges.empty() && pass.edges[pixel] == 0) return;
-    probe_edges(pass.scene, std::span(points).subspan(first),
+    Probes probes = Probes::of_trial;
+    if (!pass.edges.empty()) {
+        if (pass.edges[pixel] == Edge::none) return;
+        probes = pass.edges[pixel] == Edge::of_sight ? Probes::of_sight : Probes::of_surface;
+    }
+    probe_edges(pass.scene, std::span(points).subspan(first), probes,
                 pass.id.subpass(pass.subpass.number).stream(Purpose::edge_probe, pixel));
 }
 

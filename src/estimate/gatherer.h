@@ -11,6 +11,7 @@
 #include "estimate/shared_terms.h"
 #include "visible_points/flux_sums.h"
 #include "visible_points/lookup.h"
+#include "visible_points/sight.h"
 #include "visible_points/visible_point_index.h"
 
 #include <algorithm>
@@ -65,6 +66,8 @@ public:
     /// @return the number of accepted photons times accepting points.
     std::uint64_t gather(std::size_t begin, std::size_t end) {
         if (!find_taken(all_.index, all_.photons, begin, end, taken_)) return 0;
+        for (block_ = begin; block_ < end; ++block_)
+            if (all_.index.need_sight(block_) != 0) leave_hidden_out(taken_.blocks[block_ - begin]);
         for (std::size_t b = begin; b < end; ++b)
             call_points(b, taken_.blocks[b - begin].accepting);
         for (std::size_t b = begin; b < end; ++b)
@@ -105,6 +108,23 @@ private:
         }
     }
 
+    /// Leaves out photons of points that need sight and do not see them.
+    void leave_hidden_out(const TakenPhotons::Block& found) {
+        for (std::size_t k = found.first; k < found.first + found.count; ++k) {
+            TakenPhoton& taken = taken_.list[k];
+            const Photon& photon = all_.photons[taken.photon];
+            unsigned rest = taken.accepting & all_.index.need_sight(block_);
+            for (; rest != 0; rest &= rest - 1) {
+                const auto i = static_cast<unsigned>(__builtin_ctz(rest));
+                const Disc& disc = point(i).disc;
+                const bool behind = disc.normal.dot(photon.normal) < 0;
+                if (!sees(all_.pass.scene.geometry(), disc, photon.position,
+                          behind ? -photon.normal : photon.normal, disc.radius_for(photon.kind)))
+                    taken.accepting &= ~(1U << i);
+            }
+        }
+    }
+
     std::uint64_t sum_up(const TakenPhotons::Block& found) {
         if (found.count == 0) return 0;
         plain_ = all_.index.plain(block_);
@@ -112,6 +132,7 @@ private:
         std::array<unsigned, kKinds.size()> met{};  // points that accepted a photon of the kind
         std::uint64_t deposits = 0;
         for (const TakenPhoton& taken : here_) {
+            if (taken.accepting == 0) continue;
             const Photon& photon = all_.photons[taken.photon];
             const std::size_t kind = number_of(photon.kind);
             all_.taken.set(taken.photon);

@@ -10,22 +10,29 @@ namespace {
 constexpr int kReach = 2;          // in pixels: 25 discs and more vote for one
 constexpr float kNoticed = 0.01F;  // of a factor of light
 
+/// Returns what the discs of a point have found.
+Edge edge_of(const VisiblePoint& point) {
+    if (point.needs_sight) return Edge::of_sight;
+    const bool is_edge = std::any_of(point.disc_over_surface.begin(), point.disc_over_surface.end(),
+                                     [](float factor) { return std::abs(factor - 1) > kNoticed; });
+    return is_edge ? Edge::of_surface : Edge::none;
+}
+
 }  // namespace
 
 EdgePixels edge_pixels(const CameraTrial& seen, const PixelWindow& window) {
-    EdgePixels pixels(window.pixels(), 0);
-    const auto is_edge = [](const VisiblePoint& point) {
-        return std::any_of(point.disc_over_surface.begin(), point.disc_over_surface.end(),
-                           [](float factor) { return std::abs(factor - 1) > kNoticed; });
-    };
+    EdgePixels pixels(window.pixels(), Edge::none);
     for (const VisiblePoint& point : seen.index.points()) {
-        if (!is_edge(point)) continue;
+        const Edge edge = edge_of(point);
+        if (edge == Edge::none) continue;
         const int x = static_cast<int>(point.pixel) % window.width();
         const int y = static_cast<int>(point.pixel) / window.width();
         for (int v = std::max(0, y - kReach); v <= std::min(window.height() - 1, y + kReach); ++v)
             for (int u = std::max(0, x - kReach); u <= std::min(window.width() - 1, x + kReach);
-                 ++u)
-                pixels[static_cast<std::size_t>(v * window.width() + u)] = 1;
+                 ++u) {
+                Edge& pixel = pixels[static_cast<std::size_t>(v * window.width() + u)];
+                pixel = std::max(pixel, edge);
+            }
     }
     return pixels;
 }

@@ -32,6 +32,7 @@ public:
     Epoch measured();
 
     /// After look().
+    const EdgePixels& edges() const { return epoch_.edges; }
     WayTrials without_photons() const { return camera_trials(camera_, *seen_, name_); }
     /// After plan().
     void add_photons(WayTrials& trials) const {

@@ -43,6 +43,12 @@ Epoch usual_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
         epoch.paths = 0;
     else
         epoch.strata.push_back({scene.light_choice(), {paths, {}}, {}});
+    if (settings.integrator == Integrator::sppm && settings.camera.edges && !scene.is_dark()) {
+        const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(number)});
+        EpochLearner learner(at_wavelengths, settings, epoch.transport.indirect, number);
+        learner.look({});
+        epoch.edges = learner.edges();
+    }
     return epoch;
 }
 

@@ -20,9 +20,11 @@ PassMaker::PassMaker(const RenderJob& job, RenderState& state)
 /// @return false if it was cancelled.
 bool PassMaker::learn(std::uint32_t number, const PassHooks& hooks) {
     if (epoch_ && epoch_->number == epoch_of(number)) return true;
-    const bool is_told = hooks.learning && needs_learning(job_.scene, job_.settings);
+    // Others look for edges alone, as long as a pass takes, and are what is left if time is over.
+    const bool learns = needs_learning(job_.scene, job_.settings);
+    const bool is_told = hooks.learning && learns;
     if (is_told) hooks.learning(true);
-    const bool is_learned = run_unless(hooks.cuts_learning, [&] {
+    const bool is_learned = run_unless(learns ? hooks.cuts_learning : nullptr, [&] {
         epoch_ = learn_epoch(job_.scene, settings_, number, hooks.trial_traced);
     });
     if (is_told) hooks.learning(false);

@@ -132,6 +132,7 @@ struct VisiblePoint {
     bool single_wavelength = false;
     bool after_rough = false;  // a rough surface scattered the camera path before
     bool shares_pixel = true;  // the pixel may have other points (set by the index)
+    bool needs_sight = false;  // photons that something hides from it do not count
 
     /// Returns whether the shading normal equals the geometric one, on either side.
     bool is_flat() const { return shading_normal == disc.normal || shading_normal == -disc.normal; }

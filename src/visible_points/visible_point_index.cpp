@@ -98,13 +98,16 @@ VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, int max_depth)
     std::vector<Box> usual(blocks_.size());
     std::vector<Box> all(blocks_.size());
     plain_.resize(blocks_.size());
+    need_sight_.resize(blocks_.size());
     static_assert(kBlock % kWidth == 0);
     parallel_blocks(order.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             if (i % kWidth == 0) blocks_[i / kWidth] = {};
             points_[i] = lists[order[i].list][order[i].item];
             points_[i].shares_pixel = pixels[points_[i].pixel] == kShared;
-            if (is_plain(points_[i])) plain_[i / kWidth] |= std::uint8_t(1U << i % kWidth);
+            const std::uint8_t bit(1U << i % kWidth);
+            if (is_plain(points_[i])) plain_[i / kWidth] |= bit;
+            if (points_[i].needs_sight) need_sight_[i / kWidth] |= bit;
             blocks_[i / kWidth].set(i % kWidth, points_[i].disc);
             const Disc& disc = points_[i].disc;
             usual[i / kWidth].extend(box_of(disc, disc.usual_radius()));

@@ -46,6 +46,8 @@ public:
     /// Returns a mask: bit i is set if point 8 b + i is Lambertian and its shading normal is the
     /// geometric one, on either side. Its light is the photons' flux.
     unsigned plain(std::size_t b) const { return plain_[b]; }
+    /// Returns a mask of the points that need sight.
+    unsigned need_sight(std::size_t b) const { return need_sight_[b]; }
     /// Returns the radius of point i of block b for photons of this kind.
     float radius(std::size_t b, std::size_t i, PhotonKind kind) const {
         const DiscBlock& discs = blocks_[b];
@@ -69,7 +71,8 @@ private:
     UnfilledVector<VisiblePoint> points_;  // in Morton order
     UnfilledVector<DiscBlock> blocks_;     // in the same order: the data of a query
     std::vector<std::uint8_t> plain_;      // a bit per point of a block
-    BlockBoxes usual_;                     // around accepted photons, long specular chains aside
+    std::vector<std::uint8_t> need_sight_;
+    BlockBoxes usual_;  // around accepted photons, long specular chains aside
     BlockBoxes all_;
 };
 

@@ -29,17 +29,20 @@ struct Probed {
     double sharp = 0;
     double indirect = 0;
 
-    Probed(const std::string& shapes, const Vec3& position) {
+    double need_sight = 0;
+
+    Probed(const std::string& shapes, const Vec3& position, Probes probes = Probes::of_surface) {
         constexpr std::uint32_t kPixels = 20'000;
         const Scene scene =
             scene_of(view("0 -1 3  0 0 0  0 1 0", 40, 4) + "LightSource \"distant\"\n" + shapes);
         const PassScene pass(scene, {1, 0});
         for (std::uint32_t i = 0; i < kPixels; ++i) {
             std::array<VisiblePoint, 1> points = {point_at(position)};
-            probe_edges(pass, points, PassId{5, 0}.stream(Purpose::edge_probe, i));
+            probe_edges(pass, points, probes, PassId{5, 0}.stream(Purpose::edge_probe, i));
             EXPECT_EQ(points[0].disc_over_surface[2], 1);  // it accepts no such photons
             sharp += points[0].disc_over_surface[0] / double{kPixels};
             indirect += points[0].disc_over_surface[1] / double{kPixels};
+            if (points[0].needs_sight) need_sight += 1 / double{kPixels};
         }
     }
 };
@@ -95,6 +98,24 @@ TEST(EdgeProbes, go_through_what_lies_above) {
     EXPECT_NEAR(Probed(floor + above(".05"), {0, 0, 0}).sharp, 1, 1e-9);
     EXPECT_NEAR(Probed(floor + above(".05"), edge).sharp, 2, 0.07);
     EXPECT_NEAR(Probed(floor + above(".02"), edge).sharp, 1, 1e-9);
+}
+
+/// A wall on the floor, half a small radius away, hides a fifth of the small disc.
+TEST(EdgeProbes, leave_out_what_is_hidden) {
+    const std::string shapes =
+        diffuse("0.5 0.5 0.5") + kFloor + quad("-.05 -1 0  -.05 1 0  -.05 1 1  -.05 -1 1");
+    const Vec3 middle(0, 0, 0);
+    const Probed of_surface(shapes, middle);
+    EXPECT_NEAR(of_surface.sharp, 1, 1e-9);
+    EXPECT_EQ(of_surface.need_sight, 0);
+    const Probed of_sight(shapes, middle, Probes::of_sight);
+    EXPECT_NEAR(of_sight.sharp, 1 / 0.8045, 0.02);
+    EXPECT_NEAR(of_sight.need_sight, 1, 1e-9);
+    const Probed of_trial(shapes, middle, Probes::of_trial);
+    EXPECT_NEAR(of_trial.sharp, of_sight.sharp, 1e-9);
+    EXPECT_GT(of_trial.need_sight, 0.3);  // .2 of the small disc, .35 of the other
+    EXPECT_LT(of_trial.need_sight, 0.7);
+    EXPECT_EQ(Probed(diffuse("0.5 0.5 0.5") + kFloor, middle, Probes::of_trial).need_sight, 0);
 }
 
 }  // namespace

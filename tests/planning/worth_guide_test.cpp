@@ -30,6 +30,13 @@ struct Photons {
     double light = 0;    // mean of the picture
 };
 
+/// What photons bring, not what discs lose.
+CameraPathSettings without_edges() {
+    CameraPathSettings settings;
+    settings.edges = false;
+    return settings;
+}
+
 /// The photons of a pass whose camera paths go on beyond diffuse surfaces.
 class PhotonsOf {
 public:
@@ -51,6 +58,7 @@ public:
     LightStratum learned(std::uint32_t parts) const {
         RenderSettings settings;
         settings.transport = transport_;
+        settings.camera = camera_;
         return fraction_of(learn_epoch(scene_, settings, 0).strata, parts).at(0);
     }
 
@@ -69,7 +77,7 @@ private:
     const Scene& scene_;
     PassScene pass_;
     TransportSettings transport_;
-    CameraPathSettings camera_;
+    CameraPathSettings camera_ = without_edges();
     PixelWindow window_ = window_of(scene_.film());
     CameraTrial seen_ = view_of({pass_, transport_, camera_, window_, {1, 0}});
     PhotonContext context_{pass_, transport_, seen_.index};

@@ -35,6 +35,12 @@ std::string slats() {
     return text;
 }
 
+/// A closed box on the floor, dark within, and a wall beside it.
+std::string box_and_wall() {
+    return diffuse("1 1 1") + box({0, .3, -1}, {.4, .7, -.5}) +
+           quad("-.4 .5 -1  -.1 .5 -1  -.1 .5 -.3  -.4 .5 -.3");
+}
+
 RenderSettings settings_of(DirectLight direct, PhotonSampler sampler) {
     RenderSettings settings;
     settings.transport.direct = direct;
@@ -48,15 +54,18 @@ RenderSettings settings_of(DirectLight direct, PhotonSampler sampler) {
 struct Shown {
     double mean = 0;
     double darkest = 0;  // of blocks of 8 x 8 pixels
+    double brightest = 0;
 
     Shown(const Scene& scene, const RenderSettings& settings) {
-        const MeanPicture picture = render_mean(scene, settings, 64);
+        const MeanPicture picture = render_mean(scene, settings, 32);
         mean = luminance(picture.mean()) / kRadiance;
-        darkest = mean;
+        darkest = brightest = mean;
         for (int y = 0; y < kSide; y += 8)
-            for (int x = 0; x < kSide; x += 8)
-                darkest =
-                    std::min(darkest, luminance(picture.mean(x, y, x + 8, y + 8)) / kRadiance);
+            for (int x = 0; x < kSide; x += 8) {
+                const double block = luminance(picture.mean(x, y, x + 8, y + 8)) / kRadiance;
+                darkest = std::min(darkest, block);
+                brightest = std::max(brightest, block);
+            }
     }
 };
 
@@ -72,6 +81,16 @@ TEST(Edges, lose_no_light) {
     const Shown by_photons(with_slats, settings_of(DirectLight::photons, PhotonSampler::uniform));
     EXPECT_NEAR(by_photons.mean, 1, 0.005);
     EXPECT_GT(by_photons.darkest, 0.98);
+}
+
+/// Wide discs beside what stands on the floor, and is dark or lit behind.
+TEST(Edges, of_sight_lose_and_gain_no_light) {
+    RenderSettings settings = settings_of(DirectLight::photons, PhotonSampler::uniform);
+    settings.camera.radius = 0.15;
+    const Shown shown(box_of_light(box_and_wall()), settings);
+    EXPECT_NEAR(shown.mean, 1, 0.005);
+    EXPECT_GT(shown.darkest, 0.98);
+    EXPECT_LT(shown.brightest, 1.02);
 }
 
 /// The loss that the paper's estimate has.

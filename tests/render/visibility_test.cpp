@@ -86,6 +86,7 @@ void expect_agreement(const Scene& scene, std::uint32_t paths) {
         settings.transport.direct = direct;
         settings.photon.sampler = PhotonSampler::uniform;
         settings.photon.paths_per_pass = paths;
+        settings.camera.edges = false;  // V does not ask for sight
         const Statistics queried = counted_again(scene, settings);
         const Statistics deposited = render_pass(scene, settings, kId.number).statistics;
         EXPECT_GT(queried[Count::photons_stored], 40U);
