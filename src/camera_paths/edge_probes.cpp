@@ -9,9 +9,11 @@
 namespace sunfleck::engine {
 namespace {
 
-/// A disc with less surface than about a sixteenth of it keeps a part of its loss: a wire, a blade
-/// of grass. More would be noise.
-constexpr int kMostProbes = 16;
+/// The series ends after so many terms: a disc with hardly any surface, of a wire or a blade of
+/// grass, keeps a part of its loss. More would be noise.
+constexpr int kMostTerms = 16;
+/// Smaller terms go on by Russian roulette.
+constexpr float kLeastTerm = 0.125F;
 /// Surfaces that a probe looks at: others may lie above.
 constexpr int kMostSurfaces = 4;
 
@@ -21,42 +23,65 @@ public:
         : pass_(pass), probes_(probes), stream_(stream) {}
 
     void probe(VisiblePoint& point) {
-        constexpr std::array<PhotonKind, 3> kOfRadius = {PhotonKind::caustic, PhotonKind::indirect,
-                                                         PhotonKind::long_specular_chain};
         Disc disc = point.disc;
         disc.bounces = 0;
-        if (disc.accepts_kind(PhotonKind::direct))
-            disc.kinds |= static_cast<std::uint8_t>(PhotonKind::caustic);
         found_hidden_ = false;
-        for (const PhotonKind kind : kOfRadius)
-            if (disc.accepts_kind(kind))
-                point.disc_over_surface.at(radius_number(kind)) = disc_over_surface(disc, kind);
+        if (disc.is_probed_for(PhotonKind::direct))
+            point.disc_over_surface = disc_over_surface(disc, PhotonKind::direct);
+        if (disc.is_probed_for(PhotonKind::indirect))
+            point.indirect_disc_over_surface = disc_over_surface(disc, PhotonKind::indirect);
         point.needs_sight = probes_ == Probes::of_sight || found_hidden_;
     }
 
 private:
-    /// Returns an estimate of disc over surface: the number of probes until one meets a surface,
-    /// whose mean is one over the share that has any, times the cosine there, for slanted surface
-    /// is larger than what it covers of the disc. @param kind  one that is accepted.
+    /// What probes have met.
+    struct Met {
+        float probes = 0;   // that lie on a surface
+        float cosines = 0;  // their sum
+    };
+
+    /// Returns an estimate of disc over surface. One over the share s of the disc that has any
+    /// surface is 1 + (1 - s) + (1 - s)^2 + ..., whose powers are products over independent pairs
+    /// of probes. The mean cosine takes account of slanted surface, which is larger than what it
+    /// covers of the disc. @param kind  one that is accepted.
     float disc_over_surface(const Disc& disc, PhotonKind kind) {
-        for (int probes = 1; probes < kMostProbes; ++probes) {
-            const float cosine = cosine_met(disc, kind);
-            if (cosine > 0) return static_cast<float>(probes) * cosine;
+        Met all;
+        float sum = 1;
+        float term = 1;
+        for (int k = 1; k < kMostTerms; ++k) {
+            term *= 1 - probe_pair(disc, disc.radius_for(kind), kind, all);
+            if (term < kLeastTerm) {
+                if (!(static_cast<float>(stream_.next()) * kLeastTerm < term)) break;
+                term = kLeastTerm;
+            }
+            sum += term;
         }
-        return kMostProbes;
+        return all.probes > 0 ? sum * all.cosines / all.probes : sum;
     }
 
-    /// Returns the cosine between the disc and a surface at a random point of the disc; zero if
-    /// there is none whose photons count. A surface that is there in part counts as a whole one:
-    /// photons are stored at all of it.
-    float cosine_met(const Disc& disc, PhotonKind kind) {
-        const Geometry& geometry = pass_.scene.geometry();
-        const float radius = disc.radius_for(kind);
+    /// Probes two opposite points of a disc: of a straight edge's disc, one always has surface.
+    /// @return the share of them that has.
+    float probe_pair(const Disc& disc, float radius, PhotonKind kind, Met& all) {
         const float out = radius * std::sqrt(static_cast<float>(stream_.next()));
         const float angle = 2 * kPi * static_cast<float>(stream_.next());
         const Frame frame(disc.normal);
-        const Vec3 at =
-            disc.position + frame.x * (out * std::cos(angle)) + frame.y * (out * std::sin(angle));
+        const Vec3 way = frame.x * (out * std::cos(angle)) + frame.y * (out * std::sin(angle));
+        float met = 0;
+        for (const Vec3& at : {disc.position + way, disc.position - way}) {
+            const float cosine = cosine_at(at, disc, radius, kind);
+            if (!(cosine > 0)) continue;
+            all.cosines += cosine;
+            ++all.probes;
+            met += 0.5F;
+        }
+        return met;
+    }
+
+    /// Returns the cosine between the disc and a surface at a point of the disc; zero if there is
+    /// none whose photons count. A surface that is there in part counts as a whole one: photons are
+    /// stored at all of it.
+    float cosine_at(const Vec3& at, const Disc& disc, float radius, PhotonKind kind) {
+        const Geometry& geometry = pass_.scene.geometry();
         const float step = 1e-4F * radius;  // past a surface that was met
         float from = radius;
         for (int k = 0; k < kMostSurfaces && from > -radius; ++k) {

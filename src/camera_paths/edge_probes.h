@@ -3,9 +3,9 @@
 // The estimate divides the photons of a disc by its area. Over the edge of a surface there are
 // none, and on folds there is more surface than disc. So random points of the disc are probed, and
 // its light is multiplied by an estimate of disc over surface. Where the surface is flat and has no
-// edge, one probe says so, and the factor is one.
+// edge, one pair of probes says so, and the factor is one.
 // In:  visible points of a pass. Out: their factor, for each radius.
-// Source: reciprocals by trials: Booth 2007, "Unbiased Monte Carlo Estimation of the Reciprocal of
+// Source: reciprocals by series: Booth 2007, "Unbiased Monte Carlo Estimation of the Reciprocal of
 // an Integral"; Qin et al. 2015, "Unbiased Photon Gathering for Light Transport Simulation".
 // docs/method/method.md, edges of surfaces.
 #pragma once

@@ -117,6 +117,7 @@ private:
             for (; rest != 0; rest &= rest - 1) {
                 const auto i = static_cast<unsigned>(__builtin_ctz(rest));
                 const Disc& disc = point(i).disc;
+                if (!disc.is_probed_for(photon.kind)) continue;
                 const bool behind = disc.normal.dot(photon.normal) < 0;
                 if (!sees(all_.pass.scene.geometry(), disc, photon.position,
                           behind ? -photon.normal : photon.normal, disc.radius_for(photon.kind)))

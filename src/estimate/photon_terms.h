@@ -1,6 +1,7 @@
 // The contribution of one photon to the radiance estimate at a visible point, in two factors.
 //
-// L = 1 / (N pi r^2 s) sum over photons of throughput * f(w, wo) * flux * |n_s.w| / |n_g.w|.
+// L = 1 / (N pi r^2 s) sum over photons of throughput * f(w, wo) * flux * |n_s.w| / |n_g.w|,
+// with s the area of surface in the disc over that of the disc.
 // Source: paper section 3.1 (progressive density estimation); Hachisuka and Jensen 2009, eq. 8,
 // with one radius per pass; shading normals: photon density measures |n_g.w|, a bsdf |n_s.w|
 // (Veach, Robust Monte Carlo Methods, 1997, section 5.3.2). n_g is the normal at the photon: beyond
@@ -49,7 +50,10 @@ inline SampledSpectrum light_of(const PassScene& pass, const VisiblePoint& point
 /// @param paths  N.
 inline SampledSpectrum share_of(const VisiblePoint& point, PhotonKind kind, float radius,
                                 std::uint32_t paths) {
-    const float surface = kPi * radius * radius / point.disc_over_surface.at(radius_number(kind));
+    float surface = kPi * radius * radius;
+    if (point.disc.is_probed_for(kind))
+        surface /= kind == PhotonKind::indirect ? point.indirect_disc_over_surface
+                                                : point.disc_over_surface;
     return point.throughput * (1 / (static_cast<float>(paths) * surface));
 }
 

@@ -13,9 +13,9 @@ constexpr float kNoticed = 0.01F;  // of a factor of light
 /// Returns what the discs of a point have found.
 Edge edge_of(const VisiblePoint& point) {
     if (point.needs_sight) return Edge::of_sight;
-    const bool is_edge = std::any_of(point.disc_over_surface.begin(), point.disc_over_surface.end(),
-                                     [](float factor) { return std::abs(factor - 1) > kNoticed; });
-    return is_edge ? Edge::of_surface : Edge::none;
+    const float most = std::max(std::abs(point.disc_over_surface - 1),
+                                std::abs(point.indirect_disc_over_surface - 1));
+    return most > kNoticed ? Edge::of_surface : Edge::none;
 }
 
 }  // namespace

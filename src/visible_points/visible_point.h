@@ -11,7 +11,6 @@
 #include "math/sampled_spectrum.h"
 #include "math/vector.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -50,12 +49,6 @@ inline float radius_of_kind(PhotonKind kind, float sharp, float indirect) {
     return kind == PhotonKind::long_specular_chain ? (indirect + indirect) - sharp : sharp;
 }
 
-/// Returns the number of the radius that radius_of_kind() gives, 0 to 2.
-inline std::size_t radius_number(PhotonKind kind) {
-    if (kind == PhotonKind::indirect) return 1;
-    return kind == PhotonKind::long_specular_chain ? 2 : 0;
-}
-
 /// The gather disc: the part of a visible point that decides which photons it accepts. 36 bytes.
 struct Disc {
     Vec3 position{0};
@@ -74,6 +67,12 @@ struct Disc {
     }
     bool accepts_kind(PhotonKind kind) const {
         return (kinds & static_cast<std::uint8_t>(kind)) != 0;
+    }
+    /// Returns whether the disc is probed for edges for this kind. A disc for caustics alone is as
+    /// wide as a pixel or two, and loses little.
+    bool is_probed_for(PhotonKind kind) const {
+        if (kind == PhotonKind::indirect) return accepts_kind(kind);
+        return kind != PhotonKind::long_specular_chain && accepts_kind(PhotonKind::direct);
     }
     /// Returns the largest radius of the accepted kinds, long specular chains aside.
     float usual_radius() const {
@@ -121,11 +120,11 @@ struct VisiblePoint {
     Disc disc;
     Vec3 shading_normal{0};
     Vec3 tangent{0};
-    Vec3 wo{0};                  // world, unit, towards the camera
-    SampledSpectrum throughput;  // of the camera path, with the filter's weight; for a Lambertian
-                                 // surface times albedo / pi
-    /// By radius: estimates of the disc's area over that of the surface in it.
-    std::array<float, 3> disc_over_surface = {1, 1, 1};
+    Vec3 wo{0};                   // world, unit, towards the camera
+    SampledSpectrum throughput;   // of the camera path, with the filter's weight; for a Lambertian
+                                  // surface times albedo / pi
+    float disc_over_surface = 1;  // an estimate, for direct and caustic photons
+    float indirect_disc_over_surface = 1;  // the same of the disc for indirect ones
     std::uint32_t pixel = 0;
     std::uint32_t bsdf = 0;  // for PassScene::kept(); kLambertian needs none
     std::uint8_t hero = 0;   // hero wavelength of a path whose secondary wavelengths are terminated

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/program.h"
+#include "render/checkpoint.h"
 
 #include <cerrno>
 #include <iterator>
@@ -30,9 +31,8 @@ class FaultTest : public ProgramTest {
 protected:
     void SetUp() override {
         ProgramTest::SetUp();
-        // So many photons that no count of the first pass is zero: all checkpoints are as long.
         const Words two{"render", "room.pbrt",  "--quiet", "--photons-per-pass",
-                        "600",    "--nthreads", "2"};
+                        "500",    "--nthreads", "2"};
         ASSERT_EQ(run(two + Words{"--pass-range", "0:1", "-o", "a.film", "-o", "a.exr"}).code, 0);
         ASSERT_EQ(run(two + Words{"--pass-range", "1:2", "-o", "b.film", "-o", "b.exr"}).code, 0);
         ASSERT_EQ(
@@ -120,9 +120,17 @@ private:
         return ran.code;
     }
 
-    /// Times are in statistics and checkpoints, which are whole if they are as long or can be read.
+    bool is_checkpoint(const std::string& file) const {
+        try {
+            return read_checkpoint(path(file)).state.film.pass_count() > 0;
+        } catch (const std::runtime_error&) {
+            return false;
+        }
+    }
+
+    /// Times are in statistics and checkpoints, which are whole if they can be read.
     bool is_whole(const std::string& file, const std::string& bytes) const {
-        if (file.ends_with(".ckpt")) return bytes.size() == whole_.at(file).size();
+        if (file.ends_with(".ckpt")) return is_checkpoint(file);
         if (file.ends_with(".json")) return nlohmann::json::accept(bytes);
         return bytes == whole_.at(file);
     }
