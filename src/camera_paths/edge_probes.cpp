@@ -1,10 +1,8 @@
 // Probes are short rays through a disc, along its normal.
 #include "camera_paths/edge_probes.h"
 
+#include "math/warp.h"
 #include "visible_points/sight.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace sunfleck::engine {
 namespace {
@@ -49,7 +47,7 @@ private:
         float sum = 1;
         float term = 1;
         for (int k = 1; k < kMostTerms; ++k) {
-            term *= 1 - probe_pair(disc, disc.radius_for(kind), kind, all);
+            term *= 1 - probe_pair(disc, kind, all);
             if (term < kLeastTerm) {
                 if (!(static_cast<float>(stream_.next()) * kLeastTerm < term)) break;
                 term = kLeastTerm;
@@ -61,14 +59,14 @@ private:
 
     /// Probes two opposite points of a disc: of a straight edge's disc, one always has surface.
     /// @return the share of them that has.
-    float probe_pair(const Disc& disc, float radius, PhotonKind kind, Met& all) {
-        const float out = radius * std::sqrt(static_cast<float>(stream_.next()));
-        const float angle = 2 * kPi * static_cast<float>(stream_.next());
+    float probe_pair(const Disc& disc, PhotonKind kind, Met& all) {
+        const Vec2d u = concentric_disc({stream_.next(), stream_.next()});
         const Frame frame(disc.normal);
-        const Vec3 way = frame.x * (out * std::cos(angle)) + frame.y * (out * std::sin(angle));
+        const Vec3 way = (frame.x * static_cast<float>(u.x) + frame.y * static_cast<float>(u.y)) *
+                         disc.radius_for(kind);
         float met = 0;
         for (const Vec3& at : {disc.position + way, disc.position - way}) {
-            const float cosine = cosine_at(at, disc, radius, kind);
+            const float cosine = cosine_at(at, disc, kind);
             if (!(cosine > 0)) continue;
             all.cosines += cosine;
             ++all.probes;
@@ -80,8 +78,9 @@ private:
     /// Returns the cosine between the disc and a surface at a point of the disc; zero if there is
     /// none whose photons count. A surface that is there in part counts as a whole one: photons are
     /// stored at all of it.
-    float cosine_at(const Vec3& at, const Disc& disc, float radius, PhotonKind kind) {
+    float cosine_at(const Vec3& at, const Disc& disc, PhotonKind kind) {
         const Geometry& geometry = pass_.scene.geometry();
+        const float radius = disc.radius_for(kind);
         const float step = 1e-4F * radius;  // past a surface that was met
         float from = radius;
         for (int k = 0; k < kMostSurfaces && from > -radius; ++k) {
@@ -90,15 +89,15 @@ private:
             if (!geometry.complete(geometry.trace(ray, AlphaTest::off), hit)) return 0;
             const Photon photon = photon_at(hit, disc, kind);
             if (pass_.may_gather(pass_.scene.material_of(hit)) && accepts(disc, photon, 1))
-                return counts(disc, photon, radius) ? photon.normal.dot(disc.normal) : 0;
+                return counts(disc, photon) ? photon.normal.dot(disc.normal) : 0;
             from -= hit.distance + step;
         }
         return 0;
     }
 
-    bool counts(const Disc& disc, const Photon& photon, float radius) {
+    bool counts(const Disc& disc, const Photon& photon) {
         if (probes_ == Probes::of_surface) return true;
-        if (sees(pass_.scene.geometry(), disc, photon.position, photon.normal, radius)) return true;
+        if (sees(pass_.scene.geometry(), disc, photon)) return true;
         found_hidden_ = true;
         return false;
     }

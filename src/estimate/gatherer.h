@@ -66,8 +66,7 @@ public:
     /// @return the number of accepted photons times accepting points.
     std::uint64_t gather(std::size_t begin, std::size_t end) {
         if (!find_taken(all_.index, all_.photons, begin, end, taken_)) return 0;
-        for (block_ = begin; block_ < end; ++block_)
-            if (all_.index.need_sight(block_) != 0) leave_hidden_out(taken_.blocks[block_ - begin]);
+        for (std::size_t b = begin; b < end; ++b) leave_hidden_out(b, taken_.blocks[b - begin]);
         for (std::size_t b = begin; b < end; ++b)
             call_points(b, taken_.blocks[b - begin].accepting);
         for (std::size_t b = begin; b < end; ++b)
@@ -109,18 +108,17 @@ private:
     }
 
     /// Leaves out photons of points that need sight and do not see them.
-    void leave_hidden_out(const TakenPhotons::Block& found) {
+    void leave_hidden_out(std::size_t block, const TakenPhotons::Block& found) {
+        const unsigned need_sight = all_.index.need_sight(block);
+        if (need_sight == 0) return;
         for (std::size_t k = found.first; k < found.first + found.count; ++k) {
             TakenPhoton& taken = taken_.list[k];
             const Photon& photon = all_.photons[taken.photon];
-            unsigned rest = taken.accepting & all_.index.need_sight(block_);
-            for (; rest != 0; rest &= rest - 1) {
+            for (unsigned rest = taken.accepting & need_sight; rest != 0; rest &= rest - 1) {
                 const auto i = static_cast<unsigned>(__builtin_ctz(rest));
-                const Disc& disc = point(i).disc;
-                if (!disc.is_probed_for(photon.kind)) continue;
-                const bool behind = disc.normal.dot(photon.normal) < 0;
-                if (!sees(all_.pass.scene.geometry(), disc, photon.position,
-                          behind ? -photon.normal : photon.normal, disc.radius_for(photon.kind)))
+                const Disc& disc = point(block, i).disc;
+                if (disc.is_probed_for(photon.kind) &&
+                    !sees(all_.pass.scene.geometry(), disc, photon))
                     taken.accepting &= ~(1U << i);
             }
         }

@@ -28,7 +28,7 @@ Epoch better_epoch(const PassScene& scene, const RenderSettings& settings,
     return camera_is_better() ? sampled.measured() : photons.measured();
 }
 
-/// Returns the epoch that needs no pilots and trials.
+/// Returns the epoch that needs no pilots, and no trials but one for edges.
 Epoch usual_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t number) {
     const std::uint32_t paths = usual_paths(settings.photon, window_of(scene.film()).pixels());
     Epoch epoch{.number = number,
@@ -63,8 +63,12 @@ bool needs_learning(const Scene& scene, const RenderSettings& settings) {
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
                   const std::function<void(double)>& trial_traced) {
     const std::uint32_t number = epoch_of(pass);
-    if (!needs_learning(scene, settings)) return usual_epoch(scene, settings, number);
     Stopwatch watch;
+    if (!needs_learning(scene, settings)) {
+        Epoch epoch = usual_epoch(scene, settings, number);
+        epoch.seconds = watch.seconds();
+        return epoch;
+    }
     IndirectLight way = settings.transport.indirect;
     if (settings.transport.direct == DirectLight::photons) way = IndirectLight::photons;
     std::optional<Epoch> epoch;

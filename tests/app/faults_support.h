@@ -114,6 +114,9 @@ private:
                 continue;
             }
             const std::string bytes = read_text(path(file));
+            if (ran.code == 0 && file.ends_with(".ckpt")) {
+                EXPECT_EQ(bytes.size(), whole_.at(file).size()) << place << ": " << file;
+            }
             EXPECT_TRUE(is_whole(file, bytes) || (ran.code != 0 && bytes == kEarlier))
                 << place << ": " << file;
         }

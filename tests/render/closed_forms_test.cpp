@@ -51,7 +51,7 @@ TEST_P(BothWays, furnace_box) {
                                  "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\n" +
                                  diffuse("0.5 0.5 0.5") + room());
     const MeanPicture picture = render_mean(scene, settings_for(GetParam()), 16);
-    // Away from the edges of the box, where discs lose photons. Seen: 0.5%.
+    // Away from the edges of the box. Seen: 0.5%.
     EXPECT_NEAR(luminance(picture.mean(4, 4, 8, 8)), 2, 0.01);
 }
 

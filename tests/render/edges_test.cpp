@@ -14,14 +14,9 @@ constexpr double kRadiance = 2;  // 1 of the walls, and half of what they get
 
 /// Walls from -1 to 1, seen from within towards a corner. @param within  more shapes.
 Scene box_of_light(const std::string& within) {
-    const std::vector<std::string> walls = {
-        "-1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1", "-1 -1 1  -1 1 1  1 1 1  1 -1 1",
-        "-1 -1 -1  -1 1 -1  -1 1 1  -1 -1 1", "1 -1 -1  1 -1 1  1 1 1  1 1 -1",
-        "-1 -1 -1  -1 -1 1  1 -1 1  1 -1 -1", "-1 1 -1  1 1 -1  1 1 1  -1 1 1"};
-    std::string text = view("-.5 -.6 .4  1 1 -1  0 0 1", 60, kSide) + "AttributeBegin\n" +
-                       "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\n" + diffuse(".5 .5 .5");
-    for (const std::string& wall : walls) text += quad(wall);
-    return scene_of(text + "AttributeEnd\n" + within);
+    return scene_of(view("-.5 -.6 .4  1 1 -1  0 0 1", 60, kSide) + "AttributeBegin\n" +
+                    "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\nReverseOrientation\n" +
+                    diffuse(".5 .5 .5") + box(Vec3d(-1), Vec3d(1)) + "AttributeEnd\n" + within);
 }
 
 /// Slats that are narrower than discs, and their gaps.
