@@ -1,4 +1,4 @@
-// Quantiles and means over bright blocks.
+// Quantiles and means over blocks.
 #include "film/target_error.h"
 
 #include "film/bias.h"
@@ -11,46 +11,49 @@
 namespace sunfleck::engine {
 namespace {
 
-struct BrightBlock {
+struct CountedBlock {
     std::size_t number;
     MeanError luminance;
+    double scale;  // of its errors
 };
 
-std::vector<BrightBlock> bright_blocks(const Film& film) {
-    std::vector<BrightBlock> bright;
+std::vector<CountedBlock> counted_blocks(const Film& film, Objective objective) {
+    std::vector<CountedBlock> counted;
     const auto image = image_error(film);
-    if (!image) return bright;
-    const double floor = 0.01 * image->mean;
+    if (!image || !(image->mean > 0)) return counted;
     const std::vector<MeanError> blocks = block_errors(film);
     for (std::size_t b = 0; b < blocks.size(); ++b)
-        if (floor > 0 && blocks[b].mean > floor) bright.push_back({b, blocks[b]});
-    return bright;
+        if (objective == Objective::absolute)
+            counted.push_back({b, blocks[b], image->mean});
+        else if (blocks[b].mean > 0.01 * image->mean)
+            counted.push_back({b, blocks[b], blocks[b].mean});
+    return counted;
 }
 
-/// @param bright  at least one block.
-double noise_of(const Film& film, const std::vector<BrightBlock>& bright, bool extrapolated) {
+/// @param counted  at least one block.
+double noise_of(const Film& film, const std::vector<CountedBlock>& counted, bool extrapolated) {
     const auto errors = extrapolated ? extrapolated_block_errors(film) : std::vector<double>();
-    std::vector<double> relative;
-    for (const BrightBlock& block : bright) {
+    std::vector<double> scaled;
+    for (const CountedBlock& block : counted) {
         const double error = errors.empty() ? block.luminance.standard_error : errors[block.number];
-        relative.push_back(error / block.luminance.mean);
+        scaled.push_back(error / block.scale);
     }
-    std::sort(relative.begin(), relative.end());
+    std::sort(scaled.begin(), scaled.end());
     const double wider = errors.empty() ? widening(film) : line_widening(film);
-    return wider * relative[(relative.size() * 95 + 99) / 100 - 1];
+    return wider * scaled[(scaled.size() * 95 + 99) / 100 - 1];
 }
 
-/// @param bright  at least one block. @return nothing if the bias is unknown.
-std::optional<double> bias_of(const Film& film, const std::vector<BrightBlock>& bright) {
+/// @param counted  at least one block. @return nothing if the bias is unknown.
+std::optional<double> bias_of(const Film& film, const std::vector<CountedBlock>& counted) {
     const std::vector<Bias> biases = block_biases(film);
     if (biases.empty()) return {};
     double sum = 0;
-    for (const BrightBlock& block : bright) {
+    for (const CountedBlock& block : counted) {
         const Bias& bias = biases[block.number];
         const double square = bias.value * bias.value - bias.standard_error * bias.standard_error;
-        sum += square / (block.luminance.mean * block.luminance.mean);
+        sum += square / (block.scale * block.scale);
     }
-    return std::sqrt(std::max(0.0, sum / static_cast<double>(bright.size())));
+    return std::sqrt(std::max(0.0, sum / static_cast<double>(counted.size())));
 }
 
 }  // namespace
@@ -75,17 +78,17 @@ double passes_left(const Film& film, const TargetError& error, double target, do
 
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {
     if (film.batches() < kTargetBatches || is_too_dim(film)) return {};
-    const std::vector<BrightBlock> bright = bright_blocks(film);
-    if (bright.empty()) return {};
-    TargetError error{noise_of(film, bright, terms.extrapolated), 0};
-    if (terms.bias && !terms.extrapolated) error.bias = bias_of(film, bright).value_or(0);
+    const std::vector<CountedBlock> counted = counted_blocks(film, terms.objective);
+    if (counted.empty()) return {};
+    TargetError error{noise_of(film, counted, terms.extrapolated), 0};
+    if (terms.bias && !terms.extrapolated) error.bias = bias_of(film, counted).value_or(0);
     return error;
 }
 
 std::optional<double> relative_bias(const Film& film) {
-    const std::vector<BrightBlock> bright = bright_blocks(film);
-    if (bright.empty()) return {};
-    return bias_of(film, bright);
+    const std::vector<CountedBlock> counted = counted_blocks(film, Objective::relative);
+    if (counted.empty()) return {};
+    return bias_of(film, counted);
 }
 
 }  // namespace sunfleck::engine

@@ -2,6 +2,7 @@
 // Equations: docs/method/errors.md, eqs. (33) and (34).
 #pragma once
 
+#include "aovs/objective.h"
 #include "film/film.h"
 
 #include <cmath>
@@ -16,12 +17,15 @@ inline constexpr std::uint64_t kTargetBatches = 4;
 struct ErrorTerms {
     bool bias = true;
     bool extrapolated = false;  // of the picture minus its bias
+    Objective objective = Objective::relative;
 };
 
-/// Relative errors.
+/// Errors of blocks over the scale of the objective: the brightness of the block, of blocks
+/// brighter than 1% of the picture; or the brightness of the picture, of all blocks.
 struct TargetError {
-    double noise = 0;  // the widened standard error below which 95% of the bright blocks are
-    double bias = 0;   // relative_bias(); zero if it does not count, does not exist, or is unknown
+    double noise = 0;  // the widened standard error below which 95% of these blocks are
+    double bias = 0;   // as relative_bias(); zero if it does not count, does not exist, or is
+                       // unknown
 
     double value() const { return std::sqrt(noise * noise + bias * bias); }
 };
@@ -35,7 +39,7 @@ double times_passes_to(const TargetError& error, double target, double alpha);
 /// Returns the number of further passes, with the weight of the latest. @param film  with passes.
 double passes_left(const Film& film, const TargetError& error, double target, double alpha);
 
-/// Returns the error over blocks brighter than 1% of the mean luminance. Nothing with fewer than
+/// Returns the error that the objective of `terms` judges. Nothing with fewer than
 /// kTargetBatches complete batches, if these are black, or if the picture is too dim for error
 /// bars.
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms);

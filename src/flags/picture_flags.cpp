@@ -96,6 +96,16 @@ std::vector<RenderFlag> end_flags() {
                     [](auto& r, const auto& name) { r.stop.error_terms.bias = name == "all"; }),
          .help = "What --target-error counts",
          .needs = {needs_photon_mapping(), refused_by_paper(kIndependentPasses, kOtherSampler)}},
+        {.name = "--objective",
+         .value = one_of(choices_of(kObjectives),
+                         [](auto& r, const auto& name) {
+                             r.settings.objective =
+                                 row_named(kObjectives, name)->objective;  // a choice
+                             r.stop.error_terms.objective = r.settings.objective;
+                         }),
+         .help = "What the picture is judged by: by --target-error, and where the sampler adaptive "
+                 "spends its paths",
+         .needs = {refused_by_paper("is nothing that the sampler paper knows")}},
         {.name = "--time",
          .value = value_of("TIME", read_duration,
                            [](auto& r, const auto& seconds) { r.stop.seconds = seconds; }),

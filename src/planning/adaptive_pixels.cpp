@@ -1,6 +1,8 @@
 // Allocation of paths by the noise of trials.
 #include "planning/adaptive_pixels.h"
 
+#include "planning/judged_blocks.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,19 +11,17 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr double kDarkOfMean = 0.1;  // of the mean brightness: a lower bound
 constexpr std::uint8_t kMostLog2Samples = 6;
 /// Paths of a pixel of mean noise, if numbers were real and samples independent.
 constexpr std::array<double, 8> kLevels = {0.125, 0.25, 0.5, 1, 2, 4, 8, 16};
 /// Limit of camera paths of a subpass: a visible point takes a few hundred bytes.
 constexpr std::size_t kMostPaths = std::size_t{1} << 23U;
 
-/// Returns variance per cost of a path, for a picture with brightness normalised by square roots.
+/// Returns judged variance per cost of a path.
 PixelValues worth_of(const PixelValues& variance, const PixelValues& rays,
-                     const PixelValues& brightness) {
+                     const PixelValues& scale) {
     PixelValues worth(variance.size());
-    for (std::size_t i = 0; i < worth.size(); ++i)
-        worth[i] = variance[i] / (rays[i] * brightness[i]);
+    for (std::size_t i = 0; i < worth.size(); ++i) worth[i] = variance[i] / (rays[i] * scale[i]);
     return worth;
 }
 
@@ -75,18 +75,16 @@ bool may_be_shared(const PixelWindow& window) {
 }
 
 std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTrials& trials,
-                                        const PixelValues& light) {
+                                        const PixelValues& light, Objective objective) {
     std::vector<CameraShares> all;
     if (!trials.have_noise()) return all;
-    PixelValues brightness = smoothed(light, window);
-    const double dark = kDarkOfMean * mean_value(brightness);
-    if (!(dark > 0)) return all;
-    for (double& b : brightness) b = std::max(b, dark);
+    if (!(mean_value(light) > 0)) return all;
+    const PixelValues scale = squared_scales(window, light, objective);
     const auto& [one, other] = trials.variance;
     PixelValues steady(one.size());  // outliers in one half attract no paths
     for (std::size_t i = 0; i < one.size(); ++i) steady[i] = std::sqrt(one[i] * other[i]);
     const auto worth = [&](const PixelValues& variance) {
-        return worth_of(variance, trials.rays, brightness);
+        return worth_of(variance, trials.rays, scale);
     };
     const PixelValues of_both = worth(steady);
     if (!(mean_value(of_both) > 0)) return all;

@@ -3,10 +3,10 @@
 // In:  trials of the pixels. Out: numbers of paths, with predicted variance.
 // Source: Neyman allocation, in proportion to standard deviation over the root of the cost (J.
 // Royal Statistical Society 97, 1934); here with the variance decay of scrambled nets.
-// (J. Royal Statistical Society 97, 1934); here of variances that fall as nets have them.
 // Equations: docs/method/sampling.md, eq. (23).
 #pragma once
 
+#include "aovs/objective.h"
 #include "film/luminance.h"
 #include "planning/pixel_trials.h"
 
@@ -43,7 +43,7 @@ bool may_be_shared(const PixelWindow& window);
 /// most eight million in total, because visible points need memory. Empty without noise.
 /// @param light  of the pixels.
 std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTrials& trials,
-                                        const PixelValues& light);
+                                        const PixelValues& light, Objective objective);
 
 /// Returns the variance of light that needs no photon, as the mean over a block's pixels, with
 /// paths allocated by the other half of the trials (cross-validation).

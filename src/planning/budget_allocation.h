@@ -14,8 +14,8 @@
 
 namespace sunfleck::engine {
 
-/// Variances of a block of pixels in one subpass, relative to its squared brightness. Negative
-/// estimates count as zero.
+/// Variances of a block of pixels in one subpass, as the objective judges them. Negative estimates
+/// count as zero.
 struct BlockVariance {
     double camera = 0;  // of camera paths: photons do not reduce it
     double photon = 0;  // of one photon path: n paths have 1/n of it
@@ -42,7 +42,7 @@ struct SubpassMeasures {
 };
 
 /// Selects the number of paths among usual * {1/16, 1/8, 1/4, 1/2, 1, 2, 4} that minimises the
-/// relative standard error of a block at equal work, as a mean over blocks, so that few noisy
+/// judged standard error of a block at equal work, as a mean over blocks, so that few noisy
 /// blocks do not dominate. The error of a block after work w is sqrt((camera + photon / n) (c + n
 /// p) / w). Also selects the number of subpasses, up to 16, with about the squared error of a usual
 /// pass; or, if one subpass has less, the weight of a pass, up to kMostWeight.
@@ -52,11 +52,11 @@ struct SubpassMeasures {
 PhotonBudget allocated_budget(const SubpassMeasures& subpass, std::uint32_t usual, double fewest,
                               double of_pass);
 
-/// Returns the relative standard error of one subpass, summed over blocks. @param paths  photon
+/// Returns the judged standard error of one subpass, summed over blocks. @param paths  photon
 /// paths.
 double error_of_subpass(const SubpassMeasures& subpass, double paths);
 
-/// Returns the objective of allocated_budget(): the relative standard error of a block times the
+/// Returns the objective of allocated_budget(): the judged standard error of a block times the
 /// root of the work, summed over blocks. @param paths  photon paths of a subpass.
 double error_of_subpasses(const SubpassMeasures& subpass, double paths);
 

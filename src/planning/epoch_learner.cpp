@@ -33,7 +33,8 @@ SubpassRequest request_of(const PhotonSettings& settings, std::uint32_t epoch, s
     request.usual = usual;
     request.budget = settings.photon_budget && !settings.paths_per_pass;
     if (pixels > kLarge) request.cells = 2;
-    if (epoch == 0) request = {usual, false, true, {1, 3}, 16, 2};
+    if (epoch == 0)
+        request = {.usual = usual, .budget = false, .trials = {1, 3}, .parts = 16, .cells = 2};
     request.trials.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
     request.shares = settings.adaptive_pixels;
     return request;
@@ -66,6 +67,7 @@ std::vector<LightStratum> in_one_stratum(const LightChoice& lights, const Guided
 EpochLearner::EpochLearner(const PassScene& scene, const RenderSettings& settings,
                            IndirectLight way, std::uint32_t epoch)
     : settings_(settings.photon),
+      objective_(settings.objective),
       epoch_{.number = epoch,
              .transport = settings.transport,
              .log2_samples = {},
@@ -111,7 +113,8 @@ void EpochLearner::plan_independent_paths() {
     WorthGuide guide;
     MutationScales scales;
     if (settings_.emission_guide) {
-        guide = learned_worth_guide(*context_, camera_.window, *seen_, name_, epoch_.paths);
+        guide =
+            learned_worth_guide(*context_, camera_.window, *seen_, name_, epoch_.paths, objective_);
         const bool bends_nothing = guide.plan.map.is_identity();
         if (bends_nothing && !settings_.paths_per_pass)
             epoch_.paths = std::min(epoch_.paths, kFewPaths);
@@ -125,8 +128,8 @@ void EpochLearner::plan_independent_paths() {
 
 Epoch EpochLearner::measured() {
     const std::uint32_t paths = epoch_.paths;
-    const SubpassRequest request =
-        request_of(settings_, epoch_.number, paths, camera_.window.pixels());
+    SubpassRequest request = request_of(settings_, epoch_.number, paths, camera_.window.pixels());
+    request.objective = objective_;
     SubpassPlan plan = measured_plan(camera_, *seen_, epoch_.strata, name_, request);
     epoch_.log2_samples = std::move(plan.log2_samples);
     if (!request.budget) return std::move(epoch_);

@@ -47,6 +47,7 @@ private:
     void plan_independent_paths();
 
     const PhotonSettings& settings_;
+    Objective objective_;
     Epoch epoch_;
     PilotName name_;
     CameraPass camera_;

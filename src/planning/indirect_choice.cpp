@@ -3,8 +3,7 @@
 
 #include "camera_paths/trace_camera_paths.h"
 #include "photon_samplers/splitting_sampler.h"
-#include "planning/path_trials.h"
-#include "planning/pixel_buffer.h"
+#include "planning/judged_blocks.h"
 #include "planning/trial_iterations.h"
 #include "planning/trial_work.h"
 
@@ -23,9 +22,6 @@ constexpr std::uint64_t kLeastParts = 4;
 
 /// Camera paths of trials beside the one that was seen; at least those of one trial.
 constexpr std::size_t kCameraPaths = 200'000;
-
-/// Darker blocks are no worse than those of so much of the picture's squared brightness.
-constexpr double kDark = 0.01;
 
 /// Sums of numbers, and of their squares, by block.
 class BlockMoments {
@@ -65,19 +61,20 @@ std::size_t more_camera_trials(std::size_t pixels) {
     return std::clamp<std::size_t>(kCameraPaths / pixels, 1, kWayCameraIterations.size());
 }
 
-/// Relative noise, as the mean over blocks.
-struct RelativeNoise {
+/// Noise as the objective judges it, as the mean over blocks.
+struct JudgedNoise {
     double camera = 0;
     double photons = 0;
     double missing = 0;  // light that the other way found, and this one did not
 };
 
-RelativeNoise relative_noise(const WayTrials& one, const WayTrials& other, double mean) {
+JudgedNoise judged_noise(const WayTrials& one, const WayTrials& other, double mean,
+                         Objective objective) {
     const auto blocks = static_cast<double>(one.light.size());
-    RelativeNoise noise;
+    JudgedNoise noise;
     for (std::size_t b = 0; b < one.light.size(); ++b) {
         const double light = std::max(one.light[b], other.light[b]);
-        const double square = light * light + kDark * mean * mean;
+        const double square = squared_scale(objective, light, mean);
         noise.camera += one.camera.variance[b] / square / blocks;
         noise.missing += (other.light[b] - one.light[b]) / std::sqrt(square) / blocks;
         if (one.passes > 0) noise.photons += one.photons.variance[b] / square / blocks;
@@ -88,7 +85,7 @@ RelativeNoise relative_noise(const WayTrials& one, const WayTrials& other, doubl
 }  // namespace
 
 WayTrials camera_trials(const CameraPass& camera, const CameraTrial& seen, const PilotName& name) {
-    const BlockGrid blocks = worth_blocks(camera.window);
+    const BlockGrid blocks = judged_blocks(camera.window);
     const std::size_t pixels = camera.window.pixels();
     BlockMoments moments(blocks);
     moments.add(seen.image);
@@ -113,7 +110,7 @@ void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
         fraction_of(plan, static_cast<std::uint32_t>(std::max(kLeastParts, paths / kPathsOfASet)));
     const double part = static_cast<double>(paths_of(strata)) / static_cast<double>(paths);
     const PhotonContext context{camera.scene, camera.transport, seen.index};
-    const BlockGrid blocks = worth_blocks(camera.window);
+    const BlockGrid blocks = judged_blocks(camera.window);
     BlockMoments moments(blocks);
     PhotonTotals totals;
     for (std::uint32_t set = 0; set < kSets; ++set) {
@@ -129,10 +126,10 @@ void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
     for (std::size_t b = 0; b < blocks.count(); ++b) trials.light[b] += moments.mean(b);
 }
 
-double error_of_way(const WayTrials& one, const WayTrials& other) {
+double error_of_way(const WayTrials& one, const WayTrials& other, Objective objective) {
     const double mean = std::max(mean_value(one.light), mean_value(other.light));
     if (!(mean > 0)) return 0;
-    const RelativeNoise noise = relative_noise(one, other, mean);
+    const JudgedNoise noise = judged_noise(one, other, mean, objective);
     const double missing = std::max(0.0, noise.missing);
     const double found =
         std::sqrt(noise.camera * one.camera.work) + std::sqrt(noise.photons * one.photons.work);

@@ -1,11 +1,12 @@
 // Who brings indirect light: trials of photons and of camera paths that go on, and their errors.
 //
 // In:  visible points and a plan of each way. Out: its error at equal work, by which the better way
-// is chosen. The error is what a picture is judged by: variance of blocks over their squared
-// brightness. Trials are no part of a picture.
+// is chosen. The error is what a picture is judged by (aovs/objective.h). Trials are no part of a
+// picture.
 // Equations: docs/method/sampling.md, eqs. (40) and (41).
 #pragma once
 
+#include "aovs/objective.h"
 #include "planning/photon_trials.h"
 
 #include <vector>
@@ -38,6 +39,6 @@ void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
 /// Returns the error of one way after a unit of work, split between camera and photon paths as is
 /// best. Light that the other way found, and this one did not, counts as noise. Without photons, a
 /// lower bound.
-double error_of_way(const WayTrials& one, const WayTrials& other);
+double error_of_way(const WayTrials& one, const WayTrials& other, Objective objective);
 
 }  // namespace sunfleck::engine

@@ -20,7 +20,8 @@ Epoch better_epoch(const PassScene& scene, const RenderSettings& settings,
     sampled.look({});
     WayTrials by_camera = sampled.without_photons();
     const auto camera_is_better = [&] {
-        return error_of_way(by_camera, by_photons) < error_of_way(by_photons, by_camera);
+        return error_of_way(by_camera, by_photons, settings.objective) <
+               error_of_way(by_photons, by_camera, settings.objective);
     };
     if (!camera_is_better()) return photons.measured();  // nor with the noise of its photons
     sampled.plan();

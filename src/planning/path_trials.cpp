@@ -102,17 +102,6 @@ std::vector<PathLight> summed(std::vector<PathLight> entries) {
 
 }  // namespace
 
-BlockGrid worth_blocks(const PixelWindow& window) {
-    return {window.width(), window.height(), 8};
-}
-
-std::vector<double> block_sums(const BlockGrid& blocks, const PixelValues& values) {
-    std::vector<double> sums(blocks.count());
-    for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
-        sums[blocks.block_of(pixel)] += values[pixel];
-    return sums;
-}
-
 PathTrials try_paths(const PhotonContext& context, const EmissionGuide& guide,
                      const BlockGrid& blocks, PassId pass, std::uint32_t count) {
     const PhotonTracer tracer(context.scene, context.transport, context.scene.scene.light_choice());

@@ -3,20 +3,13 @@
 // In:  visible points, a guide. Out: emission and light of paths that are no part of a picture.
 #pragma once
 
-#include "film/luminance.h"
 #include "guide/emission_guide.h"
 #include "photon/light_stratum.h"
-#include "planning/pixel_buffer.h"
+#include "planning/judged_blocks.h"
 
 #include <vector>
 
 namespace sunfleck::engine {
-
-/// Blocks of 8 x 8 pixels.
-BlockGrid worth_blocks(const PixelWindow& window);
-
-/// Returns the sum of the values in each block.
-std::vector<double> block_sums(const BlockGrid& blocks, const PixelValues& values);
 
 /// The luminance that a path alone brings to the pixels of a block: with the weight one.
 struct PathLight {

@@ -32,7 +32,8 @@ struct Work {
 Work work_of(const CameraTrial& trial, const PhotonTrials& trials) {
     const auto rays = static_cast<double>(trials.totals.statistics[Count::photon_rays]);
     const double paths = kPhotonSets * trials.pair.paths;
-    return {camera_work(trial.counts), rays / paths, kRaysOfDeposit * trials.deposits / paths};
+    return {camera_work(trial.counts), kWorkOfPhotonRay * rays / paths,
+            kWorkOfDeposit * trials.deposits / paths};
 }
 
 /// Returns the fraction of the usual paths that leaves kSurvivors.
@@ -106,13 +107,14 @@ SubpassPlan measured_plan(const CameraPass& first, const CameraTrial& seen,
     const Work work = work_of(seen, photons);
     const double fewest = std::max(
         2.0, std::floor(least_share(strata, photons.totals, 1.0 / request.parts) * request.usual));
-    std::vector<CameraShares> shares = camera_shares(window, pixels, photons.pair.one.lit[0]);
+    std::vector<CameraShares> shares =
+        camera_shares(window, pixels, photons.pair.one.lit[0], request.objective);
     shares.insert(shares.begin(), CameraShares{});  // one path per pixel
     std::vector<SubpassMeasures> subpasses;
     subpasses.reserve(shares.size());
     for (const CameraShares& way : shares)
-        subpasses.push_back(
-            {block_variances(window, photons.pair, pixels, way), work.with(way, photons.taken)});
+        subpasses.push_back({block_variances(window, photons.pair, pixels, way, request.objective),
+                             work.with(way, photons.taken)});
     const std::vector<PhotonBudget> usual(subpasses.size(), {request.usual});
     const std::size_t at_usual = best_of(subpasses, usual);
     if (!request.budget) return {{request.usual}, std::move(shares[at_usual].log2_samples)};

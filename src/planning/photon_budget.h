@@ -19,6 +19,7 @@ struct SubpassPlan {
 /// What to measure, and with how much work.
 struct SubpassRequest {
     std::uint32_t usual = 0;  // photon paths of a subpass by default
+    Objective objective = Objective::relative;
     bool budget = true;
     bool shares = true;       // adaptive pixel sampling
     TrialEffort trials;       // trials that measure the noise of pixels

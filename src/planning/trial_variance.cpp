@@ -4,8 +4,6 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr double kDark = 0.01;  // relative to the picture's brightness
-
 /// Sums over the pixels of a block that both trials have.
 struct BlockSums {
     double light = 0;
@@ -54,7 +52,8 @@ BlockSums sums_of(const PixelCells& cells, std::size_t block, const TrialPair& p
 }  // namespace
 
 std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
-                                           const PixelTrials& trials, const CameraShares& shares) {
+                                           const PixelTrials& trials, const CameraShares& shares,
+                                           Objective objective) {
     const BlockGrid grid(window.width(), window.height(), kTrialBlock);
     std::vector<BlockSums> blocks;
     double light = 0;
@@ -64,13 +63,13 @@ std::vector<BlockVariance> block_variances(const PixelWindow& window, const Tria
         light += blocks.back().light;
         pixels += blocks.back().pixels;
     }
-    const double floor = kDark * light / pixels;
+    const double mean = light / pixels;
+    if (!(mean > 0)) return {};
     std::vector<BlockVariance> variances;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         const BlockSums& sums = blocks[b];
-        const double brightness = sums.light / sums.pixels;
-        if (!(brightness > floor)) continue;
-        const double squares = sums.pixels * brightness * brightness;
+        const double squares =
+            sums.pixels * squared_scale(objective, sums.light / sums.pixels, mean);
         variances.push_back({trials.nets[b].of_batch() * sums.camera / squares,
                              sums.photon / squares * pair.paths});
     }

@@ -9,6 +9,7 @@
 // Equations: docs/method/sampling.md, eq. (20).
 #pragma once
 
+#include "aovs/objective.h"
 #include "film/luminance.h"
 #include "planning/adaptive_pixels.h"
 #include "planning/budget_allocation.h"
@@ -34,10 +35,11 @@ struct TrialPair {
     double paths = 1;  // photon paths of a set
 };
 
-/// Returns the variances of blocks brighter than 1% of the picture, in grid order: unbiased, except
-/// for the division by measured brightness.
+/// Returns the variances of blocks, in grid order: unbiased, except for the division by measured
+/// brightness. Empty if the picture is black.
 /// @param shares  allocation of the subpasses, computed from `trials`, never from the pair.
 std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
-                                           const PixelTrials& trials, const CameraShares& shares);
+                                           const PixelTrials& trials, const CameraShares& shares,
+                                           Objective objective);
 
 }  // namespace sunfleck::engine

@@ -7,6 +7,7 @@
 #include "planning/trial_iterations.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sunfleck::engine {
 namespace {
@@ -24,8 +25,6 @@ constexpr std::size_t kFew = 50;
 constexpr EmissionGuide::Growth kGrowth{.uniform_share = 0.05, .least_gain = 4, .spread = 0.01};
 /// Of the guide's mass: a lasting share of where samples of casters and trials were.
 constexpr double kKept = 0.3;
-/// Of the picture's brightness: pixels darker than that are no worse than it.
-constexpr double kLeastBrightness = 0.05;
 /// Of all trials' weight: one that met a hole of the guide must not become its only goal.
 constexpr double kMostOfAll = 0.002;
 
@@ -59,11 +58,12 @@ double bound_of_weights(std::vector<WorthPart> parts) {
 class WorthLearner {
 public:
     WorthLearner(const PhotonContext& context, const PixelWindow& window, const CameraTrial& seen,
-                 const PilotName& name, std::uint32_t paths)
+                 const PilotName& name, std::uint32_t paths, Objective objective)
         : context_(context),
           lights_(context.scene.scene.light_choice()),
-          blocks_(worth_blocks(window)),
+          blocks_(judged_blocks(window)),
           name_(name),
+          objective_(objective),
           trials_(std::clamp(paths / kPartsOfAPass, kLeastTrials, kMostTrials)),
           unlit_(block_sums(blocks_, luminance_of(seen.image))) {}
 
@@ -134,14 +134,14 @@ private:
 
     /// Returns the guide that all rounds together suggest.
     EmissionGuide corrected() {
-        const std::vector<double> brightness = this->brightness();
+        const std::vector<double> scales = this->scales();
         std::vector<EmissionGuide::Worth> trials;
         worth_.clear();
         double all = 0;
         for (const Brought& path : paths_) {
             double worth = 0;
             for (std::size_t i = path.begin; i < path.end; ++i)
-                worth += light_[i].luminance / brightness[light_[i].block];
+                worth += light_[i].luminance / scales[light_[i].block];
             trials.push_back({path.point, worth * worth / path.density});
             if (!(worth > 0)) continue;
             worth_.push_back({path.point, worth / path.density});
@@ -169,8 +169,8 @@ private:
         return result;
     }
 
-    /// Returns the brightness of a pixel of each block, and the least that counts added.
-    std::vector<double> brightness() const {
+    /// Returns the scale of errors of each block.
+    std::vector<double> scales() const {
         std::vector<double> blocks = unlit_;
         for (const Brought& path : paths_)
             for (std::size_t i = path.begin; i < path.end; ++i)
@@ -182,7 +182,8 @@ private:
             pixels += pixels_of(b);
         }
         for (std::size_t b = 0; b < blocks.size(); ++b)
-            blocks[b] = blocks[b] / pixels_of(b) + kLeastBrightness * all / pixels;
+            blocks[b] =
+                std::sqrt(squared_scale(objective_, blocks[b] / pixels_of(b), all / pixels));
         return blocks;
     }
 
@@ -194,6 +195,7 @@ private:
     const LightChoice& lights_;
     BlockGrid blocks_;
     PilotName name_;
+    Objective objective_;
     std::uint32_t trials_;                   // of a round
     std::vector<double> unlit_;              // light that needs no photon, by block
     std::vector<WeightedEmission> samples_;  // of casters
@@ -206,9 +208,9 @@ private:
 }  // namespace
 
 WorthGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& window,
-                               const CameraTrial& seen, const PilotName& name,
-                               std::uint32_t paths) {
-    return WorthLearner(context, window, seen, name, paths).learn();
+                               const CameraTrial& seen, const PilotName& name, std::uint32_t paths,
+                               Objective objective) {
+    return WorthLearner(context, window, seen, name, paths, objective).learn();
 }
 
 }  // namespace sunfleck::engine

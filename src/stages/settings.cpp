@@ -36,6 +36,7 @@ std::string RenderSettings::text() const {
         text += fmt::format("indirect={}\n", name_of(transport.indirect));
     if (!camera.edges) text += "edges=off\n";
     if (!camera.ris) text += "ris=off\n";
+    if (objective != Objective::relative) text += fmt::format("objective={}\n", name_of(objective));
     for (const AdaptivePart& part : kAdaptiveParts)
         if (!(photon.*part.is_on)) text += setting_of(part) + "=off\n";
     if (!transport.light_groups.names.empty())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "aovs/channels.h"
+#include "aovs/objective.h"
 #include "aovs/pass_image.h"
 #include "aovs/transport.h"
 #include "camera_paths/settings.h"
@@ -44,6 +45,7 @@ struct RenderSettings {
     PhotonSettings photon;
     double alpha = 2.0 / 3.0;  // of the radius sequence, in (0,1)
     AovSet aovs{};
+    Objective objective = Objective::relative;  // of what the sampler `adaptive` measures
     std::uint64_t seed = 0;
     bool energy_compensation = false;  // of the scene's materials: compensate_energy()
 

@@ -63,6 +63,12 @@ TEST_F(AdaptiveParts, all_passes_count_once) {
     EXPECT_EQ(s["epochs"][0]["weight"], 1);
 }
 
+TEST_F(AdaptiveParts, an_objective_is_for_all_passes) {
+    expect_films_apart("--objective", "objective", "absolute");
+    expect_refused("--objective",
+                   {{"--objective", "squared"}, {"--objective", "absolute", "--mode", "paper"}});
+}
+
 TEST_F(AdaptiveParts, light_candidates_are_one_for_any_sampler) {
     for (const char* sampler : {"adaptive", "uniform"}) {
         const auto several = stats("0:1", {"--photon-sampler", sampler});

@@ -117,9 +117,10 @@ protected:
 
     /// Films of the scene with the part of the renderer that this flag switches off, and without.
     /// @param setting  as it names what differs.
-    void expect_films_apart(const std::string& flag, const std::string& setting) const {
+    void expect_films_apart(const std::string& flag, const std::string& setting,
+                            const std::string& value = "off") const {
         part("a", "0:1", 1);
-        part("b", "1:2", 1, {flag, "off"});
+        part("b", "1:2", 1, {flag, value});
         const Ran merged = run({"merge", "a.film", "b.film", "-o", "x.exr"});
         EXPECT_EQ(merged.code, 2);
         EXPECT_NE(merged.err.find(setting), std::string::npos) << merged.err;

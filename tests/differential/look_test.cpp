@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 namespace sunfleck::engine::differential {
@@ -46,6 +47,16 @@ TEST(Look, a_saturated_colour_is_no_negative_light) {
     Picture picture = grey(4, 4, 1);
     picture.channels[0].values[0] = -0.5F;
     EXPECT_FALSE(broken_values(picture, false));
+}
+
+/// Light of 420 nm, after adaptation from 8,000 to 6,500 kelvin.
+TEST(Look, violet_light_under_another_white_is_no_negative_light) {
+    Picture picture = grey(4, 4, 1);
+    for (std::size_t c = 0; c < 3; ++c)
+        picture.channels[c].values[0] = std::array{0.0035F, -0.0029F, 0.0177F}[c];
+    EXPECT_FALSE(broken_values(picture, false));
+    picture.channels[1].values[0] = -0.004F;
+    EXPECT_TRUE(broken_values(picture, false));
 }
 
 /// Looks at renders of four blocks with 1% of noise. @param last  the last block's brightness.

@@ -23,15 +23,18 @@ TEST(TargetError, needs_four_batches) {
     EXPECT_TRUE(target_error(testing_support::film_of(key, numbers(0, 64)), {}).has_value());
 }
 
-TEST(TargetError, of_noise_is_the_95th_percentile_of_bright_blocks) {
-    // 40 bright blocks whose relative error rises from 1 to 40 steps; 10 dark ones of wild error.
-    const auto value = [](std::uint32_t batch, std::size_t pixel) {
+/// 40 bright blocks whose relative error rises from 1 to 40 steps; 10 dark ones of wild error.
+Film film_of_steps() {
+    return film_by_batch(400, 8, 64, [](std::uint32_t batch, std::size_t pixel) {
         const std::size_t block = pixel % 400 / 8;
         const float sign = batch % 2 == 0 ? 1.0F : -1.0F;
         if (block >= 40) return 1e-4F * (1 + sign);
         return 1 + sign * 0.01F * static_cast<float>(block + 1);
-    };
-    const Film film = film_by_batch(400, 8, 64, value);
+    });
+}
+
+TEST(TargetError, of_noise_is_the_95th_percentile_of_bright_blocks) {
+    const Film film = film_of_steps();
     // Four batches of 1 +- d: standard error d / sqrt(3), widened for three degrees of freedom. 38
     // of 40 blocks are at or below the 38th.
     EXPECT_NEAR(target_error(film, {})->noise, 1.6534 * 0.38 / std::sqrt(3.0), 1e-4);
@@ -39,6 +42,14 @@ TEST(TargetError, of_noise_is_the_95th_percentile_of_bright_blocks) {
     EXPECT_FALSE(relative_bias(film));
     const Film black = film_by_batch(8, 8, 64, [](std::uint32_t, std::size_t) { return 0.0F; });
     EXPECT_FALSE(target_error(black, {}).has_value());
+}
+
+/// 48 of all 50 blocks are at or below the 38th bright one, and the picture's brightness is .8.
+TEST(TargetError, of_an_absolute_objective_is_over_the_brightness_of_the_picture) {
+    ErrorTerms terms;
+    terms.objective = Objective::absolute;
+    EXPECT_NEAR(target_error(film_of_steps(), terms)->noise, 1.6534 * 0.38 / std::sqrt(3.0) / 0.8,
+                1e-3);
 }
 
 TEST(TargetError, without_noise_is_nothing) {

@@ -1,8 +1,7 @@
 // The choice who brings indirect light: what trials measure, and how errors are compared.
 #include "planning/indirect_choice.h"
 
-#include "planning/path_trials.h"
-#include "planning/pixel_buffer.h"
+#include "planning/judged_blocks.h"
 #include "render/pass.h"
 #include "support/renders.h"
 
@@ -13,6 +12,10 @@ namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
+double relative_error(const WayTrials& one, const WayTrials& other) {
+    return error_of_way(one, other, Objective::relative);
+}
+
 /// Trials of one pass, with the noise of camera paths alone.
 WayTrials trials(double variance, double light = 1, double work = 1) {
     return {std::vector(4, light), {std::vector(4, variance), work}, {std::vector(4, 0.0), 0}, 1};
@@ -20,11 +23,28 @@ WayTrials trials(double variance, double light = 1, double work = 1) {
 
 TEST(ErrorOfWay, is_variance_over_squared_brightness_times_work) {
     const WayTrials usual = trials(0.1);
-    const double error = error_of_way(usual, usual);
+    const double error = relative_error(usual, usual);
     EXPECT_NEAR(error, 0.1 / 1.01, 1e-12);
-    EXPECT_NEAR(error_of_way(trials(0.2), usual), 2 * error, 1e-12);
-    EXPECT_NEAR(error_of_way(trials(0.1, 1, 3), usual), 3 * error, 1e-12);
-    EXPECT_NEAR(error_of_way(trials(0.1, 2), trials(0.1, 2)), error / 4, 1e-12);
+    EXPECT_NEAR(relative_error(trials(0.2), usual), 2 * error, 1e-12);
+    EXPECT_NEAR(relative_error(trials(0.1, 1, 3), usual), 3 * error, 1e-12);
+    EXPECT_NEAR(relative_error(trials(0.1, 2), trials(0.1, 2)), error / 4, 1e-12);
+}
+
+/// Two ways with the same noise, one in the dark and one in the light, beside each other.
+TEST(ErrorOfWay, knows_no_dark_where_errors_are_absolute) {
+    const auto noise_in = [](std::size_t block) {
+        WayTrials uneven = trials(0);
+        uneven.light = {0.1, 1.9, 1, 1};
+        uneven.camera.variance.at(block) = 0.1;
+        return uneven;
+    };
+    const auto error_in = [&](std::size_t block, Objective objective) {
+        return error_of_way(noise_in(block), noise_in(block), objective);
+    };
+    EXPECT_NEAR(error_in(0, Objective::absolute), 0.1 / 4, 1e-12);
+    EXPECT_NEAR(error_in(1, Objective::absolute), 0.1 / 4, 1e-12);
+    EXPECT_NEAR(error_in(0, Objective::relative) / error_in(1, Objective::relative),
+                (1.9 * 1.9 + 0.01) / (0.1 * 0.1 + 0.01), 1e-9);
 }
 
 TEST(ErrorOfWay, splits_work_between_camera_and_photon_paths) {
@@ -32,22 +52,22 @@ TEST(ErrorOfWay, splits_work_between_camera_and_photon_paths) {
     // least for a unit of work at n = 1/7, m = 2/21.
     WayTrials both = trials(0.1);
     both.photons = {std::vector(4, 0.4), 9};
-    EXPECT_NEAR(error_of_way(both, both), (0.1 * 7 + 0.4 * 21 / 2) / 1.01, 1e-9);
+    EXPECT_NEAR(relative_error(both, both), (0.1 * 7 + 0.4 * 21 / 2) / 1.01, 1e-9);
     both.passes = 0;  // no photons tried
-    EXPECT_NEAR(error_of_way(both, both), 0.1 / 1.01, 1e-9);
+    EXPECT_NEAR(relative_error(both, both), 0.1 / 1.01, 1e-9);
 }
 
 TEST(ErrorOfWay, is_large_where_the_other_way_found_light_that_this_one_missed) {
-    EXPECT_GT(error_of_way(trials(0, 0), trials(0.1)), 0.9);
-    EXPECT_LT(error_of_way(trials(0.1), trials(0, 0)), 0.11);
+    EXPECT_GT(relative_error(trials(0, 0), trials(0.1)), 0.9);
+    EXPECT_LT(relative_error(trials(0.1), trials(0, 0)), 0.11);
     // Blocks that are darker by chance are balanced by brighter ones.
     WayTrials uneven = trials(0.1);
     uneven.light = {0.9, 1.1, 1, 1};
-    EXPECT_NEAR(error_of_way(uneven, trials(0.1)), 0.1 / 1.01, 0.01);
+    EXPECT_NEAR(relative_error(uneven, trials(0.1)), 0.1 / 1.01, 0.01);
 }
 
 TEST(ErrorOfWay, is_zero_in_the_dark) {
-    EXPECT_EQ(error_of_way(trials(0, 0), trials(0, 0)), 0);
+    EXPECT_EQ(relative_error(trials(0, 0), trials(0, 0)), 0);
 }
 
 /// A floor and a wall in the light of a lamp, and a ball of glass.
@@ -88,7 +108,7 @@ protected:
     }
 
     OfPasses passes(std::uint32_t count) const {
-        const BlockGrid blocks = worth_blocks(window_of(scene_.film()));
+        const BlockGrid blocks = judged_blocks(window_of(scene_.film()));
         std::vector<double> sums(blocks.count());
         std::vector<double> squares(blocks.count());
         for (std::uint32_t pass = 0; pass < count; ++pass) {

@@ -22,20 +22,6 @@ Scene paned_floor() {
                     box({-1, -1, 1}, {1, 1, 1.1}));
 }
 
-TEST(WorthBlocks, cover_each_pixel_once) {
-    const PixelWindow window{3, 5, 23, 16};  // 20 x 11
-    const BlockGrid blocks = worth_blocks(window);
-    EXPECT_EQ(blocks.count(), 6U);
-    EXPECT_EQ(blocks.block(0).pixels(), 64U);
-    EXPECT_EQ(blocks.block(2).pixels(), 4U * 8U);
-    EXPECT_EQ(blocks.block(5).pixels(), 4U * 3U);
-    EXPECT_EQ(blocks.block_of(0), 0U);
-    EXPECT_EQ(blocks.block_of(19), 2U);
-    EXPECT_EQ(blocks.block_of(20 * 8), 3U);
-    const std::vector<double> sums = block_sums(blocks, PixelValues(window.pixels(), 0.5));
-    EXPECT_EQ(sums[5], 6);
-}
-
 /// Uniform trials, and trials through a guide that prefers one corner of the emission: both sum up
 /// to the light of a photon pass, within four standard errors.
 TEST(PathTrials, bring_what_a_pass_brings) {
@@ -46,7 +32,7 @@ TEST(PathTrials, bring_what_a_pass_brings) {
     const PixelWindow window = window_of(scene.film());
     const CameraTrial seen = view_of({pass, transport, camera, window, {1, 0}});
     const PhotonContext context{pass, transport, seen.index};
-    const BlockGrid blocks = worth_blocks(window);
+    const BlockGrid blocks = judged_blocks(window);
     std::vector<WeightedEmission> corner(1000);
     RandomStream random(1, Purpose::test, 0, 0);
     for (WeightedEmission& sample : corner)

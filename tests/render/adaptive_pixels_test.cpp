@@ -43,11 +43,16 @@ PixelTrials stripe(double variance, double rays, const VarianceDecay& law = kByC
     return trials;
 }
 
+std::vector<CameraShares> shares_of(const PixelWindow& window, const PixelTrials& trials,
+                                    const PixelValues& light) {
+    return camera_shares(window, trials, light, Objective::relative);
+}
+
 // The stripe is an eighth of the pixels, its noise eight times the mean: levels 1/8 to 8 give it 1
 // to 64 paths, and 16 no more.
 TEST(AdaptivePixels, get_paths_in_proportion_to_their_noise) {
     const PixelTrials trials = stripe(9, 1);
-    const auto all = camera_shares(kWindow, trials, PixelValues(kPixels, 5));
+    const auto all = shares_of(kWindow, trials, PixelValues(kPixels, 5));
     constexpr std::array<std::uint32_t, 8> kPaths = {1, 2, 4, 8, 16, 32, 64, 64};
     ASSERT_EQ(all.size(), kPaths.size());
     for (std::size_t level = 0; level < all.size(); ++level) {
@@ -64,7 +69,7 @@ TEST(AdaptivePixels, have_no_more_paths_than_there_is_memory_for) {
     PixelTrials trials = trials_of(window, 1, 1);
     for (std::size_t i = 0; i < window.pixels(); i += 8)
         trials.variance[0][i] = trials.variance[1][i] = 9;
-    const auto all = camera_shares(window, trials, PixelValues(window.pixels(), 1));
+    const auto all = shares_of(window, trials, PixelValues(window.pixels(), 1));
     ASSERT_FALSE(all.empty());
     EXPECT_LT(all.back().work * static_cast<double>(window.pixels()), 0x1p23);
     EXPECT_GT(all.back().work, 1);
@@ -76,7 +81,7 @@ TEST(AdaptivePixels, have_no_more_paths_than_there_is_memory_for) {
 TEST(AdaptivePixels, need_fewer_paths_where_nets_serve_them_better) {
     const VarianceDecay smooth{0.354};
     const auto paths = [&](const VarianceDecay& law, std::size_t level) {
-        const auto all = camera_shares(kWindow, stripe(9, 1, law), PixelValues(kPixels, 5));
+        const auto all = shares_of(kWindow, stripe(9, 1, law), PixelValues(kPixels, 5));
         return 1U << all.at(level).log2_samples[9];
     };
     EXPECT_EQ(paths(smooth, 1), paths(kByChance, 1)) << "the first paths are worth more";
@@ -84,22 +89,22 @@ TEST(AdaptivePixels, need_fewer_paths_where_nets_serve_them_better) {
     EXPECT_EQ(paths(kByChance, 5), 32U);
 }
 
-// A picture of roots is as noisy as variance over brightness: one stripe is twice as bright and has
-// twice the variance.
-TEST(AdaptivePixels, count_by_noise_over_the_roots_of_brightness_and_rays) {
+// Relative errors: one stripe is twice as bright and has four times the variance, but for the share
+// of the picture's brightness.
+TEST(AdaptivePixels, count_by_noise_over_brightness_and_the_root_of_rays) {
     PixelTrials trials = stripe(1, 1);
     PixelValues light(kPixels, 1);
     const auto in_column = [](std::size_t i, std::size_t first) {
         return i % kSide >= first && i % kSide < first + 4;
     };
     for (std::size_t i = 0; i < kPixels; ++i) {
-        if (in_column(i, 20)) trials.variance[0][i] = trials.variance[1][i] = 2;
-        if (in_column(i, 19) || in_column(i, 21)) light[i] = 2;
+        if (in_column(i, 20)) trials.variance[0][i] = trials.variance[1][i] = 4;
+        if (in_column(i, 16) || in_column(i, 20)) light[i] = 2;  // blocks of eight pixels
         if (!in_column(i, 26)) continue;
         trials.rays[i] = trials.variance[0][i] = 16;
         trials.variance[1][i] = 16;
     }
-    const CameraShares shares = camera_shares(kWindow, trials, light).at(3);
+    const CameraShares shares = shares_of(kWindow, trials, light).at(3);
     EXPECT_EQ(shares.log2_samples[9], shares.log2_samples[22]);
     EXPECT_EQ(shares.log2_samples[9], shares.log2_samples[28]);
     EXPECT_GT(shares.log2_samples[9], 0);
@@ -109,8 +114,8 @@ TEST(AdaptivePixels, count_by_noise_over_the_roots_of_brightness_and_rays) {
 TEST(AdaptivePixels, have_no_shares_where_nothing_is_noisy_or_bright) {
     const PixelValues light(kPixels, 1);
     EXPECT_FALSE(stripe(0, 1).have_noise());
-    EXPECT_TRUE(camera_shares(kWindow, stripe(0, 1), light).empty());
-    EXPECT_TRUE(camera_shares(kWindow, stripe(1, 1), PixelValues(kPixels, 0)).empty());
+    EXPECT_TRUE(shares_of(kWindow, stripe(0, 1), light).empty());
+    EXPECT_TRUE(shares_of(kWindow, stripe(1, 1), PixelValues(kPixels, 0)).empty());
 }
 
 TEST(AdaptivePixels, leave_a_share_of_the_variance) {
@@ -129,7 +134,7 @@ TEST(AdaptivePixels, are_not_foretold_with_hindsight) {
     PixelTrials flashes = stripe(9, 1);
     for (std::size_t i = 0; i < kPixels; ++i)
         flashes.variance[i % 2][i] = i % kSide < 16 ? 1e-6 : 0;
-    const CameraShares shares = camera_shares(kWindow, flashes, PixelValues(kPixels, 5)).at(5);
+    const CameraShares shares = shares_of(kWindow, flashes, PixelValues(kPixels, 5)).at(5);
     EXPECT_GT(shares.by_half[0][9], shares.by_half[1][9]);
     const BlockGrid grid(kSide, kSide, 16);
     EXPECT_GT(remaining_variance(shares, flashes, grid, 0),

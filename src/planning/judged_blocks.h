@@ -1,0 +1,24 @@
+// Judged blocks: the blocks of pixels whose brightness sets the scale of errors.
+// Equations: docs/method/sampling.md, eq. (40).
+#pragma once
+
+#include "aovs/objective.h"
+#include "film/luminance.h"
+#include "planning/pixel_buffer.h"
+
+#include <vector>
+
+namespace sunfleck::engine {
+
+/// Blocks of 8 x 8 pixels.
+BlockGrid judged_blocks(const PixelWindow& window);
+
+/// Returns the sum of the values in each block.
+std::vector<double> block_sums(const BlockGrid& blocks, const PixelValues& values);
+
+/// Returns the squared scale of errors of each pixel, that of its block.
+/// @param light  of the pixels.
+PixelValues squared_scales(const PixelWindow& window, const PixelValues& light,
+                           Objective objective);
+
+}  // namespace sunfleck::engine
