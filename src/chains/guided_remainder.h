@@ -53,8 +53,9 @@ Population bounded_paths(const Space& space, const GuidedRemainder& rest,
 template <PathSpace Space, PathSink<Space> Sink>
 SplittingCounts bring_remainder(const Space& space, const GuidedRemainder& rest, Sink& sink,
                                 typename Space::Tally& tally) {
-    const Population survivors = bounded_paths(space, rest, tally);
-    SplittingCounts counts{{{}}, {survivors.units()}, {}, 0};
+    Population survivors = bounded_paths(space, rest, tally);
+    survivors.begin_lineages(0);
+    SplittingCounts counts{{{}}, {survivors.units()}, {survivors.lineages()}, {}, 0};
     if (survivors.units() == 0) return counts;
     const Level<Space> level(space, rest.pass, 1, rest.level, survivors, &rest.guided);
     counts.visible_fraction =

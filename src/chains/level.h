@@ -70,6 +70,7 @@ struct ChainState {
     const typename Space::Path& path;
     int height;
     std::uint32_t steps;  // steps in this state, at least 1
+    std::uint32_t lineage = 0;
     ChainShare share = {};
 };
 
@@ -138,12 +139,13 @@ private:
     template <class Collector>
     void run_chain(const One& one, Collector& collect, LevelCounts& counts, Tally& tally) const {
         const auto name = one.number * 32 + number_;
-        Chain<Space> chain(space_, target_, population_.at(one.survivor),
-                           pass_.stream(Purpose::chain, name), tally);
+        const Survivor& start = population_.at(one.survivor);
+        Chain<Space> chain(space_, target_, start.sample, pass_.stream(Purpose::chain, name),
+                           tally);
         std::uint32_t steps = 1;
         const auto leave = [&] {
             collect(ChainState<Space>{chain.sample(), chain.path(), chain.height(), steps,
-                                      chain.share()});
+                                      start.lineage, chain.share()});
             counts.states += steps;
             ++counts.distinct;
             counts.lighting += chain.share().light > 0 ? steps : 0;

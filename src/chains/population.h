@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -13,10 +14,19 @@ namespace sunfleck::engine {
 struct Survivor {
     StoredSample sample;
     std::uint32_t units = 1;
-    int height = 0;     // of its path
-    double weight = 1;  // of one step
+    int height = 0;             // of its path
+    double weight = 1;          // of one step
+    std::uint32_t lineage = 0;  // number of the independent path that its chains started from
 
     double total() const { return units * weight; }
+};
+
+/// The independent paths that a population descends from: chains move, but never far.
+struct Lineages {
+    std::uint64_t count = 0;
+    double largest_share = 0;  // of the population's weight
+
+    friend bool operator==(const Lineages&, const Lineages&) = default;
 };
 
 /// Survivors in a fixed order, as adjacent intervals of a line whose lengths are their weights. A
@@ -34,6 +44,23 @@ public:
         for (Survivor& survivor : survivors) add(std::move(survivor));
     }
     void add(Population&& other) { add(std::move(other.survivors_)); }
+
+    /// Begins a lineage with each survivor, the first of this number.
+    void begin_lineages(std::uint64_t first) {
+        for (Survivor& survivor : survivors_)
+            survivor.lineage = static_cast<std::uint32_t>(first++);
+    }
+
+    /// Returns the lineages of positive weight.
+    Lineages lineages() const {
+        std::unordered_map<std::uint32_t, double> weights;
+        for (const Survivor& survivor : survivors_)
+            if (survivor.weight > 0) weights[survivor.lineage] += survivor.total();
+        Lineages lineages{weights.size(), 0};
+        for (const auto& [lineage, weight] : weights)
+            lineages.largest_share = std::max(lineages.largest_share, weight / weight_);
+        return lineages;
+    }
 
     /// Returns the survivors of at least that height.
     Population at_least(int height) const {
@@ -60,9 +87,9 @@ public:
     const std::vector<Survivor>& survivors() const { return survivors_; }
 
     /// Returns the survivor at a position of the line. @param place  in [0, weight()].
-    const StoredSample& at(double place) const {
+    const Survivor& at(double place) const {
         const auto end = std::upper_bound(ends_.begin(), ends_.end() - 1, place);
-        return survivors_[static_cast<std::size_t>(end - ends_.begin())].sample;
+        return survivors_[static_cast<std::size_t>(end - ends_.begin())];
     }
 
 private:

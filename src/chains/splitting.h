@@ -32,6 +32,7 @@ struct SplittingPlan {
 struct SplittingCounts {
     std::vector<LevelCounts> levels;
     std::vector<std::uint64_t> survivors;  // states of level k in the set of level k + 1
+    std::vector<Lineages> lineages;        // of the last set's survivors, run by run
     LevelCounts guided;                    // guided paths beside the levels
     double visible_fraction = 0;           // sum of all weights: unbiased
 
@@ -42,6 +43,7 @@ struct SplittingCounts {
         survivors.resize(std::max(survivors.size(), other.survivors.size()));
         for (std::size_t k = 0; k < other.levels.size(); ++k) levels[k] += other.levels[k];
         for (std::size_t k = 0; k < other.survivors.size(); ++k) survivors[k] += other.survivors[k];
+        lineages.insert(lineages.end(), other.lineages.begin(), other.lineages.end());
         guided += other.guided;
         visible_fraction += other.visible_fraction * share;
     }
@@ -63,7 +65,7 @@ struct SurvivorCollector {
     template <PathSpace Space>
     void operator()(const ChainState<Space>& state) {
         if (state.height >= least_height)
-            survivors.push_back({state.sample, state.steps, state.height});
+            survivors.push_back({state.sample, state.steps, state.height, 1, state.lineage});
     }
 };
 
@@ -151,8 +153,10 @@ public:
             counts.guided = level.counts;
             counts.visible_fraction =
                 level.population.weight() / guided_.importance * guided_.own_share;
+            level.population.begin_lineages(counts.survivors.front());
             survivors.add(std::move(level.population));
         }
+        counts.lineages.push_back(survivors.lineages());
         if (survivors.units() == 0) return counts;
         const Level<Space> level(space_, pass_, number(plan_.levels.size() - 1),
                                  plan_.levels.back(), survivors, &guided_);
@@ -173,6 +177,7 @@ private:
         counts.survivors.push_back(first.population.units());
         double weight = 1.0 / plan_.uniform_paths;  // of one step
         Population population = std::move(first.population);
+        population.begin_lineages(0);
         for (std::size_t k = 0; k + 1 < plan_.levels.size(); ++k) {
             counts.levels.emplace_back();
             counts.survivors.push_back(0);

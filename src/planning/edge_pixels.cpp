@@ -8,6 +8,7 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr int kReach = 2;          // in pixels: 25 discs and more vote for one
+constexpr int kFewVotes = 8;       // as at an outline, or of a surface that is hardly there
 constexpr float kNoticed = 0.01F;  // of a factor of light
 
 /// Returns what the discs of a point have found.
@@ -16,6 +17,37 @@ Edge edge_of(const VisiblePoint& point) {
     const float most = std::max(std::abs(point.disc_over_surface - 1),
                                 std::abs(point.indirect_disc_over_surface - 1));
     return most > kNoticed ? Edge::of_surface : Edge::none;
+}
+
+/// A number for each pixel of a window.
+struct Counts {
+    const PixelWindow& window;
+    std::vector<int> values;
+
+    /// Returns the sums over kReach pixels to either side, along rows or columns.
+    Counts summed(bool along_rows) const {
+        const int length = along_rows ? window.width() : window.height();
+        const int lines = along_rows ? window.height() : window.width();
+        const int step = along_rows ? 1 : window.width();
+        const int next_line = along_rows ? window.width() : 1;
+        Counts sums{window, std::vector<int>(values.size())};
+        for (int line = 0; line < lines; ++line)
+            for (int i = 0; i < length; ++i)
+                for (int k = std::max(0, i - kReach); k <= std::min(length - 1, i + kReach); ++k)
+                    sums.values[index(line * next_line + i * step)] +=
+                        values[index(line * next_line + k * step)];
+        return sums;
+    }
+
+private:
+    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+};
+
+/// Returns how many pixels around each, and with it, have a disc.
+Counts votes_of(const CameraTrial& seen, const PixelWindow& window) {
+    Counts discs{window, std::vector<int>(window.pixels())};
+    for (const VisiblePoint& point : seen.index.points()) discs.values[point.pixel] = 1;
+    return discs.summed(true).summed(false);
 }
 
 }  // namespace
@@ -34,6 +66,9 @@ EdgePixels edge_pixels(const CameraTrial& seen, const PixelWindow& window) {
                 pixel = std::max(pixel, edge);
             }
     }
+    const Counts votes = votes_of(seen, window);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (votes.values[i] < kFewVotes) pixels[i] = Edge::of_sight;
     return pixels;
 }
 

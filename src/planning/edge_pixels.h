@@ -2,7 +2,7 @@
 // (camera_paths/edge_probes.h).
 //
 // In:  a trial, all of whose discs were probed. Out: pixels with a disc that has more or less
-// surface than area, and those around them.
+// surface than area, and those around them; and where few discs were seen, so that nobody knows.
 #pragma once
 
 #include "camera_paths/camera_pass.h"

@@ -8,9 +8,12 @@
 #include "photon/light_stratum.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace sunfleck::engine {
+
+class WorthRounds;
 
 /// 0 for passes 0 .. 15, 1 for 16 .. 127, 2 for 128 .. 1023, and so on by factors of eight.
 constexpr std::uint32_t epoch_of(std::uint32_t pass) {
@@ -24,16 +27,21 @@ constexpr std::uint32_t first_pass_of(std::uint32_t epoch) {
     return epoch == 0 ? 0 : 2U << (3 * epoch);
 }
 
+constexpr std::uint32_t passes_of_epoch(std::uint32_t epoch) {
+    return first_pass_of(epoch + 1) - first_pass_of(epoch);
+}
+
 /// What an epoch's passes share.
 struct Epoch {
     std::uint32_t number = 0;
-    std::uint32_t paths = 0;           // photon paths of a subpass
-    std::uint32_t subpasses = 1;       // of a pass, which is their mean
-    std::uint32_t weight = 1;          // of a pass in the mean over passes
-    TransportSettings transport{};     // with the way that brings indirect light
-    Log2Samples log2_samples;          // of a subpass's camera paths
-    EdgePixels edges;                  // where discs are probed
-    std::vector<LightStratum> strata;  // at least one, unless the scene is dark
+    std::uint32_t paths = 0;                   // photon paths of a subpass
+    std::uint32_t subpasses = 1;               // of a pass, which is their mean
+    std::uint32_t weight = 1;                  // of a pass in the mean over passes
+    TransportSettings transport{};             // with the way that brings indirect light
+    Log2Samples log2_samples;                  // of a subpass's camera paths
+    EdgePixels edges;                          // where discs are probed
+    std::vector<LightStratum> strata;          // at least one, unless the scene is dark
+    std::shared_ptr<const WorthRounds> worth;  // what trials of worth have learned so far, if any
     double seconds = 0;
 };
 

@@ -43,8 +43,7 @@ SubpassRequest request_of(const PhotonSettings& settings, std::uint32_t epoch, s
 /// The passes by which it is measured what learning may cost: those of the epoch, or as many as the
 /// error of a picture asks for.
 std::uint64_t worth_learning(std::uint32_t epoch) {
-    const std::uint64_t passes = first_pass_of(epoch + 1) - first_pass_of(epoch);
-    return std::max(passes, kTargetBatches * kBatchPasses);
+    return std::max<std::uint64_t>(passes_of_epoch(epoch), kTargetBatches * kBatchPasses);
 }
 
 /// All lights in one stratum. @param by_worth  a plan of full support: if its map is the identity,
@@ -72,7 +71,8 @@ EpochLearner::EpochLearner(const PassScene& scene, const RenderSettings& setting
              .transport = settings.transport,
              .log2_samples = {},
              .edges = {},
-             .strata = {}},
+             .strata = {},
+             .worth = {}},
       name_{settings.seed, epoch},
       camera_{scene,
               epoch_.transport,
@@ -92,10 +92,10 @@ void EpochLearner::look(const std::function<void(double)>& trial_traced) {
     context_.emplace(PhotonContext{camera_.scene, epoch_.transport, seen_->index});
 }
 
-void EpochLearner::plan() {
+void EpochLearner::plan(std::shared_ptr<const WorthRounds> earlier) {
     epoch_.paths = usual_paths(settings_, camera_.window.pixels());
     if (epoch_.transport.goes_beyond_diffuse())
-        plan_independent_paths();
+        plan_independent_paths(std::move(earlier));
     else
         plan_chains();
     epoch_.strata = planner_(epoch_.paths);
@@ -108,13 +108,14 @@ void EpochLearner::plan_chains() {
     planner_ = [planner](std::uint32_t paths) { return planner->plan(paths); };
 }
 
-void EpochLearner::plan_independent_paths() {
+void EpochLearner::plan_independent_paths(std::shared_ptr<const WorthRounds> earlier) {
     const LightChoice& lights = context_->scene.scene.light_choice();
     WorthGuide guide;
     MutationScales scales;
     if (settings_.emission_guide) {
-        guide =
-            learned_worth_guide(*context_, camera_.window, *seen_, name_, epoch_.paths, objective_);
+        guide = learned_worth_guide(*context_, camera_.window, *seen_, name_,
+                                    {epoch_.paths, objective_, std::move(earlier)});
+        epoch_.worth = guide.rounds;
         const bool bends_nothing = guide.plan.map.is_identity();
         if (bends_nothing && !settings_.paths_per_pass)
             epoch_.paths = std::min(epoch_.paths, kFewPaths);

@@ -26,13 +26,16 @@ public:
 
     /// Traces the visible points. @param trial_traced  see learn_epoch().
     void look(const std::function<void(double)>& trial_traced);
-    /// Learns where photon paths start, after look().
-    void plan();
+    /// Learns where photon paths start, after look(). @param earlier  Epoch::worth of the epoch
+    /// before.
+    void plan(std::shared_ptr<const WorthRounds> earlier = {});
     /// Measures how many paths pay, after plan(). @return the epoch, which this no longer has.
     Epoch measured();
 
     /// After look().
     const EdgePixels& edges() const { return epoch_.edges; }
+    /// After plan().
+    const std::shared_ptr<const WorthRounds>& worth() const { return epoch_.worth; }
     WayTrials without_photons() const { return camera_trials(camera_, *seen_, name_); }
     /// After plan().
     void add_photons(WayTrials& trials) const {
@@ -44,7 +47,7 @@ private:
     using Planner = std::function<std::vector<LightStratum>(std::uint32_t)>;
 
     void plan_chains();
-    void plan_independent_paths();
+    void plan_independent_paths(std::shared_ptr<const WorthRounds> earlier);
 
     const PhotonSettings& settings_;
     Objective objective_;

@@ -1,4 +1,5 @@
-// The epoch of a pass: with nothing to learn, by one way, or by the better of two.
+// The epoch of a pass: with nothing to learn, by one way, or by the better of two; after those
+// before it.
 #include "planning/learn_epoch.h"
 
 #include "core/stopwatch.h"
@@ -29,6 +30,41 @@ Epoch better_epoch(const PassScene& scene, const RenderSettings& settings,
     return camera_is_better() ? sampled.measured() : photons.measured();
 }
 
+/// Returns the way that the settings ask for.
+IndirectLight way_of(const RenderSettings& settings) {
+    const bool are_all = settings.transport.direct == DirectLight::photons;
+    return are_all ? IndirectLight::photons : settings.transport.indirect;
+}
+
+/// Learns an epoch. @param before  one before it, if any is known.
+Epoch learned_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t number,
+                    const Epoch* before, const std::function<void(double)>& trial_traced) {
+    std::optional<Epoch> first;
+    if (!before && way_of(settings) == IndirectLight::automatic) {
+        first = better_epoch(PassScene(scene, {settings.seed, 0}), settings, trial_traced);
+        if (number == 0) return *std::move(first);
+        before = &*first;
+    }
+    const IndirectLight way = before ? before->transport.indirect : way_of(settings);
+    const bool by_rounds = way == IndirectLight::sampled && settings.photon.emission_guide;
+    std::shared_ptr<const WorthRounds> worth = before ? before->worth : nullptr;
+    // Rounds of worth go on from epoch to epoch; all else is learned for each.
+    std::uint32_t next = number;
+    if (by_rounds) next = before ? before->number + 1 : 0;
+    for (; next < number; ++next) {
+        const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(next)});
+        EpochLearner learner(at_wavelengths, settings, way, next);
+        learner.look({});
+        learner.plan(std::move(worth));
+        worth = learner.worth();
+    }
+    const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(number)});
+    EpochLearner learner(at_wavelengths, settings, way, number);
+    learner.look(trial_traced);
+    learner.plan(std::move(worth));
+    return learner.measured();
+}
+
 /// Returns the epoch that needs no pilots, and no trials but one for edges.
 Epoch usual_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t number) {
     const std::uint32_t paths = usual_paths(settings.photon, window_of(scene.film()).pixels());
@@ -37,7 +73,8 @@ Epoch usual_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
                 .transport = settings.transport,
                 .log2_samples = {},
                 .edges = {},
-                .strata = {}};
+                .strata = {},
+                .worth = {}};
     if (epoch.transport.indirect == IndirectLight::automatic)
         epoch.transport.indirect = IndirectLight::photons;
     if (scene.is_dark() && settings.integrator == Integrator::sppm)
@@ -62,30 +99,15 @@ bool needs_learning(const Scene& scene, const RenderSettings& settings) {
 }
 
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
-                  const std::function<void(double)>& trial_traced) {
+                  const std::function<void(double)>& trial_traced, const Epoch* before) {
     const std::uint32_t number = epoch_of(pass);
     Stopwatch watch;
-    if (!needs_learning(scene, settings)) {
-        Epoch epoch = usual_epoch(scene, settings, number);
-        epoch.seconds = watch.seconds();
-        return epoch;
-    }
-    IndirectLight way = settings.transport.indirect;
-    if (settings.transport.direct == DirectLight::photons) way = IndirectLight::photons;
-    std::optional<Epoch> epoch;
-    if (way == IndirectLight::automatic) {
-        epoch = better_epoch(PassScene(scene, {settings.seed, 0}), settings, trial_traced);
-        way = epoch->transport.indirect;
-    }
-    if (!epoch || number > 0) {
-        const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(number)});
-        EpochLearner learner(at_wavelengths, settings, way, number);
-        learner.look(trial_traced);
-        learner.plan();
-        epoch = learner.measured();
-    }
-    epoch->seconds = watch.seconds();
-    return *std::move(epoch);
+    if (before && before->number >= number) before = nullptr;
+    Epoch epoch = needs_learning(scene, settings)
+                      ? learned_epoch(scene, settings, number, before, trial_traced)
+                      : usual_epoch(scene, settings, number);
+    epoch.seconds = watch.seconds();
+    return epoch;
 }
 
 }  // namespace sunfleck::engine

@@ -1,9 +1,10 @@
 // Learning of an epoch.
 //
 // In:  scene, settings, a pass. Out: its epoch. Who brings indirect light is learned from trials of
-// the first pass; all else by pilots and trials, from visible points like those of the epoch's
-// first pass alone, so that any pass can be rendered anywhere, without earlier ones. Trials are no
-// part of the picture: an allocation computed from the pass itself would bias it.
+// the first pass; trials of worth go on from epoch to epoch, and each takes them anew unless it is
+// told those of an earlier one; all else is learned from visible points like those of the epoch's
+// first pass alone. So any pass can be rendered anywhere, without earlier ones. Trials are no part
+// of the picture: an allocation computed from the pass itself would bias it.
 #pragma once
 
 #include "planning/epoch.h"
@@ -20,7 +21,10 @@ bool needs_learning(const Scene& scene, const RenderSettings& settings);
 /// Returns the epoch of a pass.
 /// @param trial_traced  called, long before learning ends, with the seconds that camera paths and
 ///                      index of one trial took.
+/// @param before  an earlier epoch of the same render: saves what was learned for it, and changes
+///                nothing.
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
-                  const std::function<void(double)>& trial_traced = {});
+                  const std::function<void(double)>& trial_traced = {},
+                  const Epoch* before = nullptr);
 
 }  // namespace sunfleck::engine

@@ -11,6 +11,18 @@ namespace {
 /// Passes whose camera paths bring indirect light: all of a render, or none.
 constexpr const char* kIndirectSampled = "indirect_sampled";
 
+/// Counts the independent paths that chains descend from. Where few bring all light, or one brings
+/// most of it, the noise of a pass is theirs.
+void count_lineages(Film& film, const std::string& name, const std::vector<Lineages>& runs) {
+    constexpr std::uint64_t kFew = 16;
+    for (const Lineages& run : runs) {
+        film.count(name + "runs", 1);
+        film.count(name + "fewer_than_16", run.count < kFew ? 1 : 0);
+        film.count(name + "one_has_half", run.largest_share > 0.5 ? 1 : 0);
+        film.sum(name + "largest_share", run.largest_share);
+    }
+}
+
 /// Counts level by level, as sums over passes.
 void count_splitting(Film& film, const std::string& name, const SplittingCounts& splitting) {
     for (std::size_t k = 0; k < splitting.levels.size(); ++k) {
@@ -22,6 +34,7 @@ void count_splitting(Film& film, const std::string& name, const SplittingCounts&
         film.count(level + "proposed", mutations.proposed);
         film.count(level + "accepted", mutations.accepted);
     }
+    count_lineages(film, name + "lineages.", splitting.lineages);
 }
 
 void count_strata(Film& film, const std::vector<StratumCounts>& strata) {

@@ -10,8 +10,7 @@
 
 namespace sunfleck::engine {
 
-PassMaker::PassMaker(const RenderJob& job, RenderState& state)
-    : job_(job), settings_(job.settings), state_(state) {
+PassMaker::PassMaker(const RenderJob& job, RenderState& state) : job_(job), state_(state) {
     if (is_sequential(job.settings) && std::holds_alternative<NoState>(state.sampler))
         state.sampler =
             first_state(job.settings.photon, job.settings.alpha, state.film.key().pixels());
@@ -25,12 +24,12 @@ bool PassMaker::learn(std::uint32_t number, const PassHooks& hooks) {
     const bool is_told = hooks.learning && learns;
     if (is_told) hooks.learning(true);
     const bool is_learned = run_unless(learns ? hooks.cuts_learning : nullptr, [&] {
-        epoch_ = learn_epoch(job_.scene, settings_, number, hooks.trial_traced);
+        epoch_ = learn_epoch(job_.scene, job_.settings, number, hooks.trial_traced,
+                             epoch_ ? &*epoch_ : nullptr);
     });
     if (is_told) hooks.learning(false);
     if (!is_learned) return false;
     state_.seconds.learn += epoch_->seconds;
-    settings_.transport.indirect = epoch_->transport.indirect;
     return true;
 }
 

@@ -34,7 +34,6 @@ private:
     bool learn(std::uint32_t number, const PassHooks& hooks);
 
     const RenderJob& job_;
-    RenderSettings settings_;  // of learning: the job's, then with the way that it chose
     RenderState& state_;
     std::optional<Epoch> epoch_;
 };

@@ -35,6 +35,16 @@ Fraction visible_fraction(const Film& film) {
     return {value, passes > 1 ? std::sqrt(variance / (passes - 1)) : 0};
 }
 
+/// Returns how many independent paths the chains of a run descend from; null without chains.
+Json lineages_json(const Film& film, const std::string& name) {
+    const double runs = film.statistic(name + "runs");
+    if (runs == 0) return nullptr;
+    return {{"runs", static_cast<std::uint64_t>(runs)},
+            {"fewer_than_16", film.statistic(name + "fewer_than_16") / runs},
+            {"one_has_half", film.statistic(name + "one_has_half") / runs},
+            {"largest_share", film.statistic(name + "largest_share") / runs}};
+}
+
 /// Returns, over all passes with splitting, the surviving fraction of each level and the acceptance
 /// rates.
 /// @param name  prefix of a light stratum's statistics; empty: all lights together.
@@ -54,7 +64,8 @@ Json splitting_json(const Film& film, const std::string& name = "") {
     }
     return {{"levels", levels == 0 ? 0 : levels - 1},
             {"fractions", fractions},
-            {"acceptance", acceptance}};
+            {"acceptance", acceptance},
+            {"lineages", lineages_json(film, name + "lineages.")}};
 }
 
 /// Returns the means of each light stratum over the passes with strata.

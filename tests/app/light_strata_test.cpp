@@ -33,6 +33,10 @@ TEST_F(LightStrata, are_told_in_the_statistics) {
     EXPECT_NEAR(sun["paths"], 300 / 1.1, 3);
     EXPECT_EQ(lamp["splitting"]["levels"], 0);
     EXPECT_GT(sun["splitting"]["levels"], 0);
+    EXPECT_TRUE(lamp["splitting"]["lineages"].is_null());
+    EXPECT_GE(sun["splitting"]["lineages"]["runs"], sun["passes"]);
+    EXPECT_GT(sun["splitting"]["lineages"]["largest_share"], 0);
+    EXPECT_LE(sun["splitting"]["lineages"]["largest_share"], 1);
     EXPECT_EQ(sun["splitting"]["fractions"].size(), sun["splitting"]["levels"]);
     EXPECT_EQ(s["splitting"]["levels"], 0);  // of all lights together: there is none
     // Light that is not there needs no group, nor do other samplers part it.

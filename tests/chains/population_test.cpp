@@ -20,7 +20,7 @@ std::array<int, 4> drawn(const Population& population, int places, double offset
     std::array<int, 4> times{};
     for (int j = 0; j < places; ++j) {
         const double place = (j + offset) * population.weight() / places;
-        ++times.at(population.at(place)[0] >> 60U);
+        ++times.at(population.at(place).sample[0] >> 60U);
     }
     return times;
 }
@@ -44,7 +44,22 @@ TEST(Population, seeds_are_drawn_by_their_units) {
         EXPECT_LE(few[1], 1);
         EXPECT_LE(few[2], 2);
     }
-    EXPECT_EQ(population.at(11)[0] >> 60U, 3U);  // the end of the line is the last seed's
+    EXPECT_EQ(population.at(11).sample[0] >> 60U, 3U);  // the end of the line is the last seed's
+}
+
+TEST(Population, descends_from_few_independent_paths) {
+    EXPECT_EQ(Population().lineages(), Lineages());
+    Population population = four();
+    EXPECT_EQ(population.lineages(), (Lineages{1, 1}));
+    population.begin_lineages(7);
+    EXPECT_EQ(population.lineages(), (Lineages{4, 5.0 / 11}));
+    Survivor brother = seed(0, 4);
+    brother.lineage = 9;  // that of the third
+    population.add(brother);
+    brother.weight = 0;
+    brother.lineage = 1;
+    population.add(brother);
+    EXPECT_EQ(population.lineages(), (Lineages{4, 9.0 / 15}));
 }
 
 TEST(Population, those_not_high_enough_are_left_out) {

@@ -10,19 +10,29 @@ namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
-/// A floor that ends at the middle of the picture, seen from above.
-TEST(EdgePixels, lie_along_an_edge) {
-    constexpr int kSide = 64;
+constexpr int kSide = 64;
+
+/// A floor that fills the right half of the picture, seen from above. @param parameters  of its
+/// shape.
+EdgePixels edges_of_floor(const std::string& below, const std::string& parameters) {
+    const std::string floor =
+        "Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] \"point3 P\" [-9 -9 0  0 -9 0  "
+        "0 9 0  -9 9 0] " +
+        parameters + "\n";
     const Scene scene =
         scene_of(view("0 0 4  0 0 0  0 1 0", 28, kSide) + "LightSource \"distant\"\n" +
-                 diffuse("0.5 0.5 0.5") + quad("-9 -9 0  0 -9 0  0 9 0  -9 9 0"));
+                 diffuse("0.5 0.5 0.5") + floor + below);
     const PassScene pass(scene, {1, 0});
     const TransportSettings transport;
     const CameraPathSettings camera;
     const PixelWindow window = window_of(scene.film());
-    const EdgePixels edges =
-        edge_pixels(view_of({pass, transport, camera, window, {1, 0}}), window);
-    ASSERT_EQ(edges.size(), window.pixels());
+    return edge_pixels(view_of({pass, transport, camera, window, {1, 0}}), window);
+}
+
+/// Another floor lies far below.
+TEST(EdgePixels, lie_along_an_edge) {
+    const EdgePixels edges = edges_of_floor(quad("-99 -99 -9  99 -99 -9  99 99 -9  -99 99 -9"), "");
+    ASSERT_EQ(edges.size(), std::size_t{kSide * kSide});
     std::array<int, kSide> of_column{};
     for (std::size_t i = 0; i < edges.size(); ++i) {
         EXPECT_NE(edges[i], Edge::of_sight);
@@ -32,6 +42,14 @@ TEST(EdgePixels, lie_along_an_edge) {
     EXPECT_EQ(of_column[56], 0);
     EXPECT_EQ(of_column[31], kSide);
     EXPECT_EQ(of_column[32], kSide);
+}
+
+/// Of a surface that few rays meet, a trial does not tell where it ends.
+TEST(EdgePixels, are_where_few_discs_were_seen) {
+    const EdgePixels edges = edges_of_floor("", "\"float alpha\" .05");
+    for (std::size_t i = 0; i < edges.size(); ++i) EXPECT_NE(edges[i], Edge::none);
+    const EdgePixels of_half = edges_of_floor("", "\"float alpha\" .6");
+    EXPECT_EQ(of_half[std::size_t{32 * kSide + 56}], Edge::none);
 }
 
 }  // namespace

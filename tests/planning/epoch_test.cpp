@@ -66,6 +66,30 @@ TEST(Epoch, lets_trials_of_its_first_pass_choose_who_brings_indirect_light) {
     EXPECT_EQ(learn_epoch(open, settings, 16).transport.indirect, way);
 }
 
+/// Where a path that is guided by the plan may start, and how heavy it is.
+std::vector<double> weights_of(const Epoch& epoch) {
+    const GuidedPlan& guided = epoch.strata.at(0).guided;
+    std::vector<double> weights{guided.most_weight};
+    for (int i = 0; i < 50; ++i) {
+        const double x = 0.02 * i;
+        weights.push_back(guided.map.density({x, 1 - x, 0.5, 0.5, 0.5}));
+    }
+    return weights;
+}
+
+TEST(Epoch, goes_on_with_what_earlier_ones_have_learned) {
+    const Scene scene = floor_in_the_sun("50", kBall);
+    RenderSettings settings;
+    settings.transport.indirect = IndirectLight::sampled;
+    settings.photon.paths_per_pass = 2000;
+    const Epoch first = learn_epoch(scene, settings, 0);
+    const Epoch second = learn_epoch(scene, settings, 16, {}, &first);
+    EXPECT_EQ(weights_of(learn_epoch(scene, settings, 16)), weights_of(second));
+    EXPECT_NE(weights_of(first), weights_of(second));
+    const Epoch third = learn_epoch(scene, settings, 128, {}, &second);
+    EXPECT_EQ(weights_of(learn_epoch(scene, settings, 128, {}, &first)), weights_of(third));
+}
+
 TEST(Epoch, leaves_indirect_light_to_photons_where_nothing_is_learned) {
     const Scene scene = floor_in_the_sun("50", kBall);
     RenderSettings settings;
