@@ -18,7 +18,9 @@ constexpr double kFirstBlocks = 0.05;
 constexpr double kFirstBlockBand = 0.2;
 /// Renders of each estimator of a second look, while it is undecided.
 constexpr std::array<std::uint64_t, 2> kSecondLooks = {8, 24};
-/// Share of pixels that may lie beyond three of their errors: of four batches 6% do.
+/// Share of pixels that may lie beyond three of their errors: of four batches 6% do. All pixels of
+/// a picture may do so together, where what they have in common, as the wavelengths of a spiky
+/// light, is their only noise: so all pictures but one must have more.
 constexpr double kBeyondThree = 0.15;
 
 void append(std::vector<Look>& all, std::vector<Look> more) {
@@ -140,19 +142,24 @@ private:
     static void check_error_bars(const std::vector<Picture>& pictures,
                                  const std::vector<std::vector<double>>& truth,
                                  Findings& findings) {
-        std::size_t pixels = 0;
-        std::size_t beyond = 0;
-        for (const Picture& picture : pictures) count_beyond(picture, truth, pixels, beyond);
-        if (static_cast<double>(beyond) > kBeyondThree * static_cast<double>(pixels))
+        std::vector<double> shares;
+        for (const Picture& picture : pictures) shares.push_back(share_beyond(picture, truth));
+        std::sort(shares.begin(), shares.end());
+        const double second = shares.at(1);
+        if (second > kBeyondThree)
             findings.faults.push_back(
                 {Kind::error_bars,
-                 fmt::format("{} of {} pixels lie beyond three of their errors", beyond, pixels)});
+                 fmt::format("{:.0f}% of the pixels or more lie beyond three of their errors",
+                             100 * second)});
     }
 
-    static void count_beyond(const Picture& picture, const std::vector<std::vector<double>>& truth,
-                             std::size_t& pixels, std::size_t& beyond) {
+    /// Returns the share of the pixels that are not dim.
+    static double share_beyond(const Picture& picture,
+                               const std::vector<std::vector<double>>& truth) {
         const Channel* errors = picture.find("error.Y");
-        if (errors == nullptr) return;
+        if (errors == nullptr) return 0;
+        std::size_t pixels = 0;
+        std::size_t beyond = 0;
         const std::vector<double> seen = luminances(picture);
         const std::vector<double> bias = luminances(picture, "bias.");
         const double dim = look_at(picture).mean / 100;
@@ -165,6 +172,7 @@ private:
             ++pixels;
             beyond += std::abs(seen[i] - right.mean) > 3 * error + std::abs(bias[i]);
         }
+        return pixels > 0 ? static_cast<double>(beyond) / static_cast<double>(pixels) : 0;
     }
 
     Renders* renders_;
