@@ -19,56 +19,33 @@ Edge edge_of(const VisiblePoint& point) {
     return most > kNoticed ? Edge::of_surface : Edge::none;
 }
 
-/// A number for each pixel of a window.
-struct Counts {
-    const PixelWindow& window;
-    std::vector<int> values;
-
-    /// Returns the sums over kReach pixels to either side, along rows or columns.
-    Counts summed(bool along_rows) const {
-        const int length = along_rows ? window.width() : window.height();
-        const int lines = along_rows ? window.height() : window.width();
-        const int step = along_rows ? 1 : window.width();
-        const int next_line = along_rows ? window.width() : 1;
-        Counts sums{window, std::vector<int>(values.size())};
-        for (int line = 0; line < lines; ++line)
-            for (int i = 0; i < length; ++i)
-                for (int k = std::max(0, i - kReach); k <= std::min(length - 1, i + kReach); ++k)
-                    sums.values[index(line * next_line + i * step)] +=
-                        values[index(line * next_line + k * step)];
-        return sums;
-    }
-
-private:
-    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-};
-
-/// Returns how many pixels around each, and with it, have a disc.
-Counts votes_of(const CameraTrial& seen, const PixelWindow& window) {
-    Counts discs{window, std::vector<int>(window.pixels())};
-    for (const VisiblePoint& point : seen.index.points()) discs.values[point.pixel] = 1;
-    return discs.summed(true).summed(false);
+/// Calls visit(pixel) for the pixels within kReach of one, and for itself.
+template <class Visit>
+void for_near(const PixelWindow& window, std::uint32_t pixel, const Visit& visit) {
+    const int x = static_cast<int>(pixel) % window.width();
+    const int y = static_cast<int>(pixel) / window.width();
+    for (int v = std::max(0, y - kReach); v <= std::min(window.height() - 1, y + kReach); ++v)
+        for (int u = std::max(0, x - kReach); u <= std::min(window.width() - 1, x + kReach); ++u)
+            visit(static_cast<std::size_t>(v * window.width() + u));
 }
 
 }  // namespace
 
 EdgePixels edge_pixels(const CameraTrial& seen, const PixelWindow& window) {
     EdgePixels pixels(window.pixels(), Edge::none);
+    std::vector<std::uint8_t> votes(window.pixels());  // pixels near each that have a disc
+    std::vector<bool> has_voted(window.pixels());
     for (const VisiblePoint& point : seen.index.points()) {
         const Edge edge = edge_of(point);
-        if (edge == Edge::none) continue;
-        const int x = static_cast<int>(point.pixel) % window.width();
-        const int y = static_cast<int>(point.pixel) / window.width();
-        for (int v = std::max(0, y - kReach); v <= std::min(window.height() - 1, y + kReach); ++v)
-            for (int u = std::max(0, x - kReach); u <= std::min(window.width() - 1, x + kReach);
-                 ++u) {
-                Edge& pixel = pixels[static_cast<std::size_t>(v * window.width() + u)];
-                pixel = std::max(pixel, edge);
-            }
+        if (edge != Edge::none)
+            for_near(window, point.pixel,
+                     [&](std::size_t i) { pixels[i] = std::max(pixels[i], edge); });
+        if (has_voted[point.pixel]) continue;
+        has_voted[point.pixel] = true;
+        for_near(window, point.pixel, [&](std::size_t i) { ++votes[i]; });
     }
-    const Counts votes = votes_of(seen, window);
     for (std::size_t i = 0; i < pixels.size(); ++i)
-        if (votes.values[i] < kFewVotes) pixels[i] = Edge::of_sight;
+        if (votes[i] < kFewVotes) pixels[i] = Edge::of_sight;
     return pixels;
 }
 

@@ -51,18 +51,15 @@ Epoch learned_epoch(const Scene& scene, const RenderSettings& settings, std::uin
     // Rounds of worth go on from epoch to epoch; all else is learned for each.
     std::uint32_t next = number;
     if (by_rounds) next = before ? before->number + 1 : 0;
-    for (; next < number; ++next) {
+    for (;; ++next) {
+        const bool is_last = next == number;
         const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(next)});
         EpochLearner learner(at_wavelengths, settings, way, next);
-        learner.look({});
+        learner.look(is_last ? trial_traced : nullptr);
         learner.plan(std::move(worth));
+        if (is_last) return learner.measured();
         worth = learner.worth();
     }
-    const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(number)});
-    EpochLearner learner(at_wavelengths, settings, way, number);
-    learner.look(trial_traced);
-    learner.plan(std::move(worth));
-    return learner.measured();
 }
 
 /// Returns the epoch that needs no pilots, and no trials but one for edges.

@@ -153,7 +153,7 @@ private:
                              100 * second)});
     }
 
-    /// Returns the share of the pixels that are not dim.
+    /// Returns which share of the pixels that are not dim lies beyond three of their errors.
     static double share_beyond(const Picture& picture,
                                const std::vector<std::vector<double>>& truth) {
         const Channel* errors = picture.find("error.Y");

@@ -68,6 +68,15 @@ private:
     double worst_ = -1e300;
 };
 
+/// Returns the largest of a pixel's components, or zero if all are negative.
+double largest_component(const Picture& picture, std::size_t pixel) {
+    float largest = 0;
+    for (const char* name : {"R", "G", "B"})
+        if (const Channel* channel = picture.find(name))
+            largest = std::max(largest, channel->values[pixel]);
+    return largest;
+}
+
 }  // namespace
 
 std::vector<double> luminances(const Picture& picture, const std::string& prefix) {
@@ -101,19 +110,6 @@ Look sum(Look a, const Look& b, double scale) {
     return a;
 }
 
-namespace {
-
-/// Returns the largest of a pixel's components, or zero if all are negative.
-double largest_component(const Picture& picture, std::size_t pixel) {
-    float largest = 0;
-    for (const char* name : {"R", "G", "B"})
-        if (const Channel* channel = picture.find(name))
-            largest = std::max(largest, channel->values[pixel]);
-    return largest;
-}
-
-}  // namespace
-
 std::optional<std::string> broken_values(const Picture& picture, bool may_be_negative) {
     for (const Channel& channel : picture.channels)
         for (const float value : channel.values)
@@ -124,7 +120,7 @@ std::optional<std::string> broken_values(const Picture& picture, bool may_be_neg
     constexpr double kOfAdaptation = 0.02;
     const double most = *std::max_element(values.begin(), values.end());
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (values[i] < -std::max(1e-6 * most, kOfAdaptation * largest_component(picture, i)))
+        if (values[i] < -1e-6 * most && values[i] < -kOfAdaptation * largest_component(picture, i))
             return fmt::format("a pixel has luminance {:.3g}", values[i]);
     return {};
 }
