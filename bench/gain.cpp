@@ -85,7 +85,7 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     job.settings.seed = seed;
     if (scene.hints().max_depth) job.settings.transport.max_depth = *scene.hints().max_depth;
     if (const auto* row = row_named(kIntegrators, sampler))
-        job.settings.integrator = row->integrator;
+        job.settings.integrator = row->value;
     else if (is_number(sampler))
         job.settings.photon.paths_per_pass = static_cast<std::uint32_t>(std::stoul(sampler));
     else if (!apply_variant(sampler, job.settings))

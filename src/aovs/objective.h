@@ -1,21 +1,18 @@
 // Objective: what a picture is judged by, the mean over blocks of pixels of Var / S².
-// Equations: docs/method/sampling.md, eq. (38).
+// Equations: docs/method/sampling.md, eq. (40).
 #pragma once
 
+#include "core/named_rows.h"
+
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace sunfleck::engine {
 
 enum class Objective { relative, absolute };
 
-struct ObjectiveRow {
-    Objective objective;
-    std::string_view name;  // as the user writes it
-    std::string_view what;
-};
-
-inline constexpr std::array<ObjectiveRow, 2> kObjectives = {{
+inline constexpr std::array<ChoiceRow<Objective>, 2> kObjectives = {{
     {Objective::relative, "relative", "errors over the brightness that is there"},
     {Objective::absolute, "absolute", "errors over the brightness of the picture"},
 }};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "aovs/light_groups.h"
+#include "core/named_rows.h"
 
 #include <array>
 #include <string_view>
@@ -18,13 +19,7 @@ enum class DirectLight {
 /// from there to the diffuse surface that the camera sees.
 enum class IndirectLight { automatic, photons, sampled };
 
-struct IndirectLightRow {
-    IndirectLight indirect;
-    std::string_view name;  // as the user writes it
-    std::string_view what;
-};
-
-inline constexpr std::array<IndirectLightRow, 3> kIndirectLights = {{
+inline constexpr std::array<ChoiceRow<IndirectLight>, 3> kIndirectLights = {{
     {IndirectLight::automatic, "auto", "by whichever trials find better"},
     {IndirectLight::photons, "photons", "by photons"},
     {IndirectLight::sampled, "sampled", "by camera paths that go on"},

@@ -69,8 +69,8 @@ struct ChainState {
     const StoredSample& sample;
     const typename Space::Path& path;
     int height;
-    std::uint32_t steps;  // steps in this state, at least 1
-    std::uint32_t lineage = 0;
+    std::uint32_t steps;        // steps in this state, at least 1
+    std::uint32_t lineage = 0;  // of the survivor that the chain started from
     ChainShare share = {};
 };
 

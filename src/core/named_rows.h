@@ -1,4 +1,4 @@
-// Looks up a row by its name in a table of what a user may write.
+// Tables of what a user may write: rows, and how they are looked up by name.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +6,14 @@
 #include <string_view>
 
 namespace sunfleck::engine {
+
+/// A choice of a setting.
+template <class Value>
+struct ChoiceRow {
+    Value value;
+    std::string_view name;  // as the user writes it
+    std::string_view what;
+};
 
 /// @param rows  each with a `name`. @return the row of that name, or null.
 template <class Rows>

@@ -19,7 +19,7 @@ std::vector<RenderFlag> estimator_flags() {
          .value = one_of(choices_of(kIntegrators),
                          [](auto& r, const auto& name) {
                              r.settings.integrator =
-                                 row_named(kIntegrators, name)->integrator;  // a choice
+                                 row_named(kIntegrators, name)->value;  // a choice
                          }),
          .help = "What renders: the photon mapper, or a reference to compare it with"},
         {.name = "--photon-sampler",
@@ -47,7 +47,7 @@ std::vector<RenderFlag> estimator_flags() {
          .value = one_of(choices_of(kIndirectLights),
                          [](auto& r, const auto& name) {
                              r.settings.transport.indirect =
-                                 row_named(kIndirectLights, name)->indirect;  // a choice
+                                 row_named(kIndirectLights, name)->value;  // a choice
                          }),
          .help = "Who brings light from one diffuse surface to another, where a lamp lights the "
                  "first",

@@ -100,7 +100,7 @@ std::vector<RenderFlag> end_flags() {
          .value = one_of(choices_of(kObjectives),
                          [](auto& r, const auto& name) {
                              r.settings.objective =
-                                 row_named(kObjectives, name)->objective;  // a choice
+                                 row_named(kObjectives, name)->value;  // a choice
                              r.stop.error_terms.objective = r.settings.objective;
                          }),
          .help = "What the picture is judged by: by --target-error, and where the sampler adaptive "

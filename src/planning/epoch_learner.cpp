@@ -26,17 +26,18 @@ constexpr std::uint32_t kFewPaths = 1024;
 
 /// The first epoch is too short for a budget to pay, and for trials as large as those of others;
 /// long ones can pay for more.
-SubpassRequest request_of(const PhotonSettings& settings, std::uint32_t epoch, std::uint32_t usual,
+SubpassRequest request_of(const RenderSettings& settings, std::uint32_t epoch, std::uint32_t usual,
                           std::size_t pixels) {
     constexpr std::size_t kLarge = 1'000'000;  // so many know enough by every fourth
     SubpassRequest request;
     request.usual = usual;
-    request.budget = settings.photon_budget && !settings.paths_per_pass;
+    request.budget = settings.photon.photon_budget && !settings.photon.paths_per_pass;
     if (pixels > kLarge) request.cells = 2;
     if (epoch == 0)
         request = {.usual = usual, .budget = false, .trials = {1, 3}, .parts = 16, .cells = 2};
     request.trials.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
-    request.shares = settings.adaptive_pixels;
+    request.shares = settings.photon.adaptive_pixels;
+    request.objective = settings.objective;
     return request;
 }
 
@@ -65,8 +66,7 @@ std::vector<LightStratum> in_one_stratum(const LightChoice& lights, const Guided
 
 EpochLearner::EpochLearner(const PassScene& scene, const RenderSettings& settings,
                            IndirectLight way, std::uint32_t epoch)
-    : settings_(settings.photon),
-      objective_(settings.objective),
+    : settings_(settings),
       epoch_{.number = epoch,
              .transport = settings.transport,
              .log2_samples = {},
@@ -93,7 +93,7 @@ void EpochLearner::look(const std::function<void(double)>& trial_traced) {
 }
 
 void EpochLearner::plan(std::shared_ptr<const WorthRounds> earlier) {
-    epoch_.paths = usual_paths(settings_, camera_.window.pixels());
+    epoch_.paths = usual_paths(settings_.photon, camera_.window.pixels());
     if (epoch_.transport.goes_beyond_diffuse())
         plan_independent_paths(std::move(earlier));
     else
@@ -104,7 +104,7 @@ void EpochLearner::plan(std::shared_ptr<const WorthRounds> earlier) {
 void EpochLearner::plan_chains() {
     const std::uint64_t work =
         worth_learning(name_.epoch) * (epoch_.paths + camera_.window.pixels());
-    auto planner = std::make_shared<LightPlanner>(*context_, settings_, name_, work);
+    auto planner = std::make_shared<LightPlanner>(*context_, settings_.photon, name_, work);
     planner_ = [planner](std::uint32_t paths) { return planner->plan(paths); };
 }
 
@@ -112,12 +112,12 @@ void EpochLearner::plan_independent_paths(std::shared_ptr<const WorthRounds> ear
     const LightChoice& lights = context_->scene.scene.light_choice();
     WorthGuide guide;
     MutationScales scales;
-    if (settings_.emission_guide) {
+    if (settings_.photon.emission_guide) {
         guide = learned_worth_guide(*context_, camera_.window, *seen_, name_,
-                                    {epoch_.paths, objective_, std::move(earlier)});
+                                    {epoch_.paths, settings_.objective, std::move(earlier)});
         epoch_.worth = guide.rounds;
         const bool bends_nothing = guide.plan.map.is_identity();
-        if (bends_nothing && !settings_.paths_per_pass)
+        if (bends_nothing && !settings_.photon.paths_per_pass)
             epoch_.paths = std::min(epoch_.paths, kFewPaths);
         if (!guide.bounded.empty())
             scales = remainder_scales(*context_, lights, guide.plan, guide.bounded, name_);
@@ -129,8 +129,8 @@ void EpochLearner::plan_independent_paths(std::shared_ptr<const WorthRounds> ear
 
 Epoch EpochLearner::measured() {
     const std::uint32_t paths = epoch_.paths;
-    SubpassRequest request = request_of(settings_, epoch_.number, paths, camera_.window.pixels());
-    request.objective = objective_;
+    const SubpassRequest request =
+        request_of(settings_, epoch_.number, paths, camera_.window.pixels());
     SubpassPlan plan = measured_plan(camera_, *seen_, epoch_.strata, name_, request);
     epoch_.log2_samples = std::move(plan.log2_samples);
     if (!request.budget) return std::move(epoch_);
@@ -140,7 +140,7 @@ Epoch EpochLearner::measured() {
         epoch_.strata = fraction_of(std::move(epoch_.strata), paths / budget.paths);
     epoch_.paths = static_cast<std::uint32_t>(paths_of(epoch_.strata));
     epoch_.subpasses = budget.subpasses;
-    epoch_.weight = settings_.pass_weights ? budget.weight : 1;
+    epoch_.weight = settings_.photon.pass_weights ? budget.weight : 1;
     return std::move(epoch_);
 }
 

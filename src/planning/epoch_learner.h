@@ -49,8 +49,7 @@ private:
     void plan_chains();
     void plan_independent_paths(std::shared_ptr<const WorthRounds> earlier);
 
-    const PhotonSettings& settings_;
-    Objective objective_;
+    const RenderSettings& settings_;
     Epoch epoch_;
     PilotName name_;
     CameraPass camera_;

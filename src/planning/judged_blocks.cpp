@@ -14,17 +14,31 @@ std::vector<double> block_sums(const BlockGrid& blocks, const PixelValues& value
     return sums;
 }
 
+std::vector<double> squared_scales(const BlockGrid& blocks, const std::vector<double>& light,
+                                   Objective objective) {
+    const auto pixels_of = [&](std::size_t b) {
+        return static_cast<double>(blocks.block(b).pixels());
+    };
+    double all = 0;
+    double pixels = 0;
+    for (std::size_t b = 0; b < light.size(); ++b) {
+        all += light[b];
+        pixels += pixels_of(b);
+    }
+    std::vector<double> scales;
+    for (std::size_t b = 0; b < light.size(); ++b)
+        scales.push_back(squared_scale(objective, light[b] / pixels_of(b), all / pixels));
+    return scales;
+}
+
 PixelValues squared_scales(const PixelWindow& window, const PixelValues& light,
                            Objective objective) {
-    const double mean = mean_value(light);
     const BlockGrid blocks = judged_blocks(window);
-    const std::vector<double> sums = block_sums(blocks, light);
+    const std::vector<double> of_blocks =
+        squared_scales(blocks, block_sums(blocks, light), objective);
     PixelValues scales(light.size());
-    for (std::size_t b = 0; b < sums.size(); ++b) {
-        const double brightness = sums[b] / static_cast<double>(blocks.block(b).pixels());
-        const double scale = squared_scale(objective, brightness, mean);
-        blocks.for_pixels(b, [&](std::size_t pixel) { scales[pixel] = scale; });
-    }
+    for (std::size_t pixel = 0; pixel < scales.size(); ++pixel)
+        scales[pixel] = of_blocks[blocks.block_of(pixel)];
     return scales;
 }
 

@@ -16,6 +16,10 @@ BlockGrid judged_blocks(const PixelWindow& window);
 /// Returns the sum of the values in each block.
 std::vector<double> block_sums(const BlockGrid& blocks, const PixelValues& values);
 
+/// Returns the squared scale of errors of each block. @param light  summed by block.
+std::vector<double> squared_scales(const BlockGrid& blocks, const std::vector<double>& light,
+                                   Objective objective);
+
 /// Returns the squared scale of errors of each pixel, that of its block.
 /// @param light  of the pixels.
 PixelValues squared_scales(const PixelWindow& window, const PixelValues& light,

@@ -62,19 +62,9 @@ std::vector<double> WorthRounds::scales(const WorthScale& scale) const {
     for (const Brought& path : paths_)
         for (std::size_t i = path.begin; i < path.end; ++i)
             blocks[light_[i].block] += light_[i].luminance / path.density;
-    double all = 0;
-    double pixels = 0;
-    const auto pixels_of = [&](std::size_t b) {
-        return static_cast<double>(scale.blocks.block(b).pixels());
-    };
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-        all += blocks[b];
-        pixels += pixels_of(b);
-    }
-    for (std::size_t b = 0; b < blocks.size(); ++b)
-        blocks[b] =
-            std::sqrt(squared_scale(scale.objective, blocks[b] / pixels_of(b), all / pixels));
-    return blocks;
+    std::vector<double> scales = squared_scales(scale.blocks, blocks, scale.objective);
+    for (double& s : scales) s = std::sqrt(s);
+    return scales;
 }
 
 WorthRounds::Advice WorthRounds::advice(const WorthScale& scale) const {

@@ -6,6 +6,7 @@
 #include "aovs/pass_image.h"
 #include "aovs/transport.h"
 #include "camera_paths/settings.h"
+#include "core/named_rows.h"
 #include "film/target_error.h"
 #include "photon/settings.h"
 
@@ -19,13 +20,7 @@ namespace sunfleck::engine {
 
 enum class Integrator { sppm, path, light, bdpt, mlt };
 
-struct IntegratorRow {
-    Integrator integrator;
-    std::string_view name;  // as the user writes it
-    std::string_view what;
-};
-
-inline constexpr std::array<IntegratorRow, 5> kIntegrators = {{
+inline constexpr std::array<ChoiceRow<Integrator>, 5> kIntegrators = {{
     {Integrator::sppm, "sppm", "stochastic progressive photon mapping"},
     {Integrator::path, "path", "reference path tracer"},
     {Integrator::light, "light", "reference light tracer"},
