@@ -45,6 +45,14 @@ struct PixelCells {
         return static_cast<std::size_t>(v) * static_cast<std::size_t>(window.width()) +
                static_cast<std::size_t>(u);
     }
+    /// Returns the cell of a pixel, in row-major order.
+    std::size_t cell_of(std::size_t pixel) const {
+        const auto columns = static_cast<std::size_t>(window.width());
+        const int x = static_cast<int>(pixel % columns) / side;
+        const int y = static_cast<int>(pixel / columns) / side;
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(across()) +
+               static_cast<std::size_t>(x);
+    }
     /// Returns whether this pixel is the chosen one of its cell.
     bool has(std::size_t pixel) const {
         if (side == 1) return true;

@@ -15,26 +15,44 @@
 #include "visible_points/radius.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
 namespace sunfleck::engine {
 namespace {
 
+/// Of so many pixels trials know enough by every fourth.
+constexpr std::size_t kLarge = 1'000'000;
+
 /// Photon paths where nothing in the scene bends light, so that they bring nothing.
 constexpr std::uint32_t kFewPaths = 1024;
+
+/// Returns the side of the cells of the trial that planners explore, each with one path: it costs
+/// no more in large pictures than in small ones. All epochs have the same, for they share trials of
+/// worth.
+int trial_cells(std::size_t pixels) {
+    constexpr double kPaths = 65'536;
+    return std::max(1, static_cast<int>(std::sqrt(static_cast<double>(pixels) / kPaths)));
+}
 
 /// The first epoch is too short for a budget to pay, and for trials as large as those of others;
 /// long ones can pay for more.
 SubpassRequest request_of(const RenderSettings& settings, std::uint32_t epoch, std::uint32_t usual,
                           std::size_t pixels) {
-    constexpr std::size_t kLarge = 1'000'000;  // so many know enough by every fourth
+    constexpr int kWidestCells = 4;  // wider ones would not tell noise of small things
     SubpassRequest request;
     request.usual = usual;
     request.budget = settings.photon.photon_budget && !settings.photon.paths_per_pass;
     if (pixels > kLarge) request.cells = 2;
-    if (epoch == 0)
-        request = {.usual = usual, .budget = false, .trials = {1, 3}, .parts = 16, .cells = 2};
+    if (epoch == 0) {
+        const int cells = std::clamp(trial_cells(pixels), 2, kWidestCells);
+        request = {.usual = usual,
+                   .budget = false,
+                   .trials = {1, std::max(3, cells)},
+                   .parts = 16,
+                   .cells = cells};
+    }
     request.trials.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
     request.shares = settings.photon.adaptive_pixels;
     request.objective = settings.objective;
@@ -74,26 +92,30 @@ EpochLearner::EpochLearner(const PassScene& scene, const RenderSettings& setting
              .strata = {},
              .worth = {}},
       name_{settings.seed, epoch},
-      camera_{scene,
-              epoch_.transport,
-              settings.camera,
-              window_of(scene.scene.film()),
-              name_.iteration(kExploredTrialIteration),
-              radius_factor(first_pass_of(epoch), settings.alpha)} {
+      pass_{scene,
+            epoch_.transport,
+            settings.camera,
+            window_of(scene.scene.film()),
+            name_.iteration(kExploredTrialIteration),
+            radius_factor(first_pass_of(epoch), settings.alpha)},
+      trial_(pass_) {
     epoch_.transport.indirect = way;
+    trial_.cells = trial_cells(trial_.window.pixels());
+    trial_.radius_factor *= trial_.cells;
 }
 
 void EpochLearner::look(const std::function<void(double)>& trial_traced) {
     Stopwatch watch;
-    seen_.emplace(view_of(camera_));
-    if (trial_traced) trial_traced(watch.lap());
-    if (camera_.settings.edges) epoch_.edges = edge_pixels(*seen_, camera_.window);
-    camera_.edges = epoch_.edges;
-    context_.emplace(PhotonContext{camera_.scene, epoch_.transport, seen_->index});
+    seen_.emplace(view_of(trial_));
+    if (trial_traced) trial_traced(watch.lap() * trial_.cells * trial_.cells);
+    context_.emplace(PhotonContext{trial_.scene, epoch_.transport, seen_->index});
+    if (trial_.cells > 1) return;
+    epoch_.edges = edges();
+    trial_.edges = epoch_.edges;
 }
 
 void EpochLearner::plan(std::shared_ptr<const WorthRounds> earlier) {
-    epoch_.paths = usual_paths(settings_.photon, camera_.window.pixels());
+    epoch_.paths = usual_paths(settings_.photon, pass_.window.pixels());
     if (epoch_.transport.goes_beyond_diffuse())
         plan_independent_paths(std::move(earlier));
     else
@@ -102,8 +124,7 @@ void EpochLearner::plan(std::shared_ptr<const WorthRounds> earlier) {
 }
 
 void EpochLearner::plan_chains() {
-    const std::uint64_t work =
-        worth_learning(name_.epoch) * (epoch_.paths + camera_.window.pixels());
+    const std::uint64_t work = worth_learning(name_.epoch) * (epoch_.paths + pass_.window.pixels());
     auto planner = std::make_shared<LightPlanner>(*context_, settings_.photon, name_, work);
     planner_ = [planner](std::uint32_t paths) { return planner->plan(paths); };
 }
@@ -113,7 +134,7 @@ void EpochLearner::plan_independent_paths(std::shared_ptr<const WorthRounds> ear
     WorthGuide guide;
     MutationScales scales;
     if (settings_.photon.emission_guide) {
-        guide = learned_worth_guide(*context_, camera_.window, *seen_, name_,
+        guide = learned_worth_guide(*context_, pass_.window, *seen_, name_,
                                     {epoch_.paths, settings_.objective, std::move(earlier)});
         epoch_.worth = guide.rounds;
         const bool bends_nothing = guide.plan.map.is_identity();
@@ -127,11 +148,32 @@ void EpochLearner::plan_independent_paths(std::shared_ptr<const WorthRounds> ear
     };
 }
 
+EdgePixels EpochLearner::edges() const {
+    if (!settings_.camera.edges) return {};
+    if (seen_ && trial_.cells == 1) return edge_pixels(*seen_, pass_.window);
+    TransportSettings transport = epoch_.transport;
+    transport.indirect = IndirectLight::photons;  // camera paths that end at their discs
+    CameraPass pass{pass_.scene,  transport, pass_.settings,
+                    pass_.window, pass_.id,  pass_.radius_factor};
+    pass.cells = pass_.window.pixels() > kLarge ? 2 : 1;
+    return edge_pixels(view_of(pass), pass_.window);
+}
+
 Epoch EpochLearner::measured() {
     const std::uint32_t paths = epoch_.paths;
     const SubpassRequest request =
-        request_of(settings_, epoch_.number, paths, camera_.window.pixels());
-    SubpassPlan plan = measured_plan(camera_, *seen_, epoch_.strata, name_, request);
+        request_of(settings_, epoch_.number, paths, pass_.window.pixels());
+    if (trial_.cells > 1) epoch_.edges = edges();
+    // Noise is that of discs as narrow as those of passes.
+    CameraPass first = pass_;
+    first.edges = epoch_.edges;
+    std::optional<CameraTrial> narrow;
+    if (trial_.cells > 1) {
+        first.cells = request.cells;
+        narrow.emplace(view_of(first));
+    }
+    SubpassPlan plan =
+        measured_plan(first, narrow ? *narrow : *seen_, epoch_.strata, name_, request);
     epoch_.log2_samples = std::move(plan.log2_samples);
     if (!request.budget) return std::move(epoch_);
     const PhotonBudget& budget = plan.budget;

@@ -24,22 +24,22 @@ public:
     EpochLearner& operator=(EpochLearner&&) = delete;
     ~EpochLearner() = default;
 
-    /// Traces the visible points. @param trial_traced  see learn_epoch().
+    /// Traces visible points, few in a large picture. @param trial_traced  see learn_epoch().
     void look(const std::function<void(double)>& trial_traced);
     /// Learns where photon paths start, after look(). @param earlier  Epoch::worth of the epoch
     /// before.
     void plan(std::shared_ptr<const WorthRounds> earlier = {});
     /// Measures how many paths pay, after plan(). @return the epoch, which this no longer has.
     Epoch measured();
+    /// Returns where discs are probed.
+    EdgePixels edges() const;
 
-    /// After look().
-    const EdgePixels& edges() const { return epoch_.edges; }
     /// After plan().
     const std::shared_ptr<const WorthRounds>& worth() const { return epoch_.worth; }
-    WayTrials without_photons() const { return camera_trials(camera_, *seen_, name_); }
+    WayTrials without_photons() const { return camera_trials(trial_, *seen_, name_); }
     /// After plan().
     void add_photons(WayTrials& trials) const {
-        add_photon_trials(camera_, *seen_, epoch_.strata, name_, trials);
+        add_photon_trials(trial_, *seen_, epoch_.strata, name_, trials);
     }
 
 private:
@@ -52,7 +52,8 @@ private:
     const RenderSettings& settings_;
     Epoch epoch_;
     PilotName name_;
-    CameraPass camera_;
+    CameraPass pass_;   // like the epoch's
+    CameraPass trial_;  // what planners explore
     std::optional<CameraTrial> seen_;
     std::optional<PhotonContext> context_;
     Planner planner_;

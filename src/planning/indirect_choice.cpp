@@ -21,25 +21,36 @@ constexpr std::uint64_t kPathsOfASet = 100'000;
 constexpr std::uint64_t kLeastParts = 4;
 
 /// Camera paths of trials beside the one that was seen; at least those of one trial.
-constexpr std::size_t kCameraPaths = 200'000;
+constexpr double kCameraPaths = 200'000;
 
-/// Sums of numbers, and of their squares, by block.
+/// Pixels that a trial's path stands for.
+double pixels_of_a_path(const CameraPass& camera) {
+    return static_cast<double>(camera.cells) * camera.cells;
+}
+
+/// Moments of the mean light of a pixel, by block.
 class BlockMoments {
 public:
-    explicit BlockMoments(const BlockGrid& blocks)
-        : blocks_(blocks), sums_(blocks.count()), squares_(blocks.count()) {}
+    /// @param camera  of all images.
+    explicit BlockMoments(const CameraPass& camera)
+        : blocks_(judged_blocks(camera.window, camera.cells)),
+          pixels_of_a_path_(pixels_of_a_path(camera)),
+          sums_(blocks_.count()),
+          squares_(blocks_.count()) {}
 
     /// @param light  of the pixels.
     void add(const PassImage& light) {
         const std::vector<double> sums = block_sums(blocks_, luminance_of(light));
         for (std::size_t b = 0; b < sums.size(); ++b) {
-            const double mean = sums[b] / static_cast<double>(blocks_.block(b).pixels());
+            const double mean =
+                sums[b] * pixels_of_a_path_ / static_cast<double>(blocks_.block(b).pixels());
             sums_[b] += mean;
             squares_[b] += mean * mean;
         }
         ++count_;
     }
 
+    std::size_t count() const { return sums_.size(); }
     double mean(std::size_t block) const { return sums_[block] / count_; }
 
     /// Returns the variances of one image.
@@ -51,14 +62,17 @@ public:
     }
 
 private:
-    const BlockGrid& blocks_;
+    BlockGrid blocks_;
+    double pixels_of_a_path_;
     std::vector<double> sums_;
     std::vector<double> squares_;
     double count_ = 0;
 };
 
-std::size_t more_camera_trials(std::size_t pixels) {
-    return std::clamp<std::size_t>(kCameraPaths / pixels, 1, kWayCameraIterations.size());
+std::size_t more_camera_trials(const CameraPass& camera) {
+    const double paths = static_cast<double>(camera.window.pixels()) / pixels_of_a_path(camera);
+    return static_cast<std::size_t>(
+        std::clamp<double>(kCameraPaths / paths, 1, kWayCameraIterations.size()));
 }
 
 /// Noise as the objective judges it, as the mean over blocks.
@@ -85,20 +99,20 @@ JudgedNoise judged_noise(const WayTrials& one, const WayTrials& other, double me
 }  // namespace
 
 WayTrials camera_trials(const CameraPass& camera, const CameraTrial& seen, const PilotName& name) {
-    const BlockGrid blocks = judged_blocks(camera.window);
-    const std::size_t pixels = camera.window.pixels();
-    BlockMoments moments(blocks);
+    BlockMoments moments(camera);
     moments.add(seen.image);
-    for (std::size_t trial = 0; trial < more_camera_trials(pixels); ++trial) {
+    for (std::size_t trial = 0; trial < more_camera_trials(camera); ++trial) {
         CameraPass pass = camera;
         pass.id = name.iteration(kWayCameraIterations.at(trial));
-        PassImage image(pixels, {});
+        PassImage image(camera.window.pixels(), {});
         Statistics unused;
         trace_camera_paths(pass, image, unused);
         moments.add(image);
     }
-    WayTrials trials{{}, {moments.variances(), camera_work(seen.counts)}, {}};
-    for (std::size_t b = 0; b < blocks.count(); ++b) trials.light.push_back(moments.mean(b));
+    const double fewer = pixels_of_a_path(camera);  // paths than in a pass
+    WayTrials trials{{}, {moments.variances(), camera_work(seen.counts) * fewer}, {}};
+    for (double& variance : trials.camera.variance) variance /= fewer;
+    for (std::size_t b = 0; b < moments.count(); ++b) trials.light.push_back(moments.mean(b));
     return trials;
 }
 
@@ -110,8 +124,7 @@ void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
         fraction_of(plan, static_cast<std::uint32_t>(std::max(kLeastParts, paths / kPathsOfASet)));
     const double part = static_cast<double>(paths_of(strata)) / static_cast<double>(paths);
     const PhotonContext context{camera.scene, camera.transport, seen.index};
-    const BlockGrid blocks = judged_blocks(camera.window);
-    BlockMoments moments(blocks);
+    BlockMoments moments(camera);
     PhotonTotals totals;
     for (std::uint32_t set = 0; set < kSets; ++set) {
         PassImage image(camera.window.pixels(), {});
@@ -123,7 +136,7 @@ void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
     trials.passes = kSets * part;
     trials.photons = {moments.variances(), photon_work(totals.statistics) / trials.passes};
     for (double& variance : trials.photons.variance) variance *= part;
-    for (std::size_t b = 0; b < blocks.count(); ++b) trials.light[b] += moments.mean(b);
+    for (std::size_t b = 0; b < moments.count(); ++b) trials.light[b] += moments.mean(b);
 }
 
 double error_of_way(const WayTrials& one, const WayTrials& other, Objective objective) {

@@ -27,7 +27,8 @@ struct WayTrials {
     double passes = 0;  // as many passes have the photons of all trials; zero: no photons tried
 };
 
-/// Returns trials without photons. @param camera  a pass like the epoch's first.
+/// Returns trials without photons. @param camera  a pass like the epoch's first, or with fewer
+/// paths.
 /// @param seen  its trial.
 WayTrials camera_trials(const CameraPass& camera, const CameraTrial& seen, const PilotName& name);
 

@@ -3,8 +3,8 @@
 
 namespace sunfleck::engine {
 
-BlockGrid judged_blocks(const PixelWindow& window) {
-    return {window.width(), window.height(), 8};
+BlockGrid judged_blocks(const PixelWindow& window, int cells) {
+    return {window.width(), window.height(), static_cast<std::size_t>(8 * cells)};
 }
 
 std::vector<double> block_sums(const BlockGrid& blocks, const PixelValues& values) {

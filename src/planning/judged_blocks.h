@@ -10,8 +10,8 @@
 
 namespace sunfleck::engine {
 
-/// Blocks of 8 x 8 pixels.
-BlockGrid judged_blocks(const PixelWindow& window);
+/// Blocks of 8 x 8 pixels, or of 8 x 8 cells. @param cells  side of these, in pixels.
+BlockGrid judged_blocks(const PixelWindow& window, int cells = 1);
 
 /// Returns the sum of the values in each block.
 std::vector<double> block_sums(const BlockGrid& blocks, const PixelValues& values);

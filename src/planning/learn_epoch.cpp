@@ -81,7 +81,6 @@ Epoch usual_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     if (settings.integrator == Integrator::sppm && settings.camera.edges && !scene.is_dark()) {
         const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(number)});
         EpochLearner learner(at_wavelengths, settings, epoch.transport.indirect, number);
-        learner.look({});
         epoch.edges = learner.edges();
     }
     return epoch;

@@ -29,11 +29,12 @@ struct Work {
     }
 };
 
-Work work_of(const CameraTrial& trial, const PhotonTrials& trials) {
+Work work_of(const CameraTrial& seen, const PhotonTrials& trials) {
     const auto rays = static_cast<double>(trials.totals.statistics[Count::photon_rays]);
     const double paths = kPhotonSets * trials.pair.paths;
-    return {camera_work(trial.counts), kWorkOfPhotonRay * rays / paths,
-            kWorkOfDeposit * trials.deposits / paths};
+    const double pixels_of_a_path = seen.cells * seen.cells;
+    return {camera_work(seen.counts) * pixels_of_a_path, kWorkOfPhotonRay * rays / paths,
+            kWorkOfDeposit * trials.deposits * pixels_of_a_path / paths};
 }
 
 /// Returns the fraction of the usual paths that leaves kSurvivors.
@@ -107,8 +108,9 @@ SubpassPlan measured_plan(const CameraPass& first, const CameraTrial& seen,
     const Work work = work_of(seen, photons);
     const double fewest = std::max(
         2.0, std::floor(least_share(strata, photons.totals, 1.0 / request.parts) * request.usual));
-    std::vector<CameraShares> shares =
-        camera_shares(window, pixels, photons.pair.one.lit[0], request.objective);
+    PixelValues light = photons.pair.one.lit[0];
+    if (seen.cells > 1) light = upsampled(light, {window, seen.cells});
+    std::vector<CameraShares> shares = camera_shares(window, pixels, light, request.objective);
     shares.insert(shares.begin(), CameraShares{});  // one path per pixel
     std::vector<SubpassMeasures> subpasses;
     subpasses.reserve(shares.size());

@@ -37,7 +37,7 @@ CameraTrial view_of(const CameraPass& pass) {
     PassImage image(pass.window.pixels(), {});
     Statistics counts;
     VisiblePointIndex index(trace_camera_paths(pass, image, counts), pass.transport.max_depth);
-    return {std::move(image), counts, std::move(index)};
+    return {std::move(image), counts, std::move(index), pass.cells};
 }
 
 std::vector<LightStratum> fraction_of(std::vector<LightStratum> strata, std::uint32_t parts) {

@@ -18,6 +18,7 @@ struct CameraTrial {
     PassImage image;  // light that needs no photon
     Statistics counts;
     VisiblePointIndex index;
+    int cells = 1;  // one path per cells x cells pixels
 };
 
 CameraTrial view_of(const CameraPass& pass);

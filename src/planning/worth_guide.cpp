@@ -121,7 +121,7 @@ private:
 WorthGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& window,
                                const CameraTrial& seen, const PilotName& name,
                                const WorthRequest& request) {
-    const BlockGrid blocks = judged_blocks(window);
+    const BlockGrid blocks = judged_blocks(window, seen.cells);
     const std::vector<double> unlit = block_sums(blocks, luminance_of(seen.image));
     const WorthScale scale{blocks, unlit, request.objective};
     const WorthLearner learner(context, scale, name, request.paths);

@@ -21,6 +21,7 @@ TEST(PixelCells, have_one_pixel_each) {
                 EXPECT_EQ(chosen.count(pixel), 1U);
                 EXPECT_EQ(pixel % 17 / static_cast<std::size_t>(side), x);
                 EXPECT_EQ(pixel / 17 / static_cast<std::size_t>(side), y);
+                EXPECT_EQ(cells.cell_of(pixel), static_cast<std::size_t>(y * cells.across() + x));
             }
     }
 }

@@ -96,11 +96,14 @@ protected:
         epoch_ = learn_epoch(scene_, settings_, 0);
     }
 
-    WayTrials trials() const {
+    /// @param cells  side of those with one camera path each, whose discs are wider by that.
+    WayTrials trials(int cells = 1) const {
         const PassScene at_wavelengths(scene_, {1, 0});
         const PilotName name{1, 0};
-        const CameraPass camera{at_wavelengths, epoch_.transport, settings_.camera,
-                                window_of(scene_.film()), name.iteration(0)};
+        CameraPass camera{at_wavelengths, epoch_.transport, settings_.camera,
+                          window_of(scene_.film()), name.iteration(0)};
+        camera.cells = cells;
+        camera.radius_factor = cells;
         const CameraTrial seen = view_of(camera);
         WayTrials trials = camera_trials(camera, seen, name);
         add_photon_trials(camera, seen, epoch_.strata, name, trials);
@@ -141,6 +144,20 @@ TEST_P(TrialsOfWay, tell_light_and_noise_of_passes) {
     EXPECT_GT(variance, 0.2 * truth.variance);
     EXPECT_LT(variance, 2 * truth.variance);
     EXPECT_NEAR(measured.passes, 1, 0.01);
+}
+
+/// A fourth of the camera paths has four times the noise, at a fourth of the work.
+TEST_P(TrialsOfWay, tell_it_by_few_camera_paths) {
+    const WayTrials all = trials();
+    const WayTrials few = trials(2);
+    EXPECT_EQ(few.light.size(), 4U);
+    EXPECT_NEAR(mean_value(few.light), mean_value(all.light), 0.05 * mean_value(all.light));
+    EXPECT_NEAR(few.camera.work / all.camera.work, 1, 0.1);
+    // Of blocks with four times as many pixels.
+    const double noise = 4 * mean_value(few.camera.variance) / mean_value(all.camera.variance);
+    EXPECT_GT(noise, 0.5);
+    EXPECT_LT(noise, 2);
+    EXPECT_NEAR(few.photons.work / all.photons.work, 1, 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothWays, TrialsOfWay,

@@ -18,6 +18,7 @@ TEST(JudgedBlocks, cover_each_pixel_once) {
     EXPECT_EQ(blocks.block_of(20 * 8), 3U);
     const std::vector<double> sums = block_sums(blocks, PixelValues(window.pixels(), 0.5));
     EXPECT_EQ(sums[5], 6);
+    EXPECT_EQ(judged_blocks(window, 2).block(0).pixels(), 11U * 16U);
 }
 
 TEST(JudgedBlocks, give_all_of_their_pixels_one_scale) {
