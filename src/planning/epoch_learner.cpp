@@ -114,10 +114,10 @@ void EpochLearner::look(const std::function<void(double)>& trial_traced) {
     trial_.edges = epoch_.edges;
 }
 
-void EpochLearner::plan(std::shared_ptr<const WorthRounds> earlier) {
+void EpochLearner::plan(Known known) {
     epoch_.paths = usual_paths(settings_.photon, pass_.window.pixels());
     if (epoch_.transport.goes_beyond_diffuse())
-        plan_independent_paths(std::move(earlier));
+        plan_independent_paths(std::move(known));
     else
         plan_chains();
     epoch_.strata = planner_(epoch_.paths);
@@ -129,13 +129,14 @@ void EpochLearner::plan_chains() {
     planner_ = [planner](std::uint32_t paths) { return planner->plan(paths); };
 }
 
-void EpochLearner::plan_independent_paths(std::shared_ptr<const WorthRounds> earlier) {
+void EpochLearner::plan_independent_paths(Known known) {
     const LightChoice& lights = context_->scene.scene.light_choice();
     WorthGuide guide;
     MutationScales scales;
     if (settings_.photon.emission_guide) {
-        guide = learned_worth_guide(*context_, pass_.window, *seen_, name_,
-                                    {epoch_.paths, settings_.objective, std::move(earlier)});
+        guide = learned_worth_guide(
+            *context_, pass_.window, *seen_, name_,
+            {epoch_.paths, settings_.objective, std::move(known.earlier), std::move(known.boxes)});
         epoch_.worth = guide.rounds;
         const bool bends_nothing = guide.plan.map.is_identity();
         if (bends_nothing && !settings_.photon.paths_per_pass)

@@ -26,14 +26,23 @@ public:
 
     /// Traces visible points, few in a large picture. @param trial_traced  see learn_epoch().
     void look(const std::function<void(double)>& trial_traced);
-    /// Learns where photon paths start, after look(). @param earlier  Epoch::worth of the epoch
-    /// before.
-    void plan(std::shared_ptr<const WorthRounds> earlier = {});
+    /// What others have learned for the same visible points.
+    struct Known {
+        std::shared_ptr<const WorthRounds> earlier;  // Epoch::worth of the epoch before
+        EmissionGuide boxes;                         // of the way `photons`
+    };
+    /// Learns where photon paths start, after look().
+    void plan(Known known = {});
     /// Measures how many paths pay, after plan(). @return the epoch, which this no longer has.
     Epoch measured();
     /// Returns where discs are probed.
     EdgePixels edges() const;
 
+    /// After plan(): where chains have found visible paths of all lights; the identity if uniform
+    /// paths are visible often, or strata have guides of their own.
+    EmissionGuide boxes() const {
+        return epoch_.strata.size() == 1 ? epoch_.strata.front().guided.map : EmissionGuide();
+    }
     /// After plan().
     const std::shared_ptr<const WorthRounds>& worth() const { return epoch_.worth; }
     WayTrials without_photons() const { return camera_trials(trial_, *seen_, name_); }
@@ -47,7 +56,7 @@ private:
     using Planner = std::function<std::vector<LightStratum>(std::uint32_t)>;
 
     void plan_chains();
-    void plan_independent_paths(std::shared_ptr<const WorthRounds> earlier);
+    void plan_independent_paths(Known known);
 
     const RenderSettings& settings_;
     Epoch epoch_;

@@ -9,23 +9,28 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Returns the first epoch, by the better way.
-Epoch better_epoch(const PassScene& scene, const RenderSettings& settings,
-                   const std::function<void(double)>& trial_traced) {
+/// Returns the first epoch by the way `sampled`, or by the better one. In either case chains of the
+/// way `photons` explore the scene, and trials of worth start where they have been.
+Epoch first_epoch(const PassScene& scene, const RenderSettings& settings, IndirectLight way,
+                  const std::function<void(double)>& trial_traced) {
     EpochLearner photons(scene, settings, IndirectLight::photons, 0);
     photons.look(trial_traced);
     photons.plan();
-    WayTrials by_photons = photons.without_photons();
-    photons.add_photons(by_photons);
     EpochLearner sampled(scene, settings, IndirectLight::sampled, 0);
     sampled.look({});
+    if (way == IndirectLight::sampled) {
+        sampled.plan({{}, photons.boxes()});
+        return sampled.measured();
+    }
+    WayTrials by_photons = photons.without_photons();
+    photons.add_photons(by_photons);
     WayTrials by_camera = sampled.without_photons();
     const auto camera_is_better = [&] {
         return error_of_way(by_camera, by_photons, settings.objective) <
                error_of_way(by_photons, by_camera, settings.objective);
     };
     if (!camera_is_better()) return photons.measured();  // nor with the noise of its photons
-    sampled.plan();
+    sampled.plan({{}, photons.boxes()});
     sampled.add_photons(by_camera);
     return camera_is_better() ? sampled.measured() : photons.measured();
 }
@@ -39,24 +44,23 @@ IndirectLight way_of(const RenderSettings& settings) {
 /// Learns an epoch. @param before  one before it, if any is known.
 Epoch learned_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t number,
                     const Epoch* before, const std::function<void(double)>& trial_traced) {
+    IndirectLight way = way_of(settings);
     std::optional<Epoch> first;
-    if (!before && way_of(settings) == IndirectLight::automatic) {
-        first = better_epoch(PassScene(scene, {settings.seed, 0}), settings, trial_traced);
+    const bool aims = way == IndirectLight::sampled && settings.photon.emission_guide;
+    if (!before && (aims || way == IndirectLight::automatic)) {
+        first = first_epoch(PassScene(scene, {settings.seed, 0}), settings, way, trial_traced);
         if (number == 0) return *std::move(first);
         before = &*first;
     }
-    const IndirectLight way = before ? before->transport.indirect : way_of(settings);
-    const bool by_rounds = way == IndirectLight::sampled && settings.photon.emission_guide;
+    if (before) way = before->transport.indirect;
     std::shared_ptr<const WorthRounds> worth = before ? before->worth : nullptr;
     // Rounds of worth go on from epoch to epoch; all else is learned for each.
-    std::uint32_t next = number;
-    if (by_rounds) next = before ? before->number + 1 : 0;
-    for (;; ++next) {
+    for (std::uint32_t next = worth ? before->number + 1 : number;; ++next) {
         const bool is_last = next == number;
         const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(next)});
         EpochLearner learner(at_wavelengths, settings, way, next);
         learner.look(is_last ? trial_traced : nullptr);
-        learner.plan(std::move(worth));
+        learner.plan({std::move(worth), {}});
         if (is_last) return learner.measured();
         worth = learner.worth();
     }

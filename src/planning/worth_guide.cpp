@@ -75,16 +75,17 @@ public:
                  std::uint32_t paths)
         : context_(context), scale_(scale), name_(name), paths_(paths) {}
 
-    /// Begins with samples of casters.
-    WorthRounds first_rounds() const {
+    /// Begins with samples of casters. @param boxes  see WorthRequest.
+    WorthRounds first_rounds(const EmissionGuide& boxes) const {
         const std::uint32_t trials =
             std::clamp(paths_ / kPartsOfAPass, kLeastTrials, kMostFirstTrials);
         WorthRounds rounds(caster_samples(context_.scene, context_.scene.scene.light_choice(),
                                           name_.iteration(kCasterIteration), {0, trials}));
         if (rounds.are_idle()) return rounds;
+        if (!boxes.is_identity()) add_round(rounds, boxes, kBoxesIteration, trials);
         std::size_t before = 0;
         for (std::uint32_t round = 0; round < kMostWorthRounds; ++round) {
-            const std::size_t visible = add_round(rounds, round, trials);
+            const std::size_t visible = add_next(rounds, round, trials);
             if (round + 1 >= kLeastRounds && kFew * visible >= trials && 2 * visible < 3 * before)
                 break;
             before = visible;
@@ -98,16 +99,21 @@ public:
         const auto trials =
             static_cast<std::uint32_t>(std::clamp<double>(all, kLeastTrials, kMostLaterTrials));
         for (std::uint32_t round = 0; round < kLaterRounds; ++round)
-            add_round(rounds, round, trials);
+            add_next(rounds, round, trials);
     }
 
 private:
-    /// @return the number of trials that brought any light.
-    std::size_t add_round(WorthRounds& rounds, std::uint32_t number, std::uint32_t trials) const {
-        EmissionGuide guide = rounds.advice(scale_).guide;
-        const PathTrials tried = try_paths(context_, guide, scale_.blocks,
-                                           name_.iteration(kWorthIteration + number), trials);
+    /// Adds trials through a guide. @return the number of those that brought any light.
+    std::size_t add_round(WorthRounds& rounds, EmissionGuide guide, std::uint32_t iteration,
+                          std::uint32_t trials) const {
+        const PathTrials tried =
+            try_paths(context_, guide, scale_.blocks, name_.iteration(iteration), trials);
         return rounds.add(std::move(guide), tried);
+    }
+
+    /// The same, through the guide that the rounds so far suggest.
+    std::size_t add_next(WorthRounds& rounds, std::uint32_t number, std::uint32_t trials) const {
+        return add_round(rounds, rounds.advice(scale_).guide, kWorthIteration + number, trials);
     }
 
     const PhotonContext& context_;
@@ -125,7 +131,7 @@ WorthGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& 
     const std::vector<double> unlit = block_sums(blocks, luminance_of(seen.image));
     const WorthScale scale{blocks, unlit, request.objective};
     const WorthLearner learner(context, scale, name, request.paths);
-    WorthRounds rounds = request.earlier ? *request.earlier : learner.first_rounds();
+    WorthRounds rounds = request.earlier ? *request.earlier : learner.first_rounds(request.boxes);
     if (rounds.are_idle()) return {};
     if (request.earlier) learner.add_rounds(rounds);
     WorthGuide guide = with_bound(rounds.advice(scale));

@@ -2,8 +2,8 @@
 // worth to the picture.
 //
 // In:  visible points, light that needs no photon, rounds of earlier epochs. Out: a density of
-// emission. Its first samples are of casters; rounds of trials, each through the guide so far,
-// correct it.
+// emission. Its first samples are of casters; rounds of trials correct it, the first one through
+// boxes that chains have learned, the others each through the guide so far.
 // The worth of a path is the sum over pixels of what it brings over the scale of errors there
 // (aovs/objective.h): the density of least variance is in proportion to the root of the mean
 // squared worth. Where that density is low by chance, a path would be a spot: a bound of
@@ -32,6 +32,7 @@ struct WorthRequest {
     std::uint32_t paths = 0;  // of a pass
     Objective objective = Objective::relative;
     std::shared_ptr<const WorthRounds> earlier;  // of the epoch before; absent for the first
+    EmissionGuide boxes;  // where chains have found visible paths; the identity if nobody knows
 };
 
 /// @param context  whose camera paths bring what diffuse surfaces send on first

@@ -58,14 +58,6 @@ TEST(Epoch, has_few_photons_where_nothing_bends_light) {
     EXPECT_EQ(unguided.paths, 200'000U);
 }
 
-TEST(Epoch, lets_trials_of_its_first_pass_choose_who_brings_indirect_light) {
-    const Scene open = floor_in_the_sun("50", kBall);
-    RenderSettings settings;
-    const IndirectLight way = learn_epoch(open, settings, 0).transport.indirect;
-    EXPECT_EQ(way, IndirectLight::sampled);
-    EXPECT_EQ(learn_epoch(open, settings, 16).transport.indirect, way);
-}
-
 /// Where a path that is guided by the plan may start, and how heavy it is.
 std::vector<double> weights_of(const Epoch& epoch) {
     const GuidedPlan& guided = epoch.strata.at(0).guided;
@@ -75,6 +67,16 @@ std::vector<double> weights_of(const Epoch& epoch) {
         weights.push_back(guided.map.density({x, 1 - x, 0.5, 0.5, 0.5}));
     }
     return weights;
+}
+
+TEST(Epoch, lets_trials_of_its_first_pass_choose_who_brings_indirect_light) {
+    const Scene open = floor_in_the_sun("50", kBall);
+    RenderSettings settings;
+    const Epoch chosen = learn_epoch(open, settings, 0);
+    EXPECT_EQ(chosen.transport.indirect, IndirectLight::sampled);
+    EXPECT_EQ(learn_epoch(open, settings, 16).transport.indirect, IndirectLight::sampled);
+    settings.transport.indirect = IndirectLight::sampled;
+    EXPECT_EQ(weights_of(learn_epoch(open, settings, 0)), weights_of(chosen));
 }
 
 TEST(Epoch, goes_on_with_what_earlier_ones_have_learned) {
