@@ -11,7 +11,6 @@
 #include "planning/photon_budget.h"
 #include "planning/remainder_scales.h"
 #include "planning/trial_iterations.h"
-#include "planning/worth_guide.h"
 #include "visible_points/radius.h"
 
 #include <algorithm>
@@ -107,17 +106,17 @@ EpochLearner::EpochLearner(const PassScene& scene, const RenderSettings& setting
 void EpochLearner::look(const std::function<void(double)>& trial_traced) {
     Stopwatch watch;
     seen_.emplace(view_of(trial_));
-    if (trial_traced) trial_traced(watch.lap() * trial_.cells * trial_.cells);
+    if (trial_traced) trial_traced(watch.lap() * pixels_of_a_path(trial_.cells));
     context_.emplace(PhotonContext{trial_.scene, epoch_.transport, seen_->index});
     if (trial_.cells > 1) return;
     epoch_.edges = edges();
     trial_.edges = epoch_.edges;
 }
 
-void EpochLearner::plan(Known known) {
+void EpochLearner::plan(WorthStart start) {
     epoch_.paths = usual_paths(settings_.photon, pass_.window.pixels());
     if (epoch_.transport.goes_beyond_diffuse())
-        plan_independent_paths(std::move(known));
+        plan_independent_paths(std::move(start));
     else
         plan_chains();
     epoch_.strata = planner_(epoch_.paths);
@@ -129,14 +128,13 @@ void EpochLearner::plan_chains() {
     planner_ = [planner](std::uint32_t paths) { return planner->plan(paths); };
 }
 
-void EpochLearner::plan_independent_paths(Known known) {
+void EpochLearner::plan_independent_paths(WorthStart start) {
     const LightChoice& lights = context_->scene.scene.light_choice();
     WorthGuide guide;
     MutationScales scales;
     if (settings_.photon.emission_guide) {
-        guide = learned_worth_guide(
-            *context_, pass_.window, *seen_, name_,
-            {epoch_.paths, settings_.objective, std::move(known.earlier), std::move(known.boxes)});
+        guide = learned_worth_guide(*context_, pass_.window, *seen_, name_,
+                                    {epoch_.paths, settings_.objective, std::move(start)});
         epoch_.worth = guide.rounds;
         const bool bends_nothing = guide.plan.map.is_identity();
         if (bends_nothing && !settings_.photon.paths_per_pass)

@@ -5,6 +5,7 @@
 
 #include "planning/epoch.h"
 #include "planning/indirect_choice.h"
+#include "planning/worth_guide.h"
 #include "stages/settings.h"
 
 #include <functional>
@@ -26,13 +27,9 @@ public:
 
     /// Traces visible points, few in a large picture. @param trial_traced  see learn_epoch().
     void look(const std::function<void(double)>& trial_traced);
-    /// What others have learned for the same visible points.
-    struct Known {
-        std::shared_ptr<const WorthRounds> earlier;  // Epoch::worth of the epoch before
-        EmissionGuide boxes;                         // of the way `photons`
-    };
-    /// Learns where photon paths start, after look().
-    void plan(Known known = {});
+    /// Learns where photon paths start, after look(). @param start  of trials of worth: boxes() of
+    /// the way `photons`, or Epoch::worth of the epoch before.
+    void plan(WorthStart start = {});
     /// Measures how many paths pay, after plan(). @return the epoch, which this no longer has.
     Epoch measured();
     /// Returns where discs are probed.
@@ -56,7 +53,7 @@ private:
     using Planner = std::function<std::vector<LightStratum>(std::uint32_t)>;
 
     void plan_chains();
-    void plan_independent_paths(Known known);
+    void plan_independent_paths(WorthStart start);
 
     const RenderSettings& settings_;
     Epoch epoch_;

@@ -23,18 +23,13 @@ constexpr std::uint64_t kLeastParts = 4;
 /// Camera paths of trials beside the one that was seen; at least those of one trial.
 constexpr double kCameraPaths = 200'000;
 
-/// Pixels that a trial's path stands for.
-double pixels_of_a_path(const CameraPass& camera) {
-    return static_cast<double>(camera.cells) * camera.cells;
-}
-
 /// Moments of the mean light of a pixel, by block.
 class BlockMoments {
 public:
     /// @param camera  of all images.
     explicit BlockMoments(const CameraPass& camera)
         : blocks_(judged_blocks(camera.window, camera.cells)),
-          pixels_of_a_path_(pixels_of_a_path(camera)),
+          pixels_of_a_path_(pixels_of_a_path(camera.cells)),
           sums_(blocks_.count()),
           squares_(blocks_.count()) {}
 
@@ -70,7 +65,8 @@ private:
 };
 
 std::size_t more_camera_trials(const CameraPass& camera) {
-    const double paths = static_cast<double>(camera.window.pixels()) / pixels_of_a_path(camera);
+    const double paths =
+        static_cast<double>(camera.window.pixels()) / pixels_of_a_path(camera.cells);
     return static_cast<std::size_t>(
         std::clamp<double>(kCameraPaths / paths, 1, kWayCameraIterations.size()));
 }
@@ -109,7 +105,7 @@ WayTrials camera_trials(const CameraPass& camera, const CameraTrial& seen, const
         trace_camera_paths(pass, image, unused);
         moments.add(image);
     }
-    const double fewer = pixels_of_a_path(camera);  // paths than in a pass
+    const double fewer = pixels_of_a_path(camera.cells);  // paths than in a pass
     WayTrials trials{{}, {moments.variances(), camera_work(seen.counts) * fewer}, {}};
     for (double& variance : trials.camera.variance) variance /= fewer;
     for (std::size_t b = 0; b < moments.count(); ++b) trials.light.push_back(moments.mean(b));

@@ -13,12 +13,13 @@ namespace {
 /// way `photons` explore the scene, and trials of worth start where they have been.
 Epoch first_epoch(const PassScene& scene, const RenderSettings& settings, IndirectLight way,
                   const std::function<void(double)>& trial_traced) {
+    const bool is_sampled = way == IndirectLight::sampled;
     EpochLearner photons(scene, settings, IndirectLight::photons, 0);
-    photons.look(trial_traced);
-    photons.plan();
+    photons.look(is_sampled ? nullptr : trial_traced);
     EpochLearner sampled(scene, settings, IndirectLight::sampled, 0);
-    sampled.look({});
-    if (way == IndirectLight::sampled) {
+    sampled.look(is_sampled ? trial_traced : nullptr);
+    photons.plan();
+    if (is_sampled) {
         sampled.plan({{}, photons.boxes()});
         return sampled.measured();
     }

@@ -32,9 +32,9 @@ struct Work {
 Work work_of(const CameraTrial& seen, const PhotonTrials& trials) {
     const auto rays = static_cast<double>(trials.totals.statistics[Count::photon_rays]);
     const double paths = kPhotonSets * trials.pair.paths;
-    const double pixels_of_a_path = seen.cells * seen.cells;
-    return {camera_work(seen.counts) * pixels_of_a_path, kWorkOfPhotonRay * rays / paths,
-            kWorkOfDeposit * trials.deposits * pixels_of_a_path / paths};
+    const double fewer = pixels_of_a_path(seen.cells);  // camera paths than in a subpass
+    return {camera_work(seen.counts) * fewer, kWorkOfPhotonRay * rays / paths,
+            kWorkOfDeposit * trials.deposits * fewer / paths};
 }
 
 /// Returns the fraction of the usual paths that leaves kSurvivors.

@@ -23,6 +23,11 @@ struct CameraTrial {
 
 CameraTrial view_of(const CameraPass& pass);
 
+/// Returns the pixels that each path of a trial stands for. @param cells  of the trial.
+inline double pixels_of_a_path(int cells) {
+    return static_cast<double>(cells) * cells;
+}
+
 /// Returns the same level sets and guides with 1 / parts of the paths and chains: measurements then
 /// hold for the full plan, which new levels for few paths would not allow.
 std::vector<LightStratum> fraction_of(std::vector<LightStratum> strata, std::uint32_t parts);

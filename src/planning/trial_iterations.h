@@ -17,7 +17,8 @@ inline constexpr std::array<std::uint32_t, 3> kWayCameraIterations = {424, 432, 
 inline constexpr std::uint32_t kCasterIteration = 433;
 inline constexpr std::uint32_t kWorthIteration = 434;  // of the first round of trials
 inline constexpr std::uint32_t kMostWorthRounds = 8;
-inline constexpr std::uint32_t kBoxesIteration = 442;        // of a round before these
+inline constexpr std::uint32_t kBoxesIteration =
+    kWorthIteration + kMostWorthRounds;                      // of a round before these
 inline constexpr std::uint32_t kPixelTrialsIteration = 466;  // subpasses are nets of trials
 inline constexpr std::uint32_t kSecondTrialIteration = 482;
 inline constexpr std::uint32_t kExploredTrialIteration = 498;  // the trial that planners explore

@@ -75,7 +75,7 @@ public:
                  std::uint32_t paths)
         : context_(context), scale_(scale), name_(name), paths_(paths) {}
 
-    /// Begins with samples of casters. @param boxes  see WorthRequest.
+    /// Begins with samples of casters. @param boxes  see WorthStart.
     WorthRounds first_rounds(const EmissionGuide& boxes) const {
         const std::uint32_t trials =
             std::clamp(paths_ / kPartsOfAPass, kLeastTrials, kMostFirstTrials);
@@ -131,9 +131,10 @@ WorthGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& 
     const std::vector<double> unlit = block_sums(blocks, luminance_of(seen.image));
     const WorthScale scale{blocks, unlit, request.objective};
     const WorthLearner learner(context, scale, name, request.paths);
-    WorthRounds rounds = request.earlier ? *request.earlier : learner.first_rounds(request.boxes);
+    WorthRounds rounds =
+        request.start.earlier ? *request.start.earlier : learner.first_rounds(request.start.boxes);
     if (rounds.are_idle()) return {};
-    if (request.earlier) learner.add_rounds(rounds);
+    if (request.start.earlier) learner.add_rounds(rounds);
     WorthGuide guide = with_bound(rounds.advice(scale));
     guide.rounds = std::make_shared<const WorthRounds>(std::move(rounds));
     return guide;

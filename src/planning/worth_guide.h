@@ -28,11 +28,16 @@ struct WorthGuide {
     std::shared_ptr<const WorthRounds> rounds;  // for the epochs after this; absent with no guide
 };
 
+/// Where trials begin.
+struct WorthStart {
+    std::shared_ptr<const WorthRounds> earlier;  // of the epoch before; absent for the first
+    EmissionGuide boxes;  // where chains have found visible paths; the identity if nobody knows
+};
+
 struct WorthRequest {
     std::uint32_t paths = 0;  // of a pass
     Objective objective = Objective::relative;
-    std::shared_ptr<const WorthRounds> earlier;  // of the epoch before; absent for the first
-    EmissionGuide boxes;  // where chains have found visible paths; the identity if nobody knows
+    WorthStart start;
 };
 
 /// @param context  whose camera paths bring what diffuse surfaces send on first

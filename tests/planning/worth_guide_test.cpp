@@ -47,7 +47,7 @@ public:
 
     EmissionGuide guide() const {
         return learned_worth_guide(context_, window_, seen_, {1, 0},
-                                   {200'000, Objective::relative, {}, {}})
+                                   {200'000, Objective::relative, {}})
             .plan.map;
     }
 
