@@ -1,8 +1,7 @@
 // PassImage: the contribution of one pass to each pixel, in exact sums that many threads fill.
 //
 // Terms are pixel values of this pass alone (radiance in linear sRGB, or a feature), already
-// divided by the number of photon paths. The film's picture is the mean over passes, and a pass is
-// the mean over its subpasses.
+// divided by the number of photon paths. The film's picture is the mean over passes.
 //
 // Light of camera paths can be stored apart. The rest is gathered from photons, and it alone has
 // the bias of the gather radius.
@@ -30,10 +29,9 @@ public:
 
     /// @param photons_apart  true if by_photons() will be called.
     /// @param light_groups  their count.
-    /// @param subpasses  of the pass; each adds all its light, and the image is their mean.
     PassImage(std::size_t pixels, const AovSet& wanted, bool photons_apart = false,
-              std::size_t light_groups = 0, std::uint32_t subpasses = 1)
-        : pixels_(pixels), share_(1 / static_cast<double>(subpasses)) {
+              std::size_t light_groups = 0)
+        : pixels_(pixels) {
         for (std::size_t i = 0; i < kAovCount; ++i)
             if (i == 0 || wanted.at(i)) aovs_.at(i) = std::vector<Pixel>(pixels);
         if (photons_apart) by_camera_ = std::vector<Pixel>(pixels);
@@ -72,7 +70,9 @@ public:
 
     /// Adds light that is_addable(), while no other thread uses this pixel.
     void add_alone(std::size_t pixel, const Vec3& rgb, Aov owner) {
-        const std::array<FixedPoint, 3> terms{share_of(rgb.x), share_of(rgb.y), share_of(rgb.z)};
+        const std::array<FixedPoint, 3> terms{FixedPoint::from_double(rgb.x),
+                                              FixedPoint::from_double(rgb.y),
+                                              FixedPoint::from_double(rgb.z)};
         add_alone(aovs_[0][pixel], terms);
         if (owner != Aov::total && has(owner))
             add_alone(aovs_[static_cast<std::size_t>(owner)][pixel], terms);
@@ -124,8 +124,7 @@ private:
     static bool finite(const Vec3& v) {
         return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
     }
-    FixedPoint share_of(double term) const { return FixedPoint::from_double(term * share_); }
-    FixedPoint term_of(float x) const { return share_of(cut_term(double{x})); }
+    static FixedPoint term_of(float x) { return FixedPoint::from_double(cut_term(double{x})); }
 
     /// Returns whether a value is finite, and counts it if not.
     bool is_finite(const Vec3& v) {
@@ -145,12 +144,11 @@ private:
             const double term = cut_term(double{x});
             if (term != static_cast<double>(x))
                 counts_[kSaturated].fetch_add(1, std::memory_order_relaxed);
-            pixel[c].add(share_of(term));
+            pixel[c].add(FixedPoint::from_double(term));
         }
     }
 
     std::size_t pixels_;
-    double share_;  // weight of a subpass
     std::array<std::vector<Pixel>, kAovCount> aovs_;
     std::vector<Pixel> by_camera_;  // part of the total
     std::vector<std::vector<Pixel>> lights_;

@@ -40,7 +40,6 @@ struct CameraPass {
     std::span<const Edge> edges = {};  // EdgePixels; all discs are probed if it is empty
     /// The rays of each pixel's paths are added here, unless it is empty.
     std::span<std::uint64_t> rays = {};
-    Subpass subpass = {};
     int cells = 1;  // if above 1, only the chosen pixels of PixelCells with this side have paths
 };
 

@@ -18,7 +18,7 @@ void probe(const CameraPass& pass, std::size_t pixel, std::vector<VisiblePoint>&
         probes = pass.edges[pixel] == Edge::of_sight ? Probes::of_sight : Probes::of_surface;
     }
     probe_edges(pass.scene, std::span(points).subspan(first), probes,
-                pass.id.subpass(pass.subpass.number).stream(Purpose::edge_probe, pixel));
+                pass.id.stream(Purpose::edge_probe, pixel));
 }
 
 }  // namespace
@@ -37,8 +37,7 @@ VisiblePointLists trace_camera_paths(const CameraPass& pass, PassImage& image,
         Statistics& count = counts[block];
         for (std::size_t pixel = begin; pixel < end; ++pixel) {
             if (!cells.has(pixel)) continue;
-            PathOfPixel path{0, pass.log2_samples.empty() ? 0U : pass.log2_samples[pixel],
-                             pass.subpass};
+            PathOfPixel path{0, pass.log2_samples.empty() ? 0U : pass.log2_samples[pixel]};
             const std::uint64_t before = count[Count::camera_rays];
             const std::size_t first = lists[block].size();
             for (; path.number < path.count(); ++path.number)

@@ -55,7 +55,7 @@ SplittingCounts bring_remainder(const Space& space, const GuidedRemainder& rest,
                                 typename Space::Tally& tally) {
     Population survivors = bounded_paths(space, rest, tally);
     survivors.begin_lineages(0);
-    SplittingCounts counts{{{}}, {survivors.units()}, {survivors.lineages()}, {}, 0};
+    SplittingCounts counts{{{}}, {survivors.units()}, survivors.lineages(), {}, 0};
     if (survivors.units() == 0) return counts;
     const Level<Space> level(space, rest.pass, 1, rest.level, survivors, &rest.guided);
     counts.visible_fraction =

@@ -13,6 +13,8 @@
 
 #include "chains/guided_level.h"
 
+#include <optional>
+
 namespace sunfleck::engine {
 
 struct SplittingPlan {
@@ -32,21 +34,10 @@ struct SplittingPlan {
 struct SplittingCounts {
     std::vector<LevelCounts> levels;
     std::vector<std::uint64_t> survivors;  // states of level k in the set of level k + 1
-    std::vector<Lineages> lineages;        // of the last set's survivors, run by run
+    std::optional<Lineages> lineages;      // of the last set's survivors, once chains have run
     LevelCounts guided;                    // guided paths beside the levels
     double visible_fraction = 0;           // sum of all weights: unbiased
 
-    /// Adds another run of the same plan: counts add up, fractions are weighted by `share`.
-    void add(const SplittingCounts& other, double share) {
-        // A run without survivors has fewer levels.
-        levels.resize(std::max(levels.size(), other.levels.size()));
-        survivors.resize(std::max(survivors.size(), other.survivors.size()));
-        for (std::size_t k = 0; k < other.levels.size(); ++k) levels[k] += other.levels[k];
-        for (std::size_t k = 0; k < other.survivors.size(); ++k) survivors[k] += other.survivors[k];
-        lineages.insert(lineages.end(), other.lineages.begin(), other.lineages.end());
-        guided += other.guided;
-        visible_fraction += other.visible_fraction * share;
-    }
     /// Returns the sum over all levels.
     Acceptance mutations() const {
         Acceptance sum;
@@ -156,7 +147,7 @@ public:
             level.population.begin_lineages(counts.survivors.front());
             survivors.add(std::move(level.population));
         }
-        counts.lineages.push_back(survivors.lineages());
+        counts.lineages = survivors.lineages();
         if (survivors.units() == 0) return counts;
         const Level<Space> level(space_, pass_, number(plan_.levels.size() - 1),
                                  plan_.levels.back(), survivors, &guided_);

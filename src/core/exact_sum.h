@@ -33,14 +33,6 @@ struct FixedPoint {
         return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(high) + carry), ~low + 1};
     }
 
-    /// Returns n times this number, with wrap-around beyond the range. @param n  below 2^31.
-    FixedPoint times(std::uint32_t n) const {
-        const std::uint64_t lower = (low & 0xFFFF'FFFFU) * n;
-        const std::uint64_t upper = (low >> 32U) * n + (lower >> 32U);
-        return {static_cast<std::int64_t>(static_cast<std::uint64_t>(high) * n + (upper >> 32U)),
-                upper << 32U | (lower & 0xFFFF'FFFFU)};
-    }
-
     /// Returns x rounded towards zero to a multiple of the unit. @param x  |x| <= kLargestTerm.
     static FixedPoint from_double(double x) {
         const double size = std::abs(x);

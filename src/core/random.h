@@ -127,21 +127,23 @@ private:
 struct PassId {
     std::uint64_t seed = 0;
     std::uint32_t number = 0;     // from 0
-    std::uint32_t substream = 0;  // of subpass() and with_stratum(); below 2^16
+    std::uint32_t substream = 0;  // of replicate() and with_stratum(); below 2^16
 
     /// Returns the stream of one pixel, uniform path or chain of this pass. @param index  below
     /// 2^32.
     constexpr RandomStream stream(Purpose purpose, std::size_t index) const {
         return {seed, purpose, number, static_cast<std::uint32_t>(index), substream};
     }
-    /// Returns the id of one subpass. @param which  below 128.
-    constexpr PassId subpass(std::uint32_t which) const { return {seed, number, which * kStrata}; }
-    /// Returns the id of one light stratum of the subpass. @param which  below kStrata.
+    /// Returns the id of other random numbers for the same pass. @param which  below 128.
+    constexpr PassId replicate(std::uint32_t which) const {
+        return {seed, number, which * kStrata};
+    }
+    /// Returns the id of one light stratum of the pass. @param which  below kStrata.
     constexpr PassId with_stratum(std::uint32_t which) const {
         return {seed, number, substream + which};
     }
 
-    static constexpr std::uint32_t kStrata = 512;  // strata of a subpass
+    static constexpr std::uint32_t kStrata = 512;  // strata of a pass
 };
 
 }  // namespace sunfleck::engine

@@ -22,18 +22,18 @@ struct BatchMeans {
 /// The regression line through complete batches.
 struct Line {
     double slope = 0;
-    double variance = 0;  // residual variance of a batch of weight one
+    double variance = 0;  // residual variance of a batch
 };
 
-/// Returns the residual variance of a batch of weight one, from the sum of squares around the mean
-/// and the slope; the fit takes two degrees of freedom.
+/// Returns the residual variance of a batch, from the sum of squares around the mean and the slope;
+/// the fit takes two degrees of freedom.
 double residual_variance(double squares, double slope, const DiscAreas& areas) {
     return std::max(0.0, squares - slope * slope * areas.squares) / (areas.batches - 2);
 }
 
 Line line_through(const BatchMeans& y, const DiscAreas& areas) {
-    const double slope = (y.mean_by_area - areas.mean * y.mean) * areas.weight / areas.squares;
-    const double squares = (y.mean_square - y.mean * y.mean) * areas.weight;
+    const double slope = (y.mean_by_area - areas.mean * y.mean) * areas.batches / areas.squares;
+    const double squares = (y.mean_square - y.mean * y.mean) * areas.batches;
     return {slope, residual_variance(squares, slope, areas)};
 }
 
@@ -45,7 +45,7 @@ Bias bias_of(const BatchMeans& y, const DiscAreas& areas) {
 /// Returns means over complete batches of each block, summed over its pixels, without squares.
 std::vector<BatchMeans> block_sums(const Film& film, const BlockGrid& grid) {
     const FilmSums& sums = film.sums();
-    const double passes = film.complete_weight();
+    const auto passes = static_cast<double>(film.batches() * kBatchPasses);
     std::vector<std::pair<double, const FixedPoints*>> open;  // area, sums
     for (const auto& [first, group] : sums.open_groups)
         open.emplace_back(batch_area(first / kBatchPasses, film.key().alpha), &group.photon_blocks);
@@ -81,21 +81,21 @@ void for_blocks(const Film& film, const Visit& visit) {
     const BlockGrid grid(film.key(), kErrorBlock);
     const std::vector<BatchMeans> sums = block_sums(film, grid);
     const FixedPoints& squares = film.sums().photons.block_squares;
-    const double weight = film.weight_of_batches();
+    const auto batches = static_cast<double>(film.batches());
     for (std::size_t b = 0; b < grid.count(); ++b)
-        visit(b, means(sums[b], grid.block(b).pixels(), squares[b].to_double() / weight));
+        visit(b, means(sums[b], grid.block(b).pixels(), squares[b].to_double() / batches));
 }
 
 /// Returns the variance of a mean minus its bias; the errors of mean and slope are uncorrelated.
-/// @param batch  variance of the luminance of a batch of weight one.
+/// @param batch  variance of the luminance of a batch.
 /// @param photons  variance of the photons' luminance.
 double extrapolated_error(double batch, double photons, const DiscAreas& areas) {
-    return std::sqrt(batch / areas.weight + photons * areas.bias_variance());
+    return std::sqrt(batch / areas.batches + photons * areas.bias_variance());
 }
 
 /// Returns the sum of squares of a quantity around its mean.
 double squares_around_mean(const MeanError& error, const DiscAreas& areas) {
-    return error.standard_error * error.standard_error * areas.weight * (areas.batches - 1);
+    return error.standard_error * error.standard_error * areas.batches * (areas.batches - 1);
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ std::optional<Bias> image_bias(const Film& film) {
         total.mean_by_area += block.mean_by_area;
     }
     if (total.mean == 0 && is_lit(film.sums().aovs[0])) return {};
-    const double square = film.sums().photons.image_square.to_double() / areas->weight;
+    const double square = film.sums().photons.image_square.to_double() / areas->batches;
     return bias_of(means(total, film.key().pixels(), square), *areas);
 }
 

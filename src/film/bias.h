@@ -4,9 +4,9 @@
 // standard errors of the bias and of the corrected mean. Pixel means are over all passes; those of
 // blocks and of the picture, and all errors, are from complete batches. The model is of first
 // order: light is linear in the disc area. Ordinary least squares (docs/method/errors.md) is
-// unbiased whatever the variances of the batches are. The errors assume variances that are equal,
-// or inverse to the batch weights. That holds for blocks and the picture. In a pixel, early batches
-// have less noise than late ones, and its errors are too large by about 15%.
+// unbiased whatever the variances of the batches are. The errors assume equal variances, which
+// batches of one plan have for blocks and the picture. In a pixel, early batches have less noise
+// than late ones, and its errors are too large by about 15%.
 // Equations: docs/method/errors.md, eqs. (29), (30) and (31).
 #pragma once
 

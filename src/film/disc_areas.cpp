@@ -12,15 +12,13 @@ struct BatchAreas {
     double mean = 0;  // over all passes of the batch
     double held = 0;  // sum over its passes in the film
     double count = 0;
-    double shown = 0;  // both with the weights of the picture
+    double shown = 0;  // count and sum with the shares of passes in the picture
     double shown_areas = 0;
-    double weight = 1;  // of each pass
 };
 
 /// Advances to the next batch.
 BatchAreas next_batch(const Film& film, std::uint64_t batch, DiscAreaSequence& areas) {
     BatchAreas result;
-    result.weight = film.weight_of_batch(batch);
     const PassRange range = batch_range(batch);
     for (std::uint64_t p = range.begin; p < range.end; ++p) {
         const double area = areas.next();
@@ -39,27 +37,25 @@ BatchAreas next_batch(const Film& film, std::uint64_t batch, DiscAreaSequence& a
 struct Sums {
     double passes = 0;
     double held = 0;   // areas of passes
-    double shown = 0;  // count and areas of passes, with the weights of the picture
+    double shown = 0;  // count and areas of passes, with their shares in the picture
     double shown_areas = 0;
     double means = 0;          // for each pass, the mean of its batch
     double means_by_held = 0;  // areas of passes times those of their batches
-    double batches = 0;        // of complete batches: weights, areas, and their squares
-    double weight = 0;
+    double batches = 0;        // of complete batches: count, areas, and their squares
     double areas = 0;
     double squares = 0;
 
     void add(const BatchAreas& batch) {
-        passes += batch.weight * batch.count;
-        held += batch.weight * batch.held;
-        shown += batch.weight * batch.shown;
-        shown_areas += batch.weight * batch.shown_areas;
-        means += batch.weight * batch.count * batch.mean;
-        means_by_held += batch.weight * batch.mean * batch.held;
+        passes += batch.count;
+        held += batch.held;
+        shown += batch.shown;
+        shown_areas += batch.shown_areas;
+        means += batch.count * batch.mean;
+        means_by_held += batch.mean * batch.held;
         if (batch.count < kBatchPasses) return;
         batches += 1;
-        weight += batch.weight;
-        areas += batch.weight * batch.mean;
-        squares += batch.weight * batch.mean * batch.mean;
+        areas += batch.mean;
+        squares += batch.mean * batch.mean;
     }
 };
 
@@ -75,14 +71,13 @@ std::optional<DiscAreas> disc_areas(const Film& film) {
 
     DiscAreas result;
     result.batches = sums.batches;
-    result.weight = sums.weight;
-    result.mean = sums.areas / sums.weight;
+    result.mean = sums.areas / sums.batches;
     result.squares = sums.squares - sums.areas * result.mean;
     result.mean_of_passes = sums.shown_areas / sums.shown;
     result.share = sums.means / sums.passes;
     result.divisor = sums.means_by_held - result.share * sums.held;
-    // The variance of a mean over batches is that of a batch of weight one over their weight.
-    const double lever_squared = result.bias_variance() * result.weight;
+    // The variance of a mean over batches is that of a batch over their number.
+    const double lever_squared = result.bias_variance() * result.batches;
     if (!(result.squares > 0 && result.divisor > 0)) return {};
     if (!(lever_squared <= kLargestLever * kLargestLever)) return {};
     return result;

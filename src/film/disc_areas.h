@@ -3,8 +3,8 @@
 //
 // To first order the mean light of photons is linear in the disc area s, y = a + c s
 // (docs/method/errors.md): c s is the bias, a the unbiased light. For a batch, s is the mean over
-// its passes. Passes and batches are weighted as in the film, in all sums and means; in those of
-// the picture as in the picture.
+// its passes. In the mean of the picture each pass has its share in the picture
+// (Film::share_of_pass()).
 // Equations: docs/method/errors.md, eqs. (28) and (32).
 #pragma once
 
@@ -23,7 +23,6 @@ inline constexpr double kLargestLever = 10;
 
 struct DiscAreas {
     double batches = 0;         // count of complete batches
-    double weight = 0;          // sum of their weights
     double mean = 0;            // mean area over complete batches
     double squares = 0;         // sum of (s - mean)^2 over complete batches
     double mean_of_passes = 0;  // of the picture: times the slope, its bias
@@ -33,7 +32,7 @@ struct DiscAreas {
     double share = 0;
     double divisor = 0;
 
-    /// Returns the variance of the bias over that of a batch of weight one.
+    /// Returns the variance of the bias over that of a batch.
     double bias_variance() const { return mean_of_passes * mean_of_passes / squares; }
 };
 

@@ -5,7 +5,6 @@
 #include "film/luminance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace sunfleck::engine {
@@ -18,18 +17,16 @@ RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
     return rgb;
 }
 
-/// The number of complete batches, and their weight.
-struct CompleteBatches {
-    explicit CompleteBatches(const Film& film)
-        : count(static_cast<double>(film.batches())), weight(film.weight_of_batches()) {}
+/// Returns the number of passes of complete batches.
+double complete_passes(const Film& film) {
+    return static_cast<double>(film.batches() * kBatchPasses);
+}
 
-    double count;
-    double weight;
-};
-
-MeanError mean_error(double mean, const FixedPoint& squares, const CompleteBatches& batches) {
-    const double variance = squares.to_double() / batches.weight - mean * mean;
-    return {mean, std::sqrt(std::max(0.0, variance) / (batches.count - 1))};
+/// @param batches  number of complete batches.
+MeanError mean_error(double mean, const FixedPoint& squares, std::uint64_t batches) {
+    const auto n = static_cast<double>(batches);
+    const double variance = squares.to_double() / n - mean * mean;
+    return {mean, std::sqrt(std::max(0.0, variance) / (n - 1))};
 }
 
 /// Returns the luminance of each block, summed over its pixels, over `passes` passes.
@@ -51,7 +48,7 @@ double total(const std::vector<double>& terms) {
 }
 
 std::vector<double> complete_block_sums(const Film& film) {
-    return block_sums(BlockGrid(film.key(), kErrorBlock), film.complete_weight(),
+    return block_sums(BlockGrid(film.key(), kErrorBlock), complete_passes(film),
                       [&](std::size_t pixel) { return complete_sum(film.sums(), pixel); });
 }
 
@@ -60,34 +57,12 @@ double mean_luminance(const Film& film, const FixedPoints& rgb) {
     if (film.pass_count() == 0) return 0;
     const BlockGrid grid(film.key(), kErrorBlock);
     const std::vector<double> sums =
-        block_sums(grid, film.weight(), [&](std::size_t pixel) { return rgb_of(rgb, pixel); });
+        block_sums(grid, static_cast<double>(film.pass_count()),
+                   [&](std::size_t pixel) { return rgb_of(rgb, pixel); });
     return total(sums) / static_cast<double>(film.key().pixels());
 }
 
 }  // namespace
-
-/// If variances are inverse to the weights w, the sum of w (y - m)^2 has a chi-square distribution
-/// of n - 1 degrees. If they are equal, its mean and variance are those of chi-square with
-/// trace(A)^2 / trace(A^2) degrees, A = diag(w) - w w^T / sum(w).
-double error_degrees(const Film& film) {
-    std::array<double, 4> powers{};  // sums of w^0, w, w^2, w^3
-    const auto add = [&](double batches, double weight) {
-        for (double& power : powers) {
-            power += batches;
-            batches *= weight;
-        }
-    };
-    auto light = static_cast<double>(film.batches());
-    for (const auto& [weight, passes] : film.sums().heavy) {
-        const auto batches = static_cast<double>(complete_batches(passes));
-        add(batches, weight);
-        light -= batches;
-    }
-    add(light, 1);
-    const double mean = powers[2] / powers[1];
-    const double trace = powers[1] - mean;
-    return trace * trace / (powers[2] - 2 * powers[3] / powers[1] + mean * mean);
-}
 
 bool is_lit(const FixedPoints& sums) {
     return std::any_of(sums.begin(), sums.end(),
@@ -95,9 +70,10 @@ bool is_lit(const FixedPoints& sums) {
 }
 
 std::vector<MeanError> pixel_errors(const Film& film) {
-    const CompleteBatches batches(film);
-    if (batches.count < 2) return {};
-    const double passes = film.complete_weight();
+    const std::uint64_t batches = film.batches();
+    if (batches < 2) return {};
+    const double passes = complete_passes(film);
+    const auto all_passes = static_cast<double>(film.pass_count());
     std::vector<MeanError> errors(film.key().pixels());
     parallel_blocks(errors.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -107,15 +83,15 @@ std::vector<MeanError> pixel_errors(const Film& film) {
             // is.
             if (mean == 0 && errors[i].standard_error == 0)
                 errors[i].standard_error =
-                    std::abs(rgb_of(film.sums().aovs[0], i).mean_luminance(film.weight()));
+                    std::abs(rgb_of(film.sums().aovs[0], i).mean_luminance(all_passes));
         }
     });
     return errors;
 }
 
 std::vector<MeanError> block_errors(const Film& film) {
-    const CompleteBatches batches(film);
-    if (batches.count < 2) return {};
+    const std::uint64_t batches = film.batches();
+    if (batches < 2) return {};
     const BlockGrid grid(film.key(), kErrorBlock);
     const std::vector<double> sums = complete_block_sums(film);
     std::vector<MeanError> errors(grid.count());
@@ -127,8 +103,8 @@ std::vector<MeanError> block_errors(const Film& film) {
 }
 
 std::optional<MeanError> image_error(const Film& film) {
-    const CompleteBatches batches(film);
-    if (batches.count < 2) return {};
+    const std::uint64_t batches = film.batches();
+    if (batches < 2) return {};
     const double mean = total(complete_block_sums(film)) / static_cast<double>(film.key().pixels());
     if (mean == 0 && is_lit(film.sums().aovs[0])) return {};
     return mean_error(mean, film.sums().image_square, batches);
@@ -138,7 +114,7 @@ double image_mean(const Film& film) {
     if (film.pass_count() == 0) return 0;
     const BlockGrid grid(film.key(), kErrorBlock);
     const auto sum_of = [&](const FixedPoints& rgb) {
-        return total(block_sums(grid, film.picture_weight(),
+        return total(block_sums(grid, film.passes_in_picture(),
                                 [&](std::size_t pixel) { return rgb_of(rgb, pixel); }));
     };
     double sum = sum_of(film.sums().aovs[0]);

@@ -2,14 +2,12 @@
 //
 // A quantity y (luminance of a pixel, a block, the picture) has the mean m over n batches, and the
 // sum q of its squares; the standard error of the mean is sqrt((q/n - m^2) / (n - 1)). It also
-// holds if batches differ in variance, as they do while radii shrink. With weights, n in q/n is the
-// sum of weights; the formula then holds if the variance of a batch is inverse to its weight. If
-// camera paths cause all noise, and the first of n batches has weight one and the others four, it
-// is 15% too small for n = 3, and 4% for n = 8. With few batches the standard error is itself
-// uncertain: reported errors are widened by Student's t (widening()); errors used in computations
-// are not, because their square is unbiased. The precision of y is about 2^-26 relative and 2^-32
-// absolute (the unit of the squares is 2^-64). Source: Conway 1963; Schmeiser 1982 (batch means).
-// Equations: docs/method/errors.md, eqs. (26) and (27).
+// holds if batches differ in variance, as they do while radii shrink and plans change. With few
+// batches the standard error is itself uncertain: reported errors are widened by Student's t
+// (widening()); errors used in computations are not, because their square is unbiased. The
+// precision of y is about 2^-26 relative and 2^-32 absolute (the unit of the squares is 2^-64).
+// Source: Conway 1963; Schmeiser 1982 (batch means).
+// Equations: docs/method/errors.md, eq. (26).
 #pragma once
 
 #include "film/film.h"
@@ -31,10 +29,11 @@ struct MeanError {
     double standard_error = 0;  // of that mean, not widened
 };
 
-/// Returns the degrees of freedom of standard errors: complete batches minus one, and fewer if
-/// their weights differ, as if variances were equal (Welch and Satterthwaite).
+/// Returns the degrees of freedom of standard errors: complete batches minus one.
 /// @param film  with at least two complete batches.
-double error_degrees(const Film& film);
+inline double error_degrees(const Film& film) {
+    return static_cast<double>(film.batches()) - 1;
+}
 
 /// Returns the factor that widens reported standard errors, so that the true mean is within two of
 /// them in 95% of all renders, for any number of batches.
@@ -55,8 +54,7 @@ std::vector<MeanError> block_errors(const Film& film);
 /// Nothing with fewer than two complete batches, or if these are black and the picture is not.
 std::optional<MeanError> image_error(const Film& film);
 
-/// Returns the mean luminance of the picture over all passes with their weights; zero without
-/// passes.
+/// Returns the mean luminance of the picture; zero without passes.
 double image_mean(const Film& film);
 /// Returns the mean luminance of the light of photons; zero if the film does not keep it apart.
 double image_mean_by_photons(const Film& film);

@@ -55,22 +55,13 @@ void check_parts(const FilmSums& sums, const FilmSums& other, const std::string&
                         "render disjoint passes with --pass-range");
 }
 
-/// Returns whether a shard has all existing passes of a batch.
-bool has_all_of_batch(const PassSet& part, std::uint64_t batch, const PassSet& passes) {
-    return part.count_in(batch_range(batch)) == passes.count_in(batch_range(batch));
-}
-
 /// @param sums  of all passes or of an open batch; arrays of AOVs that are not kept are empty.
 template <class Sums>
-void add_aovs(Sums& sums, const PassImage& image, std::uint32_t weight) {
+void add_aovs(Sums& sums, const PassImage& image) {
     for (std::size_t i = 0; i < kAovCount; ++i)
-        if (!sums.aovs.at(i).empty()) add_aov(sums.aovs.at(i), image, kAovs.at(i), weight);
+        if (!sums.aovs.at(i).empty()) add_aov(sums.aovs.at(i), image, kAovs.at(i));
     for (std::size_t i = 0; i < sums.light_groups.size(); ++i)
-        add_light_group(sums.light_groups[i], image, i, weight);
-}
-
-void insert_all(const PassSet& from, PassSet& to) {
-    for (const PassRange& range : from.ranges()) to.insert(range);
+        add_light_group(sums.light_groups[i], image, i);
 }
 
 }  // namespace
@@ -89,44 +80,10 @@ std::uint64_t complete_batches(const PassSet& passes) {
     return batches;
 }
 
-std::optional<std::uint64_t> uneven_batch(const PassSet& passes, const HeavyPasses& heavy) {
-    for (const auto& [times, of_weight] : heavy)
-        for (const PassRange& range : of_weight.ranges()) {
-            const std::uint64_t first = range.begin / kBatchPasses;
-            const std::uint64_t last = (range.end - 1) / kBatchPasses;
-            if (!has_all_of_batch(of_weight, first, passes)) return first;
-            if (!has_all_of_batch(of_weight, last, passes)) return last;  // batches lie between
-        }
-    return {};
-}
-
 Film::Film(FilmKey key) : sums_(empty_sums(std::move(key))) {}
 
 std::uint64_t Film::batches() const {
     return key().sequential ? 0 : complete_batches(sums_.passes);
-}
-
-double Film::weight() const {
-    std::uint64_t weight = pass_count();
-    for (const auto& [times, passes] : sums_.heavy) weight += (times - 1) * passes.count();
-    return static_cast<double>(weight);
-}
-
-double Film::weight_of_batches() const {
-    std::uint64_t weight = batches();
-    for (const auto& [times, passes] : sums_.heavy)
-        weight += (times - 1) * complete_batches(passes);
-    return static_cast<double>(weight);
-}
-
-double Film::complete_weight() const {
-    return weight_of_batches() * kBatchPasses;
-}
-
-std::uint32_t Film::weight_of_batch(std::uint64_t batch) const {
-    for (const auto& [times, passes] : sums_.heavy)
-        if (passes.count_in(batch_range(batch)) > 0) return times;
-    return 1;
 }
 
 double Film::share_of_pass(std::uint64_t number) const {
@@ -140,12 +97,11 @@ double Film::share_of_pass(std::uint64_t number) const {
     return static_cast<double>(held(number)) / static_cast<double>(most);
 }
 
-double Film::picture_weight() const {
-    double sum = weight();
+double Film::passes_in_picture() const {
+    auto sum = static_cast<double>(pass_count());
     for (const auto& [first, group] : sums_.open_groups) {
         const std::uint64_t held = sums_.passes.count_in(group_of(sums_.passes, first));
-        sum -= (1 - share_of_pass(first)) * weight_of_batch(first / kBatchPasses) *
-               static_cast<double>(held);
+        sum -= (1 - share_of_pass(first)) * static_cast<double>(held);
     }
     return sum;
 }
@@ -165,34 +121,26 @@ double Film::statistic(std::string_view name) const {
     return found == sums_.statistics.end() ? 0 : found->second.to_double();
 }
 
-void Film::add_pass(std::uint32_t number, const PassImage& image, std::uint32_t weight) {
+void Film::add_pass(std::uint32_t number, const PassImage& image) {
     const PassRange range{number, std::uint64_t{number} + 1};
     if (sums_.passes.count_in(range) != 0)
         throw Error({"pass " + std::to_string(number)}, "the film already contains it",
                     "add each pass once");
-    const std::uint64_t batch_number = number / kBatchPasses;
-    if (sums_.passes.count_in(batch_range(batch_number)) != 0 &&
-        weight != weight_of_batch(batch_number))
-        throw Error({"pass " + std::to_string(number)},
-                    "counts " + std::to_string(weight) + " times, but others of its batch " +
-                        std::to_string(weight_of_batch(batch_number)),
-                    "give all passes of a batch the same weight");
     check_image(sums_.key, number, image);
-    add_aovs(sums_, image, weight);
+    add_aovs(sums_, image);
     count("dropped_nonfinite", image.dropped());
     count("saturated", image.saturated());
     sums_.passes.insert(range);
-    if (weight > 1) sums_.heavy[weight].insert(range);
     if (key().sequential) return;
     join_groups();
     const auto [place, is_new] =
         sums_.open_groups.try_emplace(group_of(sums_.passes, number).begin);
     OpenGroup& group = place->second;
     if (is_new) group = empty_group(key());
-    add_aovs(group, image, weight);
+    add_aovs(group, image);
     if (key().has_discs()) {
-        const double area = batch_area(batch_number, key().alpha);
-        count("saturated", add_photons(sums_, image, {area, weight}, group));
+        const double area = batch_area(number / kBatchPasses, key().alpha);
+        count("saturated", add_photons(sums_, image, area, group));
     }
     close_batches();
 }
@@ -218,8 +166,7 @@ void Film::close_batches() {
     for (auto group = sums_.open_groups.begin(); group != sums_.open_groups.end();) {
         const std::uint64_t batch = group->first / kBatchPasses;
         const bool complete = sums_.passes.count_in(batch_range(batch)) == kBatchPasses;
-        if (complete)
-            count("saturated_squares", add_squares(sums_, group->second, weight_of_batch(batch)));
+        if (complete) count("saturated_squares", add_squares(sums_, group->second));
         group = complete ? sums_.open_groups.erase(group) : std::next(group);
     }
 }
@@ -227,21 +174,11 @@ void Film::close_batches() {
 void Film::merge(const Film& other, const std::string& other_name) {
     const FilmSums& from = other.sums_;
     check_parts(sums_, from, other_name);
-    PassSet passes = sums_.passes;
-    insert_all(from.passes, passes);
-    HeavyPasses heavy = sums_.heavy;
-    for (const auto& [weight, of_weight] : from.heavy) insert_all(of_weight, heavy[weight]);
-    if (const auto batch = uneven_batch(passes, heavy))
-        throw Error({other_name},
-                    "passes of " + text_of(batch_range(*batch)) +
-                        " have different weights in the two films",
-                    "render all films with one version of the program");
     const auto sums = total_arrays(sums_);
     const auto terms = total_arrays(from);
     for (std::size_t i = 0; i < sums.size(); ++i) add_all(sums[i], terms[i]);
     for (const auto& [name, value] : from.statistics) sums_.statistics[name] += value;
-    sums_.passes = std::move(passes);
-    sums_.heavy = std::move(heavy);
+    for (const PassRange& range : from.passes.ranges()) sums_.passes.insert(range);
     join_groups();
     for (const auto& [first, group] : from.open_groups) add_group(first, group);
     close_batches();

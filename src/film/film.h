@@ -2,15 +2,14 @@
 //
 // In:  PassImages in any order, each once. Out: sums that depend on the set of passes alone.
 // The unit is 2^-64, the range of a pixel's sum [-2^63, 2^63). Terms of a PassImage are at most
-// 2^47 (core/exact_sum.h), so 2^16 passes fit even if a pixel has such a term in every pass; fewer
-// if passes have weights.
+// 2^47 (core/exact_sum.h), so 2^16 passes fit even if a pixel has such a term in every pass.
 //
 // Batches of kBatchPasses passes are the independent samples of error bars (batch means). When a
 // batch is complete, its mean luminance y is computed from its exact sums, for each pixel, each
-// block and the whole picture. w y^2 is added to the sums of squares, where w is the weight of the
-// batch: rounded down to 2^-64 and at most 2^47 (larger terms are clamped and counted). Until then
-// the RGB sums of the batch are stored beside the totals, by groups of passes. With gather discs,
-// the same is done for the photons' light, for blocks and the picture.
+// block and the whole picture. y^2 is added to the sums of squares, rounded down to 2^-64 and at
+// most 2^47 (larger terms are clamped and counted). Until then the RGB sums of the batch are stored
+// beside the totals, by groups of passes. With gather discs, the same is done for the photons'
+// light, for blocks and the picture.
 //
 // In the picture, passes of an open batch count as far as the wavelengths of their group are evenly
 // spread (pass_groups.h), because other passes may have a wrong colour for lamps with spectral
@@ -23,7 +22,6 @@
 #include "film/film_sums.h"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,11 +37,9 @@ public:
     explicit Film(FilmSums sums) : sums_(std::move(sums)) {}
 
     /// Adds one pass, and its dropped and saturated counts to the statistics.
-    /// @param weight  of the pass: 1 to kMostWeight, the same for all passes of a batch.
-    /// @throws Error, and changes nothing, if the film already contains the pass, if passes of its
-    /// batch have another weight, if size or AOVs differ from the key, or if the key has discs and
-    /// the image has no photons apart.
-    void add_pass(std::uint32_t number, const PassImage& image, std::uint32_t weight = 1);
+    /// @throws Error, and changes nothing, if the film already contains the pass, if size or AOVs
+    /// differ from the key, or if the key has discs and the image has no photons apart.
+    void add_pass(std::uint32_t number, const PassImage& image);
 
     /// Adds to the statistic of that name. Zero makes no entry.
     void count(std::string_view name, std::uint64_t events);
@@ -55,8 +51,8 @@ public:
 
     /// Adds another film of the same render. The order of merging has no effect on the result.
     /// @param other_name  its source, for the Error.
-    /// @throws Error, and changes nothing, if the keys differ, if both have a common pass, if
-    /// weights of a batch differ, or if passes are sequential.
+    /// @throws Error, and changes nothing, if the keys differ, if both have a common pass, or if
+    /// passes are sequential.
     void merge(const Film& other, const std::string& other_name);
 
     const FilmKey& key() const { return sums_.key; }
@@ -64,21 +60,14 @@ public:
     FilmSums sums() && { return std::move(sums_); }
     const PassSet& passes() const { return sums_.passes; }
     std::uint64_t pass_count() const { return sums_.passes.count(); }
-    /// Returns the sum of weights of all passes.
-    double weight() const;
     /// Returns the number of complete batches; zero for a sequential film.
     std::uint64_t batches() const;
-    /// Returns the sum of weights of complete batches.
-    double weight_of_batches() const;
-    /// Returns the sum of weights of the passes of complete batches.
-    double complete_weight() const;
-    std::uint32_t weight_of_batch(std::uint64_t batch) const;
-    /// Returns the factor of a pass's weight in the picture: share_of_group(), which is one for
-    /// complete batches. If no batch is complete, it is the number of passes of its batch over the
-    /// largest number.
+    /// Returns the factor of a pass in the picture: share_of_group(), which is one for complete
+    /// batches. If no batch is complete, it is the number of passes of its batch over the largest
+    /// number.
     double share_of_pass(std::uint64_t number) const;
-    /// Returns the sum of weights of all passes in the picture.
-    double picture_weight() const;
+    /// Returns the number of passes in the picture, as the sum of share_of_pass() over all passes.
+    double passes_in_picture() const;
 
 private:
     void add_group(std::uint64_t number, OpenGroup group);
@@ -98,8 +87,5 @@ PassRange batch_range(std::uint64_t batch);
 
 /// Returns the number of complete batches in a set of passes.
 std::uint64_t complete_batches(const PassSet& passes);
-
-/// Returns a batch whose passes have different weights, if there is one. @param heavy  the weights.
-std::optional<std::uint64_t> uneven_batch(const PassSet& passes, const HeavyPasses& heavy);
 
 }  // namespace sunfleck::engine

@@ -1,7 +1,6 @@
 // Reading and writing of film heads.
 #include "film/film_head.h"
 
-#include "film/film.h"
 #include "film/pass_groups.h"
 
 #include <bit>
@@ -11,7 +10,7 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::uint64_t kVersion = 7;
+constexpr std::uint64_t kVersion = 8;
 constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
@@ -58,24 +57,6 @@ PassSet read_passes(WordReader& in) {
     return passes;
 }
 
-/// @param passes  all passes; those of a batch have equal weights.
-HeavyPasses read_heavy(WordReader& in, const PassSet& passes) {
-    HeavyPasses heavy;
-    PassSet known;
-    for (std::uint64_t left = in.word_up_to(kMostWeight - 1); left > 0; --left) {
-        const auto weight = static_cast<std::uint32_t>(in.word_up_to(kMostWeight));
-        if (weight <= (heavy.empty() ? 1 : heavy.rbegin()->first)) in.damaged();
-        PassSet& of_weight = heavy[weight] = read_passes(in);
-        if (of_weight.count() == 0) in.damaged();
-        for (const PassRange& range : of_weight.ranges()) {
-            if (passes.count_in(range) != range.size() || known.count_in(range) != 0) in.damaged();
-            known.insert(range);
-        }
-    }
-    if (uneven_batch(passes, heavy)) in.damaged();
-    return heavy;
-}
-
 FilmStatistics read_statistics(WordReader& in) {
     FilmStatistics statistics;
     const std::uint64_t count = in.word_up_to(in.left() / 3);
@@ -111,11 +92,6 @@ std::vector<std::uint64_t> head_words(const FilmSums& sums) {
     out.put(sums.key.light_groups.size());
     for (const std::string& name : sums.key.light_groups) out.put(name);
     put_passes(out, sums.passes);
-    out.put(sums.heavy.size());
-    for (const auto& [weight, passes] : sums.heavy) {
-        out.put(weight);
-        put_passes(out, passes);
-    }
     out.put(sums.statistics.size());
     for (const auto& [name, value] : sums.statistics) {
         out.put(name);
@@ -128,7 +104,6 @@ FilmHead take_head(WordReader& in) {
     FilmHead head;
     head.key = read_key(in);
     head.passes = read_passes(in);
-    head.heavy = read_heavy(in, head.passes);
     head.statistics = read_statistics(in);
     return head;
 }
@@ -142,7 +117,6 @@ FilmSums empty_sums(FilmHead head) {
     const std::vector<PassRange> open = open_groups(head);
     FilmSums sums = empty_sums(std::move(head.key));
     sums.passes = std::move(head.passes);
-    sums.heavy = std::move(head.heavy);
     sums.statistics = std::move(head.statistics);
     for (const PassRange& group : open) sums.open_groups[group.begin] = empty_group(sums.key);
     return sums;

@@ -15,7 +15,6 @@ inline constexpr std::uint64_t kFilmMagic = 0x0A'6D'6C'69'66'6E'75'73;
 struct FilmHead {
     FilmKey key;
     PassSet passes;
-    HeavyPasses heavy;
     FilmStatistics statistics;
 };
 

@@ -84,7 +84,7 @@ void add_error(Picture& picture, const Film& film, const FilmPictureOptions& opt
 
 Picture film_picture(const Film& film, FilmPictureOptions options) {
     Picture picture{film.key().width, film.key().height, {}, {}};
-    const double share = film.pass_count() == 0 ? 0 : 1 / film.picture_weight();
+    const double share = film.pass_count() == 0 ? 0 : 1 / film.passes_in_picture();
     for (std::size_t i = 0; i < kAovCount; ++i) {
         const AovRow& row = kAovs.at(i);
         if (film.key().has(i))

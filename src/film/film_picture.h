@@ -1,5 +1,5 @@
 // The picture of a film: the mean over passes for each AOV, and its error. Passes of open batches
-// have reduced weight, or none (film.h).
+// have reduced shares, or none (film.h).
 #pragma once
 
 #include "film/film.h"

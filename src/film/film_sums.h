@@ -4,8 +4,6 @@
 // area of the batch (visible_points/radius.h). From both, bias.h computes how the light depends on
 // the area. The second needs no sums of open batches, because the factor is the same for all passes
 // of a batch.
-//
-// A pass of weight w is in the sums with w times its light, and its batch with w times its square.
 #pragma once
 
 #include "film/film_key.h"
@@ -47,17 +45,10 @@ struct OpenGroup {
     friend bool operator==(const OpenGroup&, const OpenGroup&) = default;
 };
 
-/// Largest weight of a pass (planning/budget_allocation.h).
-inline constexpr std::uint32_t kMostWeight = 4;
-
-/// Passes with a weight above one, by weight.
-using HeavyPasses = std::map<std::uint32_t, PassSet>;
-
 /// All data of a film; equal sets of passes have equal sums, in whatever order they were added.
 struct FilmSums {
     FilmKey key;
     PassSet passes;
-    HeavyPasses heavy;
     FilmStatistics statistics;
     std::array<FixedPoints, kAovCount> aovs;  // pixel by pixel, channel by channel
     std::vector<FixedPoints> light_groups;    // pixel by pixel, RGB

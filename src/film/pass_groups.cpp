@@ -1,4 +1,4 @@
-// Which groups of passes are evenly spread, and their weights.
+// Which groups of passes are evenly spread, and their shares.
 #include "film/pass_groups.h"
 
 #include "math/wavelengths.h"

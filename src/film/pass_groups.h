@@ -1,4 +1,4 @@
-// Groups of passes in an open batch whose wavelengths are evenly spread, and their weight in the
+// Groups of passes in an open batch whose wavelengths are evenly spread, and their share in the
 // picture.
 //
 // The wavelengths of a batch are one lattice (math/wavelengths.h). Those of its first 1, 2, 4 and 8
@@ -20,8 +20,9 @@ PassRange group_of(const PassSet& passes, std::uint64_t pass);
 /// Returns the groups of open batches that contain passes, ascending.
 std::vector<PassRange> open_groups(const PassSet& passes);
 
-/// Returns the weight of a group's passes relative to complete batches: one from 8 passes on,
-/// smaller by the square of their number if they are fewer, zero while some are missing.
+/// Returns the factor of a group's passes in the picture, beside passes of complete batches: one
+/// from 8 passes on, smaller by the square of their number if they are fewer, zero while some are
+/// missing.
 double share_of_group(const PassSet& passes, const PassRange& group);
 
 }  // namespace sunfleck::engine

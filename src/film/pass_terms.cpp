@@ -54,39 +54,35 @@ void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms) {
     });
 }
 
-void add_aov(FixedPoints& sums, const PassImage& image, const AovRow& row, std::uint32_t weight) {
+void add_aov(FixedPoints& sums, const PassImage& image, const AovRow& row) {
     const std::size_t channels = row.channels.size();
     parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            sums[i] += image.value(row.aov, i / channels, i % channels).times(weight);
+            sums[i] += image.value(row.aov, i / channels, i % channels);
     });
 }
 
-void add_light_group(FixedPoints& sums, const PassImage& image, std::size_t light_group,
-                     std::uint32_t weight) {
+void add_light_group(FixedPoints& sums, const PassImage& image, std::size_t light_group) {
     parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            sums[i] += image.light_value(light_group, i / 3, i % 3).times(weight);
+            sums[i] += image.light_value(light_group, i / 3, i % 3);
     });
 }
 
-std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const BatchTerms& terms,
-                          OpenGroup& group) {
+std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenGroup& group) {
     const BlockGrid grid(sums.key, kErrorBlock);
     Terms term;
     const auto add_pixel = [&](std::size_t pixel, const RgbSum& light) {
         for (std::size_t c = 0; c < 3; ++c) {
             sums.photons.rgb[3 * pixel + c] += light.channel[c];
-            sums.photons.rgb_by_area[3 * pixel + c] +=
-                term(light.channel[c].to_double() * terms.area);
+            sums.photons.rgb_by_area[3 * pixel + c] += term(light.channel[c].to_double() * area);
         }
     };
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum block;
         grid.for_pixels(b, [&](std::size_t pixel) {
-            const RgbSum light{{image.by_photons(pixel, 0).times(terms.weight),
-                                image.by_photons(pixel, 1).times(terms.weight),
-                                image.by_photons(pixel, 2).times(terms.weight)}};
+            const RgbSum light{{image.by_photons(pixel, 0), image.by_photons(pixel, 1),
+                                image.by_photons(pixel, 2)}};
             add_pixel(pixel, light);
             block += light;
         });
@@ -95,26 +91,26 @@ std::uint64_t add_photons(FilmSums& sums, const PassImage& image, const BatchTer
     return term.cut();
 }
 
-std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group, std::uint32_t weight) {
+std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group) {
     const BlockGrid grid(sums.key, kErrorBlock);
     std::vector<double> luminance(grid.count());  // over the block's pixels
-    const double passes = kBatchPasses * static_cast<double>(weight);
     Terms term;
-    const auto square = [&](double y) { return term(weight * y * y); };
+    const auto square = [&](double y) { return term(y * y); };
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum block;
         grid.for_pixels(b, [&](std::size_t pixel) {
             const RgbSum rgb = rgb_of(group.aovs[0], pixel);
-            sums.pixel_squares[pixel] += square(rgb.mean_luminance(passes));
+            sums.pixel_squares[pixel] += square(rgb.mean_luminance(kBatchPasses));
             block += rgb;
         });
-        luminance[b] = block.mean_luminance(passes);
+        luminance[b] = block.mean_luminance(kBatchPasses);
     });
     sums.image_square += add_block_squares(
         grid, [&](std::size_t b) { return luminance[b]; }, square, sums.block_squares);
     if (!sums.key.has_discs()) return term.cut();
     sums.photons.image_square += add_block_squares(
-        grid, [&](std::size_t b) { return rgb_of(group.photon_blocks, b).mean_luminance(passes); },
+        grid,
+        [&](std::size_t b) { return rgb_of(group.photon_blocks, b).mean_luminance(kBatchPasses); },
         square, sums.photons.block_squares);
     return term.cut();
 }

@@ -2,7 +2,6 @@
 #include "film/target_error.h"
 
 #include "film/bias.h"
-#include "math/wavelengths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,9 +70,7 @@ double times_passes_to(const TargetError& error, double target, double alpha) {
 }
 
 double passes_left(const Film& film, const TargetError& error, double target, double alpha) {
-    const std::uint64_t latest = film.passes().ranges().back().end - 1;
-    const double weight = film.weight_of_batch(latest / kBatchPasses);
-    return (times_passes_to(error, target, alpha) - 1) * film.weight() / weight;
+    return (times_passes_to(error, target, alpha) - 1) * static_cast<double>(film.pass_count());
 }
 
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {

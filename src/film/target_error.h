@@ -30,13 +30,13 @@ struct TargetError {
     double value() const { return std::sqrt(noise * noise + bias * bias); }
 };
 
-/// Returns the factor of the present weight of passes that reaches the target; 1 if it is reached.
+/// Returns the factor of the present number of passes that reaches the target; 1 if it is reached.
 /// Noise is inverse to the square root of passes, bias to passes^(1 - alpha).
 /// @param target  positive.
 /// @param alpha  of the radii, in (0, 1).
 double times_passes_to(const TargetError& error, double target, double alpha);
 
-/// Returns the number of further passes, with the weight of the latest. @param film  with passes.
+/// Returns the number of further passes to the target.
 double passes_left(const Film& film, const TargetError& error, double target, double alpha);
 
 /// Returns the error that the objective of `terms` judges. Nothing with fewer than

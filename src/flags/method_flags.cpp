@@ -75,8 +75,7 @@ std::vector<RenderFlag> gathering_flags() {
                             r.settings.photon.paths_per_pass = static_cast<std::uint32_t>(n);
                         }),
          .help = "Photon paths per pass",
-         .default_value = "200000 or 2 a pixel, the larger, and from pass 16 on as --photon-budget "
-                          "says; with the sampler paper 200000",
+         .default_value = "200000 or 2 a pixel, the larger; with the sampler paper 200000",
          .needs = {{.flag = "--integrator", .values = {"sppm", "light"}}}},
         {.name = "--radius-pixels",
          .value =

@@ -11,8 +11,7 @@ struct RenamedFlag {
     std::string_view now;
 };
 
-inline constexpr std::array<RenamedFlag, 9> kRenamedFlags = {{
-    {"--balance", "--photon-budget"},
+inline constexpr std::array<RenamedFlag, 8> kRenamedFlags = {{
     {"--emission-maps", "--emission-guide"},
     {"--ladder", "--splitting"},
     {"--layers", "--aovs"},

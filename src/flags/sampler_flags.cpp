@@ -20,9 +20,6 @@ FlagValue auto_or_off(bool PhotonSettings::*is_on, const char* if_auto, const ch
 
 std::vector<RenderFlag> adaptive_flags() {
     using P = PhotonSettings;
-    const FlagNeed no_number{.flag = "--photons-per-pass",
-                             .why = "given together with --photons-per-pass, which is a number",
-                             .mend = "give one"};
     return {
         {.name = "--splitting",
          .value = auto_or_off(&P::splitting, "where these are rare", "one level, as in the paper"),
@@ -41,17 +38,7 @@ std::vector<RenderFlag> adaptive_flags() {
         {.name = "--adaptive-pixels",
          .value =
              auto_or_off(&P::adaptive_pixels, "where the measured noise is high", "one per pixel"),
-         .help = "Up to 64 camera paths per subpass in a pixel"},
-        {.name = "--photon-budget",
-         .value = auto_or_off(&P::photon_budget,
-                              "from pass 16 on as many as trials found most efficient",
-                              "the same number in all passes"),
-         .help = "Photon paths per pass",
-         .needs = {no_number}},
-        {.name = "--pass-weights",
-         .value = auto_or_off(&P::pass_weights, "by inverse variance, up to four times", "equal"),
-         .help = "Weights of passes",
-         .needs = {needs_part("--photon-budget", "the photon budget"), no_number}},
+         .help = "Up to 64 camera paths per pass in a pixel"},
     };
 }
 

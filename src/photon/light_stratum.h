@@ -51,14 +51,6 @@ struct StratumCounts {
     double power_share = 1;
     double visible_fraction = 0;  // of uniform paths from its lights, estimated
     SplittingCounts splitting;    // of a plan with levels
-
-    /// Adds another subpass of the same pass, weighted by `share`.
-    void add(const StratumCounts& subpass, double share) {
-        paths += subpass.paths;
-        power_share = subpass.power_share;
-        visible_fraction += subpass.visible_fraction * share;
-        splitting.add(subpass.splitting, share);
-    }
 };
 
 }  // namespace sunfleck::engine

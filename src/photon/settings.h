@@ -30,8 +30,6 @@ struct PhotonSettings {
     bool guide_search = true;     // importons and edges look for it where chains fail
     bool light_strata = true;     // may part the lights
     bool adaptive_pixels = true;  // more camera paths where they are noisy
-    bool photon_budget = true;    // if paths_per_pass is absent: from pass 16 on as measured
-    bool pass_weights = true;     // where passes are better by that, they count more
     PaperSettings paper;
 };
 
@@ -48,14 +46,12 @@ inline std::string setting_of(const AdaptivePart& part) {
     return setting;
 }
 
-inline constexpr std::array<AdaptivePart, 7> kAdaptiveParts = {{
+inline constexpr std::array<AdaptivePart, 5> kAdaptiveParts = {{
     {&PhotonSettings::splitting, "splitting"},
     {&PhotonSettings::emission_guide, "emission-guide"},
     {&PhotonSettings::guide_search, "guide-search"},
     {&PhotonSettings::light_strata, "light-strata"},
     {&PhotonSettings::adaptive_pixels, "adaptive-pixels"},
-    {&PhotonSettings::photon_budget, "photon-budget"},
-    {&PhotonSettings::pass_weights, "pass-weights"},
 }};
 
 }  // namespace sunfleck::engine

@@ -10,12 +10,4 @@ void PhotonTotals::add_stratum(StratumCounts counts) {
     strata.push_back(std::move(counts));
 }
 
-void PhotonTotals::add(const PhotonTotals& subpass, double share) {
-    statistics += subpass.statistics;
-    visible_fraction += subpass.visible_fraction * share;
-    strata.resize(subpass.strata.size());
-    for (std::size_t g = 0; g < strata.size(); ++g) strata[g].add(subpass.strata[g], share);
-    sums.insert(sums.end(), subpass.sums.begin(), subpass.sums.end());
-}
-
 }  // namespace sunfleck::engine

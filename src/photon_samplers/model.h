@@ -18,7 +18,7 @@
 
 namespace sunfleck::engine {
 
-/// The photon paths of a pass, or of one of its subpasses.
+/// The photon paths of a pass.
 struct PhotonPass {
     const PhotonContext& photon_context;
     PassId id;  // names their random numbers
@@ -45,10 +45,8 @@ struct PhotonTotals {
     std::vector<StratumCounts> strata;  // in the order of PhotonPass::strata
     std::vector<SamplerSum> sums{};
 
-    /// Adds the next stratum of a subpass, but not its paths to the statistics: the caller has.
+    /// Adds the next stratum, but not its paths to the statistics: the caller has.
     void add_stratum(StratumCounts counts);
-    /// Adds another subpass of the same pass, with its share in the mean over subpasses.
-    void add(const PhotonTotals& subpass, double share);
 };
 
 /// Bytes that a render holds while photons are traced, fitted to measured peaks.

@@ -64,7 +64,7 @@ std::uint32_t usual_paths(const PhotonSettings& settings, std::size_t pixels);
 /// The state before the first pass. @param alpha  of local radii. @param pixels  of the picture.
 SamplerState first_state(const PhotonSettings& settings, double alpha, std::size_t pixels);
 
-/// Adds the light of the photons of a pass, or of one subpass of it, to the image.
+/// Adds the light of the photons of a pass to the image.
 /// @param state  of the same sampler.
 PhotonTotals trace_photons(const PhotonPass& pass, const PhotonTarget& target, SamplerState& state);
 

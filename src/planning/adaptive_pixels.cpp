@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint8_t kMostLog2Samples = 6;
 /// Paths of a pixel of mean noise, if numbers were real and samples independent.
 constexpr std::array<double, 8> kLevels = {0.125, 0.25, 0.5, 1, 2, 4, 8, 16};
-/// Limit of camera paths of a subpass: a visible point takes a few hundred bytes.
+/// Limit of camera paths of a pass: a visible point takes a few hundred bytes.
 constexpr std::size_t kMostPaths = std::size_t{1} << 23U;
 
 /// Returns judged variance per cost of a path.

@@ -3,7 +3,7 @@
 // In:  trials of the pixels. Out: numbers of paths, with predicted variance.
 // Source: Neyman allocation, in proportion to standard deviation over the root of the cost (J.
 // Royal Statistical Society 97, 1934); here with the variance decay of scrambled nets.
-// Equations: docs/method/sampling.md, eq. (23).
+// Equations: docs/method/sampling.md, eq. (19).
 #pragma once
 
 #include "aovs/objective.h"
@@ -18,7 +18,7 @@ namespace sunfleck::engine {
 
 /// An allocation of camera paths.
 struct CameraShares {
-    Log2Samples log2_samples;  // per subpass
+    Log2Samples log2_samples;  // of a pass
     double work = 1;           // in rays, over that of one path per pixel
     /// Allocations computed from one half of the trials each; the other half scores them
     /// (cross-validation).
@@ -32,7 +32,7 @@ struct CameraShares {
 /// Returns the weighted mean number of camera paths per pixel; one if all weights are zero.
 double mean_paths(const Log2Samples& log2_samples, const PixelValues& weights);
 
-/// Returns the limit of camera paths of a subpass, over all pixels.
+/// Returns the limit of camera paths of a pass, over all pixels.
 std::uint64_t most_camera_paths(std::uint64_t pixels);
 
 /// Returns whether there are enough pixels for allocations, and not too many for the memory of more

@@ -1,5 +1,5 @@
-// Epoch: a range of passes with one plan: subpasses of a pass, camera paths of a pixel, photon
-// paths of a subpass, light strata and who brings indirect light.
+// Epoch: a range of passes with one plan: camera paths of a pixel, photon paths, light strata and
+// who brings indirect light.
 //
 // Radii shrink ever more slowly, and epochs grow accordingly.
 #pragma once
@@ -34,11 +34,9 @@ constexpr std::uint32_t passes_of_epoch(std::uint32_t epoch) {
 /// What an epoch's passes share.
 struct Epoch {
     std::uint32_t number = 0;
-    std::uint32_t paths = 0;                   // photon paths of a subpass
-    std::uint32_t subpasses = 1;               // of a pass, which is their mean
-    std::uint32_t weight = 1;                  // of a pass in the mean over passes
+    std::uint32_t paths = 0;                   // photon paths of a pass
     TransportSettings transport{};             // with the way that brings indirect light
-    Log2Samples log2_samples;                  // of a subpass's camera paths
+    Log2Samples log2_samples;                  // of a pass's camera paths
     EdgePixels edges;                          // where discs are probed
     std::vector<LightStratum> strata;          // at least one, unless the scene is dark
     std::shared_ptr<const WorthRounds> worth;  // what trials of worth have learned so far, if any

@@ -8,14 +8,13 @@
 #include "photon/light_strata.h"
 #include "photon_samplers/samplers.h"
 #include "planning/edge_pixels.h"
-#include "planning/photon_budget.h"
+#include "planning/pixel_allocation.h"
 #include "planning/remainder_scales.h"
 #include "planning/trial_iterations.h"
 #include "visible_points/radius.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 namespace sunfleck::engine {
@@ -35,26 +34,17 @@ int trial_cells(std::size_t pixels) {
     return std::max(1, static_cast<int>(std::sqrt(static_cast<double>(pixels) / kPaths)));
 }
 
-/// The first epoch is too short for a budget to pay, and for trials as large as those of others;
-/// long ones can pay for more.
-SubpassRequest request_of(const RenderSettings& settings, std::uint32_t epoch, std::uint32_t usual,
-                          std::size_t pixels) {
+/// The first epoch is too short for trials as large as those of others; long ones can pay for more.
+AllocationRequest request_of(Objective objective, std::uint32_t epoch, std::size_t pixels) {
     constexpr int kWidestCells = 4;  // wider ones would not tell noise of small things
-    SubpassRequest request;
-    request.usual = usual;
-    request.budget = settings.photon.photon_budget && !settings.photon.paths_per_pass;
-    if (pixels > kLarge) request.cells = 2;
+    AllocationRequest request{
+        .objective = objective, .pixels = {}, .cells = pixels > kLarge ? 2 : 1};
     if (epoch == 0) {
-        const int cells = std::clamp(trial_cells(pixels), 2, kWidestCells);
-        request = {.usual = usual,
-                   .budget = false,
-                   .trials = {1, std::max(3, cells)},
-                   .parts = 16,
-                   .cells = cells};
+        request.cells = std::clamp(trial_cells(pixels), 2, kWidestCells);
+        request.pixels.cells = std::max(3, request.cells);
+        request.parts = 16;
     }
-    request.trials.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
-    request.shares = settings.photon.adaptive_pixels;
-    request.objective = settings.objective;
+    request.pixels.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
     return request;
 }
 
@@ -115,20 +105,17 @@ void EpochLearner::look(const std::function<void(double)>& trial_traced) {
 
 void EpochLearner::plan(WorthStart start) {
     epoch_.paths = usual_paths(settings_.photon, pass_.window.pixels());
-    if (epoch_.transport.goes_beyond_diffuse())
-        plan_independent_paths(std::move(start));
-    else
-        plan_chains();
-    epoch_.strata = planner_(epoch_.paths);
+    epoch_.strata = epoch_.transport.goes_beyond_diffuse()
+                        ? planned_independent_paths(std::move(start))
+                        : planned_chains();
 }
 
-void EpochLearner::plan_chains() {
+std::vector<LightStratum> EpochLearner::planned_chains() {
     const std::uint64_t work = worth_learning(name_.epoch) * (epoch_.paths + pass_.window.pixels());
-    auto planner = std::make_shared<LightPlanner>(*context_, settings_.photon, name_, work);
-    planner_ = [planner](std::uint32_t paths) { return planner->plan(paths); };
+    return LightPlanner(*context_, settings_.photon, name_, work).plan(epoch_.paths);
 }
 
-void EpochLearner::plan_independent_paths(WorthStart start) {
+std::vector<LightStratum> EpochLearner::planned_independent_paths(WorthStart start) {
     const LightChoice& lights = context_->scene.scene.light_choice();
     WorthGuide guide;
     MutationScales scales;
@@ -142,9 +129,7 @@ void EpochLearner::plan_independent_paths(WorthStart start) {
         if (!guide.bounded.empty())
             scales = remainder_scales(*context_, lights, guide.plan, guide.bounded, name_);
     }
-    planner_ = [&lights, by_worth = std::move(guide.plan), scales](std::uint32_t paths) {
-        return in_one_stratum(lights, by_worth, scales, paths);
-    };
+    return in_one_stratum(lights, guide.plan, scales, epoch_.paths);
 }
 
 EdgePixels EpochLearner::edges() const {
@@ -159,10 +144,15 @@ EdgePixels EpochLearner::edges() const {
 }
 
 Epoch EpochLearner::measured() {
-    const std::uint32_t paths = epoch_.paths;
-    const SubpassRequest request =
-        request_of(settings_, epoch_.number, paths, pass_.window.pixels());
     if (trial_.cells > 1) epoch_.edges = edges();
+    if (settings_.photon.adaptive_pixels) allocate_pixels();
+    return std::move(epoch_);
+}
+
+void EpochLearner::allocate_pixels() {
+    const AllocationRequest request =
+        request_of(settings_.objective, epoch_.number, pass_.window.pixels());
+    if (epoch_.paths < 2 * request.parts) return;
     // Noise is that of discs as narrow as those of passes.
     CameraPass first = pass_;
     first.edges = epoch_.edges;
@@ -171,18 +161,8 @@ Epoch EpochLearner::measured() {
         first.cells = request.cells;
         narrow.emplace(view_of(first));
     }
-    SubpassPlan plan =
-        measured_plan(first, narrow ? *narrow : *seen_, epoch_.strata, name_, request);
-    epoch_.log2_samples = std::move(plan.log2_samples);
-    if (!request.budget) return std::move(epoch_);
-    const PhotonBudget& budget = plan.budget;
-    if (budget.paths > paths) epoch_.strata = planner_(budget.paths);
-    if (budget.paths < paths)
-        epoch_.strata = fraction_of(std::move(epoch_.strata), paths / budget.paths);
-    epoch_.paths = static_cast<std::uint32_t>(paths_of(epoch_.strata));
-    epoch_.subpasses = budget.subpasses;
-    epoch_.weight = settings_.photon.pass_weights ? budget.weight : 1;
-    return std::move(epoch_);
+    epoch_.log2_samples =
+        chosen_allocation(first, narrow ? *narrow : *seen_, epoch_.strata, name_, request);
 }
 
 }  // namespace sunfleck::engine

@@ -30,7 +30,8 @@ public:
     /// Learns where photon paths start, after look(). @param start  of trials of worth: boxes() of
     /// the way `photons`, or Epoch::worth of the epoch before.
     void plan(WorthStart start = {});
-    /// Measures how many paths pay, after plan(). @return the epoch, which this no longer has.
+    /// Measures which pixels need more camera paths, after plan(). @return the epoch, which this no
+    /// longer has.
     Epoch measured();
     /// Returns where discs are probed.
     EdgePixels edges() const;
@@ -49,11 +50,9 @@ public:
     }
 
 private:
-    /// Plans so many photon paths.
-    using Planner = std::function<std::vector<LightStratum>(std::uint32_t)>;
-
-    void plan_chains();
-    void plan_independent_paths(WorthStart start);
+    std::vector<LightStratum> planned_chains();
+    std::vector<LightStratum> planned_independent_paths(WorthStart start);
+    void allocate_pixels();
 
     const RenderSettings& settings_;
     Epoch epoch_;
@@ -62,7 +61,6 @@ private:
     CameraPass trial_;  // what planners explore
     std::optional<CameraTrial> seen_;
     std::optional<PhotonContext> context_;
-    Planner planner_;
 };
 
 }  // namespace sunfleck::engine

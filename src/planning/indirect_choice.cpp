@@ -121,16 +121,16 @@ void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
     const double part = static_cast<double>(paths_of(strata)) / static_cast<double>(paths);
     const PhotonContext context{camera.scene, camera.transport, seen.index};
     BlockMoments moments(camera);
-    PhotonTotals totals;
+    Statistics counts;
     for (std::uint32_t set = 0; set < kSets; ++set) {
         PassImage image(camera.window.pixels(), {});
         const PhotonPass pass{context, name.iteration(kWaySetsIteration + set), strata, {}};
         NoState none;
-        totals.add(SplittingSampler::trace(pass, {image}, none), 1.0 / kSets);
+        counts += SplittingSampler::trace(pass, {image}, none).statistics;
         moments.add(image);
     }
     trials.passes = kSets * part;
-    trials.photons = {moments.variances(), photon_work(totals.statistics) / trials.passes};
+    trials.photons = {moments.variances(), photon_work(counts) / trials.passes};
     for (double& variance : trials.photons.variance) variance *= part;
     for (std::size_t b = 0; b < moments.count(); ++b) trials.light[b] += moments.mean(b);
 }

@@ -69,18 +69,20 @@ PhotonTrials photon_trials(const CameraPass& second, const CameraTrial& seen,
     trials.pair.cells = second.cells;
     trials.pair.paths = static_cast<double>(paths_of(strata));
     PhotonCounts taken(2 * pixels);
+    Statistics counts;
     const PhotonContext photon_context{second.scene, second.transport, index};
     for (std::uint32_t set = 0; set < kPhotonSets; ++set) {
         PassImage image(2 * pixels, {});
         const PhotonPass pass{
             photon_context, name.iteration(kPhotonSetsIteration + set), strata, {}};
         NoState none;
-        trials.totals.add(SplittingSampler::trace(pass, {image, &taken}, none), 1.0 / kPhotonSets);
+        counts += SplittingSampler::trace(pass, {image, &taken}, none).statistics;
         add_light(image, set, trials.pair);
     }
     const auto middle = taken.begin() + static_cast<std::ptrdiff_t>(pixels);
     trials.taken.assign(taken.begin(), middle);
-    const auto all = static_cast<double>(trials.totals.statistics[Count::deposits]);
+    trials.photon_rays = counts[Count::photon_rays];
+    const auto all = static_cast<double>(counts[Count::deposits]);
     const double here = std::accumulate(taken.begin(), middle, 0.0);
     const double there = std::accumulate(middle, taken.end(), 0.0);
     if (here > 0) trials.deposits = all * here / (here + there);

@@ -4,9 +4,10 @@
 // are no part of a picture.
 #pragma once
 
+#include "aovs/statistics.h"
 #include "chains/chain_walk.h"
 #include "estimate/photon_counts.h"
-#include "photon_samplers/model.h"
+#include "photon/light_stratum.h"
 #include "planning/trial_variance.h"
 
 #include <vector>
@@ -34,9 +35,9 @@ std::vector<LightStratum> fraction_of(std::vector<LightStratum> strata, std::uin
 
 struct PhotonTrials {
     TrialPair pair;
-    PhotonTotals totals;  // of both sets
-    PixelValues taken;    // accepted photons of both sets, by pixel of the first trial
-    double deposits = 0;  // of those
+    PixelValues taken;              // accepted photons of both sets, by pixel of the first trial
+    double deposits = 0;            // of those
+    std::uint64_t photon_rays = 0;  // of both sets
 };
 
 /// @param second  the pass of the other trial. @param strata  of one set of photons.

@@ -23,13 +23,15 @@ struct Spread {
         : within{PixelValues(pixels, 0), PixelValues(pixels, 0)}, between(pixels, 0) {}
 };
 
-/// Adds the variance of a net, weighted. @param pass  counts the rays. @return the mean of the net.
-PixelValues add_net(CameraPass pass, double share, PixelValues& within) {
+/// Adds the variance of a net, weighted. @param first  of its passes; they count the rays.
+/// @return the mean of the net.
+PixelValues add_net(const CameraPass& first, double share, PixelValues& within) {
+    CameraPass pass = first;
     const std::size_t pixels = within.size();
     PixelValues sum(pixels, 0);
     PixelValues squares(pixels, 0);
     for (std::uint32_t trial = 0; trial < kNet; ++trial) {
-        pass.subpass = {trial, kNet};
+        pass.id.number = first.id.number + trial;
         PassImage image(pixels, {});
         Statistics unused;
         trace_camera_paths(pass, image, unused);
@@ -52,9 +54,9 @@ Spread spread_of(CameraPass pass, const PilotName& name, std::uint32_t pairs) {
     const PassId batch = name.iteration(kPixelTrialsIteration);
     const double share = 1.0 / pairs;
     for (std::uint32_t pair = 0; pair < pairs; ++pair) {
-        pass.id = batch.subpass(2 * pair);
+        pass.id = batch.replicate(2 * pair);
         const PixelValues one = add_net(pass, share, spread.within[0]);
-        pass.id = batch.subpass(2 * pair + 1);
+        pass.id = batch.replicate(2 * pair + 1);
         const PixelValues other = add_net(pass, share, spread.within[1]);
         for (std::size_t i = 0; i < one.size(); ++i)
             spread.between[i] += share * (one[i] - other[i]) * (one[i] - other[i]) / 2;

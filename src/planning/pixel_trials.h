@@ -4,7 +4,7 @@
 // In:  a pass like an epoch's first. Out: variances, from trials that are no part of a picture.
 // Source: variance of a scrambled net relative to independent points: Owen, Scrambled net variance
 // for integrals of smooth functions (Annals of Statistics 25(4), 1997).
-// Equations: docs/method/sampling.md, eq. (22).
+// Equations: docs/method/sampling.md, eq. (18).
 #pragma once
 
 #include "camera_paths/camera_pass.h"

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kWorthIteration = 434;  // of the first round of 
 inline constexpr std::uint32_t kMostWorthRounds = 8;
 inline constexpr std::uint32_t kBoxesIteration =
     kWorthIteration + kMostWorthRounds;                      // of a round before these
-inline constexpr std::uint32_t kPixelTrialsIteration = 466;  // subpasses are nets of trials
+inline constexpr std::uint32_t kPixelTrialsIteration = 464;  // of the first of a net's trials
 inline constexpr std::uint32_t kSecondTrialIteration = 482;
 inline constexpr std::uint32_t kExploredTrialIteration = 498;  // the trial that planners explore
 inline constexpr std::uint32_t kPhotonSetsIteration = 501;     // of the first of two sets
@@ -29,6 +29,7 @@ constexpr std::uint32_t block_of_iteration(std::uint32_t iteration) {
     return iteration / kBatchPasses;
 }
 
+static_assert(kPixelTrialsIteration % kBatchPasses == 0);
 static_assert(block_of_iteration(kPixelTrialsIteration) !=
               block_of_iteration(kSecondTrialIteration));
 static_assert(block_of_iteration(kPixelTrialsIteration) !=

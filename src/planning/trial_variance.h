@@ -6,13 +6,12 @@
 // however many camera paths a pixel has; the rest depends on the positions of visible points, and
 // several paths reduce it.
 // Source: covariance of independent replicates.
-// Equations: docs/method/sampling.md, eq. (20).
+// Equations: docs/method/sampling.md, eq. (21).
 #pragma once
 
 #include "aovs/objective.h"
 #include "film/luminance.h"
 #include "planning/adaptive_pixels.h"
-#include "planning/budget_allocation.h"
 
 #include <array>
 #include <cstdint>
@@ -21,6 +20,13 @@
 namespace sunfleck::engine {
 
 inline constexpr std::uint32_t kPhotonSets = 2;  // both trials use them
+
+/// Variances of a block of pixels in one pass, as the objective judges them. They are estimates,
+/// and may be negative.
+struct BlockVariance {
+    double camera = 0;  // of camera paths: photons do not reduce it
+    double photon = 0;  // of one photon path: n paths have 1/n of it
+};
 
 /// Light of one trial per pixel.
 struct Trial {
@@ -37,7 +43,7 @@ struct TrialPair {
 
 /// Returns the variances of blocks, in grid order: unbiased, except for the division by measured
 /// brightness. Empty if the picture is black.
-/// @param shares  allocation of the subpasses, computed from `trials`, never from the pair.
+/// @param shares  allocation of the pass, computed from `trials`, never from the pair.
 std::vector<BlockVariance> block_variances(const PixelWindow& window, const TrialPair& pair,
                                            const PixelTrials& trials, const CameraShares& shares,
                                            Objective objective);

@@ -39,17 +39,10 @@ constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
 
 }  // namespace batch_detail
 
-/// The index of a subpass, and the count per pass, which is the same in all passes of a batch.
-struct Subpass {
-    std::uint32_t number = 0;
-    std::uint32_t count = 1;
-};
-
-/// One of the camera paths of a pixel in a subpass.
+/// One of the camera paths of a pixel in a pass.
 struct PathOfPixel {
     std::uint32_t number = 0;
-    std::uint32_t log2_samples = 0;  // paths of the pixel, the same in all subpasses of a batch
-    Subpass subpass = {};
+    std::uint32_t log2_samples = 0;  // paths of the pixel, the same in all passes of a batch
 
     std::uint32_t count() const { return 1U << log2_samples; }
 };
@@ -59,11 +52,8 @@ public:
     /// @param pixel  index that is unique in the pass.
     BatchPoints(PassId pass, std::uint32_t pixel, const PathOfPixel& path = {})
         : seed_(pass.seed),
-          index_((pass.number % kBatchPasses * path.subpass.count + path.subpass.number) *
-                     path.count() +
-                 path.number),
-          unused_(static_cast<std::uint32_t>(
-              std::countl_zero(kBatchPasses * path.subpass.count * path.count() - 1))),
+          index_(pass.number % kBatchPasses * path.count() + path.number),
+          unused_(static_cast<std::uint32_t>(std::countl_zero(kBatchPasses * path.count() - 1))),
           name_{0, pixel, pass.number / kBatchPasses,
                 static_cast<std::uint32_t>(Purpose::camera) | pass.substream << 16U} {}
 

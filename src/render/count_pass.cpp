@@ -13,14 +13,12 @@ constexpr const char* kIndirectSampled = "indirect_sampled";
 
 /// Counts the independent paths that chains descend from. Where few bring all light, or one brings
 /// most of it, the noise of a pass is theirs.
-void count_lineages(Film& film, const std::string& name, const std::vector<Lineages>& runs) {
+void count_lineages(Film& film, const std::string& name, const Lineages& lineages) {
     constexpr std::uint64_t kFew = 16;
-    for (const Lineages& run : runs) {
-        film.count(name + "runs", 1);
-        film.count(name + "fewer_than_16", run.count < kFew ? 1 : 0);
-        film.count(name + "one_has_half", run.largest_share > 0.5 ? 1 : 0);
-        film.sum(name + "largest_share", run.largest_share);
-    }
+    film.count(name + "runs", 1);
+    film.count(name + "fewer_than_16", lineages.count < kFew ? 1 : 0);
+    film.count(name + "one_has_half", lineages.largest_share > 0.5 ? 1 : 0);
+    film.sum(name + "largest_share", lineages.largest_share);
 }
 
 /// Counts level by level, as sums over passes.
@@ -34,7 +32,7 @@ void count_splitting(Film& film, const std::string& name, const SplittingCounts&
         film.count(level + "proposed", mutations.proposed);
         film.count(level + "accepted", mutations.accepted);
     }
-    count_lineages(film, name + "lineages.", splitting.lineages);
+    if (splitting.lineages) count_lineages(film, name + "lineages.", *splitting.lineages);
 }
 
 void count_strata(Film& film, const std::vector<StratumCounts>& strata) {
@@ -52,15 +50,13 @@ void count_strata(Film& film, const std::vector<StratumCounts>& strata) {
     }
 }
 
-/// Counts subpasses, camera paths and photon paths of an epoch's passes.
+/// Counts camera paths and photon paths of an epoch's passes.
 void count_epoch(Film& film, std::uint32_t number, const PassResult& pass) {
     if (pass.strata.empty()) return;
     std::uint64_t paths = 0;
     for (const StratumCounts& stratum : pass.strata) paths += stratum.paths;
     const std::string name = "epoch." + std::to_string(epoch_of(number)) + ".";
     film.count(name + "passes", 1);
-    film.count(name + "subpasses", pass.subpasses);
-    film.count(name + "weight", pass.weight);
     film.count(name + "camera_paths", pass.statistics[Count::camera_paths]);
     film.count(name + "paths", paths);
 }
@@ -78,7 +74,7 @@ bool is_starved(const PassResult& pass) {
 }  // namespace
 
 void add_pass(Film& film, std::uint32_t number, const PassResult& pass) {
-    film.add_pass(number, pass.image, pass.weight);
+    film.add_pass(number, pass.image);
     for (const CountRow& row : kCountRows)
         film.count(row.name, pass.statistics[row.count] - counted_by_film(pass.image, row.count));
     for (const SamplerSum& sum : pass.sums) film.sum(sum.name, sum.value);

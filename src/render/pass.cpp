@@ -14,44 +14,22 @@
 namespace sunfleck::engine {
 namespace {
 
-/// What a subpass adds to.
-struct SubpassTarget {
-    PassResult& result;
-    SamplerState& state;
-    PhotonCounts* taken = nullptr;  // null: none are kept
-};
-
-/// Adds one subpass: camera paths and the photon paths that belong to them.
-PhotonTotals render_subpass(const RenderSettings& settings, const CameraPass& camera,
-                            const std::vector<LightStratum>& strata, const SubpassTarget& target) {
-    PassResult& result = target.result;
+void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch& epoch,
+                 SamplerState& state, PassResult& result) {
+    camera.log2_samples = epoch.log2_samples;
+    camera.edges = epoch.edges;
     Stopwatch watch;
     auto points = trace_camera_paths(camera, result.image, result.statistics);
-    if (const auto factor = shrink_radii(target.state, points)) result.radius_factor = *factor;
+    if (const auto factor = shrink_radii(state, points)) result.radius_factor = *factor;
     result.seconds.camera += watch.lap();
     const VisiblePointIndex index(std::move(points), camera.transport.max_depth);
     result.seconds.index += watch.lap();
     const PhotonContext photon_context{camera.scene, camera.transport, index};
-    PhotonTotals photons = trace_photons(
-        {photon_context, camera.id.subpass(camera.subpass.number), strata, settings.photon},
-        {result.image, target.taken}, target.state);
-    result.seconds.photon += watch.lap();
-    return photons;
-}
-
-void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch& epoch,
-                 SamplerState& state, PassResult& result) {
-    PhotonTotals photons;
-    camera.log2_samples = epoch.log2_samples;
-    camera.edges = epoch.edges;
     const bool are_counted = result.image.has(Aov::samples);
     PhotonCounts taken(are_counted ? result.image.pixels() : 0);
-    for (std::uint32_t subpass = 0; subpass < epoch.subpasses; ++subpass) {
-        camera.subpass = {subpass, epoch.subpasses};
-        photons.add(render_subpass(settings, camera, epoch.strata,
-                                   {result, state, are_counted ? &taken : nullptr}),
-                    1.0 / epoch.subpasses);
-    }
+    PhotonTotals photons = trace_photons({photon_context, camera.id, epoch.strata, settings.photon},
+                                         {result.image, are_counted ? &taken : nullptr}, state);
+    result.seconds.photon += watch.lap();
     if (are_counted) add_samples(taken, result.image);
     result.statistics += photons.statistics;
     result.visible_fraction = photons.visible_fraction;
@@ -68,14 +46,12 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     const bool sequential = is_sequential(settings);  // its state sets the radii
     const bool has_discs = settings.integrator == Integrator::sppm && !sequential;
     PassResult result{PassImage(window.pixels(), settings.aovs, has_discs,
-                                settings.transport.light_groups.names.size(), epoch.subpasses),
+                                settings.transport.light_groups.names.size()),
                       {},
                       {},
                       sequential ? 1 : radius_factor(number, settings.alpha),
                       0,
                       {},
-                      epoch.subpasses,
-                      epoch.weight,
                       epoch.transport.indirect};
     // A state counts passes: a black one, too, goes the whole way.
     if (scene.is_dark() && settings.aovs == AovSet{} && !sequential) return result;

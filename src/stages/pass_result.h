@@ -35,8 +35,6 @@ struct PassResult {
     double radius_factor = 1;
     double visible_fraction = 0;        // this pass's estimate, of uniform paths from all lights
     std::vector<StratumCounts> strata;  // as the epoch's
-    std::uint32_t subpasses = 1;
-    std::uint32_t weight = 1;                         // of the pass in the picture
     IndirectLight indirect = IndirectLight::photons;  // as the epoch's
     std::vector<SamplerSum> sums{};
 };

@@ -20,11 +20,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Of the names in stats.json: docs/reference/stats.md.
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 struct Fraction {
     double value = 0;
-    double error = 0;  // standard, from the spread of passes, each counted once
+    double error = 0;  // standard, from the spread of passes
 };
 
 Fraction visible_fraction(const Film& film) {
@@ -97,8 +97,6 @@ Json epochs_json(const Film& film) {
         epochs.push_back(
             {{"epoch", number},
              {"passes", static_cast<std::uint64_t>(passes)},
-             {"subpasses_per_pass", film.statistic(name + "subpasses") / passes},
-             {"weight", film.statistic(name + "weight") / passes},
              {"camera_paths_per_pixel", film.statistic(name + "camera_paths") / passes / pixels},
              {"photons_per_pass", film.statistic(name + "paths") / passes},
              {"indirect", name_of(indirect_of(film))}});
@@ -201,12 +199,6 @@ void add_sampling(const Film& film, Json& json) {
     json["visible_fraction"] = {{"value", fraction.value}, {"std_error", fraction.error}};
 }
 
-/// Returns the luminance above which squares are cut, for the batches of the largest weight.
-double largest_luminance(const Film& film) {
-    const HeavyPasses& heavy = film.sums().heavy;
-    return std::sqrt(kLargestTerm / (heavy.empty() ? 1 : heavy.rbegin()->first));
-}
-
 }  // namespace
 
 std::string stats_json(const Film& film, const RunFacts& facts) {
@@ -263,7 +255,7 @@ std::vector<std::string> reliability_warnings(const Film& film) {
         lines.push_back(
             fmt::format("error bars are too small where the picture is brighter than "
                         "{:.1g}, in {:.0f} cases",
-                        largest_luminance(film), squares));
+                        std::sqrt(kLargestTerm), squares));
     return lines;
 }
 

@@ -35,28 +35,6 @@ TEST(PassImage, light_that_cannot_be_added_is_counted_once) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(by_photons(image, c), 0);
 }
 
-// 4 is a power of two: shares are exact.
-TEST(PassImage, is_the_mean_over_subpasses) {
-    constexpr std::uint32_t kSubpasses = 4;
-    AovSet all{};
-    all.fill(true);
-    PassImage image(1, all, true, 1, kSubpasses);
-    for (std::uint32_t subpass = 0; subpass < kSubpasses; ++subpass) {
-        image.add_camera_light(0, Vec3(1, 2, 3), Aov::direct);
-        image.add_light(0, Vec3(10, 20, 30), Aov::caustic);
-        image.add_alone(0, Vec3(100, 0, -40), Aov::indirect);
-        image.add_to_light_group(0, Vec3(5, 6, 7), 0);
-        image.add_feature(0, Vec3(0.5F, 0, 0), Aov::albedo);
-    }
-    EXPECT_EQ(image.value(Aov::total, 0, 0).to_double(), 111);
-    EXPECT_EQ(image.value(Aov::direct, 0, 1).to_double(), 2);
-    EXPECT_EQ(image.value(Aov::caustic, 0, 2).to_double(), 30);
-    EXPECT_EQ(image.value(Aov::indirect, 0, 2).to_double(), -40);
-    EXPECT_EQ(image.value(Aov::albedo, 0, 0).to_double(), 0.5);
-    EXPECT_EQ(image.light_value(0, 0, 1).to_double(), 6);
-    EXPECT_EQ(by_photons(image, 0), 110);
-}
-
 TEST(PassImage, layers_of_lights_count_nothing_twice) {
     PassImage image(1, {}, true, 2);
     image.add_to_light_group(0, Vec3(1, 2, 3), 0);

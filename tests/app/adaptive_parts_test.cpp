@@ -20,9 +20,6 @@ TEST_F(AdaptiveParts, are_off_where_the_user_says_so) {
     for (const AdaptivePart& part : kAdaptiveParts) {
         const std::string flag = "--" + std::string(part.name);
         const std::string setting = setting_of(part);
-        const bool needs_balance = part.is_on == &PhotonSettings::photon_budget ||
-                                   part.is_on == &PhotonSettings::pass_weights;
-        if (needs_balance) use("cornell", {"--resolution", "8x8"});
         EXPECT_FALSE(stats("0:1")["settings"].contains(setting)) << flag;
         EXPECT_EQ(stats("0:1", {flag, "off"})["settings"][setting], "off");
         expect_films_apart(flag, setting);
@@ -32,13 +29,11 @@ TEST_F(AdaptiveParts, are_off_where_the_user_says_so) {
                               {flag, "off", "--photon-sampler", "uniform"},
                               {flag, "off", "--mode", "paper"},
                               {flag, "auto", "--integrator", "path"}});
-        if (needs_balance) expect_refused(flag, {{flag, "auto", "--photons-per-pass", "777"}});
     }
 }
 
 TEST_F(AdaptiveParts, of_what_is_off_are_refused) {
     expect_refused("--guide-search", {{"--guide-search", "off", "--emission-guide", "off"}});
-    expect_refused("--pass-weights", {{"--pass-weights", "off", "--photon-budget", "off"}});
 }
 
 TEST_F(AdaptiveParts, one_set_in_place_of_splitting) {
@@ -54,13 +49,6 @@ TEST_F(AdaptiveParts, light_that_only_a_search_from_the_view_finds) {
     const auto off = stats("0:1", {"--guide-search", "off"});
     EXPECT_EQ(off["photon_paths"]["guided"], 0);
     EXPECT_EQ(off["photon_paths"]["deposited"], 0);
-}
-
-TEST_F(AdaptiveParts, all_passes_count_once) {
-    use("keyhole-4", {"--resolution", "48x48", "--indirect", "photons", "--pass-weights", "off"});
-    const auto s = stats("16:17");
-    EXPECT_EQ(s["epochs"][0]["photons_per_pass"], 400'000);
-    EXPECT_EQ(s["epochs"][0]["weight"], 1);
 }
 
 TEST_F(AdaptiveParts, an_objective_is_for_all_passes) {

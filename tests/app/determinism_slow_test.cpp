@@ -52,8 +52,8 @@ TEST_P(TwoEpochs, have_the_same_bytes_for_any_threads_and_cuts) {
 INSTANTIATE_TEST_SUITE_P(
     Of, TwoEpochs,
     ::testing::Values(
-        LearnedCase{"photon_budget", "cornell", {}, 15, {14, 17, 18}},
-        LearnedCase{"passes_that_count_twice", "keyhole-4", {}, 17, {14, 17, 18}, "48x48"},
+        LearnedCase{"sampled", "cornell", {}, 15, {14, 17, 18}},
+        LearnedCase{"chains", "keyhole-4", {}, 17, {14, 17, 18}, "48x48"},
         LearnedCase{
             "adaptive_pixels", "iced-tea", {"--photons-per-pass", "20000"}, 15, {14, 17, 18}},
         LearnedCase{

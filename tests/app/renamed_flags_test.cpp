@@ -27,8 +27,7 @@ TEST_P(RenamedFlags, are_answered_with_their_new_name) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RenamedFlags,
-                         ::testing::Values(OldName{"--balance", "--photon-budget"},
-                                           OldName{"--emission-maps", "--emission-guide"},
+                         ::testing::Values(OldName{"--emission-maps", "--emission-guide"},
                                            OldName{"--ladder", "--splitting"},
                                            OldName{"--layers", "--aovs"},
                                            OldName{"--light-candidates", "--ris"},

@@ -19,15 +19,14 @@ using testing_support::Line;
 using testing_support::line_film;
 using testing_support::line_key;
 using testing_support::numbers;
-using testing_support::weight_of_batch;
 
 /// Mean of the discs' areas over passes [0, end), each as often as it counts in the picture.
-double mean_area(std::uint32_t end, std::uint32_t (*weight)(std::uint64_t batch)) {
+double mean_area(std::uint32_t end) {
     double sum = 0;
     double count = 0;
     for (std::uint32_t p = 0; p < end; ++p) {
         const std::uint32_t held = std::min(end - p / kBatchPasses * kBatchPasses, kBatchPasses);
-        const double share = weight(p / kBatchPasses) * (held / double{kBatchPasses});
+        const double share = held / double{kBatchPasses};
         sum += share * std::pow(radius_factor(p, 2.0 / 3), 2);
         count += share;
     }
@@ -38,16 +37,12 @@ double mean_area(std::uint32_t end, std::uint32_t (*weight)(std::uint64_t batch)
 TEST(Bias, of_a_line_without_noise_is_found) {
     std::vector<std::uint32_t> passes = numbers(0, 73);
     for (const std::uint32_t pass : numbers(90, 141)) passes.push_back(pass);
-    const auto line = [](std::size_t i) {
-        Line of_pixel{1, static_cast<double>(i) / 10};
-        of_pixel.weight = weight_of_batch;
-        return of_pixel;
-    };
+    const auto line = [](std::size_t i) { return Line{1, static_cast<double>(i) / 10}; };
     const Film film = line_film(line_key(9, 9, 1), passes, line);
     double area = 0;
     for (const std::uint32_t pass : passes)
-        area += film.share_of_pass(pass) * weight_of_batch(pass / kBatchPasses) *
-                std::pow(radius_factor(pass, 2.0 / 3), 2) / film.picture_weight();
+        area += film.share_of_pass(pass) * std::pow(radius_factor(pass, 2.0 / 3), 2) /
+                film.passes_in_picture();
     const auto pixels = pixel_biases(film);
     ASSERT_EQ(pixels.size(), 81U);
     for (std::size_t i = 0; i < pixels.size(); ++i)
@@ -116,7 +111,7 @@ class NoisyLines : public testing::Test {
 protected:
     /// Films of 12 x 8 pixels: blocks of 64 and of 32.
     explicit NoisyLines(const Line& line) {
-        const double truth = line.c * mean_area(kPasses, line.weight);
+        const double truth = line.c * mean_area(kPasses);
         for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
             const Film film = line_film(line_key(12, 8, seed), numbers(0, kPasses),
                                         [&](std::size_t) { return line; });
@@ -172,21 +167,12 @@ protected:
     NoisyPhotons() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 0}) {}
 };
 
-class NoisyPhotonsOfWeight : public NoisyLines {
-protected:
-    NoisyPhotonsOfWeight() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 0, weight_of_batch}) {}
-};
-
 class NoisyCameraPaths : public NoisyLines {
 protected:
-    NoisyCameraPaths() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 1, weight_of_batch}) {}
+    NoisyCameraPaths() : NoisyLines({1, 0.8, 0.5, 0.3, 0.05, 1}) {}
 };
 
 TEST_F(NoisyPhotons, bias_is_unbiased_and_its_error_is_true) {
-    expect_all_is_true();
-}
-
-TEST_F(NoisyPhotonsOfWeight, bias_is_unbiased_and_its_error_is_true) {
     expect_all_is_true();
 }
 

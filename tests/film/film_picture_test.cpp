@@ -15,7 +15,6 @@ using testing_support::film_of;
 using testing_support::noise_pass;
 using testing_support::numbers;
 using testing_support::small_key;
-using testing_support::weight_of_batch;
 
 double luminance_at(const Picture& picture, std::size_t i) {
     return luminance(
@@ -36,7 +35,7 @@ TEST(FilmPicture, is_the_mean_over_passes) {
     double lamp = 0;
     for (std::uint32_t pass = 0; pass < 20; ++pass) {
         const PassImage image = noise_pass(key, pass);
-        const double share = (pass < kBatchPasses ? 1 : 4 * 0.25) / 20;  // 4 of 16 count less
+        const double share = (pass < kBatchPasses ? 1 : 0.25) / 17;  // the last four count less
         red += share * image.value(Aov::total, 33, 0).to_double();
         caustic += share * image.value(Aov::caustic, 33, 1).to_double();
         depth += share * image.value(Aov::depth, 33, 0).to_double();
@@ -50,7 +49,7 @@ TEST(FilmPicture, is_the_mean_over_passes) {
 }
 
 /// As if a lamp of three lines lit a white wall, and nothing else made noise.
-Film film_of_wavelengths(std::uint64_t seed, std::uint32_t passes, std::uint32_t late_weight) {
+Film film_of_wavelengths(std::uint64_t seed, std::uint32_t passes) {
     const Spectrum lamp = *named_spectrum("stdillum-F11");
     const FilmKey key{1, 1, {}, seed, 0, ""};
     Film film(key);
@@ -58,18 +57,18 @@ Film film_of_wavelengths(std::uint64_t seed, std::uint32_t passes, std::uint32_t
         const Wavelengths drawn = Wavelengths::of_pass({seed, pass});
         PassImage image(1, key.aovs);
         image.add_light(0, drawn.to_rgb(lamp.at(drawn)), Aov::direct);
-        film.add_pass(pass, image, pass < kBatchPasses ? 1 : late_weight);
+        film.add_pass(pass, image);
     }
     return film;
 }
 
 /// Root mean square of its brightness's error. 200 seeds: known to 5%.
-double wavelength_error(std::uint32_t passes, std::uint32_t late_weight) {
+double wavelength_error(std::uint32_t passes) {
     const Vec3 exact = named_spectrum("stdillum-F11")->to_rgb();
     const double truth = luminance({exact[0], exact[1], exact[2]});
     double squares = 0;
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
-        const Film film = film_of_wavelengths(seed, passes, late_weight);
+        const Film film = film_of_wavelengths(seed, passes);
         const double off = luminance_at(film_picture(film), 0) / truth - 1;
         squares += off * off / 200;
         EXPECT_NEAR(image_mean(film) / luminance_at(film_picture(film), 0), 1, 1e-6);
@@ -77,21 +76,19 @@ double wavelength_error(std::uint32_t passes, std::uint32_t late_weight) {
     return std::sqrt(squares);
 }
 
-/// Passes that count like the others, or four times, made up to 3.7 and 12.7%.
+/// Passes of an open batch that count like the others made up to 3.7%.
 TEST(FilmPicture, of_passes_beyond_a_batch_is_hardly_off_by_their_wavelengths) {
-    EXPECT_LT(wavelength_error(16, 1), 0.004);
-    for (std::uint32_t passes = 17; passes < 32; ++passes) {
-        EXPECT_LT(wavelength_error(passes, 1), 0.008) << passes;
-        EXPECT_LT(wavelength_error(passes, 4), 0.015) << passes;
-    }
+    EXPECT_LT(wavelength_error(16), 0.004);
+    for (std::uint32_t passes = 17; passes < 32; ++passes)
+        EXPECT_LT(wavelength_error(passes), 0.008) << passes;
 }
 
 TEST(FilmPicture, of_a_part_of_one_batch_is_the_plain_mean) {
     const FilmKey key = small_key();
     const Film film = film_of(key, numbers(16, 27));
-    EXPECT_EQ(film.picture_weight(), film.weight());
+    EXPECT_EQ(film.passes_in_picture(), 11);
     EXPECT_FLOAT_EQ(film_picture(film).find("R")->values[33],
-                    static_cast<float>(film.sums().aovs[0][99].to_double() / film.weight()));
+                    static_cast<float>(film.sums().aovs[0][99].to_double() / 11));
 }
 
 /// Parts of batches: 12 passes of one, 3 of another, none complete; the first counts in full.

@@ -220,32 +220,6 @@ TEST(Film, parts_of_other_renders_are_refused_by_name) {
     EXPECT_EQ(merge_fault(small_key(), {90}), "");
 }
 
-Film part_of_weight(const std::vector<std::uint32_t>& passes, std::uint32_t weight) {
-    Film film(small_key(3, 2));
-    for (const std::uint32_t pass : passes)
-        film.add_pass(pass, noise_pass(small_key(3, 2), pass), weight);
-    return film;
-}
-
-TEST(Film, passes_of_a_round_count_alike) {
-    for (const auto& [here, there] : {std::pair{1U, 4U}, {4U, 1U}, {2U, 4U}}) {
-        Film film = part_of_weight(numbers(16, 24), here);
-        const Film before = film;
-        try {
-            film.merge(part_of_weight(numbers(24, 50), there), "b.film");
-            ADD_FAILURE() << here << " " << there;
-        } catch (const Error& error) {
-            EXPECT_EQ(std::string(error.what()),
-                      "b.film: passes of 16:32 have different weights in the two films; "
-                      "render all films with one version of the program");
-        }
-        EXPECT_THROW(film.add_pass(31, noise_pass(small_key(3, 2), 31), there), Error);
-        EXPECT_EQ(film.sums(), before.sums());
-        merge(film, part_of_weight(numbers(32, 50), there));
-        EXPECT_EQ(film.weight(), 8 * here + 18 * there);
-    }
-}
-
 TEST(Film, a_pass_that_does_not_fit_is_refused) {
     Film film = film_of(small_key(), {3});
     EXPECT_THROW(film.add_pass(3, noise_pass(small_key(), 3)), Error);

@@ -3,7 +3,6 @@
 
 #include "core/random.h"
 #include "film/film.h"
-#include "math/wavelengths.h"
 #include "visible_points/radius.h"
 
 #include <cmath>
@@ -20,8 +19,6 @@ struct Line {
     double photon_noise = 0;  // standard deviation, of a pixel in a pass
     double shared_noise = 0;  // of all pixels together, by photons
     double camera_noise = 0;
-    /// How often a batch's passes count; the variance of their noise is as one over that.
-    std::uint32_t (*weight)(std::uint64_t batch) = [](std::uint64_t) { return 1U; };
 };
 
 inline FilmKey line_key(int width, int height, std::uint64_t seed, double alpha = 2.0 / 3) {
@@ -41,19 +38,17 @@ Film line_film(const FilmKey& key, const std::vector<std::uint32_t>& passes, con
         };
         RandomStream shared(key.seed, Purpose::test, pass, 0xFFFFFF);
         const double of_all = noise(shared);
-        const std::uint32_t weight = line(0).weight(pass / kBatchPasses);
-        const double less = 1 / std::sqrt(static_cast<double>(weight));
         PassImage image(key.pixels(), key.aovs, true);
         for (std::size_t i = 0; i < key.pixels(); ++i) {
             RandomStream own(key.seed, Purpose::test, pass, static_cast<std::uint32_t>(i));
             const Line l = line(i);
             const double photons =
-                l.a + l.c * area + less * (l.photon_noise * noise(own) + l.shared_noise * of_all);
-            const double eye = l.eye + less * l.camera_noise * noise(own);
+                l.a + l.c * area + l.photon_noise * noise(own) + l.shared_noise * of_all;
+            const double eye = l.eye + l.camera_noise * noise(own);
             image.add_light(i, Vec3(static_cast<float>(photons)), Aov::indirect);
             image.add_camera_light(i, Vec3(static_cast<float>(eye)), Aov::direct);
         }
-        film.add_pass(pass, image, weight);
+        film.add_pass(pass, image);
     }
     return film;
 }

@@ -37,15 +37,10 @@ inline PassImage noise_pass(const FilmKey& key, std::uint32_t number) {
     return image;
 }
 
-/// How often the passes of a batch count: 1, 4, 3, 2, 1, 4 ... times.
-inline std::uint32_t weight_of_batch(std::uint64_t batch) {
-    return 1 + 3 * static_cast<std::uint32_t>(batch) % 4;
-}
-
 inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes) {
     Film film(key);
     for (const std::uint32_t pass : passes) {
-        film.add_pass(pass, noise_pass(key, pass), weight_of_batch(pass / kBatchPasses));
+        film.add_pass(pass, noise_pass(key, pass));
         film.count("rays", 100 + pass);
         film.sum("visible_fraction", 0.1 / (pass + 1));
     }
@@ -53,18 +48,15 @@ inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes
 }
 
 /// A film whose pass values are given by value(batch, pixel), grey.
-/// @param weight  of a batch's passes.
 template <class Value>
-Film film_by_batch(
-    int width, int height, std::uint32_t passes, const Value& value,
-    std::uint32_t (*weight)(std::uint64_t batch) = [](std::uint64_t) { return 1U; }) {
+Film film_by_batch(int width, int height, std::uint32_t passes, const Value& value) {
     const FilmKey key{width, height, {}, 1, 0, ""};
     Film film(key);
     for (std::uint32_t pass = 0; pass < passes; ++pass) {
         PassImage image(key.pixels(), key.aovs);
         for (std::size_t i = 0; i < key.pixels(); ++i)
             image.add_light(i, Vec3(value(pass / kBatchPasses, i)), Aov::direct);
-        film.add_pass(pass, image, weight(pass / kBatchPasses));
+        film.add_pass(pass, image);
     }
     return film;
 }

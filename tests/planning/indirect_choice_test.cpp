@@ -91,7 +91,7 @@ class TrialsOfWay : public ::testing::TestWithParam<IndirectLight> {
 protected:
     TrialsOfWay() {
         settings_.transport.indirect = GetParam();
-        settings_.photon.photon_budget = settings_.photon.adaptive_pixels = false;
+        settings_.photon.adaptive_pixels = false;
         settings_.alpha = 0.999;  // discs that hardly shrink have one bias
         epoch_ = learn_epoch(scene_, settings_, 0);
     }

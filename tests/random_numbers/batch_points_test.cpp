@@ -62,30 +62,8 @@ TEST(BatchPoints, several_paths_of_a_pixel_are_a_net_in_a_pass_and_a_finer_one_i
     }
 }
 
-TEST(BatchPoints, subpasses_of_a_pass_are_a_net_together) {
-    constexpr std::uint32_t kSubpasses = 4;
-    std::vector<std::pair<PassId, PathOfPixel>> batch;
-    for (std::uint32_t pass = 16; pass < 32; ++pass)
-        for (std::uint32_t subpass = 0; subpass < kSubpasses; ++subpass)
-            for (const std::uint32_t number : {0U, 1U})
-                batch.push_back({{5, pass}, {number, 1, {subpass, kSubpasses}}});
-    for (std::uint32_t split = 0; split <= 7; ++split)
-        EXPECT_EQ(cells_of(batch, split, 7 - split).size(), batch.size());
-}
-
-// Three subpasses are no power of two: of 64 points 48, no two in one cell.
-TEST(BatchPoints, any_number_of_subpasses_has_points_of_its_own) {
-    std::vector<std::pair<PassId, PathOfPixel>> batch;
-    for (std::uint32_t pass = 0; pass < 16; ++pass)
-        for (std::uint32_t subpass = 0; subpass < 3; ++subpass)
-            batch.push_back({{5, pass}, {0, 0, {subpass, 3}}});
-    EXPECT_EQ(cells_of(batch, 3, 3).size(), batch.size());
-}
-
-TEST(BatchPoints, batches_pixels_and_subpasses_differ) {
-    EXPECT_NE(BatchPoints({5, 0}, 1).next(), BatchPoints(PassId{5, 0}.subpass(1), 1).next());
-    EXPECT_NE(BatchPoints({5, 0}, 1, {0, 0, {0, 2}}).next(),
-              BatchPoints({5, 0}, 1, {0, 0, {1, 2}}).next());
+TEST(BatchPoints, batches_pixels_and_replicates_differ) {
+    EXPECT_NE(BatchPoints({5, 0}, 1).next(), BatchPoints(PassId{5, 0}.replicate(1), 1).next());
     EXPECT_NE(BatchPoints({5, 0}, 1).next(), BatchPoints({5, 16}, 1).next());
     EXPECT_NE(BatchPoints({5, 0}, 1).next(), BatchPoints({5, 0}, 2).next());
     EXPECT_NE(BatchPoints({5, 0}, 1).next(), BatchPoints({6, 0}, 1).next());

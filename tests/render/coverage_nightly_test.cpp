@@ -26,7 +26,6 @@ struct Case {
     std::string scene;
     std::uint32_t paths;  // a pass
     int renders;
-    EpochWeights weights;
 };
 
 /// Of a test's name.
@@ -50,8 +49,7 @@ protected:
         std::vector<Blocks> all;
         for (int seed = 0; seed < GetParam().renders; ++seed) {
             settings.seed = static_cast<std::uint64_t>(seed);
-            all.push_back(
-                block_errors(film_of_batches(scene, settings, kBatches, GetParam().weights)));
+            all.push_back(block_errors(film_of_batches(scene, settings, kBatches)));
         }
         return all;
     }
@@ -99,9 +97,9 @@ TEST_P(Coverage, of_blocks_is_that_of_their_intervals) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Coverage,
-                         testing::Values(Case{"cornell", "cornell", 1000, 64, {1, 1, 1}},
-                                         Case{"cognac_2", "cognac-2", 20'000, 72, {1, 1, 1}},
-                                         Case{"weighted", "keyhole-4", 1000, 100, {1, 2, 4}}),
+                         testing::Values(Case{"cornell", "cornell", 1000, 64},
+                                         Case{"cognac_2", "cognac-2", 20'000, 72},
+                                         Case{"keyhole_4", "keyhole-4", 2000, 100}),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace

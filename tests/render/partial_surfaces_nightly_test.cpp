@@ -103,8 +103,6 @@ std::vector<Estimator> estimators() {
     RenderSettings usual;
     usual.camera.radius_pixels = 1;
     usual.photon.paths_per_pass = 10'000;
-    usual.photon.photon_budget =
-        false;  // or passes of later epochs are worth more than earlier ones
     usual.photon.adaptive_pixels = false;
     const auto add = [&](const char* name, const auto& change) {
         all.push_back({name, usual});
