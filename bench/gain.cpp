@@ -104,7 +104,6 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
     std::optional<RenderResult> render_result;
     result.seconds = time_of([&] { render_result.emplace(render(job, {})); }).cpu;
     const Film& film = render_result->film;
-    const double weight = film.weight();
     const auto passes = static_cast<double>(film.pass_count());
     const FixedPoints& sums = film.sums().aovs[0];
     const std::vector<double>& region = settings.region;
@@ -113,7 +112,7 @@ Rendered rendered(const Scene& scene, const Settings& settings, const std::strin
         for (long x = at(region[0]); x < at(region[1]); ++x) {
             const auto i = static_cast<std::size_t>(3 * (y * settings.resolution + x));
             result.luminance.push_back(
-                RgbSum{{sums[i], sums[i + 1], sums[i + 2]}}.mean_luminance(weight));
+                RgbSum{{sums[i], sums[i + 1], sums[i + 2]}}.mean_luminance(passes));
         }
     result.visible_fraction = film.statistic("visible_fraction") / passes;
     result.starved = film.statistic("starved_passes");

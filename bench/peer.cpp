@@ -47,11 +47,11 @@ Grey grey_of(const Image& image) {
 
 Grey grey_of(const Film& film) {
     const FixedPoints& sums = film.sums().aovs[0];
-    const double weight = film.weight();
+    const auto passes = static_cast<double>(film.pass_count());
     Grey grey;
     for (std::size_t i = 0; i < sums.size(); i += 3)
         grey.push_back((sums[i].to_double() + sums[i + 1].to_double() + sums[i + 2].to_double()) /
-                       (3 * weight));
+                       (3 * passes));
     return grey;
 }
 

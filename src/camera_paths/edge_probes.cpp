@@ -1,19 +1,12 @@
 // Probes are short rays through a disc, along its normal.
 #include "camera_paths/edge_probes.h"
 
+#include "camera_paths/edge_tuning.h"
 #include "math/warp.h"
 #include "visible_points/sight.h"
 
 namespace sunfleck::engine {
 namespace {
-
-/// The series ends after so many terms: a disc with hardly any surface, of a wire or a blade of
-/// grass, keeps a part of its loss. More would be noise.
-constexpr int kMostTerms = 16;
-/// Smaller terms go on by Russian roulette.
-constexpr float kLeastTerm = 0.125F;
-/// Surfaces that a probe looks at: others may lie above.
-constexpr int kMostSurfaces = 4;
 
 class EdgeProber {
 public:

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "chains/splitting.h"
+#include "chains/splitting_tuning.h"
 
 namespace sunfleck::engine {
 
@@ -38,12 +39,12 @@ public:
     /// Runs one iteration: its states replace the population, and the scales adapt.
     LevelCounts once(int height, float target, MutationScales& scales, Population& population,
                      Tally& tally) {
-        const LevelPlan plan{height, kStates, kChains, scales};
+        const LevelPlan plan{height, kWalkStates, kWalkChains, scales};
         const Level<Space> level(space_, next_iteration(), 1, plan, population, guided_);
         LevelCounts counts;
         population = surviving_states(level, height, counts, tally);
         scales = adapted(scales, counts.acceptances, target);
-        paths_ += kStates;
+        paths_ += kWalkStates;
         return counts;
     }
 
@@ -53,7 +54,7 @@ public:
         for (int i = 1;; ++i) {
             const MutationScales before = scales;
             const LevelCounts counts = once(height, target, scales, population, tally);
-            if (i == kMostRounds || (i >= kLeastRounds && is_settled(before, scales)))
+            if (i == kMostWalkRounds || (i >= kLeastWalkRounds && is_settled(before, scales)))
                 return counts;
         }
     }
@@ -63,13 +64,7 @@ public:
     /// Returns the number of paths traced in all iterations.
     std::uint64_t paths() const { return paths_; }
 
-    static constexpr std::uint32_t kStates = 4'000;  // per iteration
-    static constexpr std::uint32_t kChains = 64;
-
 private:
-    static constexpr int kLeastRounds = 3;
-    static constexpr int kMostRounds = 12;
-
     static bool is_settled(const MutationScales& before, const MutationScales& now) {
         for (std::size_t kind = 0; kind < kMutationKinds; ++kind) {
             const float change = now.scale.at(kind) / before.scale.at(kind);

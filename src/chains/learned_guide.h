@@ -6,6 +6,7 @@
 // Source: constants are measured (docs/develop/decisions.md).
 #pragma once
 
+#include "chains/guide_tuning.h"
 #include "chains/splitting.h"
 #include "guide/guided_points.h"
 
@@ -95,8 +96,6 @@ template <PathSpace Space>
 class GuideLearner {
 public:
     using Tally = typename Space::Tally;
-    static constexpr std::uint32_t kTrials = 20'000;  // per iteration
-
     GuideLearner(const Space& space, Tally& tally) : space_(space), tally_(tally) {}
 
     /// @param starts  emission of visible paths, weighted.
@@ -104,28 +103,25 @@ public:
     /// the last one decides where it is used.
     LearnedGuide learn(const std::vector<WeightedEmission>& starts, GuideCoverage covering,
                        std::span<const PassId> iterations) const {
-        constexpr double kUniformAtFirst = 0.5;
-        constexpr double kUniform = 0.25;
-        constexpr double kKept = 0.1;
         // Trials decide which boxes are used, so boxes may be small, and some cuts by chance.
-        const double least_gain = covering == GuideCoverage::often_visible ? 3 : 8;
+        const double least_gain =
+            covering == GuideCoverage::often_visible ? kLeastGain : kLeastGainAlone;
         EmissionGuide map = EmissionGuide::learned(starts, {kUniformAtFirst, least_gain});
         Trials before;
         for (const PassId& iteration : iterations.first(iterations.size() - 1)) {
             before.add(tried(map, iteration));
-            map = EmissionGuide::learned(joined(starts, before), {kUniform, least_gain});
-            if (covering == GuideCoverage::all_known) map = map.widened(kKept);
+            map = EmissionGuide::learned(joined(starts, before), {kUniformLater, least_gain});
+            if (covering == GuideCoverage::all_known) map = map.widened(kKeptByWidening);
         }
         const Trials last = tried(map, iterations.back());
         if (covering == GuideCoverage::often_visible) map = map.where_visible(last.trials, kOften);
-        LearnedGuide learned{map, 1, last.visible / kTrials, covering, visible_share(map, last)};
+        LearnedGuide learned{map, 1, last.visible / kGuideTrials, covering,
+                             visible_share(map, last)};
         if (!learned.map.is_identity()) learned.rest = rest(learned.map, starts, last);
         return learned;
     }
 
 private:
-    static constexpr double kOften = 0.05;
-
     struct Trials {
         std::vector<EmissionGuide::Trial> trials;
         std::vector<double> weights;  // 1 / density
@@ -140,7 +136,7 @@ private:
 
     Trials tried(const EmissionGuide& map, PassId iteration) const {
         const Population all =
-            uniform_level(space_, GuidedPoints(iteration, map), kTrials, 0, tally_).population;
+            uniform_level(space_, GuidedPoints(iteration, map), kGuideTrials, 0, tally_).population;
         Trials result;
         for (const Survivor& survivor : all.survivors()) {
             const EmissionPoint point = emission_of(survivor.sample);
@@ -156,12 +152,11 @@ private:
     /// Combines starts and visible trials with equal weight, so that neither dominates.
     static std::vector<WeightedEmission> joined(std::vector<WeightedEmission> starts,
                                                 const Trials& trials) {
-        constexpr double kMostOfAll = 0.002;
         double mass = 0;
         for (const WeightedEmission& start : starts) mass += start.weight;
         for (std::size_t i = 0; i < trials.trials.size(); ++i) {
             if (!trials.trials[i].visible) continue;
-            const double share = std::min(trials.weights[i] / trials.visible, kMostOfAll);
+            const double share = std::min(trials.weights[i] / trials.visible, kMostOfAllStarts);
             starts.push_back({trials.trials[i].point, share * mass});
         }
         return starts;
@@ -184,7 +179,6 @@ private:
     /// large weights, and by starts.
     static double rest(const EmissionGuide& map, const std::vector<WeightedEmission>& starts,
                        const Trials& trials) {
-        constexpr double kLeast = 1e-4;
         double of_trials = 0;
         for (std::size_t i = 0; i < trials.trials.size(); ++i)
             if (trials.trials[i].visible && !map.covers(trials.trials[i].point))
@@ -195,7 +189,7 @@ private:
             mass += start.weight;
             if (!map.covers(start.point)) of_starts += start.weight;
         }
-        return std::max((of_trials + of_starts / mass) / 2, kLeast);
+        return std::max((of_trials + of_starts / mass) / 2, kLeastRest);
     }
 
     const Space& space_;

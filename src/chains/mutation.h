@@ -10,6 +10,7 @@
 // Equations: docs/method/sampling.md, eq. (14).
 #pragma once
 
+#include "chains/splitting_tuning.h"
 #include "random_numbers/primary_sample.h"
 
 #include <algorithm>
@@ -18,17 +19,6 @@
 #include <cmath>
 
 namespace sunfleck::engine {
-
-inline constexpr std::size_t kMutationKinds = 2;
-/// Scale of bounce dimensions over that of emission dimensions, by kind.
-inline constexpr std::array<float, kMutationKinds> kBounceStretch = {1, 16};
-/// Target acceptance in sets with few survivors, where chains must explore.
-inline constexpr float kTargetAcceptance = 0.5F;
-/// Target acceptance in a set that independent paths find often: chains stay near their survivors.
-inline constexpr float kTargetOfOneSet = 0.65F;
-/// Decades over which magnitudes spread, and the steps of one mutation.
-inline constexpr float kDecadesOfMagnitudes = 3;
-inline constexpr float kDecadesOfSteps = 1;
 
 /// Counts of proposals of one kind, and of accepted ones.
 struct Acceptance {

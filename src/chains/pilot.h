@@ -7,6 +7,7 @@
 #pragma once
 
 #include "chains/chain_walk.h"
+#include "chains/guide_tuning.h"
 #include "chains/learned_guide.h"
 #include "chains/splitting_rules.h"
 #include "guide/guide_source.h"
@@ -79,27 +80,6 @@ public:
 private:
     using Walk = ChainWalk<Space>;
 
-    static constexpr std::uint32_t kUniformPaths = 20'000;
-    static constexpr int kRefiningIterations = 3;
-    static constexpr int kRefiningRest = 6;  // the part outside a guide is narrow
-    static constexpr int kStartingIterations = 4;
-    static constexpr std::size_t kIterations = 2;       // of a guide's trials
-    static constexpr std::size_t kIterationsAlone = 6;  // of a guide that chains do not help
-    static constexpr double kMostRest = 0.5;            // of a useful guide
-    static constexpr std::uint64_t kLucky = 10;  // at most so many states led to the next level set
-    // Importons for guide samples: until many are found, or else a few.
-    static constexpr std::uint32_t kWalks = 100'000;  // at once
-    static constexpr std::uint32_t kFewWalks = 500'000;
-    static constexpr std::uint32_t kMostWalks = 8'000'000;
-    // Edge search: few tries if light that no importon reached would be spread out, but may be a
-    // spot.
-    static constexpr std::size_t kManyTries = 200'000;
-    static constexpr std::size_t kSomeTries = 20'000;
-    static constexpr int kTriesPastEdges = 2;
-    static constexpr std::size_t kFewGuideSamples = 8;
-    static constexpr std::size_t kManyGuideSamples = 2048;
-    static constexpr double kNegligible = 0.01;  // of all visible light: not worth a search
-
     struct Explored {
         int height;
         MutationScales scales;
@@ -134,13 +114,12 @@ private:
     /// samples, or if light that no importon has reached would be negligible.
     bool walk_for_guide_samples(PassId pass, const PathRange& walks, std::size_t enough,
                                 double seen, WalkedEmission& found) const {
-        constexpr double kEventsMissed = 3;  // upper bound with 95% confidence if none was seen
-        for (std::size_t i = walks.begin; i < walks.end; i += kWalks) {
+        for (std::size_t i = walks.begin; i < walks.end; i += kWalksAtOnce) {
             if (found.guide_samples.size() >= enough) return false;
             const auto so_far = static_cast<double>(i);
             if (i > 0 && found.possible / so_far * kEventsMissed / so_far < kNegligible * seen)
                 return false;
-            const WalkedEmission more = source_.walks(pass, {i, i + kWalks});
+            const WalkedEmission more = source_.walks(pass, {i, i + kWalksAtOnce});
             found.guide_samples.insert(found.guide_samples.end(), more.guide_samples.begin(),
                                        more.guide_samples.end());
             found.possible += more.possible;
@@ -150,7 +129,8 @@ private:
 
     /// Returns the limit of a long search: no more than the picture is worth.
     std::size_t long_search() const {
-        return std::clamp<std::size_t>(source_.most_walks / kWalks * kWalks, kFewWalks, kMostWalks);
+        return std::clamp<std::size_t>(source_.most_walks / kWalksAtOnce * kWalksAtOnce, kFewWalks,
+                                       kMostWalks);
     }
 
     /// Finds visible paths of light close to edges. @param tries  number of edge samples.
@@ -192,11 +172,11 @@ private:
             add_starts(visible_, 1);
         }
         const GuideLearner<Space> learner(space_, tally_);
-        std::vector<PassId> iterations(covering == GuideCoverage::all_known ? kIterationsAlone
-                                                                            : kIterations);
+        std::vector<PassId> iterations(covering == GuideCoverage::all_known ? kGuideIterationsAlone
+                                                                            : kGuideIterations);
         for (PassId& iteration : iterations) iteration = walk_.next_iteration();
         guide_ = learner.learn(starts_, covering, iterations);
-        walk_.add_paths(iterations.size() * GuideLearner<Space>::kTrials);
+        walk_.add_paths(iterations.size() * kGuideTrials);
     }
 
     /// Returns the scales of the highest explored level set that is not above `height`.
@@ -218,11 +198,11 @@ private:
         } nowhere;
         SplittingPlan small = result_.plan;
         GuidedPlan guided = result_.guided;
-        if (guided.paths > 0) guided.paths = Walk::kStates / 4;
-        small.uniform_paths = 2 * Walk::kStates;
+        if (guided.paths > 0) guided.paths = kWalkStates / 4;
+        small.uniform_paths = 2 * kWalkStates;
         for (LevelPlan& level : small.levels) {
-            level.states = Walk::kStates;
-            level.chains = Walk::kChains;
+            level.states = kWalkStates;
+            level.chains = kWalkChains;
         }
         const int iterations = result_.guided.paths > 0 ? kRefiningRest : kRefiningIterations;
         for (int i = 0; i < iterations; ++i) {

@@ -1,20 +1,14 @@
 // The rules and their constants.
 #include "chains/splitting_rules.h"
 
+#include "chains/splitting_tuning.h"
+
 #include <cmath>
 #include <limits>
 #include <optional>
 
 namespace sunfleck::engine {
 namespace {
-
-constexpr double kUniformOnly = 0.05;
-constexpr double kSurvivorsForOneSet = 64;
-constexpr double kConditionalFraction = 0.05;
-constexpr std::uint32_t kChains = 256;
-constexpr std::uint32_t kLastChains = 1024;  // so that chains cover the picture
-constexpr std::uint32_t kStatesOfAChain = 64;
-constexpr double kLastShare = 0.5;  // fraction of paths: states of the last set
 
 /// Division of the work between guided paths and splitting.
 struct Division {
@@ -33,8 +27,6 @@ constexpr Division kOftenSeen{.guided = 0.35, .last = 0.3, .own = 1, .detour = 0
 constexpr Division kAlone{.guided = 0.75, .last = 0.5, .own = 1, .detour = 0.25};
 // Few guided paths are visible, and they are worth less than states of chains: they start chains.
 constexpr Division kForSurvivors{.guided = 0.1, .last = 0.75, .own = 0.1, .detour = {}};
-constexpr double kSeldomSeen = 0.2;      // visible fraction of guided paths
-constexpr double kMostImportance = 0.5;  // of the guided region
 
 /// Uses the float function, whose bits are the same on every machine.
 float log_of(double x) {
@@ -112,7 +104,7 @@ SplittingPlan planned(const HeightTail& tail, std::uint32_t paths, double last_s
     const auto last = std::max(1U, static_cast<std::uint32_t>(last_share * paths));
     const double survivors = visible * (paths - last);
     if (survivors >= kSurvivorsForOneSet) {  // hardly any survivor is left out
-        const auto chains = std::max(kChains, static_cast<std::uint32_t>(1.25 * survivors));
+        const auto chains = std::max(kLevelChains, static_cast<std::uint32_t>(1.25 * survivors));
         return {paths - last, {{kVisible, last, std::min(last, chains), {}}}};
     }
 
@@ -125,7 +117,7 @@ SplittingPlan planned(const HeightTail& tail, std::uint32_t paths, double last_s
     const std::uint32_t share = (paths - last) / shares;
     SplittingPlan plan{paths - last - share * (shares - 1), {}};
     for (const int height : heights)
-        plan.levels.push_back({height, share, chains_for(share, kChains), {}});
+        plan.levels.push_back({height, share, chains_for(share, kLevelChains), {}});
     plan.levels.push_back({kVisible, last, chains_for(last, kLastChains), {}});
     return plan;
 }

@@ -1,6 +1,8 @@
 // Evaluation of the tree: images and densities; changed masses of its boxes.
 #include "guide/emission_guide.h"
 
+#include "guide/growth_tuning.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -87,7 +89,6 @@ EmissionGuide EmissionGuide::widened(double kept) const {
 }
 
 std::vector<double> EmissionGuide::mean_squares(const std::vector<Worth>& trials) const {
-    constexpr double kOfParent = 8;  // trials that the box around one is worth
     std::vector<double> count(nodes_.size());
     std::vector<double> square(nodes_.size());
     for (const Worth& trial : trials) {

@@ -80,8 +80,6 @@ public:
 
 private:
     friend class EmissionGuideBuilder;
-    static constexpr std::size_t kMostShears = 8;  // on the way to a box
-
     /// A box, cut in two or a leaf, after its shears.
     struct Node {
         double at = 0;          // coordinate of the cut

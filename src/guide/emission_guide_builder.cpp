@@ -1,6 +1,7 @@
 // Growth of the tree from points, box by box; then a fraction of its mass is spread uniformly.
 // Where a shear gains more likelihood than any cut, as in a slanted tube, the box is sheared first.
 #include "guide/emission_guide.h"
+#include "guide/growth_tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +9,6 @@
 
 namespace sunfleck::engine {
 namespace {
-
-constexpr std::size_t kBins = 8;         // positions of cuts, per dimension
-constexpr double kLeastWidth = 0x1p-32;  // of a box that is cut: dimensions have 52 bits
-constexpr double kLeastEffective = 12;   // points in a box that is cut
-constexpr double kLeastToShear = 40;     // points in a box that is sheared: four slopes are fitted
-constexpr double kLeastShear = 0.35;     // log likelihood per point: half of the variance
 
 /// Weights of points, and their effective number.
 struct Mass {
@@ -170,7 +165,7 @@ private:
         guide_.nodes_[node].first_shear = static_cast<std::uint32_t>(guide_.shears_.size());
         if (all.effective() < kLeastToShear) return 0;
         std::size_t count = 0;
-        while (region.shears + count < EmissionGuide::kMostShears) {
+        while (region.shears + count < kMostShears) {
             const FoundShear found = best_shear(points, region.box);
             if (found.gain < kLeastShear || found.gain < cut.gain) break;
             for (WeightedEmission& p : points) found.shear.apply(p.point);

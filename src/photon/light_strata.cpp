@@ -4,6 +4,7 @@
 #include "photon/edge_search.h"
 #include "photon/importons.h"
 #include "photon/photon_space.h"
+#include "photon/strata_tuning.h"
 #include "photon/stratum_rules.h"
 #include "random_numbers/emission_points.h"
 
@@ -14,7 +15,6 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::size_t kMostClusters = 64;
 constexpr std::uint32_t kMeasuring = 1;  // PassId::substream of the measurement of clusters
 
 /// Upper bound of the cost of an importon in photon paths: it hits many surfaces, with a light
@@ -96,14 +96,11 @@ public:
 private:
     /// Measures visible fractions by a few paths per cluster, and more where these are too few.
     std::vector<MeasuredLight> measured(const std::vector<Lights>& clusters) const {
-        constexpr std::size_t kLeast = 1000;
-        constexpr std::size_t kMost = 4000;
-        constexpr std::size_t kOfAll = 64'000;
-        constexpr std::size_t kOfAllAtMost = 128'000;
         constexpr std::uint64_t kEnough = 2 * kFractionsApart;
-        std::vector<MeasuredLight> lights =
-            measured(clusters, std::clamp(kOfAll / clusters.size(), kLeast, kMost), 0);
-        const std::size_t more = kOfAllAtMost / clusters.size();
+        std::vector<MeasuredLight> lights = measured(
+            clusters,
+            std::clamp(kPathsOfAllLights / clusters.size(), kLeastLightPaths, kMostLightPaths), 0);
+        const std::size_t more = kMostPathsOfAllLights / clusters.size();
         const bool tells = std::any_of(lights.begin(), lights.end(),
                                        [](const MeasuredLight& l) { return l.visible >= kEnough; });
         if (tells || more < 2 * lights.front().paths) return lights;

@@ -1,15 +1,13 @@
 // The rules and their constants.
 #include "photon/stratum_rules.h"
 
+#include "photon/strata_tuning.h"
+
 #include <algorithm>
 #include <numeric>
 
 namespace sunfleck::engine {
 namespace {
-
-constexpr double kLittlePower = 0.1;
-constexpr double kLittleFlux = 0.01;
-constexpr double kLeastShare = 0.1;
 
 /// Lights of a stratum that is being formed.
 struct Stratum {
@@ -72,7 +70,6 @@ std::vector<std::vector<std::size_t>> stratified(const std::vector<MeasuredLight
 std::vector<std::uint32_t> shared_paths(const std::vector<StratumFlux>& strata,
                                         std::uint32_t paths) {
     constexpr std::uint32_t kLeast = 2;
-    constexpr double kVisibleOfSplitting = 0.5;
     std::vector<double> shares;
     double all = 0;
     for (const StratumFlux& stratum : strata) {  // uniform paths: the fraction cancels

@@ -5,15 +5,13 @@
 // Equations: docs/method/sampling.md, eq. (17).
 #pragma once
 
+#include "photon/strata_tuning.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace sunfleck::engine {
-
-inline constexpr std::size_t kMostStrata = 4;
-/// Visible fractions within this ratio may share a stratum.
-inline constexpr std::uint64_t kFractionsApart = 30;
 
 /// A light or cluster of lights with counts of uniform paths. All have equal `paths`.
 struct MeasuredLight {

@@ -2,6 +2,7 @@
 #include "planning/adaptive_pixels.h"
 
 #include "planning/judged_blocks.h"
+#include "planning/pixel_tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +11,6 @@
 
 namespace sunfleck::engine {
 namespace {
-
-constexpr std::uint8_t kMostLog2Samples = 6;
-/// Paths of a pixel of mean noise, if numbers were real and samples independent.
-constexpr std::array<double, 8> kLevels = {0.125, 0.25, 0.5, 1, 2, 4, 8, 16};
-/// Limit of camera paths of a pass: a visible point takes a few hundred bytes.
-constexpr std::size_t kMostPaths = std::size_t{1} << 23U;
 
 /// Returns judged variance per cost of a path.
 PixelValues worth_of(const PixelValues& variance, const PixelValues& rays,
@@ -66,12 +61,12 @@ double mean_paths(const Log2Samples& log2_samples, const PixelValues& weights) {
 }
 
 std::uint64_t most_camera_paths(std::uint64_t pixels) {
-    const auto at_level = static_cast<std::uint64_t>(kLevels.back()) * pixels;
-    return std::max<std::uint64_t>(pixels, std::min<std::uint64_t>(at_level, kMostPaths));
+    const auto at_level = static_cast<std::uint64_t>(kAllocationLevels.back()) * pixels;
+    return std::max<std::uint64_t>(pixels, std::min<std::uint64_t>(at_level, kMostCameraPaths));
 }
 
 bool may_be_shared(const PixelWindow& window) {
-    return window.pixels() < kMostPaths;
+    return window.pixels() < kMostCameraPaths;
 }
 
 std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTrials& trials,
@@ -90,9 +85,9 @@ std::vector<CameraShares> camera_shares(const PixelWindow& window, const PixelTr
     if (!(mean_value(of_both) > 0)) return all;
     const std::array<PixelValues, 2> of_half = {worth(one), worth(other)};
     const BlockGrid grid(window.width(), window.height(), kTrialBlock);
-    for (const double level : kLevels) {
+    for (const double level : kAllocationLevels) {
         CameraShares shares{log2_samples_of(of_both, trials, grid, level), 1, {}};
-        if (paths_of(shares.log2_samples) > kMostPaths) break;
+        if (paths_of(shares.log2_samples) > kMostCameraPaths) break;
         shares.work = mean_paths(shares.log2_samples, trials.rays);
         for (const std::size_t h : {0U, 1U})
             shares.by_half[h] = log2_samples_of(of_half[h], trials, grid, level);

@@ -1,15 +1,13 @@
 // One probe often misses what is over an edge, but hardly ever do those of all neighbours.
 #include "planning/edge_pixels.h"
 
+#include "camera_paths/edge_tuning.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace sunfleck::engine {
 namespace {
-
-constexpr int kReach = 2;          // in cells: 25 discs and more vote for one
-constexpr int kFewVotes = 8;       // as at an outline, or of a surface that is hardly there
-constexpr float kNoticed = 0.01F;  // of a factor of light
 
 /// Returns what the discs of a point have found.
 Edge edge_of(const VisiblePoint& point) {

@@ -11,6 +11,7 @@
 #include "planning/pixel_allocation.h"
 #include "planning/remainder_scales.h"
 #include "planning/trial_iterations.h"
+#include "planning/way_tuning.h"
 #include "visible_points/radius.h"
 
 #include <algorithm>
@@ -20,31 +21,24 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Of so many pixels trials know enough by every fourth.
-constexpr std::size_t kLarge = 1'000'000;
-
-/// Photon paths where nothing in the scene bends light, so that they bring nothing.
-constexpr std::uint32_t kFewPaths = 1024;
-
 /// Returns the side of the cells of the trial that planners explore, each with one path: it costs
 /// no more in large pictures than in small ones. All epochs have the same, for they share trials of
 /// worth.
 int trial_cells(std::size_t pixels) {
-    constexpr double kPaths = 65'536;
-    return std::max(1, static_cast<int>(std::sqrt(static_cast<double>(pixels) / kPaths)));
+    return std::max(1, static_cast<int>(std::sqrt(static_cast<double>(pixels) / kPathsOfATrial)));
 }
 
 /// The first epoch is too short for trials as large as those of others; long ones can pay for more.
 AllocationRequest request_of(Objective objective, std::uint32_t epoch, std::size_t pixels) {
-    constexpr int kWidestCells = 4;  // wider ones would not tell noise of small things
     AllocationRequest request{
-        .objective = objective, .pixels = {}, .cells = pixels > kLarge ? 2 : 1};
+        .objective = objective, .pixels = {}, .cells = pixels > kLargePicture ? 2 : 1};
     if (epoch == 0) {
         request.cells = std::clamp(trial_cells(pixels), 2, kWidestCells);
-        request.pixels.cells = std::max(3, request.cells);
-        request.parts = 16;
+        request.pixels.cells = std::max(kCellsOfFirstTrials, request.cells);
+        request.parts = kPartsOfFirstPhotons;
     }
-    request.pixels.pairs_of_nets = std::clamp(first_pass_of(epoch) / 32, 1U, 8U);
+    request.pixels.pairs_of_nets =
+        std::clamp(first_pass_of(epoch) / kPassesOfAPairOfNets, 1U, kMostPairsOfNets);
     return request;
 }
 
@@ -58,14 +52,13 @@ std::uint64_t worth_learning(std::uint32_t epoch) {
 /// paths are uniform. @param scales  of the chains that bring what its bounded weights leave.
 std::vector<LightStratum> in_one_stratum(const LightChoice& lights, const GuidedPlan& by_worth,
                                          const MutationScales& scales, std::uint32_t paths) {
-    constexpr std::uint32_t kPathsOfAState = 20;
-    constexpr std::uint32_t kStatesOfAChain = 32;
     if (by_worth.map.is_identity()) return {{lights, {paths, {}}, {}}};
     LightStratum stratum{lights, {}, by_worth};
     const std::uint32_t states = by_worth.most_weight < kUnbounded ? paths / kPathsOfAState : 0;
     stratum.guided.paths = paths - states;
     if (states > 0)
-        stratum.plan.levels = {{kVisible, states, std::max(1U, states / kStatesOfAChain), scales}};
+        stratum.plan.levels = {
+            {kVisible, states, std::max(1U, states / kStatesOfARemainderChain), scales}};
     return {stratum};
 }
 
@@ -139,7 +132,7 @@ EdgePixels EpochLearner::edges() const {
     transport.indirect = IndirectLight::photons;  // camera paths that end at their discs
     CameraPass pass{pass_.scene,  transport, pass_.settings,
                     pass_.window, pass_.id,  pass_.radius_factor};
-    pass.cells = pass_.window.pixels() > kLarge ? 2 : 1;
+    pass.cells = pass_.window.pixels() > kLargePicture ? 2 : 1;
     return edge_pixels(view_of(pass), pass_.window);
 }
 

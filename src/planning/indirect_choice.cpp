@@ -6,22 +6,13 @@
 #include "planning/judged_blocks.h"
 #include "planning/trial_iterations.h"
 #include "planning/trial_work.h"
+#include "planning/way_tuning.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace sunfleck::engine {
 namespace {
-
-/// Sets of photons: two would not tell what all chains of a set have in common.
-constexpr std::uint32_t kSets = 4;
-/// Photon paths of a set: fewer would miss the noise of rare ones.
-constexpr std::uint64_t kPathsOfASet = 100'000;
-/// And at most so much of a pass.
-constexpr std::uint64_t kLeastParts = 4;
-
-/// Camera paths of trials beside the one that was seen; at least those of one trial.
-constexpr double kCameraPaths = 200'000;
 
 /// Moments of the mean light of a pixel, by block.
 class BlockMoments {
@@ -122,14 +113,14 @@ void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
     const PhotonContext context{camera.scene, camera.transport, seen.index};
     BlockMoments moments(camera);
     Statistics counts;
-    for (std::uint32_t set = 0; set < kSets; ++set) {
+    for (std::uint32_t set = 0; set < kWaySets; ++set) {
         PassImage image(camera.window.pixels(), {});
         const PhotonPass pass{context, name.iteration(kWaySetsIteration + set), strata, {}};
         NoState none;
         counts += SplittingSampler::trace(pass, {image}, none).statistics;
         moments.add(image);
     }
-    trials.passes = kSets * part;
+    trials.passes = kWaySets * part;
     trials.photons = {moments.variances(), photon_work(counts) / trials.passes};
     for (double& variance : trials.photons.variance) variance *= part;
     for (std::size_t b = 0; b < moments.count(); ++b) trials.light[b] += moments.mean(b);

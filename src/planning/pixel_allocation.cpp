@@ -1,6 +1,7 @@
 // Allocations of camera paths, the error of each, and the best of them.
 #include "planning/pixel_allocation.h"
 
+#include "planning/pixel_tuning.h"
 #include "planning/trial_iterations.h"
 #include "planning/trial_work.h"
 
@@ -10,9 +11,6 @@
 
 namespace sunfleck::engine {
 namespace {
-
-constexpr double kMoreDeposits = 0.17;  // work of a deposit on another point of the same pixel
-constexpr double kWorthwhile = 0.96;    // of the error: worth more camera paths
 
 /// Work of a pass in rays.
 struct Work {

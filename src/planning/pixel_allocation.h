@@ -7,15 +7,16 @@
 #pragma once
 
 #include "planning/photon_trials.h"
+#include "planning/pixel_tuning.h"
 
 namespace sunfleck::engine {
 
 /// How much work trials do, and what they judge.
 struct AllocationRequest {
     Objective objective = Objective::relative;
-    TrialEffort pixels;       // trials that measure the noise of pixels
-    std::uint32_t parts = 4;  // a set of photons has 1 / parts of a pass's paths
-    int cells = 1;            // the second trial has one path per cells x cells pixels
+    TrialEffort pixels;                     // trials that measure the noise of pixels
+    std::uint32_t parts = kPartsOfPhotons;  // a set of photons has 1 / parts of a pass's paths
+    int cells = 1;  // the second trial has one path per cells x cells pixels
 };
 
 /// Returns the allocation with least error per work; empty if that is one path per pixel.

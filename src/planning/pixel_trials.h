@@ -10,6 +10,7 @@
 #include "camera_paths/camera_pass.h"
 #include "chains/chain_walk.h"
 #include "planning/pixel_buffer.h"
+#include "planning/pixel_tuning.h"
 
 #include <array>
 #include <cstdint>
@@ -51,7 +52,7 @@ PixelTrials no_trials(const PixelWindow& window);
 /// The amount of trial work.
 struct TrialEffort {
     std::uint32_t pairs_of_nets = 1;  // of four trials each; at least one, at most 60
-    int cells = 2;                    // one path per cells x cells pixels
+    int cells = kCellsOfPixelTrials;  // one path per cells x cells pixels
 };
 
 PixelTrials trials_of_pixels(const CameraPass& first, const PilotName& name,

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "math/wavelengths.h"
+#include "planning/worth_tuning.h"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +17,6 @@ inline constexpr std::uint32_t kWaySetsIteration = 416;  // of the first set of 
 inline constexpr std::array<std::uint32_t, 3> kWayCameraIterations = {424, 432, 448};
 inline constexpr std::uint32_t kCasterIteration = 433;
 inline constexpr std::uint32_t kWorthIteration = 434;  // of the first round of trials
-inline constexpr std::uint32_t kMostWorthRounds = 8;
 inline constexpr std::uint32_t kBoxesIteration =
     kWorthIteration + kMostWorthRounds;                      // of a round before these
 inline constexpr std::uint32_t kPixelTrialsIteration = 464;  // of the first of a net's trials

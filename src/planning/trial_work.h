@@ -6,12 +6,9 @@
 #pragma once
 
 #include "aovs/statistics.h"
+#include "planning/way_tuning.h"
 
 namespace sunfleck::engine {
-
-// In rays of camera paths.
-inline constexpr double kWorkOfPhotonRay = 1.4;
-inline constexpr double kWorkOfDeposit = 0.04;  // of a photon on one visible point
 
 inline double camera_work(const Statistics& counts) {
     return static_cast<double>(counts[Count::camera_rays]);

@@ -5,6 +5,7 @@
 #include "planning/epoch.h"
 #include "planning/judged_blocks.h"
 #include "planning/trial_iterations.h"
+#include "planning/worth_tuning.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,32 +13,13 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::uint32_t kLeastTrials = 2000;  // of a round
-
-/// In the first epoch trials of a round, and samples of casters: so many parts of a pass have as
-/// many paths.
-constexpr std::uint32_t kPartsOfAPass = 4;
-constexpr std::uint32_t kMostFirstTrials = 50'000;
-/// Its rounds go on while few trials are visible, one of so many, or many more than in the round
-/// before.
-constexpr std::uint32_t kLeastRounds = 3;
-constexpr std::size_t kFew = 50;
-
-/// Later epochs have a fixed number of rounds, with this share of the epoch's paths in all.
-constexpr std::uint32_t kLaterRounds = 2;
-constexpr double kEffort = 0.03;
-constexpr double kMostLaterTrials = 250'000;  // of a round: more take longer than they save
-
-/// Of all worth: what a bound of the weights leaves to chains.
-constexpr double kLeft = 0.01;
-
 /// A part of all worth.
 struct WorthPart {
     double density;  // of the guide there
     double worth;
 };
 
-/// Returns the bound of weights that leaves kLeft of all worth.
+/// Returns the bound of weights that leaves kLeftToChains of all worth.
 double bound_of_weights(std::vector<WorthPart> parts) {
     std::sort(parts.begin(), parts.end(),
               [](const WorthPart& a, const WorthPart& b) { return a.density < b.density; });
@@ -49,7 +31,7 @@ double bound_of_weights(std::vector<WorthPart> parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         worth += parts[i].worth;
         brought += parts[i].worth * parts[i].density;
-        const double bound = (worth - kLeft * all) / brought;
+        const double bound = (worth - kLeftToChains * all) / brought;
         if (i + 1 == parts.size() || bound * parts[i + 1].density >= 1) return bound;
     }
     return kUnbounded;
@@ -78,7 +60,7 @@ public:
     /// Begins with samples of casters. @param boxes  see WorthStart.
     WorthRounds first_rounds(const EmissionGuide& boxes) const {
         const std::uint32_t trials =
-            std::clamp(paths_ / kPartsOfAPass, kLeastTrials, kMostFirstTrials);
+            std::clamp(paths_ / kPartsOfAPass, kLeastWorthTrials, kMostFirstTrials);
         WorthRounds rounds(caster_samples(context_.scene, context_.scene.scene.light_choice(),
                                           name_.iteration(kCasterIteration), {0, trials}));
         if (rounds.are_idle()) return rounds;
@@ -86,7 +68,8 @@ public:
         std::size_t before = 0;
         for (std::uint32_t round = 0; round < kMostWorthRounds; ++round) {
             const std::size_t visible = add_next(rounds, round, trials);
-            if (round + 1 >= kLeastRounds && kFew * visible >= trials && 2 * visible < 3 * before)
+            if (round + 1 >= kLeastRounds && kFewVisible * visible >= trials &&
+                2 * visible < 3 * before)
                 break;
             before = visible;
         }
@@ -95,9 +78,9 @@ public:
 
     /// Goes on where an earlier epoch ended.
     void add_rounds(WorthRounds& rounds) const {
-        const double all = kEffort * passes_of_epoch(name_.epoch) * paths_ / kLaterRounds;
-        const auto trials =
-            static_cast<std::uint32_t>(std::clamp<double>(all, kLeastTrials, kMostLaterTrials));
+        const double all = kWorthEffort * passes_of_epoch(name_.epoch) * paths_ / kLaterRounds;
+        const auto trials = static_cast<std::uint32_t>(
+            std::clamp<double>(all, kLeastWorthTrials, kMostLaterTrials));
         for (std::uint32_t round = 0; round < kLaterRounds; ++round)
             add_next(rounds, round, trials);
     }

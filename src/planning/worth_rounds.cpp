@@ -2,22 +2,13 @@
 #include "planning/worth_rounds.h"
 
 #include "core/parallel.h"
+#include "planning/worth_tuning.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace sunfleck::engine {
-namespace {
-
-constexpr EmissionGuide::Growth kGrowth{.uniform_share = 0.05, .least_gain = 4, .spread = 0.01};
-/// Of the guide's mass: a lasting share of where samples of casters and trials were.
-constexpr double kKept = 0.3;
-/// Of all trials' weight: one that met a hole of the guide must not become its only goal.
-constexpr double kMostOfAll = 0.002;
-
-}  // namespace
-
 WorthRounds::WorthRounds(std::vector<WeightedEmission> casters) : casters_(std::move(casters)) {
     double flux = 0;
     for (const WeightedEmission& sample : casters_) flux += sample.weight;
@@ -68,7 +59,7 @@ std::vector<double> WorthRounds::scales(const WorthScale& scale) const {
 }
 
 WorthRounds::Advice WorthRounds::advice(const WorthScale& scale) const {
-    if (!have_found()) return {EmissionGuide::learned(casters_, kGrowth), {}};
+    if (!have_found()) return {EmissionGuide::learned(casters_, kWorthGrowth), {}};
     const std::vector<double> scales = this->scales(scale);
     std::vector<EmissionGuide::Worth> trials;
     Advice advice;
@@ -84,13 +75,13 @@ WorthRounds::Advice WorthRounds::advice(const WorthScale& scale) const {
     }
     std::vector<WeightedEmission> points;
     for (Part& part : advice.parts) {
-        part.weight = std::min(part.weight / all, kMostOfAll);
-        points.push_back({part.point, (1 - kKept) * part.weight});
+        part.weight = std::min(part.weight / all, kMostOfAllWorth);
+        points.push_back({part.point, (1 - kWorthKept) * part.weight});
     }
     for (const WeightedEmission& sample : casters_)
-        points.push_back({sample.point, kKept * sample.weight});
-    advice.guide =
-        EmissionGuide::learned(std::move(points), kGrowth).by_worth(trials, kKept, kGrowth);
+        points.push_back({sample.point, kWorthKept * sample.weight});
+    advice.guide = EmissionGuide::learned(std::move(points), kWorthGrowth)
+                       .by_worth(trials, kWorthKept, kWorthGrowth);
     return advice;
 }
 

@@ -1,0 +1,27 @@
+// The constants of the choice of who brings indirect light.
+//
+// Behind a value: the error of blocks at equal time with half of it, and with twice it, over that
+// with the value itself (docs/lab/performance.md, "Constants").
+#pragma once
+
+#include <cstdint>
+
+namespace sunfleck::engine {
+
+/// Sets of photons: two would not tell what all chains of a set have in common.
+inline constexpr std::uint32_t kWaySets = 4;
+/// Photon paths of a set: fewer would miss the noise of rare ones.
+inline constexpr std::uint64_t kPathsOfASet = 100'000;
+/// And at most so much of a pass.
+inline constexpr std::uint64_t kLeastParts = 4;
+/// Camera paths of trials beside the one that was seen; at least those of one trial.
+inline constexpr double kCameraPaths = 200'000;
+
+// Work, in rays of camera paths: fitted to the seconds of 30 scenes (docs/lab/decisions.md).
+inline constexpr double kWorkOfPhotonRay = 1.4;
+inline constexpr double kWorkOfDeposit = 0.04;  // of a photon on one visible point
+
+/// Photon paths where nothing in the scene bends light, so that they bring nothing.
+inline constexpr std::uint32_t kFewPaths = 1024;
+
+}  // namespace sunfleck::engine
