@@ -1,7 +1,6 @@
 // The constants of adaptive pixel sampling and of the trials that it is learned from.
 //
-// Behind a value: the error of blocks at equal time with half of it, and with twice it, over that
-// with the value itself (docs/lab/performance.md, "Constants").
+// How errors answer to half and to twice a value: docs/lab/performance.md, "Constants".
 #pragma once
 
 #include <array>
