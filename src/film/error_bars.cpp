@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "film/luminance.h"
+#include "math/wavelengths.h"
 
 #include <algorithm>
 #include <cmath>
