@@ -168,11 +168,10 @@ Scene glowing_disc(int side) {
 // Its rim is all the noise that camera paths make without photons.
 TEST(AdaptivePixels, are_found_at_the_rim_of_a_lamp) {
     constexpr int kHere = 48;
-    RenderSettings settings;
-    settings.seed = 1;  // trials of one seed in sixteen foretell too little gain
+    const RenderSettings settings;  // trials of four seeds in sixteen foretell too little gain
     const Epoch epoch = learn_epoch(glowing_disc(kHere), settings, 16);
     ASSERT_FALSE(epoch.log2_samples.empty());
-    EXPECT_GT(paths_in(epoch, kHere, 14, 4, 34, 26), 1.3);
+    EXPECT_GT(paths_in(epoch, kHere, 14, 4, 34, 26), 1.5);
     EXPECT_EQ(paths_in(epoch, kHere, 22, 12, 26, 16), 1) << "within";
     EXPECT_EQ(paths_in(epoch, kHere, 0, 0, 8, 4), 1) << "beside it";
 }
