@@ -96,6 +96,7 @@ template <PathSpace Space>
 class GuideLearner {
 public:
     using Tally = typename Space::Tally;
+
     GuideLearner(const Space& space, Tally& tally) : space_(space), tally_(tally) {}
 
     /// @param starts  emission of visible paths, weighted.

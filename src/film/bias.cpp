@@ -45,7 +45,7 @@ Bias bias_of(const BatchMeans& y, const DiscAreas& areas) {
 /// Returns means over complete batches of each block, summed over its pixels, without squares.
 std::vector<BatchMeans> block_sums(const Film& film, const BlockGrid& grid) {
     const FilmSums& sums = film.sums();
-    const auto passes = static_cast<double>(film.batches() * kBatchPasses);
+    const double passes = film.complete_passes();
     std::vector<std::pair<double, const FixedPoints*>> open;  // area, sums
     for (const auto& [first, group] : sums.open_groups)
         open.emplace_back(batch_area(first / kBatchPasses, film.key().alpha), &group.photon_blocks);

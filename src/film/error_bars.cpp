@@ -3,7 +3,6 @@
 
 #include "core/parallel.h"
 #include "film/luminance.h"
-#include "math/wavelengths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +15,6 @@ RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
     RgbSum rgb = rgb_of(sums.aovs[0], pixel);
     for (const auto& [first, group] : sums.open_groups) rgb -= rgb_of(group.aovs[0], pixel);
     return rgb;
-}
-
-/// Returns the number of passes of complete batches.
-double complete_passes(const Film& film) {
-    return static_cast<double>(film.batches() * kBatchPasses);
 }
 
 /// @param batches  number of complete batches.
@@ -49,7 +43,7 @@ double total(const std::vector<double>& terms) {
 }
 
 std::vector<double> complete_block_sums(const Film& film) {
-    return block_sums(BlockGrid(film.key(), kErrorBlock), complete_passes(film),
+    return block_sums(BlockGrid(film.key(), kErrorBlock), film.complete_passes(),
                       [&](std::size_t pixel) { return complete_sum(film.sums(), pixel); });
 }
 
@@ -73,7 +67,7 @@ bool is_lit(const FixedPoints& sums) {
 std::vector<MeanError> pixel_errors(const Film& film) {
     const std::uint64_t batches = film.batches();
     if (batches < 2) return {};
-    const double passes = complete_passes(film);
+    const double passes = film.complete_passes();
     const auto all_passes = static_cast<double>(film.pass_count());
     std::vector<MeanError> errors(film.key().pixels());
     parallel_blocks(errors.size(), 4096, [&](std::size_t begin, std::size_t end) {

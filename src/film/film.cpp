@@ -86,6 +86,10 @@ std::uint64_t Film::batches() const {
     return key().sequential ? 0 : complete_batches(sums_.passes);
 }
 
+double Film::complete_passes() const {
+    return static_cast<double>(batches() * kBatchPasses);
+}
+
 double Film::share_of_pass(std::uint64_t number) const {
     const PassSet& passes = sums_.passes;
     if (batches() > 0) return share_of_group(passes, group_of(passes, number));

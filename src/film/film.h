@@ -62,6 +62,8 @@ public:
     std::uint64_t pass_count() const { return sums_.passes.count(); }
     /// Returns the number of complete batches; zero for a sequential film.
     std::uint64_t batches() const;
+    /// Returns the number of their passes.
+    double complete_passes() const;
     /// Returns the factor of a pass in the picture: share_of_group(), which is one for complete
     /// batches. If no batch is complete, it is the number of passes of its batch over the largest
     /// number.

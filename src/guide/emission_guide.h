@@ -80,6 +80,7 @@ public:
 
 private:
     friend class EmissionGuideBuilder;
+
     /// A box, cut in two or a leaf, after its shears.
     struct Node {
         double at = 0;          // coordinate of the cut

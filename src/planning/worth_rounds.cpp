@@ -9,6 +9,7 @@
 #include <utility>
 
 namespace sunfleck::engine {
+
 WorthRounds::WorthRounds(std::vector<WeightedEmission> casters) : casters_(std::move(casters)) {
     double flux = 0;
     for (const WeightedEmission& sample : casters_) flux += sample.weight;
