@@ -31,6 +31,10 @@ inline constexpr std::uint32_t kFewWalks = 500'000;
 inline constexpr std::uint32_t kMostWalks = 8'000'000;
 inline constexpr std::size_t kFewGuideSamples = 8;
 inline constexpr std::size_t kManyGuideSamples = 2'048;
+// Paths from a guide sample until one is visible: fewer do where enough samples lead to one.
+inline constexpr int kTriesOfAGuideSample = 256;
+inline constexpr int kFewTriesOfAGuideSample = 16;
+inline constexpr std::size_t kEnoughVisible = 256;
 inline constexpr double kNegligible = 0.01;  // of all visible light: not worth a search
 inline constexpr double kEventsMissed = 3;   // upper bound with 95% confidence if none was seen
 

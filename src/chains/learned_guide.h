@@ -30,11 +30,8 @@ struct LearnedGuide {
 
 /// Limits of the search for visible paths from guide samples.
 struct GuideSampleBudget {
-    std::size_t most = 2048;  // guide samples, evenly selected from all
-    int tries = 256;          // per guide sample
-    // Fewer tries do where they find enough.
-    int few_tries = 16;
-    std::size_t enough = 256;
+    std::size_t most = kManyGuideSamples;  // evenly selected from all
+    int tries = kTriesOfAGuideSample;
 };
 
 /// Traces visible paths with the emission of guide samples and other dimensions at random: at most
@@ -59,11 +56,11 @@ Population visible_from(const Space& space, const std::vector<WeightedEmission>&
             if (space.height(path) == kVisible) found[i].push_back({sample, 1, kVisible});
         }
     };
-    const int few = std::min(effort.few_tries, effort.tries);
+    const int few = std::min(kFewTriesOfAGuideSample, effort.tries);
     parallel_for(count, [&](std::size_t i) { try_each(i, few); });
     const auto failed = std::count_if(found.begin(), found.end(),
                                       [](const auto& survivors) { return survivors.empty(); });
-    if (count - static_cast<std::size_t>(failed) < effort.enough)
+    if (count - static_cast<std::size_t>(failed) < kEnoughVisible)
         parallel_for(count, [&](std::size_t i) { try_each(i, effort.tries - few); });
     Population population;
     for (std::size_t i = 0; i < count; ++i) {

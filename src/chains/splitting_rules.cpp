@@ -1,32 +1,13 @@
-// The rules and their constants.
+// Rules of plans for splitting.
 #include "chains/splitting_rules.h"
 
 #include "chains/splitting_tuning.h"
 
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace sunfleck::engine {
 namespace {
-
-/// Division of the work between guided paths and splitting.
-struct Division {
-    double guided;  // fraction of all paths
-    double last;    // fraction of the splitting paths: states of the last set
-    double own;     // fraction of the guided region's light from guided paths
-    // Fraction of the last set's states in the guided region; none for as many as occur, since they
-    // contribute light.
-    std::optional<double> detour;
-};
-// Guided paths contribute the light of the region. What it does not cover is little but rare:
-// uniform paths and the first sets must find it, so the last set has fewer states than without a
-// guide.
-constexpr Division kOftenSeen{.guided = 0.35, .last = 0.3, .own = 1, .detour = 0.1};
-// No splitting leads to the visible set.
-constexpr Division kAlone{.guided = 0.75, .last = 0.5, .own = 1, .detour = 0.25};
-// Few guided paths are visible, and they are worth less than states of chains: they start chains.
-constexpr Division kForSurvivors{.guided = 0.1, .last = 0.75, .own = 0.1, .detour = {}};
 
 /// Uses the float function, whose bits are the same on every machine.
 float log_of(double x) {
@@ -40,8 +21,8 @@ int sets_for(double visible) {
 }
 
 const Division& division(const LearnedGuide& map) {
-    if (map.covering == GuideCoverage::all_known) return kAlone;
-    return map.visible_share < kSeldomSeen ? kForSurvivors : kOftenSeen;
+    if (map.covering == GuideCoverage::all_known) return kDivisionAlone;
+    return map.visible_share < kSeldomSeen ? kDivisionForSurvivors : kDivisionIfOftenSeen;
 }
 
 /// Returns the importance of the guided region such that chains have a fraction `share` of their

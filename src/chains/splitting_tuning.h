@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace sunfleck::engine {
 
@@ -21,6 +22,26 @@ inline constexpr double kLastShare = 0.5;  // fraction of paths: states of the l
 // Beside a guide.
 inline constexpr double kSeldomSeen = 0.2;      // visible fraction of guided paths
 inline constexpr double kMostImportance = 0.5;  // of the guided region
+
+/// Division of the work between guided paths and splitting.
+struct Division {
+    double guided;  // fraction of all paths
+    double last;    // fraction of the splitting paths: states of the last set
+    double own;     // fraction of the guided region's light from guided paths
+    // Fraction of the last set's states in the guided region; none for as many as occur, since they
+    // contribute light.
+    std::optional<double> detour;
+};
+// Guided paths contribute the light of the region. What it does not cover is little but rare:
+// uniform paths and the first sets must find it, so the last set has fewer states than without a
+// guide.
+inline constexpr Division kDivisionIfOftenSeen{
+    .guided = 0.35, .last = 0.3, .own = 1, .detour = 0.1};
+// No splitting leads to the visible set.
+inline constexpr Division kDivisionAlone{.guided = 0.75, .last = 0.5, .own = 1, .detour = 0.25};
+// Few guided paths are visible, and they are worth less than states of chains: they start chains.
+inline constexpr Division kDivisionForSurvivors{
+    .guided = 0.1, .last = 0.75, .own = 0.1, .detour = {}};
 
 // Pilots.
 inline constexpr std::uint32_t kUniformPaths = 20'000;  // with which a pilot begins

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sunfleck::engine {
 namespace {
@@ -36,15 +37,16 @@ public:
         ++count_;
     }
 
-    std::size_t count() const { return sums_.size(); }
-    double mean(std::size_t block) const { return sums_[block] / count_; }
-
-    /// Returns the variances of one image.
-    std::vector<double> variances() const {
-        std::vector<double> variances;
-        for (std::size_t b = 0; b < sums_.size(); ++b)
-            variances.push_back(std::max(0.0, squares_[b] - sums_[b] * mean(b)) / (count_ - 1));
-        return variances;
+    /// @param work  of a pass. @param part  of a pass's paths has one image.
+    Brought brought(double work, double part) const {
+        Brought all{{}, {}, work};
+        for (std::size_t b = 0; b < sums_.size(); ++b) {
+            const double mean = sums_[b] / count_;
+            all.light.push_back(mean);
+            all.variance.push_back(std::max(0.0, squares_[b] - sums_[b] * mean) / (count_ - 1) *
+                                   part);
+        }
+        return all;
     }
 
 private:
@@ -55,11 +57,28 @@ private:
     double count_ = 0;
 };
 
+/// Returns the mean of both. @param share  of the second one.
+Brought mixed(Brought one, const Brought& other, double share) {
+    const auto mix = [share](double& a, double b) { a += share * (b - a); };
+    for (std::size_t b = 0; b < one.light.size(); ++b) {
+        mix(one.light[b], other.light[b]);
+        mix(one.variance[b], other.variance[b]);
+    }
+    mix(one.work, other.work);
+    return one;
+}
+
 std::size_t more_camera_trials(const CameraPass& camera) {
     const double paths =
         static_cast<double>(camera.window.pixels()) / pixels_of_a_path(camera.cells);
     return static_cast<std::size_t>(
         std::clamp<double>(kCameraPaths / paths, 1, kWayCameraIterations.size()));
+}
+
+double mean_light(const WayTrials& way) {
+    double sum = 0;
+    for (std::size_t b = 0; b < way.blocks(); ++b) sum += way.light(b);
+    return sum / static_cast<double>(way.blocks());
 }
 
 /// Noise as the objective judges it, as the mean over blocks.
@@ -71,14 +90,14 @@ struct JudgedNoise {
 
 JudgedNoise judged_noise(const WayTrials& one, const WayTrials& other, double mean,
                          Objective objective) {
-    const auto blocks = static_cast<double>(one.light.size());
+    const auto blocks = static_cast<double>(one.blocks());
     JudgedNoise noise;
-    for (std::size_t b = 0; b < one.light.size(); ++b) {
-        const double light = std::max(one.light[b], other.light[b]);
-        const double square = squared_scale(objective, light, mean);
+    for (std::size_t b = 0; b < one.blocks(); ++b) {
+        const double square =
+            squared_scale(objective, std::max(one.light(b), other.light(b)), mean);
         noise.camera += one.camera.variance[b] / square / blocks;
-        noise.missing += (other.light[b] - one.light[b]) / std::sqrt(square) / blocks;
-        if (one.passes > 0) noise.photons += one.photons.variance[b] / square / blocks;
+        noise.missing += (other.light(b) - one.light(b)) / std::sqrt(square) / blocks;
+        if (one.sets > 0) noise.photons += one.photons.variance[b] / square / blocks;
     }
     return noise;
 }
@@ -97,10 +116,7 @@ WayTrials camera_trials(const CameraPass& camera, const CameraTrial& seen, const
         moments.add(image);
     }
     const double fewer = pixels_of_a_path(camera.cells);  // paths than in a pass
-    WayTrials trials{{}, {moments.variances(), camera_work(seen.counts) * fewer}, {}};
-    for (double& variance : trials.camera.variance) variance /= fewer;
-    for (std::size_t b = 0; b < moments.count(); ++b) trials.light.push_back(moments.mean(b));
-    return trials;
+    return {moments.brought(camera_work(seen.counts) * fewer, 1 / fewer), {}};
 }
 
 void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
@@ -115,19 +131,23 @@ void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
     Statistics counts;
     for (std::uint32_t set = 0; set < kWaySets; ++set) {
         PassImage image(camera.window.pixels(), {});
-        const PhotonPass pass{context, name.iteration(kWaySetsIteration + set), strata, {}};
+        const PhotonPass pass{
+            context, name.iteration(kWaySetsIteration + trials.sets + set), strata, {}};
         NoState none;
         counts += SplittingSampler::trace(pass, {image}, none).statistics;
         moments.add(image);
     }
-    trials.passes = kWaySets * part;
-    trials.photons = {moments.variances(), photon_work(counts) / trials.passes};
-    for (double& variance : trials.photons.variance) variance *= part;
-    for (std::size_t b = 0; b < moments.count(); ++b) trials.light[b] += moments.mean(b);
+    const double passes = kWaySets * part;
+    Brought more = moments.brought(photon_work(counts) / passes, part);
+    trials.sets += kWaySets;
+    trials.passes += passes;
+    trials.photons = trials.sets == kWaySets
+                         ? std::move(more)
+                         : mixed(std::move(trials.photons), more, passes / trials.passes);
 }
 
 double error_of_way(const WayTrials& one, const WayTrials& other, Objective objective) {
-    const double mean = std::max(mean_value(one.light), mean_value(other.light));
+    const double mean = std::max(mean_light(one), mean_light(other));
     if (!(mean > 0)) return 0;
     const JudgedNoise noise = judged_noise(one, other, mean, objective);
     const double missing = std::max(0.0, noise.missing);

@@ -9,22 +9,31 @@
 #include "aovs/objective.h"
 #include "planning/photon_trials.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace sunfleck::engine {
 
-/// Noise and cost of the camera paths of a pass, or of its photon paths.
-struct Noise {
-    std::vector<double> variance;  // of a pixel's mean, by block
+/// What the camera paths of a pass bring, or its photon paths.
+struct Brought {
+    std::vector<double> light;     // mean of a pixel, by block
+    std::vector<double> variance;  // of that mean
     double work = 0;               // in rays
 };
 
 /// Trials of one way.
 struct WayTrials {
-    std::vector<double> light;  // mean of a pixel, by block
-    Noise camera;
-    Noise photons;
-    double passes = 0;  // as many passes have the photons of all trials; zero: no photons tried
+    Brought camera;
+    Brought photons;         // empty if none were tried
+    std::uint32_t sets = 0;  // of photons
+    double passes = 0;       // as many passes have the photons of all sets
+
+    /// Returns the mean of a pixel.
+    double light(std::size_t block) const {
+        return camera.light[block] + (sets > 0 ? photons.light[block] : 0);
+    }
+    std::size_t blocks() const { return camera.light.size(); }
 };
 
 /// Returns trials without photons. @param camera  a pass like the epoch's first, or with fewer
@@ -32,7 +41,7 @@ struct WayTrials {
 /// @param seen  its trial.
 WayTrials camera_trials(const CameraPass& camera, const CameraTrial& seen, const PilotName& name);
 
-/// Adds photons to camera_trials(). @param plan  of a pass.
+/// Adds kWaySets sets of photons. @param plan  of a pass.
 void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
                        const std::vector<LightStratum>& plan, const PilotName& name,
                        WayTrials& trials);

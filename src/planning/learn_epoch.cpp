@@ -5,9 +5,32 @@
 #include "core/stopwatch.h"
 #include "photon_samplers/samplers.h"
 #include "planning/epoch_learner.h"
+#include "planning/way_tuning.h"
 
 namespace sunfleck::engine {
 namespace {
+
+/// Plans `sampled` only where that may pay.
+/// @param photons  has its plan.
+bool camera_is_better(EpochLearner& photons, EpochLearner& sampled, Objective objective) {
+    WayTrials by_photons = photons.without_photons();
+    WayTrials by_camera = sampled.without_photons();
+    const auto camera_has_less_than = [&](double share) {
+        return error_of_way(by_camera, by_photons, objective) <
+               share * error_of_way(by_photons, by_camera, objective);
+    };
+    photons.add_photons(by_photons);
+    // Without photons, `sampled` has a lower bound of its error alone.
+    if (!camera_has_less_than(kHardlyBetter)) photons.add_photons(by_photons);
+    if (!camera_has_less_than(kHardlyBetter)) return false;
+    sampled.plan({{}, photons.boxes()});
+    sampled.add_photons(by_camera);
+    if (camera_has_less_than(kClearlyBetter)) return true;
+    if (!camera_has_less_than(1 / kClearlyBetter)) return false;
+    if (by_photons.sets == by_camera.sets) photons.add_photons(by_photons);
+    sampled.add_photons(by_camera);
+    return camera_has_less_than(1);
+}
 
 /// Returns the first epoch by the way `sampled`, or by the better one. In either case chains of the
 /// way `photons` explore the scene, and trials of worth start where they have been.
@@ -23,17 +46,8 @@ Epoch first_epoch(const PassScene& scene, const RenderSettings& settings, Indire
         sampled.plan({{}, photons.boxes()});
         return sampled.measured();
     }
-    WayTrials by_photons = photons.without_photons();
-    photons.add_photons(by_photons);
-    WayTrials by_camera = sampled.without_photons();
-    const auto camera_is_better = [&] {
-        return error_of_way(by_camera, by_photons, settings.objective) <
-               error_of_way(by_photons, by_camera, settings.objective);
-    };
-    if (!camera_is_better()) return photons.measured();  // nor with the noise of its photons
-    sampled.plan({{}, photons.boxes()});
-    sampled.add_photons(by_camera);
-    return camera_is_better() ? sampled.measured() : photons.measured();
+    return camera_is_better(photons, sampled, settings.objective) ? sampled.measured()
+                                                                  : photons.measured();
 }
 
 /// Returns the way that the settings ask for.

@@ -115,9 +115,9 @@ bool PixelTrials::have_noise() const {
     return any(variance[0]) && any(variance[1]);
 }
 
-PixelTrials no_trials(const PixelWindow& window) {
+PixelTrials no_trials(const PixelWindow& window, const VarianceDecay& net) {
     const BlockGrid grid(window.width(), window.height(), kTrialBlock);
-    return {{}, {}, std::vector<VarianceDecay>(grid.count())};
+    return {{}, {}, std::vector(grid.count(), net)};
 }
 
 PixelTrials trials_of_pixels(const CameraPass& first, const PilotName& name,

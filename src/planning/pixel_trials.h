@@ -46,8 +46,8 @@ struct PixelTrials {
     bool have_noise() const;
 };
 
-/// Returns the result of no trials: unknown noise, and the usual decay.
-PixelTrials no_trials(const PixelWindow& window);
+/// Returns the result of no trials: unknown noise, and the decay that is assumed.
+PixelTrials no_trials(const PixelWindow& window, const VarianceDecay& net = {});
 
 /// The amount of trial work.
 struct TrialEffort {

@@ -31,7 +31,6 @@ inline constexpr std::array<double, 8> kAllocationLevels = {0.125, 0.25, 0.5, 1,
 inline constexpr std::size_t kMostCameraPaths = std::size_t{1} << 23U;
 
 // The choice.
-inline constexpr double kMoreDeposits = 0.17;  // work of a deposit on another point of one pixel
-inline constexpr double kWorthwhile = 0.96;    // of the error: worth more camera paths
+inline constexpr double kWorthwhile = 0.96;  // of the error: worth more camera paths
 
 }  // namespace sunfleck::engine

@@ -7,18 +7,24 @@
 
 namespace sunfleck::engine {
 
-/// Sets of photons: two would not tell what all chains of a set have in common.
-inline constexpr std::uint32_t kWaySets = 4;
+/// Sets of photons at a time, whose differences are their noise.
+inline constexpr std::uint32_t kWaySets = 2;
 /// Photon paths of a set: fewer would miss the noise of rare ones.
 inline constexpr std::uint64_t kPathsOfASet = 100'000;
 /// And at most so much of a pass.
 inline constexpr std::uint64_t kLeastParts = 4;
 /// Camera paths of trials beside the one that was seen; at least those of one trial.
-inline constexpr double kCameraPaths = 200'000;
+inline constexpr double kCameraPaths = 100'000;
+
+// When it is made. Errors are compared as ratios.
+inline constexpr double kHardlyBetter =
+    0.7;  // of the other: its plan would cost more than it saves
+inline constexpr double kClearlyBetter = 0.5;  // of the other: more sets are not needed
 
 // Work, in rays of camera paths: fitted to the seconds of 30 scenes (docs/lab/decisions.md).
 inline constexpr double kWorkOfPhotonRay = 1.4;
 inline constexpr double kWorkOfDeposit = 0.04;  // of a photon on one visible point
+inline constexpr double kWorkOfPoint = 1.3;     // another visible point: its index, its lookups
 
 /// Photon paths where nothing in the scene bends light, so that they bring nothing.
 inline constexpr std::uint32_t kFewPaths = 1024;

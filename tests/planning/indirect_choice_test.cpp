@@ -2,6 +2,7 @@
 #include "planning/indirect_choice.h"
 
 #include "planning/judged_blocks.h"
+#include "planning/way_tuning.h"
 #include "render/pass.h"
 #include "support/renders.h"
 
@@ -18,7 +19,8 @@ double relative_error(const WayTrials& one, const WayTrials& other) {
 
 /// Trials of one pass, with the noise of camera paths alone.
 WayTrials trials(double variance, double light = 1, double work = 1) {
-    return {std::vector(4, light), {std::vector(4, variance), work}, {std::vector(4, 0.0), 0}, 1};
+    const std::vector<double> nothing(4, 0.0);
+    return {{std::vector(4, light), std::vector(4, variance), work}, {nothing, nothing, 0}, 2, 1};
 }
 
 TEST(ErrorOfWay, is_variance_over_squared_brightness_times_work) {
@@ -34,7 +36,7 @@ TEST(ErrorOfWay, is_variance_over_squared_brightness_times_work) {
 TEST(ErrorOfWay, knows_no_dark_where_errors_are_absolute) {
     const auto noise_in = [](std::size_t block) {
         WayTrials uneven = trials(0);
-        uneven.light = {0.1, 1.9, 1, 1};
+        uneven.camera.light = {0.1, 1.9, 1, 1};
         uneven.camera.variance.at(block) = 0.1;
         return uneven;
     };
@@ -51,9 +53,10 @@ TEST(ErrorOfWay, splits_work_between_camera_and_photon_paths) {
     // n camera passes and m photon passes have the variance .1/n + .4/m, for the work n + 9 m:
     // least for a unit of work at n = 1/7, m = 2/21.
     WayTrials both = trials(0.1);
-    both.photons = {std::vector(4, 0.4), 9};
+    both.photons.variance = std::vector(4, 0.4);
+    both.photons.work = 9;
     EXPECT_NEAR(relative_error(both, both), (0.1 * 7 + 0.4 * 21 / 2) / 1.01, 1e-9);
-    both.passes = 0;  // no photons tried
+    both.sets = 0;  // no photons tried
     EXPECT_NEAR(relative_error(both, both), 0.1 / 1.01, 1e-9);
 }
 
@@ -62,7 +65,7 @@ TEST(ErrorOfWay, is_large_where_the_other_way_found_light_that_this_one_missed) 
     EXPECT_LT(relative_error(trials(0.1), trials(0, 0)), 0.11);
     // Blocks that are darker by chance are balanced by brighter ones.
     WayTrials uneven = trials(0.1);
-    uneven.light = {0.9, 1.1, 1, 1};
+    uneven.camera.light = {0.9, 1.1, 1, 1};
     EXPECT_NEAR(relative_error(uneven, trials(0.1)), 0.1 / 1.01, 0.01);
 }
 
@@ -79,6 +82,11 @@ Scene corner() {
                     quad("-2 1 0  2 1 0  2 1 2  -2 1 2") +
                     "AttributeBegin\nTranslate 0 0 .31\nMaterial \"dielectric\"\n"
                     "Shape \"sphere\" \"float radius\" .3\nAttributeEnd\n");
+}
+
+/// Returns the mean of a pixel.
+double light_of(const WayTrials& trials) {
+    return mean_value(trials.camera.light) + mean_value(trials.photons.light);
 }
 
 /// What passes measure.
@@ -106,7 +114,8 @@ protected:
         camera.radius_factor = cells;
         const CameraTrial seen = view_of(camera);
         WayTrials trials = camera_trials(camera, seen, name);
-        add_photon_trials(camera, seen, epoch_.strata, name, trials);
+        for (int more = 0; more < 2; ++more)
+            add_photon_trials(camera, seen, epoch_.strata, name, trials);
         return trials;
     }
 
@@ -137,12 +146,13 @@ protected:
 TEST_P(TrialsOfWay, tell_light_and_noise_of_passes) {
     const WayTrials measured = trials();
     const OfPasses truth = passes(12);
-    EXPECT_NEAR(mean_value(measured.light), truth.light, 0.03 * truth.light);
+    EXPECT_NEAR(light_of(measured), truth.light, 0.03 * truth.light);
     const double variance =
         mean_value(measured.camera.variance) + mean_value(measured.photons.variance);
     // Trials do not have the noise of where visible points are, all sets share them.
     EXPECT_GT(variance, 0.2 * truth.variance);
     EXPECT_LT(variance, 2 * truth.variance);
+    EXPECT_EQ(measured.sets, 2 * kWaySets);
     EXPECT_NEAR(measured.passes, 1, 0.01);
 }
 
@@ -150,8 +160,8 @@ TEST_P(TrialsOfWay, tell_light_and_noise_of_passes) {
 TEST_P(TrialsOfWay, tell_it_by_few_camera_paths) {
     const WayTrials all = trials();
     const WayTrials few = trials(2);
-    EXPECT_EQ(few.light.size(), 4U);
-    EXPECT_NEAR(mean_value(few.light), mean_value(all.light), 0.05 * mean_value(all.light));
+    EXPECT_EQ(few.blocks(), 4U);
+    EXPECT_NEAR(light_of(few), light_of(all), 0.05 * light_of(all));
     EXPECT_NEAR(few.camera.work / all.camera.work, 1, 0.1);
     // Of blocks with four times as many pixels.
     const double noise = 4 * mean_value(few.camera.variance) / mean_value(all.camera.variance);

@@ -168,12 +168,19 @@ Scene glowing_disc(int side) {
 // Its rim is all the noise that camera paths make without photons.
 TEST(AdaptivePixels, are_found_at_the_rim_of_a_lamp) {
     constexpr int kHere = 48;
-    const RenderSettings settings;  // trials of four seeds in sixteen foretell too little gain
-    const Epoch epoch = learn_epoch(glowing_disc(kHere), settings, 16);
-    ASSERT_FALSE(epoch.log2_samples.empty());
-    EXPECT_GT(paths_in(epoch, kHere, 14, 4, 34, 26), 1.5);
-    EXPECT_EQ(paths_in(epoch, kHere, 22, 12, 26, 16), 1) << "within";
-    EXPECT_EQ(paths_in(epoch, kHere, 0, 0, 8, 4), 1) << "beside it";
+    const Scene scene = glowing_disc(kHere);
+    int found = 0;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        RenderSettings settings;
+        settings.seed = seed;
+        const Epoch epoch = learn_epoch(scene, settings, 16);
+        if (epoch.log2_samples.empty()) continue;
+        ++found;
+        EXPECT_GT(paths_in(epoch, kHere, 14, 4, 34, 26), 1.5);
+        EXPECT_EQ(paths_in(epoch, kHere, 22, 12, 26, 16), 1) << "within";
+        EXPECT_EQ(paths_in(epoch, kHere, 0, 0, 8, 4), 1) << "beside it";
+    }
+    EXPECT_GE(found, 7) << "31 of 32 seeds find it";
 }
 
 TEST(AdaptivePixels, are_the_same_for_any_number_of_threads_in_all_of_an_epoch) {
