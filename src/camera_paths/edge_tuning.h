@@ -13,6 +13,7 @@ inline constexpr float kLeastTerm = 0.125F;
 inline constexpr int kMostSurfaces = 4;
 
 // Where discs are probed.
+inline constexpr int kCellsOfEdges = 2;   // of a trial in large pictures
 inline constexpr int kReach = 2;          // in cells: 25 discs and more vote for one
 inline constexpr int kFewVotes = 8;       // as at an outline, or of a surface that is hardly there
 inline constexpr float kNoticed = 0.01F;  // of a factor of light

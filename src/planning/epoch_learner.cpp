@@ -2,6 +2,7 @@
 // pass.
 #include "planning/epoch_learner.h"
 
+#include "camera_paths/edge_tuning.h"
 #include "core/stopwatch.h"
 #include "film/target_error.h"
 #include "math/wavelengths.h"
@@ -132,7 +133,7 @@ EdgePixels EpochLearner::edges() const {
     transport.indirect = IndirectLight::photons;  // camera paths that end at their discs
     CameraPass pass{pass_.scene,  transport, pass_.settings,
                     pass_.window, pass_.id,  pass_.radius_factor};
-    pass.cells = pass_.window.pixels() > kLargePicture ? 2 : 1;
+    pass.cells = trial_.cells > 1 ? kCellsOfEdges : 1;
     return edge_pixels(view_of(pass), pass_.window);
 }
 

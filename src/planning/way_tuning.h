@@ -19,7 +19,7 @@ inline constexpr double kCameraPaths = 100'000;
 // When it is made. Errors are compared as ratios.
 inline constexpr double kHardlyBetter =
     0.7;  // of the other: its plan would cost more than it saves
-inline constexpr double kClearlyBetter = 0.5;  // of the other: more sets are not needed
+inline constexpr double kClearlyBetter = 0.65;  // of the other: more sets are not needed
 
 // Work, in rays of camera paths: fitted to the seconds of 30 scenes (docs/lab/decisions.md).
 inline constexpr double kWorkOfPhotonRay = 1.4;
