@@ -18,6 +18,7 @@ inline constexpr double kLeastShear = 0.35;    // log likelihood per point: half
 inline constexpr std::size_t kMostShears = 8;  // on the way to a box
 
 // Worth of boxes.
-inline constexpr double kOfParent = 8;  // trials that the box around one is worth
+inline constexpr double kOfParent = 8;   // trials that the box around one is worth
+inline constexpr double kSparse = 0.25;  // of its density of points: worth less than it
 
 }  // namespace sunfleck::engine

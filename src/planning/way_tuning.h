@@ -16,10 +16,9 @@ inline constexpr std::uint64_t kLeastParts = 4;
 /// Camera paths of trials beside the one that was seen; at least those of one trial.
 inline constexpr double kCameraPaths = 100'000;
 
-// When it is made. Errors are compared as ratios.
-inline constexpr double kHardlyBetter =
-    0.7;  // of the other: its plan would cost more than it saves
-inline constexpr double kClearlyBetter = 0.65;  // of the other: more sets are not needed
+// When trials end: errors over those of the other way.
+inline constexpr double kHardlyBetter = 0.7;    // a plan would cost more than it saves
+inline constexpr double kClearlyBetter = 0.65;  // more sets are not needed
 
 // Work, in rays of camera paths: fitted to the seconds of 30 scenes (docs/lab/decisions.md).
 inline constexpr double kWorkOfPhotonRay = 1.4;

@@ -157,6 +157,25 @@ TEST(EmissionGuide, density_follows_the_root_of_the_mean_squared_worth) {
     EXPECT_NEAR(static_cast<double>(right) / left, 4, 0.6);
 }
 
+/// Points of a small square are of worth, a thousand trials around it are not: whatever the size of
+/// what lies around, most of the mass follows worth.
+TEST(EmissionGuide, worth_is_not_diluted_by_what_lies_around) {
+    const EmissionGuide::Growth growth{0.05, 4, 0.01};
+    for (const double width : {0.3, 1e-2, 1e-4}) {
+        const Points points = around(width, {0, 1}, 2'000);
+        std::vector<EmissionGuide::Worth> trials;
+        for (const WeightedEmission& p : points) trials.push_back({p.point, 1});
+        RandomStream random(8, Purpose::test, 0, 0);
+        for (int i = 0; i < 1'000; ++i) trials.push_back({uniform(random), 0});
+        const EmissionGuide guide =
+            EmissionGuide::learned(points, growth).by_worth(trials, 0.3, growth);
+        int inside = 0;
+        for (int i = 0; i < 10'000; ++i)
+            if (is_inside(guide(uniform(random)).point, width, {0, 1})) ++inside;
+        EXPECT_GT(inside, 7'000) << width;
+    }
+}
+
 /// Where nothing was found beside where much was, density falls by degrees.
 TEST(EmissionGuide, spread_reaches_what_lies_beside) {
     const Points points = around(1e-3, {0, 1}, 20'000);
