@@ -39,7 +39,7 @@ public:
 
     /// @param work  of a pass. @param part  of a pass's paths has one image.
     Brought brought(double work, double part) const {
-        Brought all{{}, {}, work};
+        Brought all{{}, {}, work, count_ * part};
         for (std::size_t b = 0; b < sums_.size(); ++b) {
             const double mean = sums_[b] / count_;
             all.light.push_back(mean);
@@ -57,8 +57,10 @@ private:
     double count_ = 0;
 };
 
-/// Returns the mean of both. @param share  of the second one.
-Brought mixed(Brought one, const Brought& other, double share) {
+/// Returns the mean of both.
+Brought mixed(Brought one, const Brought& other) {
+    one.passes += other.passes;
+    const double share = other.passes / one.passes;
     const auto mix = [share](double& a, double b) { a += share * (b - a); };
     for (std::size_t b = 0; b < one.light.size(); ++b) {
         mix(one.light[b], other.light[b]);
@@ -85,7 +87,7 @@ double mean_light(const WayTrials& way) {
 struct JudgedNoise {
     double camera = 0;
     double photons = 0;
-    double missing = 0;  // light that the other way found, and this one did not
+    double missing = 0;  // squared light that the other way found, and this one did not
 };
 
 JudgedNoise judged_noise(const WayTrials& one, const WayTrials& other, double mean,
@@ -96,7 +98,10 @@ JudgedNoise judged_noise(const WayTrials& one, const WayTrials& other, double me
         const double square =
             squared_scale(objective, std::max(one.light(b), other.light(b)), mean);
         noise.camera += one.camera.variance[b] / square / blocks;
-        noise.missing += (other.light(b) - one.light(b)) / std::sqrt(square) / blocks;
+        const double more = other.light(b) - one.light(b);
+        const double by_chance = one.variance(b) + other.variance(b);
+        const double missing = std::max(0.0, more * more - by_chance) / square / blocks;
+        noise.missing += more > 0 ? missing : -missing;
         if (one.sets > 0) noise.photons += one.photons.variance[b] / square / blocks;
     }
     return noise;
@@ -137,13 +142,9 @@ void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
         counts += SplittingSampler::trace(pass, {image}, none).statistics;
         moments.add(image);
     }
-    const double passes = kWaySets * part;
-    Brought more = moments.brought(photon_work(counts) / passes, part);
+    Brought more = moments.brought(photon_work(counts) / (kWaySets * part), part);
+    trials.photons = trials.sets == 0 ? std::move(more) : mixed(std::move(trials.photons), more);
     trials.sets += kWaySets;
-    trials.passes += passes;
-    trials.photons = trials.sets == kWaySets
-                         ? std::move(more)
-                         : mixed(std::move(trials.photons), more, passes / trials.passes);
 }
 
 double error_of_way(const WayTrials& one, const WayTrials& other, Objective objective) {
@@ -154,7 +155,7 @@ double error_of_way(const WayTrials& one, const WayTrials& other, Objective obje
     const double found =
         std::sqrt(noise.camera * one.camera.work) + std::sqrt(noise.photons * one.photons.work);
     const double work = one.camera.work + one.photons.work;
-    return found * found + one.passes * missing * missing * work;
+    return found * found + one.photons.passes * missing * work;
 }
 
 }  // namespace sunfleck::engine

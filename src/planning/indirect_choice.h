@@ -18,8 +18,9 @@ namespace sunfleck::engine {
 /// What the camera paths of a pass bring, or its photon paths.
 struct Brought {
     std::vector<double> light;     // mean of a pixel, by block
-    std::vector<double> variance;  // of that mean
-    double work = 0;               // in rays
+    std::vector<double> variance;  // of that mean, in one pass
+    double work = 0;               // of a pass, in rays
+    double passes = 0;             // as many have as many paths as all trials together
 };
 
 /// Trials of one way.
@@ -27,11 +28,15 @@ struct WayTrials {
     Brought camera;
     Brought photons;         // empty if none were tried
     std::uint32_t sets = 0;  // of photons
-    double passes = 0;       // as many passes have the photons of all sets
 
     /// Returns the mean of a pixel.
     double light(std::size_t block) const {
         return camera.light[block] + (sets > 0 ? photons.light[block] : 0);
+    }
+    /// Returns the variance of light().
+    double variance(std::size_t block) const {
+        return camera.variance[block] / camera.passes +
+               (sets > 0 ? photons.variance[block] / photons.passes : 0);
     }
     std::size_t blocks() const { return camera.light.size(); }
 };

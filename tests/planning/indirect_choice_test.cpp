@@ -20,7 +20,8 @@ double relative_error(const WayTrials& one, const WayTrials& other) {
 /// Trials of one pass, with the noise of camera paths alone.
 WayTrials trials(double variance, double light = 1, double work = 1) {
     const std::vector<double> nothing(4, 0.0);
-    return {{std::vector(4, light), std::vector(4, variance), work}, {nothing, nothing, 0}, 2, 1};
+    return {
+        {std::vector(4, light), std::vector(4, variance), work, 1}, {nothing, nothing, 0, 1}, 2};
 }
 
 TEST(ErrorOfWay, is_variance_over_squared_brightness_times_work) {
@@ -61,12 +62,25 @@ TEST(ErrorOfWay, splits_work_between_camera_and_photon_paths) {
 }
 
 TEST(ErrorOfWay, is_large_where_the_other_way_found_light_that_this_one_missed) {
-    EXPECT_GT(relative_error(trials(0, 0), trials(0.1)), 0.9);
+    EXPECT_GT(relative_error(trials(0, 0), trials(0.01)), 0.9);
     EXPECT_LT(relative_error(trials(0.1), trials(0, 0)), 0.11);
     // Blocks that are darker by chance are balanced by brighter ones.
     WayTrials uneven = trials(0.1);
     uneven.camera.light = {0.9, 1.1, 1, 1};
     EXPECT_NEAR(relative_error(uneven, trials(0.1)), 0.1 / 1.01, 0.01);
+}
+
+// Dark blocks are few, and their light is little of all.
+TEST(ErrorOfWay, is_large_where_light_is_missing_in_one_dark_block) {
+    WayTrials without = trials(0);
+    without.camera.light = {0, 1.2, 1, 1};
+    WayTrials with = trials(0);
+    with.camera.light = {0.2, 1, 1, 1};
+    EXPECT_GT(relative_error(without, with), 0.15);
+    EXPECT_EQ(relative_error(with, without), 0);
+    // One flash of the other way is no light that this one lacks.
+    with.camera.variance[0] = 0.04;
+    EXPECT_EQ(relative_error(without, with), 0);
 }
 
 TEST(ErrorOfWay, is_zero_in_the_dark) {
@@ -153,7 +167,7 @@ TEST_P(TrialsOfWay, tell_light_and_noise_of_passes) {
     EXPECT_GT(variance, 0.2 * truth.variance);
     EXPECT_LT(variance, 2 * truth.variance);
     EXPECT_EQ(measured.sets, 2 * kWaySets);
-    EXPECT_NEAR(measured.passes, 1, 0.01);
+    EXPECT_NEAR(measured.photons.passes, 1, 0.01);
 }
 
 /// A fourth of the camera paths has four times the noise, at a fourth of the work.
