@@ -31,12 +31,13 @@ inline constexpr std::uint32_t kFewWalks = 500'000;
 inline constexpr std::uint32_t kMostWalks = 8'000'000;
 inline constexpr std::size_t kFewGuideSamples = 8;
 inline constexpr std::size_t kManyGuideSamples = 2'048;
+inline constexpr double kNegligible = 0.01;  // of all visible light: not worth a search
+inline constexpr double kEventsMissed = 3;   // upper bound with 95% confidence if none was seen
+
 // Paths from a guide sample until one is visible: fewer do where enough samples lead to one.
 inline constexpr int kTriesOfAGuideSample = 256;
 inline constexpr int kFewTriesOfAGuideSample = 16;
 inline constexpr std::size_t kEnoughVisible = 256;
-inline constexpr double kNegligible = 0.01;  // of all visible light: not worth a search
-inline constexpr double kEventsMissed = 3;   // upper bound with 95% confidence if none was seen
 
 // Edge search: few tries if light that no importon reached would be spread out, but may be a spot.
 inline constexpr std::size_t kManyTries = 200'000;

@@ -108,9 +108,8 @@ std::vector<double> EmissionGuide::mean_squares(const std::vector<Worth>& trials
         if (nodes_[i].left == 0) continue;
         for (std::uint32_t half = nodes_[i].left; half < nodes_[i].left + 2; ++half) {
             const Node& part = nodes_[half];
-            // Over that of the whole. Zero where nothing was found, however large that is.
-            const double density =
-                part.found > 0 ? part.found / nodes_[i].found * nodes_[i].volume / part.volume : 0;
+            // Over that of the whole: zero where nothing was found, however large that is.
+            const double density = part.found / nodes_[i].found * nodes_[i].volume / part.volume;
             mean[half] = (count[half] * square[half] / part.volume +
                           kOfParent * mean[i] * std::min(1.0, density / kSparse)) /
                          (count[half] + kOfParent);

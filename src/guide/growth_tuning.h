@@ -18,7 +18,8 @@ inline constexpr double kLeastShear = 0.35;    // log likelihood per point: half
 inline constexpr std::size_t kMostShears = 8;  // on the way to a box
 
 // Worth of boxes.
-inline constexpr double kOfParent = 8;   // trials that the box around one is worth
-inline constexpr double kSparse = 0.25;  // of its density of points: worth less than it
+inline constexpr double kOfParent = 8;  // trials that the box around one is worth
+/// Density of points over that of the box around, below which a box is drawn to less.
+inline constexpr double kSparse = 0.25;
 
 }  // namespace sunfleck::engine

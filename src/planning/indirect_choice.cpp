@@ -39,7 +39,7 @@ public:
 
     /// @param work  of a pass. @param part  of a pass's paths has one image.
     Brought brought(double work, double part) const {
-        Brought all{{}, {}, work, count_ * part};
+        Brought all{.light = {}, .variance = {}, .work = work, .passes = count_ * part};
         for (std::size_t b = 0; b < sums_.size(); ++b) {
             const double mean = sums_[b] / count_;
             all.light.push_back(mean);
@@ -78,9 +78,7 @@ std::size_t more_camera_trials(const CameraPass& camera) {
 }
 
 double mean_light(const WayTrials& way) {
-    double sum = 0;
-    for (std::size_t b = 0; b < way.blocks(); ++b) sum += way.light(b);
-    return sum / static_cast<double>(way.blocks());
+    return mean_value(way.camera.light) + (way.sets > 0 ? mean_value(way.photons.light) : 0);
 }
 
 /// Noise as the objective judges it, as the mean over blocks.

@@ -10,7 +10,8 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Plans `sampled` only where that may pay.
+/// Returns whether indirect light has less error by `sampled`, which is planned only where that may
+/// be so.
 /// @param photons  has its plan.
 bool camera_is_better(EpochLearner& photons, EpochLearner& sampled, Objective objective) {
     WayTrials by_photons = photons.without_photons();

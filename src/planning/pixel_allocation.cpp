@@ -41,12 +41,13 @@ Work work_of(const CameraTrial& seen, const PhotonTrials& trials, double paths) 
     const double passes = kPhotonSets * trials.pair.paths / paths;  // that photons of trials fill
     const auto rays = static_cast<double>(trials.photon_rays);
     const double fewer = pixels_of_a_path(seen.cells);  // camera paths than in a pass
-    return {camera_work(seen.counts) * fewer,
-            kWorkOfPhotonRay * rays / passes,
-            kWorkOfDeposit * trials.deposits * fewer / passes,
-            kWorkOfPoint * static_cast<double>(seen.index.points().size()) * fewer,
-            trials.taken,
-            points_of(seen, trials.taken.size())};
+    const auto points = static_cast<double>(seen.index.points().size());
+    return {.camera = camera_work(seen.counts) * fewer,
+            .photons = kWorkOfPhotonRay * rays / passes,
+            .deposits = kWorkOfDeposit * trials.deposits * fewer / passes,
+            .points = kWorkOfPoint * points * fewer,
+            .taken = trials.taken,
+            .points_of_pixels = points_of(seen, trials.taken.size())};
 }
 
 /// Penalty for uncertain predictions: twice the work must reduce the error by 4%.
