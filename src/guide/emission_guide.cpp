@@ -5,12 +5,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sunfleck::engine {
 
+EmissionGuide EmissionGuide::mixed_with(std::shared_ptr<const EmissionGuide> other,
+                                        double share) const {
+    EmissionGuide mixture = *this;
+    mixture.other_ = std::move(other);
+    mixture.share_of_other_ = share;
+    return mixture;
+}
+
 EmissionGuide::Image EmissionGuide::operator()(const EmissionPoint& uniform) const {
+    if (!other_) return image_in_tree(uniform);
+    // The first dimension chooses one of the two, and is uniform again for that one.
+    EmissionPoint u = uniform;
+    const double share = share_of_other_;
+    const bool is_of_other = u[0] < share;
+    u[0] = is_of_other ? u[0] / share : (u[0] - share) / (1 - share);
+    Image image = is_of_other ? (*other_)(u) : image_in_tree(u);
+    image.density = density(image.point);
+    return image;
+}
+
+EmissionGuide::Image EmissionGuide::image_in_tree(const EmissionPoint& uniform) const {
     Image image{uniform, 1};
-    if (is_identity()) return image;
+    if (nodes_.empty()) return image;
     EmissionPoint& u = image.point;  // within the box, until it is a leaf
     EmissionBox box;
     std::array<const EmissionShear*, kMostShears> sheared{};
@@ -39,7 +60,12 @@ EmissionGuide::Image EmissionGuide::operator()(const EmissionPoint& uniform) con
 }
 
 double EmissionGuide::density(const EmissionPoint& at) const {
-    return is_identity() ? 1 : nodes_[box_of(at)].density;
+    const double own = density_of_tree(at);
+    return other_ ? (1 - share_of_other_) * own + share_of_other_ * other_->density(at) : own;
+}
+
+double EmissionGuide::density_of_tree(const EmissionPoint& at) const {
+    return nodes_.empty() ? 1 : nodes_[box_of(at)].density;
 }
 
 std::uint32_t EmissionGuide::box_of(EmissionPoint at) const {

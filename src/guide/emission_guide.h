@@ -4,8 +4,8 @@
 // In:  points of [0,1)^5 from which visible paths start. Out: a density over [0,1)^5, constant in
 // the boxes of a tree, and a map from uniform points to points of that density, continuous in every
 // dimension except between boxes. Boxes may be sheared, dimension by dimension, on the way down the
-// tree. A path that starts with density q has the weight 1/q: unbiased for any density fixed before
-// the pass, since q is nowhere zero.
+// tree. Two guides make a mixture, which keeps what either knows. A path that starts with density q
+// has the weight 1/q: unbiased for any density fixed before the pass, since q is nowhere zero.
 // Source: importance sampling; density trees: Ram and Gray 2011; guiding of photon paths: Jensen
 // 1995.
 // Equations: docs/method/sampling.md, eq. (15).
@@ -14,6 +14,7 @@
 #include "guide/emission_shear.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -62,6 +63,10 @@ public:
     EmissionGuide by_worth(const std::vector<Worth>& trials, double kept,
                            const Growth& growth) const;
 
+    /// Returns the mixture of this density and another.
+    /// @param share  of the other, in (0,1).
+    EmissionGuide mixed_with(std::shared_ptr<const EmissionGuide> other, double share) const;
+
     struct Image {
         EmissionPoint point;
         double density = 1;  // at the point, over [0,1)^5
@@ -72,7 +77,7 @@ public:
     /// Returns the density of the images of uniform points: zero where there are none.
     double density(const EmissionPoint& at) const;
 
-    bool is_identity() const { return nodes_.empty(); }
+    bool is_identity() const { return nodes_.empty() && !other_; }
     std::size_t boxes() const { return nodes_.size() / 2 + 1; }
     std::size_t shears() const { return shears_.size(); }
     /// Returns whether uniform points have images there.
@@ -94,6 +99,8 @@ private:
         std::uint32_t shears = 0;
     };
 
+    Image image_in_tree(const EmissionPoint& uniform) const;
+    double density_of_tree(const EmissionPoint& at) const;
     /// Returns the leaf of a point.
     std::uint32_t box_of(EmissionPoint at) const;
     /// Returns the same boxes with masses proportional to these: of leaves, by index; those of
@@ -110,6 +117,8 @@ private:
 
     std::vector<Node> nodes_;
     std::vector<EmissionShear> shears_;
+    std::shared_ptr<const EmissionGuide> other_;  // of the mixture, if it is one
+    double share_of_other_ = 0;
 };
 
 }  // namespace sunfleck::engine

@@ -15,6 +15,8 @@ WorthRounds::WorthRounds(std::vector<WeightedEmission> casters) : casters_(std::
     for (const WeightedEmission& sample : casters_) flux += sample.weight;
     if (!(flux > 0)) casters_.clear();
     for (WeightedEmission& sample : casters_) sample.weight /= flux;
+    over_casters_ =
+        std::make_shared<const EmissionGuide>(EmissionGuide::learned(casters_, kCasterGrowth));
 }
 
 std::size_t WorthRounds::add(EmissionGuide guide, const PathTrials& trials) {
@@ -60,7 +62,7 @@ std::vector<double> WorthRounds::scales(const WorthScale& scale) const {
 }
 
 WorthRounds::Advice WorthRounds::advice(const WorthScale& scale) const {
-    if (!have_found()) return {EmissionGuide::learned(casters_, kWorthGrowth), {}};
+    if (!have_found()) return {*over_casters_, {}};
     const std::vector<double> scales = this->scales(scale);
     std::vector<EmissionGuide::Worth> trials;
     Advice advice;
@@ -82,7 +84,8 @@ WorthRounds::Advice WorthRounds::advice(const WorthScale& scale) const {
     for (const WeightedEmission& sample : casters_)
         points.push_back({sample.point, kWorthKept * sample.weight});
     advice.guide = EmissionGuide::learned(std::move(points), kWorthGrowth)
-                       .by_worth(trials, kWorthKept, kWorthGrowth);
+                       .by_worth(trials, kWorthKept, kWorthGrowth)
+                       .mixed_with(over_casters_, kOverCasters);
     return advice;
 }
 

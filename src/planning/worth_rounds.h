@@ -7,6 +7,7 @@
 
 #include "planning/path_trials.h"
 
+#include <memory>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -64,6 +65,7 @@ private:
     std::vector<double> scales(const WorthScale& scale) const;
 
     std::vector<WeightedEmission> casters_;  // weights sum to one
+    std::shared_ptr<const EmissionGuide> over_casters_;
     std::vector<Round> rounds_;
     std::vector<Brought> paths_;    // of all rounds
     std::vector<PathLight> light_;  // of all paths, by path

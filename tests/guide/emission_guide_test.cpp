@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace sunfleck::engine {
 namespace {
@@ -77,6 +78,8 @@ std::vector<EmissionGuide> maps() {
     for (const WeightedEmission& p : two) worth.push_back({p.point, p.point[2] < 0.5 ? 9.0 : 1.0});
     const EmissionGuide::Growth growth{0.05, 4, 0.01};
     all.push_back(EmissionGuide::learned(two, growth).by_worth(worth, 0.3, growth));
+    all.push_back(all[0].mixed_with(std::make_shared<const EmissionGuide>(all[4]), 0.2));
+    all.push_back(EmissionGuide().mixed_with(std::make_shared<const EmissionGuide>(all[3]), 0.7));
     return all;
 }
 
@@ -132,6 +135,24 @@ TEST(EmissionGuide, follows_a_slanted_tube) {
         EXPECT_GT(inside, 6000) << width;
         EXPECT_LT(map.boxes(), 400U) << width;
     }
+}
+
+/// Whatever the one guide says, a mixture has its share of the other.
+TEST(EmissionGuide, mixture_keeps_what_either_knows) {
+    const EmissionGuide::Growth growth{0.05, 4, 0.01};
+    const auto wide =
+        std::make_shared<const EmissionGuide>(EmissionGuide::learned(around(0.3, {0, 1}), growth));
+    const EmissionGuide narrow = EmissionGuide::learned(around(1e-3, {0, 1}), growth);
+    const EmissionGuide mixture = narrow.mixed_with(wide, 0.1);
+    RandomStream random(9, Purpose::test, 0, 0);
+    int in_narrow = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const EmissionPoint p = mixture(uniform(random)).point;
+        ASSERT_GE(mixture.density(p), 0.1 * wide->density(p));
+        if (is_inside(p, 1.3e-3, {0, 1})) ++in_narrow;
+    }
+    EXPECT_GT(in_narrow, 0.75 * 20'000);
+    EXPECT_LT(in_narrow, 0.92 * 20'000);
 }
 
 /// Two halves of a square, alike in samples: trials of one are worth four times those of the other,
