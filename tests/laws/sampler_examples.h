@@ -3,6 +3,8 @@
 
 #include "laws/sampler_runs.h"
 
+#include <memory>
+
 namespace sunfleck::engine::laws {
 
 using testing_support::first_dimensions;
@@ -52,15 +54,13 @@ inline GuidedPlan guided_over(double low, double high, std::uint32_t paths, doub
             own_share};
 }
 
-/// A map of full support with four densities: most paths start where the first dimension lies in
+/// A mixture of two maps of full support: most paths start where the first dimension lies in
 /// [.14,.3], some in [.66,.7]. @param most_weight  of a path.
 inline GuidedPlan bounded(std::uint32_t paths, double most_weight) {
-    std::vector<WeightedEmission> starts = starts_over(0.14, 0.3);
-    for (WeightedEmission start : starts_over(0.66, 0.7)) {
-        start.weight = 0.15;
-        starts.push_back(start);
-    }
-    return {EmissionGuide::learned(starts, {0.75}), paths, 1, 1, most_weight};
+    const auto other = std::make_shared<const EmissionGuide>(
+        EmissionGuide::learned(starts_over(0.66, 0.7), {0.75}));
+    return {EmissionGuide::learned(starts_over(0.14, 0.3), {0.75}).mixed_with(other, 0.1), paths, 1,
+            1, most_weight};
 }
 
 /// Passes are as many as the bands of the laws need.
