@@ -63,7 +63,8 @@ public:
     EmissionGuide by_worth(const std::vector<Worth>& trials, double kept,
                            const Growth& growth) const;
 
-    /// Returns the mixture of this density and another.
+    /// Returns the mixture of this density and another. Made last: boxes and their masses are those
+    /// of this guide alone.
     /// @param share  of the other, in (0,1).
     EmissionGuide mixed_with(std::shared_ptr<const EmissionGuide> other, double share) const;
 
