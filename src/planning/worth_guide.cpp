@@ -96,7 +96,8 @@ private:
 
     /// The same, through the guide that the rounds so far suggest.
     std::size_t add_next(WorthRounds& rounds, std::uint32_t number, std::uint32_t trials) const {
-        return add_round(rounds, rounds.advice(scale_).guide, kWorthIteration + number, trials);
+        return add_round(rounds, rounds.advice(scale_, kOverCastersInTrials).guide,
+                         kWorthIteration + number, trials);
     }
 
     const PhotonContext& context_;
@@ -118,7 +119,7 @@ WorthGuide learned_worth_guide(const PhotonContext& context, const PixelWindow& 
         request.start.earlier ? *request.start.earlier : learner.first_rounds(request.start.boxes);
     if (rounds.are_idle()) return {};
     if (request.start.earlier) learner.add_rounds(rounds);
-    WorthGuide guide = with_bound(rounds.advice(scale));
+    WorthGuide guide = with_bound(rounds.advice(scale, kOverCasters));
     guide.rounds = std::make_shared<const WorthRounds>(std::move(rounds));
     return guide;
 }

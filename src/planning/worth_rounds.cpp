@@ -61,7 +61,7 @@ std::vector<double> WorthRounds::scales(const WorthScale& scale) const {
     return scales;
 }
 
-WorthRounds::Advice WorthRounds::advice(const WorthScale& scale) const {
+WorthRounds::Advice WorthRounds::advice(const WorthScale& scale, double over_casters) const {
     if (!have_found()) return {*over_casters_, {}};
     const std::vector<double> scales = this->scales(scale);
     std::vector<EmissionGuide::Worth> trials;
@@ -85,7 +85,7 @@ WorthRounds::Advice WorthRounds::advice(const WorthScale& scale) const {
         points.push_back({sample.point, kWorthKept * sample.weight});
     advice.guide = EmissionGuide::learned(std::move(points), kWorthGrowth)
                        .by_worth(trials, kWorthKept, kWorthGrowth)
-                       .mixed_with(over_casters_, kOverCasters);
+                       .mixed_with(over_casters_, over_casters);
     return advice;
 }
 

@@ -42,7 +42,8 @@ public:
         EmissionGuide guide;
         std::vector<Part> parts;  // sum to one, but for what a single trial may not have
     };
-    Advice advice(const WorthScale& scale) const;
+    /// @param over_casters  the share of paths that goes wherever casters are.
+    Advice advice(const WorthScale& scale, double over_casters) const;
 
 private:
     struct Round {

@@ -27,10 +27,12 @@ inline constexpr EmissionGuide::Growth kWorthGrowth{
     .uniform_share = 0.05, .least_gain = 4, .spread = 0.01};
 /// Of its mass: a lasting share of where samples of casters and trials were.
 inline constexpr double kWorthKept = 0.3;
-/// The guide of samples of casters alone, and its share of all paths.
+/// The guide of samples of casters alone, and its share of a pass's paths and of trials: these find
+/// what the guide misses.
 inline constexpr EmissionGuide::Growth kCasterGrowth{
     .uniform_share = 0.02, .least_gain = 4, .spread = 0.005};
 inline constexpr double kOverCasters = 0.1;
+inline constexpr double kOverCastersInTrials = 0.3;
 /// Of all trials' weight: one that met a hole of the guide must not become its only goal.
 inline constexpr double kMostOfAllWorth = 0.002;
 

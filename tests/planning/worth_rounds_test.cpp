@@ -54,8 +54,8 @@ protected:
         return sums[1] / sums[0];
     }
 
-    WorthRounds::Advice advice(const WorthRounds& rounds) const {
-        return rounds.advice({blocks_, unlit_, Objective::relative});
+    WorthRounds::Advice advice(const WorthRounds& rounds, double over_casters = 0.1) const {
+        return rounds.advice({blocks_, unlit_, Objective::relative}, over_casters);
     }
 
 private:
@@ -89,7 +89,9 @@ TEST_F(WorthRoundsTest, of_different_guides_and_sizes_are_one_sample) {
     EXPECT_NEAR(ratio(advice(rounds)), 3, 0.1);
     // Places of casters that have brought nothing keep a tenth of the paths, twice as dense as
     // uniform ones, beside what the tree leaves them.
-    EXPECT_GT(advice(rounds).guide.density({0.4, 0.5, 0.5, 0.5, 0.5}), 0.3);
+    const EmissionPoint unlit{0.4, 0.5, 0.5, 0.5, 0.5};
+    EXPECT_GT(advice(rounds).guide.density(unlit), 0.3);
+    EXPECT_GT(advice(rounds, 0.3).guide.density(unlit), advice(rounds).guide.density(unlit) + 0.3);
 }
 
 }  // namespace
