@@ -36,8 +36,7 @@ void add_error(const Progress& p, std::vector<Part>& parts) {
             parts.push_back({6, fmt::format("noise {} and bias {}", share_text(p.error->noise),
                                             share_text(p.error->bias))});
     } else if (p.target) {
-        parts.push_back(
-            {5, fmt::format("error known after {} passes", kTargetBatches * kBatchPasses)});
+        parts.push_back({5, fmt::format("error known after {} batches", kTargetBatches)});
     }
     if (p.target)
         parts.push_back({4, (p.error ? "target " : "target error ") + share_text(*p.target)});

@@ -2,9 +2,8 @@
 #include "film/bias.h"
 
 #include "core/parallel.h"
+#include "film/batch_sums.h"
 #include "film/luminance.h"
-#include "math/wavelengths.h"
-#include "visible_points/radius.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +21,19 @@ struct BatchMeans {
 /// The regression line through complete batches.
 struct Line {
     double slope = 0;
-    double variance = 0;  // residual variance of a batch
+    double variance = 0;  // residual variance of a pass
 };
 
-/// Returns the residual variance of a batch, from the sum of squares around the mean and the slope;
+/// Returns the residual variance of a pass, from the sum of squares around the mean and the slope;
 /// the fit takes two degrees of freedom.
 double residual_variance(double squares, double slope, const DiscAreas& areas) {
-    return std::max(0.0, squares - slope * slope * areas.squares) / (areas.batches - 2);
+    return std::max(0.0, squares - slope * slope * areas.squares) / (areas.complete.count - 2);
 }
 
 Line line_through(const BatchMeans& y, const DiscAreas& areas) {
-    const double slope = (y.mean_by_area - areas.mean * y.mean) * areas.batches / areas.squares;
-    const double squares = (y.mean_square - y.mean * y.mean) * areas.batches;
+    const double passes = areas.complete.passes;
+    const double slope = (y.mean_by_area - areas.mean * y.mean) * passes / areas.squares;
+    const double squares = (y.mean_square - y.mean * y.mean) * passes;
     return {slope, residual_variance(squares, slope, areas)};
 }
 
@@ -45,10 +45,9 @@ Bias bias_of(const BatchMeans& y, const DiscAreas& areas) {
 /// Returns means over complete batches of each block, summed over its pixels, without squares.
 std::vector<BatchMeans> block_sums(const Film& film, const BlockGrid& grid) {
     const FilmSums& sums = film.sums();
-    const double passes = film.complete_passes();
-    std::vector<std::pair<double, const FixedPoints*>> open;  // area, sums
-    for (const auto& [first, group] : sums.open_groups)
-        open.emplace_back(batch_area(first / kBatchPasses, film.key().alpha), &group.photon_blocks);
+    const double passes = film.batches().passes;
+    const std::vector<OpenPasses> open = passes_left_out(sums);
+    const FixedPoints& early = sums.early.photon_blocks_by_area;
     std::vector<BatchMeans> result(grid.count());
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum light;
@@ -57,14 +56,16 @@ std::vector<BatchMeans> block_sums(const Film& film, const BlockGrid& grid) {
             light += rgb_of(sums.photons.rgb, pixel);
             by_area += rgb_of(sums.photons.rgb_by_area, pixel);
         });
-        double of_open = 0;
-        for (const auto& [area, blocks] : open) {
-            const RgbSum part = rgb_of(*blocks, b);
+        double complete = by_area.mean_luminance(1);
+        for (const OpenPasses& group : open) {
+            const RgbSum part = rgb_of(group.sums->photon_blocks, b);
+            const PassRange batch = batch_range(group.first / kBatchPasses);
             light -= part;
-            of_open += area * part.mean_luminance(1);
+            complete -= area_of(batch, film.key().alpha) * part.mean_luminance(1);
         }
+        if (!early.empty()) complete += early[b].to_double();
         result[b].mean = light.mean_luminance(passes);
-        result[b].mean_by_area = (by_area.mean_luminance(1) - of_open) / passes;
+        result[b].mean_by_area = complete / passes;
     });
     return result;
 }
@@ -81,27 +82,39 @@ void for_blocks(const Film& film, const Visit& visit) {
     const BlockGrid grid(film.key(), kErrorBlock);
     const std::vector<BatchMeans> sums = block_sums(film, grid);
     const FixedPoints& squares = film.sums().photons.block_squares;
-    const auto batches = static_cast<double>(film.batches());
+    const FixedPoints& early = film.sums().early.photon_block_squares;
+    const double passes = film.batches().passes;
     for (std::size_t b = 0; b < grid.count(); ++b)
-        visit(b, means(sums[b], grid.block(b).pixels(), squares[b].to_double() / batches));
+        visit(b, means(sums[b], grid.block(b).pixels(), square_sum(squares, early, b) / passes));
 }
 
 /// Returns the variance of a mean minus its bias; the errors of mean and slope are uncorrelated.
-/// @param batch  variance of the luminance of a batch.
+/// @param pass  variance of the luminance of a pass.
 /// @param photons  variance of the photons' luminance.
-double extrapolated_error(double batch, double photons, const DiscAreas& areas) {
-    return std::sqrt(batch / areas.batches + photons * areas.bias_variance());
+double extrapolated_error(double pass, double photons, const DiscAreas& areas) {
+    return std::sqrt(pass / areas.complete.passes + photons * areas.bias_variance());
 }
 
 /// Returns the sum of squares of a quantity around its mean.
 double squares_around_mean(const MeanError& error, const DiscAreas& areas) {
-    return error.standard_error * error.standard_error * areas.batches * (areas.batches - 1);
+    const CompleteBatches& all = areas.complete;
+    return error.standard_error * error.standard_error * all.passes * (all.count - 1);
+}
+
+/// Returns nothing as long as early batches count.
+std::optional<DiscAreas> areas_of_whole_batches(const Film& film) {
+    if (has_early_batches(film.passes())) return {};
+    return disc_areas(film);
 }
 
 }  // namespace
 
+bool has_pixel_biases(const Film& film) {
+    return areas_of_whole_batches(film).has_value();
+}
+
 std::vector<std::array<double, 3>> pixel_biases(const Film& film) {
-    const auto areas = disc_areas(film);
+    const auto areas = areas_of_whole_batches(film);
     if (!areas) return {};
     const PhotonSums& sums = film.sums().photons;
     const double scale = areas->mean_of_passes / areas->divisor;
@@ -132,12 +145,14 @@ std::optional<Bias> image_bias(const Film& film) {
         total.mean_by_area += block.mean_by_area;
     }
     if (total.mean == 0 && is_lit(film.sums().aovs[0])) return {};
-    const double square = film.sums().photons.image_square.to_double() / areas->batches;
-    return bias_of(means(total, film.key().pixels(), square), *areas);
+    const FilmSums& sums = film.sums();
+    const double squares = square_sum(sums.photons.image_square, sums.early.photon_image_square);
+    const double mean_square = squares / areas->complete.passes;
+    return bias_of(means(total, film.key().pixels(), mean_square), *areas);
 }
 
 std::vector<double> extrapolated_pixel_errors(const Film& film) {
-    const auto areas = disc_areas(film);
+    const auto areas = areas_of_whole_batches(film);
     if (!areas) return {};
     const std::vector<MeanError> plain = pixel_errors(film);
     const auto biases = pixel_biases(film);
@@ -152,7 +167,7 @@ std::vector<double> extrapolated_pixel_errors(const Film& film) {
 }
 
 std::vector<double> extrapolated_block_errors(const Film& film) {
-    const auto areas = disc_areas(film);
+    const auto areas = areas_of_whole_batches(film);
     if (!areas) return {};
     const std::vector<MeanError> plain = block_errors(film);
     std::vector<double> errors(plain.size());

@@ -19,7 +19,11 @@
 
 namespace sunfleck::engine {
 
-/// Returns RGB to subtract from the mean of each pixel. Empty if disc_areas() has nothing.
+/// Returns whether the bias of pixels is known: from four whole batches on, if radii have shrunk.
+/// That of blocks and of the picture is known from early batches, too (batches.h).
+bool has_pixel_biases(const Film& film);
+
+/// Returns RGB to subtract from the mean of each pixel. Empty without has_pixel_biases().
 std::vector<std::array<double, 3>> pixel_biases(const Film& film);
 
 /// The bias of a luminance (to be subtracted), and its error.
@@ -44,10 +48,11 @@ std::optional<Bias> image_bias(const Film& film);
 
 /// Returns standard errors, not widened, of the corrected luminance of each pixel. They are not
 /// less than those of noisy sampled direct light, nor than those of a pixel that only an open batch
-/// has lit. Empty if disc_areas() has nothing.
+/// has lit. Empty without has_pixel_biases().
 std::vector<double> extrapolated_pixel_errors(const Film& film);
 
 /// Returns standard errors of the corrected luminance of each block, without that lower bound.
+/// Empty without has_pixel_biases().
 std::vector<double> extrapolated_block_errors(const Film& film);
 
 }  // namespace sunfleck::engine

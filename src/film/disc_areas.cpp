@@ -4,16 +4,26 @@
 #include "math/wavelengths.h"
 #include "visible_points/radius.h"
 
+#include <array>
+#include <vector>
+
 namespace sunfleck::engine {
 namespace {
 
-/// A batch, with sums over its passes in the film.
+/// A whole batch, with sums over its passes in the film.
 struct BatchAreas {
-    double mean = 0;  // over all passes of the batch
+    std::array<double, kBatchPasses> areas{};
     double held = 0;  // sum over its passes in the film
     double count = 0;
     double shown = 0;  // count and sum with the shares of passes in the picture
     double shown_areas = 0;
+
+    /// Returns the mean over passes [begin, end) of the batch.
+    double mean(std::uint64_t begin, std::uint64_t end) const {
+        double sum = 0;
+        for (std::uint64_t i = begin; i < end; ++i) sum += areas.at(i);
+        return sum / static_cast<double>(end - begin);
+    }
 };
 
 /// Advances to the next batch.
@@ -22,7 +32,7 @@ BatchAreas next_batch(const Film& film, std::uint64_t batch, DiscAreaSequence& a
     const PassRange range = batch_range(batch);
     for (std::uint64_t p = range.begin; p < range.end; ++p) {
         const double area = areas.next();
-        result.mean += area / kBatchPasses;
+        result.areas.at(p - range.begin) = area;
         if (film.passes().count_in({p, p + 1}) == 0) continue;
         const double share = film.share_of_pass(p);
         result.held += area;
@@ -39,46 +49,58 @@ struct Sums {
     double held = 0;   // areas of passes
     double shown = 0;  // count and areas of passes, with their shares in the picture
     double shown_areas = 0;
-    double means = 0;          // for each pass, the mean of its batch
-    double means_by_held = 0;  // areas of passes times those of their batches
-    double batches = 0;        // of complete batches: count, areas, and their squares
-    double areas = 0;
+    double means = 0;          // for each pass, the mean of its whole batch
+    double means_by_held = 0;  // areas of passes times those of their whole batches
+    double areas = 0;          // of complete batches, for each pass: areas, and their squares
     double squares = 0;
 
     void add(const BatchAreas& batch) {
+        const double mean = batch.mean(0, kBatchPasses);
         passes += batch.count;
         held += batch.held;
         shown += batch.shown;
         shown_areas += batch.shown_areas;
-        means += batch.count * batch.mean;
-        means_by_held += batch.mean * batch.held;
-        if (batch.count < kBatchPasses) return;
-        batches += 1;
-        areas += batch.mean;
-        squares += batch.mean * batch.mean;
+        means += batch.count * mean;
+        means_by_held += mean * batch.held;
+    }
+
+    void add_complete(double area, double count) {
+        areas += count * area;
+        squares += count * area * area;
     }
 };
+
+/// Adds the complete batches among the passes of a whole one.
+void add_complete(const BatchAreas& batch, const std::vector<PassRange>& early, Sums& sums) {
+    for (const PassRange& range : early)
+        sums.add_complete(batch.mean(range.begin, range.end), static_cast<double>(range.size()));
+    if (early.empty() && batch.count == kBatchPasses)
+        sums.add_complete(batch.mean(0, kBatchPasses), kBatchPasses);
+}
 
 }  // namespace
 
 std::optional<DiscAreas> disc_areas(const Film& film) {
-    if (!film.key().has_discs() || film.batches() < kBiasBatches) return {};
+    DiscAreas result{.complete = film.batches()};
+    if (!film.key().has_discs() || result.complete.count < kBiasBatches) return {};
     DiscAreaSequence areas(film.key().alpha);
     Sums sums;
+    const std::vector<PassRange> early = early_batches(film.passes());
     for (std::uint64_t batch = 0; batch_range(batch).begin < film.passes().ranges().back().end;
-         ++batch)
-        sums.add(next_batch(film, batch, areas));
-
-    DiscAreas result;
-    result.batches = sums.batches;
-    result.mean = sums.areas / sums.batches;
+         ++batch) {
+        const BatchAreas next = next_batch(film, batch, areas);
+        sums.add(next);
+        add_complete(next, batch == 0 ? early : std::vector<PassRange>(), sums);
+    }
+    result.mean = sums.areas / result.complete.passes;
     result.squares = sums.squares - sums.areas * result.mean;
     result.mean_of_passes = sums.shown_areas / sums.shown;
     result.share = sums.means / sums.passes;
-    result.divisor = sums.means_by_held - result.share * sums.held;
-    // The variance of a mean over batches is that of a batch over their number.
-    const double lever_squared = result.bias_variance() * result.batches;
-    if (!(result.squares > 0 && result.divisor > 0)) return {};
+    const bool are_whole = !has_early_batches(film.passes());
+    if (are_whole) result.divisor = sums.means_by_held - result.share * sums.held;
+    // The variance of a mean is that of a pass over their number.
+    const double lever_squared = result.bias_variance() * result.complete.passes;
+    if (!(result.squares > 0) || (are_whole && !(result.divisor > 0))) return {};
     if (!(lever_squared <= kLargestLever * kLargestLever)) return {};
     return result;
 }

@@ -4,7 +4,7 @@
 // To first order the mean light of photons is linear in the disc area s, y = a + c s
 // (docs/method/errors.md): c s is the bias, a the unbiased light. For a batch, s is the mean over
 // its passes. In the mean of the picture each pass has its share in the picture
-// (Film::share_of_pass()).
+// (Film::share_of_pass()). In the regression a batch counts as often as it has passes.
 // Equations: docs/method/errors.md, eqs. (28) and (32).
 #pragma once
 
@@ -22,17 +22,17 @@ inline constexpr std::uint64_t kBiasBatches = 4;
 inline constexpr double kLargestLever = 10;
 
 struct DiscAreas {
-    double batches = 0;         // count of complete batches
-    double mean = 0;            // mean area over complete batches
-    double squares = 0;         // sum of (s - mean)^2 over complete batches
+    CompleteBatches complete;
+    double mean = 0;            // area over complete batches
+    double squares = 0;         // sum of (s - mean)^2 over the passes of complete batches
     double mean_of_passes = 0;  // of the picture: times the slope, its bias
 
-    // With sums Y of light and M of light times the area of its batch, over all passes, the slope
-    // is (M - share Y) / divisor. Both sums are linear in a and c, so the slope is unbiased.
+    // With sums Y of light and M of light times the area of its whole batch, over all passes, the
+    // slope is (M - share Y) / divisor. Both sums are linear in a and c, so the slope is unbiased.
     double share = 0;
-    double divisor = 0;
+    double divisor = 0;  // zero as long as early batches count
 
-    /// Returns the variance of the bias over that of a batch.
+    /// Returns the variance of the bias over that of a pass.
     double bias_variance() const { return mean_of_passes * mean_of_passes / squares; }
 };
 

@@ -2,6 +2,7 @@
 #include "film/error_bars.h"
 
 #include "core/parallel.h"
+#include "film/batch_sums.h"
 #include "film/luminance.h"
 
 #include <algorithm>
@@ -10,18 +11,26 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Returns the exact sum of a pixel over the passes of complete batches.
-RgbSum complete_sum(const FilmSums& sums, std::size_t pixel) {
-    RgbSum rgb = rgb_of(sums.aovs[0], pixel);
-    for (const auto& [first, group] : sums.open_groups) rgb -= rgb_of(group.aovs[0], pixel);
-    return rgb;
-}
+/// Exact sums of pixels over the passes of complete batches.
+class CompleteSums {
+public:
+    explicit CompleteSums(const FilmSums& sums) : sums_(sums), left_out_(passes_left_out(sums)) {}
 
-/// @param batches  number of complete batches.
-MeanError mean_error(double mean, const FixedPoint& squares, std::uint64_t batches) {
-    const auto n = static_cast<double>(batches);
-    const double variance = squares.to_double() / n - mean * mean;
-    return {mean, std::sqrt(std::max(0.0, variance) / (n - 1))};
+    RgbSum operator[](std::size_t pixel) const {
+        RgbSum rgb = rgb_of(sums_.aovs[0], pixel);
+        for (const OpenPasses& open : left_out_) rgb -= rgb_of(open.sums->aovs[0], pixel);
+        return rgb;
+    }
+
+private:
+    const FilmSums& sums_;
+    std::vector<OpenPasses> left_out_;
+};
+
+/// @param squares  of the means of batches, each times the passes of its batch.
+MeanError mean_error(double mean, double squares, const CompleteBatches& batches) {
+    const double variance = squares / batches.passes - mean * mean;
+    return {mean, std::sqrt(std::max(0.0, variance) / (batches.count - 1))};
 }
 
 /// Returns the luminance of each block, summed over its pixels, over `passes` passes.
@@ -43,8 +52,9 @@ double total(const std::vector<double>& terms) {
 }
 
 std::vector<double> complete_block_sums(const Film& film) {
-    return block_sums(BlockGrid(film.key(), kErrorBlock), film.complete_passes(),
-                      [&](std::size_t pixel) { return complete_sum(film.sums(), pixel); });
+    const CompleteSums sums(film.sums());
+    return block_sums(BlockGrid(film.key(), kErrorBlock), film.batches().passes,
+                      [&](std::size_t pixel) { return sums[pixel]; });
 }
 
 /// Returns the mean luminance of all pixels. @param rgb  of each, over passes.
@@ -65,44 +75,49 @@ bool is_lit(const FixedPoints& sums) {
 }
 
 std::vector<MeanError> pixel_errors(const Film& film) {
-    const std::uint64_t batches = film.batches();
-    if (batches < 2) return {};
-    const double passes = film.complete_passes();
+    const CompleteBatches batches = film.batches();
+    if (batches.count < 2) return {};
+    const FilmSums& sums = film.sums();
+    const CompleteSums complete(sums);
     const auto all_passes = static_cast<double>(film.pass_count());
     std::vector<MeanError> errors(film.key().pixels());
     parallel_blocks(errors.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const double mean = complete_sum(film.sums(), i).mean_luminance(passes);
-            errors[i] = mean_error(mean, film.sums().pixel_squares[i], batches);
+            const double mean = complete[i].mean_luminance(batches.passes);
+            const double squares = square_sum(sums.pixel_squares, sums.early.pixel_squares, i);
+            errors[i] = mean_error(mean, squares, batches);
             // If all light is in one of n batches, the standard error equals the mean, whatever n
             // is.
             if (mean == 0 && errors[i].standard_error == 0)
                 errors[i].standard_error =
-                    std::abs(rgb_of(film.sums().aovs[0], i).mean_luminance(all_passes));
+                    std::abs(rgb_of(sums.aovs[0], i).mean_luminance(all_passes));
         }
     });
     return errors;
 }
 
 std::vector<MeanError> block_errors(const Film& film) {
-    const std::uint64_t batches = film.batches();
-    if (batches < 2) return {};
+    const CompleteBatches batches = film.batches();
+    if (batches.count < 2) return {};
+    const FilmSums& sums = film.sums();
     const BlockGrid grid(film.key(), kErrorBlock);
-    const std::vector<double> sums = complete_block_sums(film);
+    const std::vector<double> means = complete_block_sums(film);
     std::vector<MeanError> errors(grid.count());
     for (std::size_t b = 0; b < errors.size(); ++b) {
-        const double mean = sums[b] / static_cast<double>(grid.block(b).pixels());
-        errors[b] = mean_error(mean, film.sums().block_squares[b], batches);
+        const double mean = means[b] / static_cast<double>(grid.block(b).pixels());
+        const double squares = square_sum(sums.block_squares, sums.early.block_squares, b);
+        errors[b] = mean_error(mean, squares, batches);
     }
     return errors;
 }
 
 std::optional<MeanError> image_error(const Film& film) {
-    const std::uint64_t batches = film.batches();
-    if (batches < 2) return {};
+    const CompleteBatches batches = film.batches();
+    if (batches.count < 2) return {};
+    const FilmSums& sums = film.sums();
     const double mean = total(complete_block_sums(film)) / static_cast<double>(film.key().pixels());
-    if (mean == 0 && is_lit(film.sums().aovs[0])) return {};
-    return mean_error(mean, film.sums().image_square, batches);
+    if (mean == 0 && is_lit(sums.aovs[0])) return {};
+    return mean_error(mean, square_sum(sums.image_square, sums.early.image_square), batches);
 }
 
 double image_mean(const Film& film) {

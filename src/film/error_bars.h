@@ -1,13 +1,14 @@
 // Error bars: standard errors by batch means, from the complete batches of a film.
 //
-// A quantity y (luminance of a pixel, a block, the picture) has the mean m over n batches, and the
-// sum q of its squares; the standard error of the mean is sqrt((q/n - m^2) / (n - 1)). It also
-// holds if batches differ in variance, as they do while radii shrink and plans change. With few
+// A quantity y (luminance of a pixel, a block, the picture) has the mean m over the n passes of b
+// batches, and the sum q of the squared means of batches, each times its passes; the standard error
+// of the mean is sqrt((q/n - m^2) / (b - 1)). It also holds if batches of equal length differ in
+// variance, as they do while radii shrink and plans change. With few
 // batches the standard error is itself uncertain: reported errors are widened by Student's t
 // (widening()); errors used in computations are not, because their square is unbiased. The
 // precision of y is about 2^-26 relative and 2^-32 absolute (the unit of the squares is 2^-64).
 // Source: Conway 1963; Schmeiser 1982 (batch means).
-// Equations: docs/method/errors.md, eq. (26).
+// Equations: docs/method/errors.md, eqs. (26) and (27).
 #pragma once
 
 #include "film/film.h"
@@ -32,7 +33,7 @@ struct MeanError {
 /// Returns the degrees of freedom of standard errors: complete batches minus one.
 /// @param film  with at least two complete batches.
 inline double error_degrees(const Film& film) {
-    return static_cast<double>(film.batches()) - 1;
+    return film.batches().count - 1;
 }
 
 /// Returns the factor that widens reported standard errors, so that the true mean is within two of

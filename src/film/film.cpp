@@ -5,13 +5,18 @@
 #include "film/pass_terms.h"
 #include "math/wavelengths.h"
 #include "sunfleck/error.h"
-#include "visible_points/radius.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace sunfleck::engine {
 namespace {
+
+/// Adds each term to its sum. @param terms  empty, or as many arrays of the same sizes.
+void add_all(const std::vector<std::span<FixedPoint>>& sums,
+             const std::vector<std::span<const FixedPoint>>& terms) {
+    for (std::size_t i = 0; i < terms.size(); ++i) add_all(sums[i], terms[i]);
+}
 
 void check_image(const FilmKey& key, std::uint32_t number, const PassImage& image) {
     const SourceLocation where{"pass " + std::to_string(number)};
@@ -66,33 +71,15 @@ void add_aovs(Sums& sums, const PassImage& image) {
 
 }  // namespace
 
-PassRange batch_range(std::uint64_t batch) {
-    return {batch * kBatchPasses, (batch + 1) * kBatchPasses};
-}
-
-std::uint64_t complete_batches(const PassSet& passes) {
-    std::uint64_t batches = 0;
-    for (const PassRange& range : passes.ranges()) {
-        const std::uint64_t first = (range.begin + kBatchPasses - 1) / kBatchPasses;
-        const std::uint64_t end = range.end / kBatchPasses;
-        if (end > first) batches += end - first;
-    }
-    return batches;
-}
-
 Film::Film(FilmKey key) : sums_(empty_sums(std::move(key))) {}
 
-std::uint64_t Film::batches() const {
-    return key().sequential ? 0 : complete_batches(sums_.passes);
-}
-
-double Film::complete_passes() const {
-    return static_cast<double>(batches() * kBatchPasses);
+CompleteBatches Film::batches() const {
+    return key().sequential ? CompleteBatches() : complete_batches(sums_.passes);
 }
 
 double Film::share_of_pass(std::uint64_t number) const {
     const PassSet& passes = sums_.passes;
-    if (batches() > 0) return share_of_group(passes, group_of(passes, number));
+    if (whole_batches(passes) > 0) return share_of_group(passes, group_of(passes, number));
     const auto held = [&](std::uint64_t pass) {
         return passes.count_in(batch_range(pass / kBatchPasses));
     };
@@ -134,57 +121,83 @@ void Film::add_pass(std::uint32_t number, const PassImage& image) {
     add_aovs(sums_, image);
     count("dropped_nonfinite", image.dropped());
     count("saturated", image.saturated());
+    const std::vector<PassRange> early = early_batches(sums_.passes);
     sums_.passes.insert(range);
     if (key().sequential) return;
-    join_groups();
-    const auto [place, is_new] =
-        sums_.open_groups.try_emplace(group_of(sums_.passes, number).begin);
+    const auto [place, is_new] = sums_.open_groups.try_emplace(smallest_group(number).begin);
     OpenGroup& group = place->second;
     if (is_new) group = empty_group(key());
     add_aovs(group, image);
     if (key().has_discs()) {
-        const double area = batch_area(number / kBatchPasses, key().alpha);
+        const double area = area_of(batch_range(number / kBatchPasses), key().alpha);
         count("saturated", add_photons(sums_, image, area, group));
     }
+    close_early_batches(early);
+    join_groups();
     close_batches();
 }
 
-/// Adds sums of passes of one group. @param number  of any of its passes, or the first of a smaller
-/// group.
-void Film::add_group(std::uint64_t number, OpenGroup group) {
-    const std::uint64_t first = group_of(sums_.passes, number).begin;
+/// Adds sums of passes of one group. @param first  its first pass.
+void Film::add_group(std::uint64_t first, OpenGroup group) {
     const auto [place, is_new] = sums_.open_groups.try_emplace(first, std::move(group));
     if (is_new) return;
-    const auto sums = arrays(place->second);
-    const auto terms = arrays(std::as_const(group));
-    for (std::size_t i = 0; i < sums.size(); ++i) add_all(sums[i], terms[i]);
+    add_all(arrays(place->second), arrays(std::as_const(group)));
+}
+
+/// Adds early batches that passes have completed. Their groups are not joined yet.
+/// @param before  those that are added.
+void Film::close_early_batches(const std::vector<PassRange>& before) {
+    EarlySums& early = sums_.early;
+    if (early.pixel_squares.empty()) early = empty_early_sums(key(), sums_.passes);
+    for (const PassRange& batch : early_batches(sums_.passes)) {
+        if (std::find(before.begin(), before.end(), batch) != before.end()) continue;
+        const OpenGroup& group = sums_.open_groups.at(batch.begin);
+        const auto passes = static_cast<double>(batch.size());
+        add_squares(key(), group, passes, passes, squares_of_early(sums_));
+        if (key().has_discs())
+            add_early_area(sums_, group,
+                           area_of(batch, key().alpha) - area_of(batch_range(0), key().alpha));
+    }
 }
 
 /// Merges groups after passes were added.
 void Film::join_groups() {
     for (auto& [first, group] : std::exchange(sums_.open_groups, {}))
-        add_group(first, std::move(group));
+        add_group(group_of(sums_.passes, first).begin, std::move(group));
 }
 
 void Film::close_batches() {
+    const bool are_early = has_early_batches(sums_.passes);
     for (auto group = sums_.open_groups.begin(); group != sums_.open_groups.end();) {
         const std::uint64_t batch = group->first / kBatchPasses;
         const bool complete = sums_.passes.count_in(batch_range(batch)) == kBatchPasses;
-        if (complete) count("saturated_squares", add_squares(sums_, group->second));
+        if (complete) {
+            const auto add = [&](double factor, const SquareSums& sums) {
+                return add_squares(key(), group->second, kBatchPasses, factor, sums);
+            };
+            count("saturated_squares", add(1, squares_of_whole(sums_)));
+            if (batch == 0 && are_early) add(-double{kBatchPasses}, squares_of_early(sums_));
+        }
         group = complete ? sums_.open_groups.erase(group) : std::next(group);
     }
+    if (!are_early) sums_.early = {};
 }
 
 void Film::merge(const Film& other, const std::string& other_name) {
     const FilmSums& from = other.sums_;
     check_parts(sums_, from, other_name);
-    const auto sums = total_arrays(sums_);
-    const auto terms = total_arrays(from);
-    for (std::size_t i = 0; i < sums.size(); ++i) add_all(sums[i], terms[i]);
+    add_all(total_arrays(sums_), total_arrays(from));
     for (const auto& [name, value] : from.statistics) sums_.statistics[name] += value;
+    std::vector<PassRange> early = early_batches(sums_.passes);
+    for (const PassRange& batch : early_batches(from.passes)) early.push_back(batch);
     for (const PassRange& range : from.passes.ranges()) sums_.passes.insert(range);
-    join_groups();
+    if (sums_.early.pixel_squares.empty())
+        sums_.early = from.early;
+    else
+        add_all(arrays(sums_.early), arrays(from.early));
     for (const auto& [first, group] : from.open_groups) add_group(first, group);
+    close_early_batches(early);
+    join_groups();
     close_batches();
 }
 

@@ -4,12 +4,12 @@
 // The unit is 2^-64, the range of a pixel's sum [-2^63, 2^63). Terms of a PassImage are at most
 // 2^47 (core/exact_sum.h), so 2^16 passes fit even if a pixel has such a term in every pass.
 //
-// Batches of kBatchPasses passes are the independent samples of error bars (batch means). When a
+// Batches of passes are the independent samples of error bars (batches.h; batch means). When a
 // batch is complete, its mean luminance y is computed from its exact sums, for each pixel, each
 // block and the whole picture. y^2 is added to the sums of squares, rounded down to 2^-64 and at
-// most 2^47 (larger terms are clamped and counted). Until then the RGB sums of the batch are stored
-// beside the totals, by groups of passes. With gather discs, the same is done for the photons'
-// light, for blocks and the picture.
+// most 2^47 (larger terms are clamped, and those of whole batches counted). Until then the RGB sums
+// of the batch are stored beside the totals, by groups of passes. With gather discs, the same is
+// done for the photons' light, for blocks and the picture.
 //
 // In the picture, passes of an open batch count as far as the wavelengths of their group are evenly
 // spread (pass_groups.h), because other passes may have a wrong colour for lamps with spectral
@@ -19,6 +19,7 @@
 // batches.
 #pragma once
 
+#include "film/batches.h"
 #include "film/film_sums.h"
 
 #include <cstdint>
@@ -60,19 +61,18 @@ public:
     FilmSums sums() && { return std::move(sums_); }
     const PassSet& passes() const { return sums_.passes; }
     std::uint64_t pass_count() const { return sums_.passes.count(); }
-    /// Returns the number of complete batches; zero for a sequential film.
-    std::uint64_t batches() const;
-    /// Returns the number of their passes.
-    double complete_passes() const;
+    /// Returns the complete batches; none for a sequential film.
+    CompleteBatches batches() const;
     /// Returns the factor of a pass in the picture: share_of_group(), which is one for complete
-    /// batches. If no batch is complete, it is the number of passes of its batch over the largest
-    /// number.
+    /// whole batches. If no whole batch is complete, it is the number of passes of its batch over
+    /// the largest number.
     double share_of_pass(std::uint64_t number) const;
     /// Returns the number of passes in the picture, as the sum of share_of_pass() over all passes.
     double passes_in_picture() const;
 
 private:
-    void add_group(std::uint64_t number, OpenGroup group);
+    void add_group(std::uint64_t first, OpenGroup group);
+    void close_early_batches(const std::vector<PassRange>& before);
     void join_groups();
     void close_batches();
 
@@ -83,11 +83,5 @@ private:
 inline void merge(Film& film, const Film& other) {
     film.merge(other, "the other film");
 }
-
-/// Returns the passes of a batch.
-PassRange batch_range(std::uint64_t batch);
-
-/// Returns the number of complete batches in a set of passes.
-std::uint64_t complete_batches(const PassSet& passes);
 
 }  // namespace sunfleck::engine

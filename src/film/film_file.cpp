@@ -13,7 +13,10 @@ constexpr WordFileKind kKind{kFilmMagic, "film file",
                              "use another copy, or render its passes again"};
 
 /// Returns whether the sums fill the rest of the file; checked before they are allocated.
-bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_group_count) {
+bool sums_fill(std::uint64_t words, const FilmHead& head) {
+    const FilmKey& key = head.key;
+    const std::uint64_t open_group_count = open_groups(head).size();
+    const std::uint64_t early = !key.sequential && has_early_batches(head.passes) ? 1 : 0;
     const auto blocks = [](int pixels) {
         return static_cast<std::uint64_t>((pixels + kErrorBlock - 1) / kErrorBlock);
     };
@@ -21,11 +24,12 @@ bool sums_fill(std::uint64_t words, const FilmKey& key, std::uint64_t open_group
     std::uint64_t aovs = 3 * key.light_groups.size();
     for (std::size_t i = 0; i < kAovCount; ++i)
         if (key.has(i)) aovs += kAovs.at(i).channels.size();
-    const std::uint64_t a_pixel = 1 + 6 * discs + (1 + open_group_count) * aovs;
+    const std::uint64_t a_pixel = 1 + early + 6 * discs + (1 + open_group_count) * aovs;
     if (a_pixel > words / key.pixels()) return false;  // so that the product cannot overflow
-    const std::uint64_t a_block = 1 + discs + 3 * open_group_count * discs;
+    const std::uint64_t a_block =
+        1 + early + (1 + 2 * early) * discs + 3 * open_group_count * discs;
     return words == 2 * (a_pixel * key.pixels() + a_block * blocks(key.width) * blocks(key.height) +
-                         1 + discs);
+                         1 + discs + 2 * early);
 }
 
 }  // namespace
@@ -43,7 +47,7 @@ void write_film(const std::string& path, const Film& film) {
 
 Film take_film(WordReader& in) {
     FilmHead head = take_head(in);
-    if (!sums_fill(in.left(), head.key, open_groups(head).size())) in.damaged();
+    if (!sums_fill(in.left(), head)) in.damaged();
     FilmSums sums = empty_sums(std::move(head));
     for (const auto& array : all_arrays(sums)) in.fill(array);
     return Film(std::move(sums));

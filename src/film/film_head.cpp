@@ -10,7 +10,7 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::uint64_t kVersion = 8;
+constexpr std::uint64_t kVersion = 9;
 constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
@@ -118,6 +118,7 @@ FilmSums empty_sums(FilmHead head) {
     FilmSums sums = empty_sums(std::move(head.key));
     sums.passes = std::move(head.passes);
     sums.statistics = std::move(head.statistics);
+    sums.early = empty_early_sums(sums.key, sums.passes);
     for (const PassRange& group : open) sums.open_groups[group.begin] = empty_group(sums.key);
     return sums;
 }

@@ -1,6 +1,7 @@
 // Sizes and order of a film's arrays.
 #include "film/film_sums.h"
 
+#include "film/batches.h"
 #include "film/luminance.h"
 
 #include <utility>
@@ -33,9 +34,19 @@ std::vector<std::span<Sum>> totals(Sums& sums) {
     return all;
 }
 
+template <class Sum, class Early>
+std::vector<std::span<Sum>> of_early(Early& sums) {
+    if (sums.pixel_squares.empty()) return {};
+    std::vector<std::span<Sum>> all = {sums.pixel_squares, sums.block_squares};
+    all.insert(all.end(), {sums.photon_block_squares, sums.photon_blocks_by_area});
+    all.insert(all.end(), {{&sums.image_square, 1}, {&sums.photon_image_square, 1}});
+    return all;
+}
+
 template <class Sum, class Sums>
 std::vector<std::span<Sum>> everything(Sums& sums) {
     std::vector<std::span<Sum>> all = totals<Sum>(sums);
+    for (const auto& array : of_early<Sum>(sums.early)) all.push_back(array);
     for (auto& [first, group] : sums.open_groups)
         for (const auto& array : of_group<Sum>(group)) all.push_back(array);
     return all;
@@ -68,6 +79,18 @@ FilmSums empty_sums(FilmKey key) {
     return sums;
 }
 
+EarlySums empty_early_sums(const FilmKey& key, const PassSet& passes) {
+    EarlySums sums;
+    if (key.sequential || !has_early_batches(passes)) return sums;
+    const std::size_t blocks = BlockGrid(key, kErrorBlock).count();
+    sums.pixel_squares.resize(key.pixels());
+    sums.block_squares.resize(blocks);
+    if (!key.has_discs()) return sums;
+    sums.photon_block_squares.resize(blocks);
+    sums.photon_blocks_by_area.resize(blocks);
+    return sums;
+}
+
 OpenGroup empty_group(const FilmKey& key) {
     OpenGroup group;
     make_room(key, group);
@@ -81,6 +104,14 @@ std::vector<std::span<FixedPoint>> arrays(OpenGroup& group) {
 
 std::vector<std::span<const FixedPoint>> arrays(const OpenGroup& group) {
     return of_group<const FixedPoint>(group);
+}
+
+std::vector<std::span<FixedPoint>> arrays(EarlySums& sums) {
+    return of_early<FixedPoint>(sums);
+}
+
+std::vector<std::span<const FixedPoint>> arrays(const EarlySums& sums) {
+    return of_early<const FixedPoint>(sums);
 }
 
 std::vector<std::span<FixedPoint>> total_arrays(FilmSums& sums) {

@@ -12,7 +12,20 @@ namespace {
 /// Indices in a batch at which groups begin and end.
 constexpr std::array<std::uint64_t, 7> kEnds = {0, 1, 2, 4, 8, 12, kBatchPasses};
 
+/// Returns the index in kEnds at which the smallest group of a pass ends.
+std::size_t end_of(std::uint64_t index_in_batch) {
+    std::size_t end = 1;
+    while (index_in_batch >= kEnds[end]) ++end;
+    return end;
+}
+
 }  // namespace
+
+PassRange smallest_group(std::uint64_t pass) {
+    const std::uint64_t index = pass % kBatchPasses;
+    const std::size_t end = end_of(index);
+    return {pass - index + kEnds[end - 1], pass - index + kEnds[end]};
+}
 
 PassRange group_of(const PassSet& passes, std::uint64_t pass) {
     const std::uint64_t batch = pass / kBatchPasses * kBatchPasses;
@@ -20,8 +33,7 @@ PassRange group_of(const PassSet& passes, std::uint64_t pass) {
     while (next < kEnds.size() && passes.count_in({batch, batch + kEnds[next]}) == kEnds[next])
         ++next;
     if (pass < batch + kEnds[next - 1]) return {batch, batch + kEnds[next - 1]};
-    while (pass >= batch + kEnds[next]) ++next;
-    return {batch + kEnds[next - 1], batch + kEnds[next]};
+    return smallest_group(pass);
 }
 
 std::vector<PassRange> open_groups(const PassSet& passes) {

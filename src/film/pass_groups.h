@@ -17,6 +17,10 @@ namespace sunfleck::engine {
 /// @param passes  the set. @return the whole batch if it is complete.
 PassRange group_of(const PassSet& passes, std::uint64_t pass);
 
+/// Returns the group of that pass where no others are joined to it: pass 0 or 1 of a batch, or
+/// passes 2-3, 4-7, 8-11 or 12-15.
+PassRange smallest_group(std::uint64_t pass);
+
 /// Returns the groups of open batches that contain passes, ascending.
 std::vector<PassRange> open_groups(const PassSet& passes);
 

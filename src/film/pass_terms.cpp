@@ -91,27 +91,46 @@ std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, O
     return term.cut();
 }
 
-std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group) {
-    const BlockGrid grid(sums.key, kErrorBlock);
+SquareSums squares_of_whole(FilmSums& sums) {
+    return {sums.pixel_squares, sums.block_squares, sums.image_square, sums.photons.block_squares,
+            sums.photons.image_square};
+}
+
+SquareSums squares_of_early(FilmSums& sums) {
+    EarlySums& early = sums.early;
+    return {early.pixel_squares, early.block_squares, early.image_square,
+            early.photon_block_squares, early.photon_image_square};
+}
+
+std::uint64_t add_squares(const FilmKey& key, const OpenGroup& batch, double passes, double factor,
+                          const SquareSums& sums) {
+    const BlockGrid grid(key, kErrorBlock);
     std::vector<double> luminance(grid.count());  // over the block's pixels
     Terms term;
-    const auto square = [&](double y) { return term(y * y); };
+    const auto square = [&](double y) { return term(factor * (y * y)); };
     parallel_for(grid.count(), [&](std::size_t b) {
         RgbSum block;
         grid.for_pixels(b, [&](std::size_t pixel) {
-            const RgbSum rgb = rgb_of(group.aovs[0], pixel);
-            sums.pixel_squares[pixel] += square(rgb.mean_luminance(kBatchPasses));
+            const RgbSum rgb = rgb_of(batch.aovs[0], pixel);
+            sums.pixels[pixel] += square(rgb.mean_luminance(passes));
             block += rgb;
         });
-        luminance[b] = block.mean_luminance(kBatchPasses);
+        luminance[b] = block.mean_luminance(passes);
     });
-    sums.image_square += add_block_squares(
-        grid, [&](std::size_t b) { return luminance[b]; }, square, sums.block_squares);
-    if (!sums.key.has_discs()) return term.cut();
-    sums.photons.image_square += add_block_squares(
-        grid,
-        [&](std::size_t b) { return rgb_of(group.photon_blocks, b).mean_luminance(kBatchPasses); },
-        square, sums.photons.block_squares);
+    sums.image += add_block_squares(
+        grid, [&](std::size_t b) { return luminance[b]; }, square, sums.blocks);
+    if (!key.has_discs()) return term.cut();
+    sums.photon_image += add_block_squares(
+        grid, [&](std::size_t b) { return rgb_of(batch.photon_blocks, b).mean_luminance(passes); },
+        square, sums.photon_blocks);
+    return term.cut();
+}
+
+std::uint64_t add_early_area(FilmSums& sums, const OpenGroup& batch, double area) {
+    Terms term;
+    FixedPoints& by_area = sums.early.photon_blocks_by_area;
+    for (std::size_t b = 0; b < by_area.size(); ++b)
+        by_area[b] += term(rgb_of(batch.photon_blocks, b).mean_luminance(1) * area);
     return term.cut();
 }
 

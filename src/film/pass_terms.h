@@ -22,8 +22,28 @@ void add_light_group(FixedPoints& sums, const PassImage& image, std::size_t ligh
 /// @return the number of terms clamped to kLargestTerm.
 std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenGroup& group);
 
-/// Adds the squared luminance of a complete batch for pixels, blocks and the picture.
+/// Where squared luminances of batches are summed.
+struct SquareSums {
+    FixedPoints& pixels;
+    FixedPoints& blocks;
+    FixedPoint& image;
+    FixedPoints& photon_blocks;  // empty without discs
+    FixedPoint& photon_image;
+};
+
+/// Returns the sums of whole batches.
+SquareSums squares_of_whole(FilmSums& sums);
+/// Returns the sums of early batches.
+SquareSums squares_of_early(FilmSums& sums);
+
+/// Adds the squared mean luminance of a complete batch for pixels, blocks and the picture.
+/// @param passes  of the batch. @param factor  of each square.
 /// @return the number of terms clamped to kLargestTerm.
-std::uint64_t add_squares(FilmSums& sums, const OpenGroup& group);
+std::uint64_t add_squares(const FilmKey& key, const OpenGroup& batch, double passes, double factor,
+                          const SquareSums& sums);
+
+/// Adds photons' luminance of an early batch times an area.
+/// @return the number of terms clamped to kLargestTerm.
+std::uint64_t add_early_area(FilmSums& sums, const OpenGroup& batch, double area);
 
 }  // namespace sunfleck::engine

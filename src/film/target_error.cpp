@@ -74,7 +74,7 @@ double passes_left(const Film& film, const TargetError& error, double target, do
 }
 
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {
-    if (film.batches() < kTargetBatches || is_too_dim(film)) return {};
+    if (film.batches().count < kTargetBatches || is_too_dim(film)) return {};
     const std::vector<CountedBlock> counted = counted_blocks(film, terms.objective);
     if (counted.empty()) return {};
     TargetError error{noise_of(film, counted, terms.extrapolated), 0};

@@ -1,5 +1,5 @@
 // Student's t distribution, for confidence intervals where the standard error is estimated, too.
-// Equations: docs/method/errors.md, eq. (26).
+// Equations: docs/method/errors.md, eq. (27).
 #pragma once
 
 namespace sunfleck::engine {

@@ -1,6 +1,7 @@
 // Division of passes among ranks.
 #include "ranks/reduction_interval.h"
 
+#include "film/batches.h"
 #include "math/wavelengths.h"
 
 #include <algorithm>
@@ -17,8 +18,7 @@ PassRange block_of(const PassRange& interval, int rank, int size) {
 std::vector<PassRange> cut_at_batches(const PassRange& interval) {
     std::vector<PassRange> parts;
     for (std::uint64_t begin = interval.begin; begin < interval.end; begin = parts.back().end) {
-        const std::uint64_t batch_end = (begin / kBatchPasses + 1) * kBatchPasses;
-        parts.push_back({begin, std::min(interval.end, batch_end)});
+        parts.push_back({begin, std::min(interval.end, next_batch_end(begin))});
     }
     return parts;
 }

@@ -160,7 +160,8 @@ PassRange RenderScheduler::next_interval() {
 }
 
 void RenderScheduler::ask_error(std::uint64_t end) {
-    if (end % kBatchPasses == 0) progress_.error = target_error(state_.film, job_.stop.error_terms);
+    if (end > 0 && next_batch_end(end - 1) == end)
+        progress_.error = target_error(state_.film, job_.stop.error_terms);
 }
 
 bool RenderScheduler::reached_target(std::uint64_t end) {

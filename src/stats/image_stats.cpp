@@ -39,17 +39,18 @@ nlohmann::ordered_json image_json(const Film& film, ErrorTerms terms) {
         json["noise"] = error->noise;
         json["target_error"] = error->value();
     }
-    json["extrapolated"] = terms.extrapolated && disc_areas(film).has_value();
+    json["extrapolated"] = terms.extrapolated && has_pixel_biases(film);
     return json;
 }
 
 std::vector<std::string> extrapolation_warnings(const Film& film, bool wanted) {
-    if (!wanted || disc_areas(film)) return {};
+    if (!wanted || has_pixel_biases(film)) return {};
     const std::string what = "the picture is not extrapolated: ";
-    if (film.batches() < kBiasBatches)
+    const std::uint64_t batches = whole_batches(film.passes());
+    if (batches < kWholeBatches)
         return {what + fmt::format("its bias is known from {} complete batches of {} passes on, "
                                    "of which it has {}",
-                                   kBiasBatches, kBatchPasses, film.batches())};
+                                   kWholeBatches, kBatchPasses, batches)};
     return {what + "radii have hardly shrunk over its passes, so its bias is not known"};
 }
 

@@ -161,7 +161,7 @@ void add_render(const Film& film, const RunFacts& facts, Json& json) {
     json["passes"] = film.pass_count();
     for (const PassRange& range : film.passes().ranges())
         json["pass_ranges"].push_back({range.begin, range.end});
-    json["batches"] = film.batches();
+    json["batches"] = static_cast<std::uint64_t>(film.batches().count);
 }
 
 /// Returns the seconds of each stage. "photon" includes deposits, which are made while tracing.
@@ -227,14 +227,13 @@ std::vector<std::string> reliability_warnings(const Film& film) {
             "between {} passes: {:.2g} +- {:.2g}; the sum of the photons' light may be as "
             "uncertain",
             100 * visible.error / visible.value, film.pass_count(), visible.value, visible.error));
-    const auto error = image_error(film);
+    const auto error = film.batches().count < kTargetBatches ? std::nullopt : image_error(film);
     const double brightness = error ? widening(film) * error->standard_error : 0;
     if (error && error->mean > 0 && brightness > 0.05 * error->mean)
-        lines.push_back(fmt::format(
-            "the brightness of the whole picture is uncertain by {:.0f}%, "
-            "from {} batches of {} passes{}",
-            100 * brightness / error->mean, film.batches(), kBatchPasses,
-            film.batches() < kTargetBatches ? ", which are few: render more passes" : ""));
+        lines.push_back(
+            fmt::format("the brightness of the whole picture is uncertain by {:.0f}%, "
+                        "from {} batches of passes: render more",
+                        100 * brightness / error->mean, film.batches().count));
     if (is_too_dim(film))
         lines.push_back(
             fmt::format("the picture is so dark, {:.2g} on average, that its error bars "

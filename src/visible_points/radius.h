@@ -5,8 +5,6 @@
 // Equations: docs/method/method.md, eq. (3).
 #pragma once
 
-#include "math/wavelengths.h"
-
 #include <cmath>
 #include <cstdint>
 
@@ -38,13 +36,13 @@ inline double radius_factor(std::uint32_t pass, double alpha) {
     return std::sqrt(areas.next());
 }
 
-/// Returns the mean disc area over the passes of a batch, relative to pass 0.
-inline double batch_area(std::uint64_t batch, double alpha) {
+/// Returns the mean disc area over passes [begin, end), relative to pass 0. @param end  > begin.
+inline double mean_area(std::uint64_t begin, std::uint64_t end, double alpha) {
     DiscAreaSequence areas(alpha);
-    for (std::uint64_t p = 0; p < batch * kBatchPasses; ++p) areas.next();
+    for (std::uint64_t p = 0; p < begin; ++p) areas.next();
     double sum = 0;
-    for (std::uint32_t p = 0; p < kBatchPasses; ++p) sum += areas.next();
-    return sum / kBatchPasses;
+    for (std::uint64_t p = begin; p < end; ++p) sum += areas.next();
+    return sum / static_cast<double>(end - begin);
 }
 
 }  // namespace sunfleck::engine

@@ -141,7 +141,7 @@ TEST_F(Flags, crop_shows_the_same_part) {
 }
 
 TEST_F(Flags, aovs) {
-    EXPECT_EQ(rendered({}).picture.channels.size(), 3U);
+    EXPECT_EQ(rendered({}).picture.channels.size(), 4U);  // the error, too
     const Picture picture = rendered({"--aovs", "direct,caustic,indirect,emission,depth"}).picture;
     for (const char* name : {"R", "direct.R", "caustic.G", "indirect.B", "emission.R", "depth.Z"})
         EXPECT_NE(picture.find(name), nullptr) << name;

@@ -130,7 +130,7 @@ TEST_F(LightGroupsApp, more_lights_than_layers_are_refused) {
 
 /// The sun outside switched off is nearly the scene without it.
 TEST_F(LightGroupsApp, a_lamp_is_dimmed_after_the_render) {
-    part("lit", "0:2", 2);
+    part("lit", "0:1", 2);
     const Picture lit = read_exr(path("lit.exr"));
     const Ran ran = run({"relight", "lit.exr", "light1=0.5", "light2=1,0,2", "-o", "dim.exr", "-o",
                          "dim.png", "--exposure", "1"});

@@ -58,13 +58,32 @@ TEST(Bias, of_a_line_without_noise_is_found) {
     EXPECT_LT(extrapolated_pixel_errors(film)[80], 1e-4);
 }
 
+/// From early batches that of blocks and of the picture is known, whatever open ones hold.
+TEST(Bias, of_a_line_without_noise_is_found_early) {
+    for (const std::uint32_t passes : {8U, 11U, 16U, 41U, 63U}) {
+        const Film film = line_film(line_key(9, 9, 1), numbers(0, passes), [](std::size_t i) {
+            return Line{1, static_cast<double>(i) / 10};
+        });
+        const auto areas = disc_areas(film);
+        ASSERT_TRUE(areas);
+        const auto blocks = block_biases(film);
+        ASSERT_EQ(blocks.size(), 4U);
+        EXPECT_NEAR(blocks[0].value, 3.5 * areas->mean_of_passes, 1e-5) << passes;
+        EXPECT_NEAR(image_bias(film)->value, 4 * areas->mean_of_passes, 1e-5) << passes;
+        EXPECT_LT(image_bias(film)->standard_error, 1e-4) << passes;
+        EXPECT_TRUE(pixel_biases(film).empty());
+    }
+}
+
 TEST(Bias, is_not_known_from_too_few_batches) {
-    const Film film = testing_support::film_of(testing_support::small_key(), numbers(0, 63));
-    EXPECT_TRUE(pixel_biases(film).empty());
-    EXPECT_TRUE(block_biases(film).empty());
-    EXPECT_FALSE(image_bias(film));
-    EXPECT_TRUE(extrapolated_pixel_errors(film).empty());
-    EXPECT_TRUE(extrapolated_block_errors(film).empty());
+    for (const auto& passes : {numbers(0, 7), numbers(16, 79)}) {
+        const Film film = testing_support::film_of(testing_support::small_key(), passes);
+        EXPECT_TRUE(pixel_biases(film).empty());
+        EXPECT_TRUE(block_biases(film).empty());
+        EXPECT_FALSE(image_bias(film));
+        EXPECT_TRUE(extrapolated_pixel_errors(film).empty());
+        EXPECT_TRUE(extrapolated_block_errors(film).empty());
+    }
 }
 
 TEST(Bias, is_not_known_where_photons_have_lit_an_open_batch_alone) {

@@ -33,12 +33,12 @@ TEST(DiscAreas, are_sums_over_batches_and_passes) {
     double mean = 0;
     double squares = 0;
     for (const std::uint32_t batch : {0U, 1U, 3U, 4U, 5U}) {
-        mean += batch_area(batch, 2.0 / 3) / 5;
-        squares += std::pow(batch_area(batch, 2.0 / 3), 2);
+        mean += area_of(batch_range(batch), 2.0 / 3) / 5;
+        squares += std::pow(area_of(batch_range(batch), 2.0 / 3), 2);
     }
-    EXPECT_EQ(areas->batches, 5);
+    EXPECT_EQ(areas->complete.count, 5);
     EXPECT_NEAR(areas->mean, mean, 1e-14);
-    EXPECT_NEAR(areas->squares, squares - 5 * mean * mean, 1e-14);
+    EXPECT_NEAR(areas->squares, 16 * (squares - 5 * mean * mean), 1e-13);
     double of_picture = 0;
     double count = 0;
     for (const std::uint32_t pass : passes) {
@@ -50,9 +50,30 @@ TEST(DiscAreas, are_sums_over_batches_and_passes) {
     EXPECT_NEAR(areas->mean_of_passes, of_picture / count, 1e-14);
 }
 
+/// Of passes 0 to 39: six early batches, and a whole one.
+TEST(DiscAreas, of_early_batches_count_as_often_as_these_have_passes) {
+    const auto areas = disc_areas(dark(numbers(0, 40)));
+    ASSERT_TRUE(areas);
+    EXPECT_EQ(areas->complete.passes, 32);
+    double mean = 0;
+    double squares = 0;
+    for (const PassRange& batch :
+         {PassRange{0, 1}, {1, 2}, {2, 4}, {4, 8}, {8, 12}, {12, 16}, {16, 32}}) {
+        double of_batch = 0;
+        for (std::uint64_t pass = batch.begin; pass < batch.end; ++pass)
+            of_batch += area(static_cast<std::uint32_t>(pass)) / static_cast<double>(batch.size());
+        mean += of_batch * static_cast<double>(batch.size()) / 32;
+        squares += of_batch * of_batch * static_cast<double>(batch.size());
+    }
+    EXPECT_NEAR(areas->mean, mean, 1e-14);
+    EXPECT_NEAR(areas->squares, squares - 32 * mean * mean, 1e-13);
+    EXPECT_EQ(areas->divisor, 0) << "of pixels nothing is known";
+}
+
 TEST(DiscAreas, need_four_complete_batches_and_discs) {
-    EXPECT_FALSE(disc_areas(dark(numbers(0, 63))));
-    EXPECT_TRUE(disc_areas(dark(numbers(0, 64))));
+    EXPECT_FALSE(disc_areas(dark(numbers(0, 7))));
+    EXPECT_TRUE(disc_areas(dark(numbers(0, 8))));
+    EXPECT_FALSE(disc_areas(dark(numbers(16, 79))));
     FilmKey key = testing_support::small_key();
     key.alpha = 0;
     EXPECT_FALSE(disc_areas(testing_support::film_of(key, numbers(0, 64))));
@@ -62,7 +83,7 @@ TEST(DiscAreas, need_four_complete_batches_and_discs) {
 /// Over batches 0 to 3 a bias is known 3.4 times less well than a mean, over 4 to 7 19 times.
 TEST(DiscAreas, need_radii_that_shrink) {
     const auto areas = disc_areas(dark(numbers(0, 64)));
-    EXPECT_NEAR(std::sqrt(areas->bias_variance() * 4), 3.40, 0.01);
+    EXPECT_NEAR(std::sqrt(areas->bias_variance() * 64), 3.40, 0.01);
     EXPECT_FALSE(disc_areas(dark(numbers(64, 128))));
     EXPECT_FALSE(disc_areas(dark(numbers(0, 64), 0.95)));
 }

@@ -170,10 +170,10 @@ TEST_F(FilmFile, errors_are_one_clear_line) {
               std::string("fault.film") +
                   ": is not a film file, or is truncated or damaged; use another copy, "
                   "or render its passes again");
-    bytes[8] = 9;
+    bytes[8] = 8;
     EXPECT_EQ(fault_of(bytes), std::string("fault.film") +
-                                   ": is a film file of version 9; use the program that wrote "
-                                   "it; this one reads version 8");
+                                   ": is a film file of version 8; use the program that wrote "
+                                   "it; this one reads version 9");
     EXPECT_THROW(read_film(path("none.film")), Error);
 }
 

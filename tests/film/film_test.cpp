@@ -3,7 +3,6 @@
 
 #include "sunfleck/error.h"
 #include "synthetic.h"
-#include "visible_points/radius.h"
 
 #include <gtest/gtest.h>
 
@@ -80,13 +79,27 @@ TEST(Film, any_tree_of_merges_leaves_no_trace) {
     }
 }
 
+/// They are kept until four batches are whole.
+TEST(Film, early_batches_leave_no_trace) {
+    for (const std::uint32_t count : {63U, 70U}) {
+        std::vector<std::uint32_t> passes = numbers(0, count);
+        const Film in_order = film_of(small_key(), passes);
+        EXPECT_EQ(in_order.sums().early.pixel_squares.empty(), count >= 64);
+        shuffle(passes, count);
+        EXPECT_EQ(film_of(small_key(), passes).sums(), in_order.sums());
+        Film merged = film_of(small_key(), numbers(16, count));
+        merge(merged, film_of(small_key(), numbers(0, 16)));
+        EXPECT_EQ(merged.sums(), in_order.sums());
+    }
+}
+
 TEST(Film, ranks_that_take_every_nth_pass_leave_no_trace) {
     Film all(small_key());
     for (std::uint32_t rank = 0; rank < 5; ++rank) {
         std::vector<std::uint32_t> passes;
         for (std::uint32_t pass = rank; pass < kPasses; pass += 5) passes.push_back(pass);
         const Film part = film_of(small_key(), passes);
-        EXPECT_EQ(part.batches(), 0U);
+        EXPECT_EQ(whole_batches(part.passes()), 0U);
         merge(all, part);
     }
     EXPECT_EQ(all.sums(), whole().sums());
@@ -99,10 +112,10 @@ std::vector<std::uint64_t> firsts_of_groups(const Film& film) {
 }
 
 TEST(Film, only_groups_of_incomplete_batches_keep_their_own_sums) {
-    EXPECT_EQ(whole().batches(), 3U);
+    EXPECT_EQ(whole_batches(whole().passes()), 3U);
     EXPECT_EQ(firsts_of_groups(whole()), (std::vector<std::uint64_t>{48, 50}));
     const Film film = film_of(small_key(), numbers(15, 33));
-    EXPECT_EQ(film.batches(), 1U);
+    EXPECT_EQ(whole_batches(film.passes()), 1U);
     EXPECT_EQ(firsts_of_groups(film), (std::vector<std::uint64_t>{12, 32}));
 }
 
@@ -122,7 +135,7 @@ TEST(Film, what_photons_bring_is_summed_by_area) {
         EXPECT_EQ(sums.aovs[0][c].to_double(), 14 + 15);
         EXPECT_EQ(sums.photons.rgb[c].to_double(), 14);
         EXPECT_NEAR(sums.photons.rgb_by_area[c].to_double(),
-                    (2 + 4) * batch_area(0, 0.5) + 8 * batch_area(1, 0.5), 1e-15);
+                    (2 + 4) * area_of({0, 16}, 0.5) + 8 * area_of({16, 32}, 0.5), 1e-15);
         EXPECT_EQ(sums.open_groups.at(2).photon_blocks[c].to_double(), 2);
         EXPECT_EQ(sums.open_groups.at(4).photon_blocks[c].to_double(), 4);
         EXPECT_EQ(sums.open_groups.at(20).photon_blocks[c].to_double(), 8);

@@ -2,6 +2,7 @@
 #include "film/pass_groups.h"
 
 #include "math/wavelengths.h"
+#include "synthetic.h"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +11,8 @@
 namespace sunfleck::engine {
 namespace {
 
+using testing_support::set_of;
 using Ranges = std::vector<PassRange>;
-
-PassSet set_of(const Ranges& ranges) {
-    PassSet passes;
-    for (const PassRange& range : ranges) passes.insert(range);
-    return passes;
-}
 
 /// The largest gap between fractions of the wavelengths' distribution, over the mean gap.
 double largest_gap(const PassRange& group) {

@@ -41,14 +41,5 @@ TEST(PassSet, agrees_with_a_table) {
     }
 }
 
-TEST(PassSet, complete_batches) {
-    PassSet passes;
-    passes.insert({9, 20});
-    passes.insert({32, 64});
-    EXPECT_EQ(complete_batches(passes), 2U);
-    passes.insert({20, 32});
-    EXPECT_EQ(complete_batches(passes), 3U);
-}
-
 }  // namespace
 }  // namespace sunfleck::engine

@@ -47,18 +47,33 @@ inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes
     return film;
 }
 
-/// A film whose pass values are given by value(batch, pixel), grey.
+/// A film whose pass values are given by value(pass, pixel), grey.
 template <class Value>
-Film film_by_batch(int width, int height, std::uint32_t passes, const Value& value) {
+Film film_by_pass(int width, int height, std::uint32_t passes, const Value& value) {
     const FilmKey key{width, height, {}, 1, 0, ""};
     Film film(key);
     for (std::uint32_t pass = 0; pass < passes; ++pass) {
         PassImage image(key.pixels(), key.aovs);
         for (std::size_t i = 0; i < key.pixels(); ++i)
-            image.add_light(i, Vec3(value(pass / kBatchPasses, i)), Aov::direct);
+            image.add_light(i, Vec3(value(pass, i)), Aov::direct);
         film.add_pass(pass, image);
     }
     return film;
+}
+
+/// The same by value(batch, pixel), of whole batches.
+template <class Value>
+Film film_by_batch(int width, int height, std::uint32_t passes, const Value& value) {
+    return film_by_pass(width, height, passes, [&](std::uint32_t pass, std::size_t pixel) {
+        return value(pass / kBatchPasses, pixel);
+    });
+}
+
+/// Ranges are disjoint.
+inline PassSet set_of(const std::vector<PassRange>& ranges) {
+    PassSet passes;
+    for (const PassRange& range : ranges) passes.insert(range);
+    return passes;
 }
 
 inline std::vector<std::uint32_t> numbers(std::uint32_t begin, std::uint32_t end) {

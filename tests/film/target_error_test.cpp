@@ -19,8 +19,9 @@ using testing_support::numbers;
 
 TEST(TargetError, needs_four_batches) {
     const FilmKey key = testing_support::small_key();
-    EXPECT_FALSE(target_error(testing_support::film_of(key, numbers(0, 63)), {}).has_value());
-    EXPECT_TRUE(target_error(testing_support::film_of(key, numbers(0, 64)), {}).has_value());
+    EXPECT_FALSE(target_error(testing_support::film_of(key, numbers(0, 7)), {}).has_value());
+    EXPECT_TRUE(target_error(testing_support::film_of(key, numbers(0, 8)), {}).has_value());
+    EXPECT_FALSE(target_error(testing_support::film_of(key, numbers(16, 79)), {}).has_value());
 }
 
 /// 40 bright blocks whose relative error rises from 1 to 40 steps; 10 dark ones of wild error.
@@ -127,7 +128,7 @@ TEST(TargetError, says_how_many_passes_are_left_of_a_film) {
 TEST(TargetError, is_not_known_where_complete_batches_are_black) {
     const Film film = film_by_batch(
         8, 8, 70, [](std::uint32_t batch, std::size_t) { return batch < 4 ? 0.0F : 1.0F; });
-    EXPECT_EQ(film.batches(), kTargetBatches);
+    EXPECT_EQ(film.batches().count, kTargetBatches);
     EXPECT_FALSE(target_error(film, {}).has_value());
 }
 

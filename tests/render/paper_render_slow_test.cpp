@@ -128,7 +128,7 @@ TEST_F(PaperFiles, films_have_no_error_bars_and_stay_alone) {
     const Scene scene = one_island();
     const Film film = film_of(scene, paper(500), 64);
     EXPECT_EQ(film.pass_count(), 64U);
-    EXPECT_EQ(film.batches(), 0U);
+    EXPECT_EQ(film.batches().count, 0);
     EXPECT_TRUE(pixel_errors(film).empty());
     EXPECT_FALSE(image_error(film));
     EXPECT_FALSE(target_error(film, {}));

@@ -70,8 +70,9 @@ TEST(FilmTransfer, a_film_arrives_as_it_is) {
     });
 }
 
-/// docs/guide/clusters.md: 160.5 bytes a pixel, 48.75 for each group of an open batch, some
-/// hundreds for the head; 64.25 and 48 without discs; 48 for a light group.
+/// docs/guide/clusters.md: 160.5 bytes a pixel, 48.75 for each group of an open batch, 16.75 for
+/// early batches, some hundreds for the head; 64.25, 48 and 16.25 without discs; 48 for a light
+/// group.
 TEST(FilmTransfer, sends_the_sums_and_little_more) {
     FilmKey key = small_key(64, 64);
     key.aovs = {};
@@ -86,14 +87,16 @@ TEST(FilmTransfer, sends_the_sums_and_little_more) {
         });
     };
     constexpr double kPixels = 64.0 * 64;
-    EXPECT_NEAR(static_cast<double>(sent(0, 16)), 160.5 * kPixels + 300, 200);
-    EXPECT_NEAR(static_cast<double>(sent(5, 20)), (160.5 + 4 * 48.75) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(16, 32)), 160.5 * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(21, 36)), (160.5 + 4 * 48.75) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(0, 16)), (160.5 + 16.75) * kPixels + 300, 200);
     key.alpha = 0;
-    EXPECT_NEAR(static_cast<double>(sent(0, 16)), 64.25 * kPixels + 300, 200);
-    EXPECT_NEAR(static_cast<double>(sent(0, 20)), (64.25 + 48) * kPixels + 300, 200);
-    EXPECT_NEAR(static_cast<double>(sent(5, 20)), (64.25 + 4 * 48) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(0, 16)), (64.25 + 16.25) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(16, 32)), 64.25 * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(16, 36)), (64.25 + 48) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(21, 36)), (64.25 + 4 * 48) * kPixels + 300, 200);
     key.light_groups = {"sun", "lamp"};
-    EXPECT_NEAR(static_cast<double>(sent(0, 16)), (64.25 + 2 * 48) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(16, 32)), (64.25 + 2 * 48) * kPixels + 300, 200);
 }
 
 void expect_even_blocks(const PassRange& interval, int size) {
@@ -116,8 +119,10 @@ TEST(Turns, blocks_are_neighbours_of_even_length) {
 }
 
 TEST(Turns, are_cut_where_batches_end) {
-    EXPECT_EQ(cut_at_batches({0, 16}), (std::vector<PassRange>{{0, 16}}));
-    EXPECT_EQ(cut_at_batches({5, 9}), (std::vector<PassRange>{{5, 9}}));
+    EXPECT_EQ(cut_at_batches({16, 32}), (std::vector<PassRange>{{16, 32}}));
+    EXPECT_EQ(cut_at_batches({21, 25}), (std::vector<PassRange>{{21, 25}}));
+    EXPECT_EQ(cut_at_batches({0, 9}),
+              (std::vector<PassRange>{{0, 1}, {1, 2}, {2, 4}, {4, 8}, {8, 9}}));
     EXPECT_EQ(cut_at_batches({14, 50}),
               (std::vector<PassRange>{{14, 16}, {16, 32}, {32, 48}, {48, 50}}));
     EXPECT_EQ(common({3, 9}, {5, 20}), (PassRange{5, 9}));

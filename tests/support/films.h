@@ -9,8 +9,10 @@
 
 namespace sunfleck::engine::testing_support {
 
-inline Film film_of_batches(const Scene& scene, const RenderSettings& settings,
-                            std::uint32_t batches) {
+/// Calls see(film) after each pass.
+template <class See>
+void render_batches(const Scene& scene, const RenderSettings& settings, std::uint32_t batches,
+                    const See& see) {
     const PixelWindow window = window_of(scene.film());
     FilmKey key;
     key.width = window.width();
@@ -20,8 +22,17 @@ inline Film film_of_batches(const Scene& scene, const RenderSettings& settings,
     for (std::uint32_t p = 0; p < batches * kBatchPasses; ++p) {
         if (!epoch || epoch->number != epoch_of(p)) epoch = learn_epoch(scene, settings, p);
         add_pass(film, p, render_pass(scene, settings, p, *epoch));
+        see(film);
     }
-    return film;
+}
+
+inline Film film_of_batches(const Scene& scene, const RenderSettings& settings,
+                            std::uint32_t batches) {
+    std::optional<Film> last;
+    render_batches(scene, settings, batches, [&](const Film& film) {
+        if (film.pass_count() == batches * kBatchPasses) last = film;
+    });
+    return *std::move(last);
 }
 
 }  // namespace sunfleck::engine::testing_support
