@@ -121,9 +121,9 @@ TEST_F(Resume, files_that_cannot_be_used) {
     write_text(path("x.ckpt"), broken);
     expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"truncated or damaged"});
     broken = bytes;
-    broken[8] = 9;
+    broken[8] = 8;
     write_text(path("x.ckpt"), broken);
-    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"version 9", "reads version 8"});
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"version 8", "reads version 9"});
 }
 
 /// The same command once more by mistake does not cost the render.
