@@ -29,14 +29,17 @@ int trial_cells(std::size_t pixels) {
     return std::max(1, static_cast<int>(std::sqrt(static_cast<double>(pixels) / kPathsOfATrial)));
 }
 
-/// The first epoch is too short for trials as large as those of others; long ones can pay for more.
-AllocationRequest request_of(Objective objective, std::uint32_t epoch, std::size_t pixels) {
+/// The first epoch is too short for trials as large as those of others, and its trials cost no more
+/// in large pictures than in small ones. Long epochs can pay for more.
+/// @param paths  photon paths of a pass.
+AllocationRequest request_of(Objective objective, std::uint32_t epoch, std::size_t pixels,
+                             std::uint32_t paths) {
     AllocationRequest request{
         .objective = objective, .pixels = {}, .cells = pixels > kLargePicture ? 2 : 1};
     if (epoch == 0) {
-        request.cells = std::clamp(trial_cells(pixels), 2, kWidestCells);
+        request.cells = std::max(2, trial_cells(pixels));
         request.pixels.cells = std::max(kCellsOfFirstTrials, request.cells);
-        request.parts = kPartsOfFirstPhotons;
+        request.parts = std::max(kPartsOfFirstPhotons, paths / kMostPathsOfAFirstSet);
     }
     request.pixels.pairs_of_nets =
         std::clamp(first_pass_of(epoch) / kPassesOfAPairOfNets, 1U, kMostPairsOfNets);
@@ -145,7 +148,7 @@ Epoch EpochLearner::measured() {
 
 void EpochLearner::allocate_pixels() {
     const AllocationRequest request =
-        request_of(settings_.objective, epoch_.number, pass_.window.pixels());
+        request_of(settings_.objective, epoch_.number, pass_.window.pixels(), epoch_.paths);
     if (epoch_.paths < 2 * request.parts) return;
     // Noise is that of discs as narrow as those of passes.
     CameraPass first = pass_;

@@ -15,11 +15,11 @@ inline constexpr double kPathsOfATrial = 65'536;
 inline constexpr std::size_t kLargePicture = 1'000'000;  // pixels: trials see one in four
 
 // Trials.
-inline constexpr int kCellsOfPixelTrials = 2;  // one path per 2 x 2 pixels
-inline constexpr int kCellsOfFirstTrials = 3;  // in the first epoch
-inline constexpr int kWidestCells = 4;         // wider ones would not tell noise of small things
+inline constexpr int kCellsOfPixelTrials = 2;              // one path per 2 x 2 pixels
+inline constexpr int kCellsOfFirstTrials = 3;              // in the first epoch
 inline constexpr std::uint32_t kPartsOfPhotons = 4;        // a set has a fraction of a pass's paths
-inline constexpr std::uint32_t kPartsOfFirstPhotons = 16;  // in the first epoch
+inline constexpr std::uint32_t kPartsOfFirstPhotons = 16;  // in the first epoch, or more:
+inline constexpr std::uint32_t kMostPathsOfAFirstSet = 50'000;
 inline constexpr std::uint32_t kPassesOfAPairOfNets = 32;  // of those before an epoch
 inline constexpr std::uint32_t kMostPairsOfNets = 8;
 
