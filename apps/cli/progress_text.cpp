@@ -81,8 +81,10 @@ std::string state_text(std::uint64_t passes, double seconds, std::optional<Targe
                              : seconds < 9.95 ? fmt::format("{:.2g} s", seconds)
                                               : duration_text(seconds);
     std::string text = count_text(passes, "pass") + ", " + time;
-    if (error) text += fmt::format(", error {} (95% of blocks)", share_text(error->value()));
-    return text;
+    if (!error) return text;
+    text += fmt::format(", error {} (95% of blocks", share_text(error->value()));
+    if (error->of_dark) text += fmt::format("; {} of dark ones", share_text(*error->of_dark));
+    return text + ")";
 }
 
 std::string reading_text(double seconds, std::size_t width) {

@@ -16,16 +16,23 @@ struct CountedBlock {
     double scale;  // of its errors
 };
 
-std::vector<CountedBlock> counted_blocks(const Film& film, Objective objective) {
-    std::vector<CountedBlock> counted;
+struct CountedBlocks {
+    std::vector<CountedBlock> bright;
+    std::vector<CountedBlock> dark;
+};
+
+CountedBlocks counted_blocks(const Film& film, Objective objective) {
+    CountedBlocks counted;
     const auto image = image_error(film);
     if (!image || !(image->mean > 0)) return counted;
     const std::vector<MeanError> blocks = block_errors(film);
     for (std::size_t b = 0; b < blocks.size(); ++b)
         if (objective == Objective::absolute)
-            counted.push_back({b, blocks[b], image->mean});
-        else if (blocks[b].mean > 0.01 * image->mean)
-            counted.push_back({b, blocks[b], blocks[b].mean});
+            counted.bright.push_back({b, blocks[b], image->mean});
+        else if (blocks[b].mean > kDarkestThatCounts * image->mean)
+            counted.bright.push_back({b, blocks[b], blocks[b].mean});
+        else if (blocks[b].mean > kDarkest * image->mean)
+            counted.dark.push_back({b, blocks[b], blocks[b].mean});
     return counted;
 }
 
@@ -55,6 +62,14 @@ std::optional<double> bias_of(const Film& film, const std::vector<CountedBlock>&
     return std::sqrt(std::max(0.0, sum / static_cast<double>(counted.size())));
 }
 
+/// @param counted  at least one block.
+TargetError error_of(const Film& film, const std::vector<CountedBlock>& counted,
+                     const ErrorTerms& terms) {
+    TargetError error{noise_of(film, counted, terms.extrapolated)};
+    if (terms.bias && !terms.extrapolated) error.bias = bias_of(film, counted).value_or(0);
+    return error;
+}
+
 }  // namespace
 
 double times_passes_to(const TargetError& error, double target, double alpha) {
@@ -75,17 +90,17 @@ double passes_left(const Film& film, const TargetError& error, double target, do
 
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {
     if (film.batches().count < kTargetBatches || is_too_dim(film)) return {};
-    const std::vector<CountedBlock> counted = counted_blocks(film, terms.objective);
-    if (counted.empty()) return {};
-    TargetError error{noise_of(film, counted, terms.extrapolated), 0};
-    if (terms.bias && !terms.extrapolated) error.bias = bias_of(film, counted).value_or(0);
+    const CountedBlocks counted = counted_blocks(film, terms.objective);
+    if (counted.bright.empty()) return {};
+    TargetError error = error_of(film, counted.bright, terms);
+    if (!counted.dark.empty()) error.of_dark = error_of(film, counted.dark, terms).value();
     return error;
 }
 
 std::optional<double> relative_bias(const Film& film) {
-    const std::vector<CountedBlock> counted = counted_blocks(film, Objective::relative);
-    if (counted.empty()) return {};
-    return bias_of(film, counted);
+    const CountedBlocks counted = counted_blocks(film, Objective::relative);
+    if (counted.bright.empty()) return {};
+    return bias_of(film, counted.bright);
 }
 
 }  // namespace sunfleck::engine

@@ -20,12 +20,18 @@ struct ErrorTerms {
     Objective objective = Objective::relative;
 };
 
-/// Errors of blocks over the scale of the objective: the brightness of the block, of blocks
-/// brighter than 1% of the picture; or the brightness of the picture, of all blocks.
+/// Blocks count that are brighter than this share of the picture, as the objective has it
+/// (aovs/objective.h); the error of those darker, down to kDarkest, is told apart.
+inline constexpr double kDarkestThatCounts = 0.1;
+inline constexpr double kDarkest = 0.01;
+
+/// Errors of blocks over the scale of the objective: the brightness of the block, of blocks that
+/// are bright enough; or the brightness of the picture, of all blocks.
 struct TargetError {
     double noise = 0;  // the widened standard error below which 95% of these blocks are
     double bias = 0;   // as relative_bias(); zero if it does not count, does not exist, or is
                        // unknown
+    std::optional<double> of_dark{};  // value() of the dark blocks; none if there are no such
 
     double value() const { return std::sqrt(noise * noise + bias * bias); }
 };

@@ -86,7 +86,7 @@ std::vector<RenderFlag> end_flags() {
          .value = value_of("X%", read_share,
                            [](auto& r, const auto& error) { r.stop.target_error = error; }),
          .help = "End when the noise of 95% of the blocks and the bias together come to this "
-                 "relative error",
+                 "relative error; of blocks brighter than a tenth of the picture",
          .default_value = "2%, or after 10m, where no end is given",
          .needs = {refused_by_paper("the sampler paper has no error bars",
                                     "use --passes or --time")}},

@@ -38,6 +38,8 @@ nlohmann::ordered_json image_json(const Film& film, ErrorTerms terms) {
     if (const auto error = target_error(film, terms)) {
         json["noise"] = error->noise;
         json["target_error"] = error->value();
+        json["dark_error"] = nullptr;
+        if (error->of_dark) json["dark_error"] = *error->of_dark;
     }
     json["extrapolated"] = terms.extrapolated && has_pixel_biases(film);
     return json;

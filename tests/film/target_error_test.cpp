@@ -45,6 +45,18 @@ TEST(TargetError, of_noise_is_the_95th_percentile_of_bright_blocks) {
     EXPECT_FALSE(target_error(black, {}).has_value());
 }
 
+/// Blocks of a twentieth of the light, with an error of half of it.
+TEST(TargetError, of_dark_blocks_is_told_apart) {
+    const Film film = film_by_batch(400, 8, 64, [](std::uint32_t batch, std::size_t pixel) {
+        const float sign = batch % 2 == 0 ? 1.0F : -1.0F;
+        return pixel % 400 / 8 < 40 ? 1 + sign * 0.01F : 0.05F * (1 + sign * 0.5F);
+    });
+    const auto error = target_error(film, {});
+    EXPECT_NEAR(error->noise, 1.6534 * 0.01 / std::sqrt(3.0), 1e-4);
+    EXPECT_NEAR(error->of_dark.value_or(0), 1.6534 * 0.5 / std::sqrt(3.0), 1e-3);
+    EXPECT_FALSE(target_error(film_of_steps(), {})->of_dark) << "too dark to be told";
+}
+
 /// 48 of all 50 blocks are at or below the 38th bright one, and the picture's brightness is .8.
 TEST(TargetError, of_an_absolute_objective_is_over_the_brightness_of_the_picture) {
     ErrorTerms terms;
@@ -92,7 +104,7 @@ TEST(TargetError, square_of_the_bias_is_not_that_of_its_noise) {
         double truth = 0;
         for (std::uint64_t seed = 0; seed < 100; ++seed) {
             const Film film = line_film(line_key(128, 8, seed), numbers(0, 80),
-                                        [&](std::size_t) { return Line{1, slope, 0, 1, 0, 0}; });
+                                        [&](std::size_t) { return Line{1, slope, 0, 0.5, 0, 0}; });
             const double bias = slope * disc_areas(film)->mean_of_passes;
             truth = bias / (1 + bias);
             double square = 0;
