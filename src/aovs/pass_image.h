@@ -3,10 +3,11 @@
 // Terms are pixel values of this pass alone (radiance in linear sRGB, or a feature), already
 // divided by the number of photon paths. The film's picture is the mean over passes.
 //
-// Light of camera paths can be stored apart. The rest is gathered from photons, and it alone has
-// the bias of the gather radius.
+// Light of camera paths can be stored apart, by cells of pixels. The rest is gathered from photons,
+// and it alone has the bias of the gather radius.
 #pragma once
 
+#include "aovs/block_grid.h"
 #include "aovs/channels.h"
 #include "aovs/light_groups.h"
 #include "core/exact_sum.h"
@@ -16,6 +17,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -23,24 +25,31 @@ namespace sunfleck::engine {
 /// The measured AOVs; the total always is one.
 using AovSet = std::array<bool, kAovCount>;
 
+/// Returns the cells of 2 x 2 pixels for which photons' light is summed apart: discs are at least
+/// about as wide.
+inline BlockGrid photon_cells_of(int width, int height) {
+    return {width, height, 2};
+}
+
 class PassImage {
 public:
     using Pixel = std::array<AtomicFixedPoint, 3>;
 
-    /// @param photons_apart  true if by_photons() will be called.
+    /// @param photon_cells  of by_photons(), if it will be called.
     /// @param light_groups  their count.
-    PassImage(std::size_t pixels, const AovSet& wanted, bool photons_apart = false,
-              std::size_t light_groups = 0)
-        : pixels_(pixels) {
+    PassImage(std::size_t pixels, const AovSet& wanted,
+              const std::optional<BlockGrid>& photon_cells = {}, std::size_t light_groups = 0)
+        : pixels_(pixels), photon_cells_(photon_cells) {
         for (std::size_t i = 0; i < kAovCount; ++i)
             if (i == 0 || wanted.at(i)) aovs_.at(i) = std::vector<Pixel>(pixels);
-        if (photons_apart) by_camera_ = std::vector<Pixel>(pixels);
+        if (photon_cells) by_camera_ = std::vector<Pixel>(photon_cells->count());
         for (std::size_t i = 0; i < light_groups; ++i) lights_.emplace_back(pixels);
     }
 
     std::size_t pixels() const { return pixels_; }
     bool has(Aov aov) const { return !at(aov).empty(); }
-    bool photons_apart() const { return !by_camera_.empty(); }
+    /// Returns the number of cells of by_photons(), or zero.
+    std::size_t photon_cells() const { return by_camera_.size(); }
     std::size_t light_groups() const { return lights_.size(); }
 
     /// Adds to the total and, if measured, to the AOV of this light. A value that is not finite is
@@ -55,9 +64,9 @@ public:
     /// Calls add_light() for light of a camera path, not gathered from photons.
     void add_camera_light(std::size_t pixel, const Vec3& rgb, Aov owner) {
         add_light(pixel, rgb, owner);
-        if (!photons_apart() || !finite(rgb)) return;
+        if (!photon_cells_ || !finite(rgb)) return;
         for (unsigned c = 0; c < 3; ++c)
-            by_camera_[pixel][c].add(term_of(rgb[static_cast<int>(c)]));
+            by_camera_[photon_cells_->block_of(pixel)][c].add(term_of(rgb[static_cast<int>(c)]));
     }
 
     /// Adds a value that add_light() has added before to the group of its light; it is clamped or
@@ -105,10 +114,12 @@ public:
         return lights_[light_group][pixel][channel].value();
     }
 
-    /// Returns the total minus the light of camera paths. @param channel  of RGB.
-    FixedPoint by_photons(std::size_t pixel, std::size_t channel) const {
-        FixedPoint sum = aovs_[0][pixel][channel].value();
-        sum += -by_camera_[pixel][channel].value();
+    /// Returns the total of a cell minus the light of camera paths. @param channel  of RGB.
+    FixedPoint by_photons(std::size_t cell, std::size_t channel) const {
+        FixedPoint sum;
+        photon_cells_->for_pixels(
+            cell, [&](std::size_t pixel) { sum += aovs_[0][pixel][channel].value(); });
+        sum += -by_camera_[cell][channel].value();
         return sum;
     }
 
@@ -150,7 +161,8 @@ private:
 
     std::size_t pixels_;
     std::array<std::vector<Pixel>, kAovCount> aovs_;
-    std::vector<Pixel> by_camera_;  // part of the total
+    std::optional<BlockGrid> photon_cells_;
+    std::vector<Pixel> by_camera_;  // part of the total, by cell
     std::vector<std::vector<Pixel>> lights_;
     std::vector<std::atomic<std::uint64_t>> counts_ = std::vector<std::atomic<std::uint64_t>>(2);
 };

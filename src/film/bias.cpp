@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sunfleck::engine {
 namespace {
@@ -43,25 +44,28 @@ Bias bias_of(const BatchMeans& y, const DiscAreas& areas) {
 }
 
 /// Returns means over complete batches of each block, summed over its pixels, without squares.
-std::vector<BatchMeans> block_sums(const Film& film, const BlockGrid& grid) {
+std::vector<BatchMeans> block_sums(const Film& film) {
     const FilmSums& sums = film.sums();
+    const BlockGrid blocks = blocks_of_cells(film.key(), kErrorBlock);
     const double passes = film.batches().passes;
-    const std::vector<OpenPasses> open = passes_left_out(sums);
+    std::vector<std::pair<double, const FixedPoints*>> open;  // area, sums
+    for (const OpenPasses& group : passes_left_out(sums))
+        open.emplace_back(area_of(batch_range(group.first / kBatchPasses), film.key().alpha),
+                          &group.sums->photon_blocks);
     const FixedPoints& early = sums.early.photon_blocks_by_area;
-    std::vector<BatchMeans> result(grid.count());
-    parallel_for(grid.count(), [&](std::size_t b) {
+    std::vector<BatchMeans> result(blocks.count());
+    parallel_for(blocks.count(), [&](std::size_t b) {
         RgbSum light;
         RgbSum by_area;
-        grid.for_pixels(b, [&](std::size_t pixel) {
-            light += rgb_of(sums.photons.rgb, pixel);
-            by_area += rgb_of(sums.photons.rgb_by_area, pixel);
+        blocks.for_pixels(b, [&](std::size_t cell) {
+            light += rgb_of(sums.photons.rgb, cell);
+            by_area += rgb_of(sums.photons.rgb_by_area, cell);
         });
         double complete = by_area.mean_luminance(1);
-        for (const OpenPasses& group : open) {
-            const RgbSum part = rgb_of(group.sums->photon_blocks, b);
-            const PassRange batch = batch_range(group.first / kBatchPasses);
+        for (const auto& [area, group] : open) {
+            const RgbSum part = rgb_of(*group, b);
             light -= part;
-            complete -= area_of(batch, film.key().alpha) * part.mean_luminance(1);
+            complete -= area * part.mean_luminance(1);
         }
         if (!early.empty()) complete += early[b].to_double();
         result[b].mean = light.mean_luminance(passes);
@@ -79,8 +83,8 @@ BatchMeans means(const BatchMeans& sums, std::size_t pixels, double mean_square)
 /// Calls visit(block, its means) for each block.
 template <class Visit>
 void for_blocks(const Film& film, const Visit& visit) {
-    const BlockGrid grid(film.key(), kErrorBlock);
-    const std::vector<BatchMeans> sums = block_sums(film, grid);
+    const BlockGrid grid = blocks_of(film.key(), kErrorBlock);
+    const std::vector<BatchMeans> sums = block_sums(film);
     const FixedPoints& squares = film.sums().photons.block_squares;
     const FixedPoints& early = film.sums().early.photon_block_squares;
     const double passes = film.batches().passes;
@@ -118,11 +122,19 @@ std::vector<std::array<double, 3>> pixel_biases(const Film& film) {
     if (!areas) return {};
     const PhotonSums& sums = film.sums().photons;
     const double scale = areas->mean_of_passes / areas->divisor;
+    const BlockGrid cells = photon_cells_of(film.key());
     std::vector<std::array<double, 3>> biases(film.key().pixels());
-    parallel_blocks(biases.size(), 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = 3 * begin; i < 3 * end; ++i)
-            biases[i / 3][i % 3] =
-                (sums.rgb_by_area[i].to_double() - areas->share * sums.rgb[i].to_double()) * scale;
+    parallel_blocks(cells.count(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            std::array<double, 3> bias{};
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double light = sums.rgb[3 * cell + c].to_double();
+                const double by_area = sums.rgb_by_area[3 * cell + c].to_double();
+                bias.at(c) = (by_area - areas->share * light) * scale /
+                             static_cast<double>(cells.block(cell).pixels());
+            }
+            cells.for_pixels(cell, [&](std::size_t pixel) { biases[pixel] = bias; });
+        }
     });
     return biases;
 }
@@ -140,7 +152,7 @@ std::optional<Bias> image_bias(const Film& film) {
     const auto areas = disc_areas(film);
     if (!areas) return {};
     BatchMeans total;
-    for (const BatchMeans& block : block_sums(film, BlockGrid(film.key(), kErrorBlock))) {
+    for (const BatchMeans& block : block_sums(film)) {
         total.mean += block.mean;
         total.mean_by_area += block.mean_by_area;
     }

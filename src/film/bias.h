@@ -23,7 +23,8 @@ namespace sunfleck::engine {
 /// That of blocks and of the picture is known from early batches, too (batches.h).
 bool has_pixel_biases(const Film& film);
 
-/// Returns RGB to subtract from the mean of each pixel. Empty without has_pixel_biases().
+/// Returns RGB to subtract from the mean of each pixel, the same in all of a photon cell. Empty
+/// without has_pixel_biases().
 std::vector<std::array<double, 3>> pixel_biases(const Film& film);
 
 /// The bias of a luminance (to be subtracted), and its error.
@@ -48,7 +49,8 @@ std::optional<Bias> image_bias(const Film& film);
 
 /// Returns standard errors, not widened, of the corrected luminance of each pixel. They are not
 /// less than those of noisy sampled direct light, nor than those of a pixel that only an open batch
-/// has lit. Empty without has_pixel_biases().
+/// has lit. They take the photons' noise to be that of the whole cell, as discs make it: where it
+/// is the pixel's own they are too large. Empty without has_pixel_biases().
 std::vector<double> extrapolated_pixel_errors(const Film& film);
 
 /// Returns standard errors of the corrected luminance of each block, without that lower bound.

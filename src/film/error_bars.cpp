@@ -53,18 +53,8 @@ double total(const std::vector<double>& terms) {
 
 std::vector<double> complete_block_sums(const Film& film) {
     const CompleteSums sums(film.sums());
-    return block_sums(BlockGrid(film.key(), kErrorBlock), film.batches().passes,
+    return block_sums(blocks_of(film.key(), kErrorBlock), film.batches().passes,
                       [&](std::size_t pixel) { return sums[pixel]; });
-}
-
-/// Returns the mean luminance of all pixels. @param rgb  of each, over passes.
-double mean_luminance(const Film& film, const FixedPoints& rgb) {
-    if (film.pass_count() == 0) return 0;
-    const BlockGrid grid(film.key(), kErrorBlock);
-    const std::vector<double> sums =
-        block_sums(grid, static_cast<double>(film.pass_count()),
-                   [&](std::size_t pixel) { return rgb_of(rgb, pixel); });
-    return total(sums) / static_cast<double>(film.key().pixels());
 }
 
 }  // namespace
@@ -100,7 +90,7 @@ std::vector<MeanError> block_errors(const Film& film) {
     const CompleteBatches batches = film.batches();
     if (batches.count < 2) return {};
     const FilmSums& sums = film.sums();
-    const BlockGrid grid(film.key(), kErrorBlock);
+    const BlockGrid grid = blocks_of(film.key(), kErrorBlock);
     const std::vector<double> means = complete_block_sums(film);
     std::vector<MeanError> errors(grid.count());
     for (std::size_t b = 0; b < errors.size(); ++b) {
@@ -122,7 +112,7 @@ std::optional<MeanError> image_error(const Film& film) {
 
 double image_mean(const Film& film) {
     if (film.pass_count() == 0) return 0;
-    const BlockGrid grid(film.key(), kErrorBlock);
+    const BlockGrid grid = blocks_of(film.key(), kErrorBlock);
     const auto sum_of = [&](const FixedPoints& rgb) {
         return total(block_sums(grid, film.passes_in_picture(),
                                 [&](std::size_t pixel) { return rgb_of(rgb, pixel); }));
@@ -135,7 +125,11 @@ double image_mean(const Film& film) {
 
 double image_mean_by_photons(const Film& film) {
     const FixedPoints& rgb = film.sums().photons.rgb;
-    return rgb.empty() ? 0 : mean_luminance(film, rgb);
+    if (rgb.empty() || film.pass_count() == 0) return 0;
+    RgbSum sum;
+    for (std::size_t cell = 0; 3 * cell < rgb.size(); ++cell) sum += rgb_of(rgb, cell);
+    return sum.mean_luminance(static_cast<double>(film.pass_count())) /
+           static_cast<double>(film.key().pixels());
 }
 
 }  // namespace sunfleck::engine

@@ -1,6 +1,7 @@
 // Addition of passes, completion of batches, merging of films.
 #include "film/film.h"
 
+#include "film/luminance.h"
 #include "film/pass_groups.h"
 #include "film/pass_terms.h"
 #include "math/wavelengths.h"
@@ -34,7 +35,7 @@ void check_image(const FilmKey& key, std::uint32_t number, const PassImage& imag
                     "has " + std::to_string(image.light_groups()) + " light groups, the film " +
                         std::to_string(key.light_groups.size()),
                     "render it with the film's AOVs and light groups");
-    if (key.has_discs() && !image.photons_apart())
+    if (key.has_discs() && image.photon_cells() != photon_cells_of(key).count())
         throw Error(where, "does not store photons' light apart", "add it to a film without discs");
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/input_file.h"
 #include "film/film_head.h"
+#include "film/luminance.h"
 
 #include <utility>
 
@@ -24,12 +25,12 @@ bool sums_fill(std::uint64_t words, const FilmHead& head) {
     std::uint64_t aovs = 3 * key.light_groups.size();
     for (std::size_t i = 0; i < kAovCount; ++i)
         if (key.has(i)) aovs += kAovs.at(i).channels.size();
-    const std::uint64_t a_pixel = 1 + early + 6 * discs + (1 + open_group_count) * aovs;
+    const std::uint64_t a_pixel = 1 + early + (1 + open_group_count) * aovs;
     if (a_pixel > words / key.pixels()) return false;  // so that the product cannot overflow
     const std::uint64_t a_block =
         1 + early + (1 + 2 * early) * discs + 3 * open_group_count * discs;
-    return words == 2 * (a_pixel * key.pixels() + a_block * blocks(key.width) * blocks(key.height) +
-                         1 + discs + 2 * early);
+    return words == 2 * (a_pixel * key.pixels() + 6 * discs * photon_cells_of(key).count() +
+                         a_block * blocks(key.width) * blocks(key.height) + 1 + discs + 2 * early);
 }
 
 }  // namespace

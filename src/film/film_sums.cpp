@@ -66,13 +66,14 @@ FilmSums empty_sums(FilmKey key) {
     key.aovs[0] = true;
     FilmSums sums;
     const std::size_t pixels = key.pixels();
-    const std::size_t blocks = BlockGrid(key, kErrorBlock).count();
+    const std::size_t blocks = blocks_of(key, kErrorBlock).count();
     make_room(key, sums);
     sums.pixel_squares.resize(pixels);
     sums.block_squares.resize(blocks);
     if (key.has_discs()) {
-        sums.photons.rgb.resize(3 * pixels);
-        sums.photons.rgb_by_area.resize(3 * pixels);
+        const std::size_t cells = photon_cells_of(key).count();
+        sums.photons.rgb.resize(3 * cells);
+        sums.photons.rgb_by_area.resize(3 * cells);
         sums.photons.block_squares.resize(blocks);
     }
     sums.key = std::move(key);
@@ -82,7 +83,7 @@ FilmSums empty_sums(FilmKey key) {
 EarlySums empty_early_sums(const FilmKey& key, const PassSet& passes) {
     EarlySums sums;
     if (key.sequential || !has_early_batches(passes)) return sums;
-    const std::size_t blocks = BlockGrid(key, kErrorBlock).count();
+    const std::size_t blocks = blocks_of(key, kErrorBlock).count();
     sums.pixel_squares.resize(key.pixels());
     sums.block_squares.resize(blocks);
     if (!key.has_discs()) return sums;
@@ -94,7 +95,7 @@ EarlySums empty_early_sums(const FilmKey& key, const PassSet& passes) {
 OpenGroup empty_group(const FilmKey& key) {
     OpenGroup group;
     make_room(key, group);
-    if (key.has_discs()) group.photon_blocks.resize(3 * BlockGrid(key, kErrorBlock).count());
+    if (key.has_discs()) group.photon_blocks.resize(3 * blocks_of(key, kErrorBlock).count());
     return group;
 }
 

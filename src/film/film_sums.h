@@ -1,9 +1,9 @@
 // FilmSums: all data of a film as plain sums, and as a list of arrays in the order of film files.
 //
-// If gather discs shrink, photons' light is summed apart: once as it is, and once times the disc
-// area of the batch (visible_points/radius.h). From both, bias.h computes how the light depends on
-// the area. The second needs no sums of open batches, because the factor is the same for all passes
-// of a batch.
+// If gather discs shrink, photons' light is summed apart, by cells of pixels (aovs/pass_image.h):
+// once as it is, and once times the disc area of the batch (visible_points/radius.h). From both,
+// bias.h computes how the light depends on the area. The second needs no sums of open batches,
+// because the factor is the same for all passes of a batch.
 #pragma once
 
 #include "film/film_key.h"
@@ -28,7 +28,7 @@ using FilmStatistics = std::map<std::string, FixedPoint, std::less<>>;
 
 /// Sums of photons' light; all empty if the key has no discs.
 struct PhotonSums {
-    FixedPoints rgb;            // of each pixel, over passes
+    FixedPoints rgb;            // of each cell, over its pixels and over passes
     FixedPoints rgb_by_area;    // each pass times the disc area of its batch
     FixedPoints block_squares;  // squared luminance of whole batches, row by row of blocks
     FixedPoint image_square;

@@ -1,11 +1,12 @@
 // Luminance of pixels, of 8 x 8 blocks, and of the picture, from exact sums.
 #pragma once
 
+#include "aovs/block_grid.h"
+#include "aovs/pass_image.h"
 #include "core/exact_sum.h"
 #include "film/film_key.h"
 #include "math/colour.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -43,47 +44,22 @@ inline RgbSum rgb_of(const std::vector<FixedPoint>& sums, std::size_t i) {
     return {{sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]}};
 }
 
-/// The pixel rectangles of blocks; those at the right and lower edges may be smaller.
-class BlockGrid {
-public:
-    struct Block {
-        std::size_t x_begin, x_end, y_begin, y_end;
-        std::size_t pixels() const { return (x_end - x_begin) * (y_end - y_begin); }
-    };
+/// Returns the cells of a film's pixels for which photons' light is summed apart.
+inline BlockGrid photon_cells_of(const FilmKey& key) {
+    return photon_cells_of(key.width, key.height);
+}
 
-    BlockGrid(int width, int height, std::size_t block_size)
-        : width_(static_cast<std::size_t>(width)),
-          height_(static_cast<std::size_t>(height)),
-          size_(block_size) {}
-    BlockGrid(const FilmKey& key, std::size_t block_size)
-        : BlockGrid(key.width, key.height, block_size) {}
+/// Returns blocks of these cells, which are the blocks of as many pixels.
+/// @param block_size  in pixels, a multiple of a cell's.
+inline BlockGrid blocks_of_cells(const FilmKey& key, std::size_t block_size) {
+    const BlockGrid cells = photon_cells_of(key);
+    return {static_cast<int>(cells.across()), static_cast<int>(cells.down()),
+            block_size / cells.side()};
+}
 
-    std::size_t across() const { return (width_ + size_ - 1) / size_; }
-    std::size_t down() const { return (height_ + size_ - 1) / size_; }
-    std::size_t count() const { return across() * down(); }
-
-    Block block(std::size_t i) const {
-        const std::size_t x = i % across() * size_;
-        const std::size_t y = i / across() * size_;
-        return {x, std::min(x + size_, width_), y, std::min(y + size_, height_)};
-    }
-
-    std::size_t block_of(std::size_t pixel) const {
-        return pixel / width_ / size_ * across() + pixel % width_ / size_;
-    }
-
-    /// Calls visit(pixel) for each pixel of block i, row by row.
-    template <class Visit>
-    void for_pixels(std::size_t i, const Visit& visit) const {
-        const Block b = block(i);
-        for (std::size_t y = b.y_begin; y < b.y_end; ++y)
-            for (std::size_t x = b.x_begin; x < b.x_end; ++x) visit(y * width_ + x);
-    }
-
-private:
-    std::size_t width_;
-    std::size_t height_;
-    std::size_t size_;
-};
+/// Returns the blocks of a film's pixels.
+inline BlockGrid blocks_of(const FilmKey& key, std::size_t block_size) {
+    return {key.width, key.height, block_size};
+}
 
 }  // namespace sunfleck::engine

@@ -70,20 +70,20 @@ void add_light_group(FixedPoints& sums, const PassImage& image, std::size_t ligh
 }
 
 std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenGroup& group) {
-    const BlockGrid grid(sums.key, kErrorBlock);
+    const BlockGrid blocks = blocks_of_cells(sums.key, kErrorBlock);
     Terms term;
-    const auto add_pixel = [&](std::size_t pixel, const RgbSum& light) {
+    const auto add_cell = [&](std::size_t cell, const RgbSum& light) {
         for (std::size_t c = 0; c < 3; ++c) {
-            sums.photons.rgb[3 * pixel + c] += light.channel[c];
-            sums.photons.rgb_by_area[3 * pixel + c] += term(light.channel[c].to_double() * area);
+            sums.photons.rgb[3 * cell + c] += light.channel[c];
+            sums.photons.rgb_by_area[3 * cell + c] += term(light.channel[c].to_double() * area);
         }
     };
-    parallel_for(grid.count(), [&](std::size_t b) {
+    parallel_for(blocks.count(), [&](std::size_t b) {
         RgbSum block;
-        grid.for_pixels(b, [&](std::size_t pixel) {
-            const RgbSum light{{image.by_photons(pixel, 0), image.by_photons(pixel, 1),
-                                image.by_photons(pixel, 2)}};
-            add_pixel(pixel, light);
+        blocks.for_pixels(b, [&](std::size_t cell) {
+            const RgbSum light{
+                {image.by_photons(cell, 0), image.by_photons(cell, 1), image.by_photons(cell, 2)}};
+            add_cell(cell, light);
             block += light;
         });
         for (std::size_t c = 0; c < 3; ++c) group.photon_blocks[3 * b + c] += block.channel[c];
@@ -104,7 +104,7 @@ SquareSums squares_of_early(FilmSums& sums) {
 
 std::uint64_t add_squares(const FilmKey& key, const OpenGroup& batch, double passes, double factor,
                           const SquareSums& sums) {
-    const BlockGrid grid(key, kErrorBlock);
+    const BlockGrid grid = blocks_of(key, kErrorBlock);
     std::vector<double> luminance(grid.count());  // over the block's pixels
     Terms term;
     const auto square = [&](double y) { return term(factor * (y * y)); };

@@ -45,7 +45,9 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     const PassId id{settings.seed, number};
     const bool sequential = is_sequential(settings);  // its state sets the radii
     const bool has_discs = settings.integrator == Integrator::sppm && !sequential;
-    PassResult result{PassImage(window.pixels(), settings.aovs, has_discs,
+    std::optional<BlockGrid> photon_cells;
+    if (has_discs) photon_cells = photon_cells_of(window.width(), window.height());
+    PassResult result{PassImage(window.pixels(), settings.aovs, photon_cells,
                                 settings.transport.light_groups.names.size()),
                       {},
                       {},

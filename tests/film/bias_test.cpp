@@ -33,7 +33,8 @@ double mean_area(std::uint32_t end) {
     return sum / count;
 }
 
-/// Pixel i has slope i / 10, whatever batches are complete: from all passes, to the last digits.
+/// Pixel i has slope i / 10, cells of four pixels the mean of these, whatever batches are complete:
+/// from all passes, to the last digits.
 TEST(Bias, of_a_line_without_noise_is_found) {
     std::vector<std::uint32_t> passes = numbers(0, 73);
     for (const std::uint32_t pass : numbers(90, 141)) passes.push_back(pass);
@@ -45,9 +46,15 @@ TEST(Bias, of_a_line_without_noise_is_found) {
                 film.passes_in_picture();
     const auto pixels = pixel_biases(film);
     ASSERT_EQ(pixels.size(), 81U);
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-        for (const double bias : pixels[i])
-            EXPECT_NEAR(bias, static_cast<double>(i) / 10 * area, 1e-5) << i;
+    const BlockGrid cells = photon_cells_of(film.key());
+    for (std::size_t cell = 0; cell < cells.count(); ++cell) {
+        const BlockGrid::Block of = cells.block(cell);
+        const double middle =
+            static_cast<double>(of.x_begin + of.x_end - 1 + 9 * (of.y_begin + of.y_end - 1)) / 2;
+        cells.for_pixels(cell, [&](std::size_t i) {
+            for (const double bias : pixels[i]) EXPECT_NEAR(bias, middle / 10 * area, 1e-5) << i;
+        });
+    }
     const auto blocks = block_biases(film);
     ASSERT_EQ(blocks.size(), 4U);
     EXPECT_NEAR(blocks[0].value, 3.5 * area, 1e-5);  // pixels 0 to 7, 9 to 16, ... 63 to 70
@@ -92,7 +99,7 @@ TEST(Bias, is_not_known_where_photons_have_lit_an_open_batch_alone) {
     for (const bool is_lit : {false, true}) {
         Film film(key);
         for (const std::uint32_t pass : numbers(0, 70)) {
-            PassImage image(6, {}, true);
+            PassImage image(6, {}, photon_cells_of(key));
             if (is_lit && pass > 64) image.add_light(0, Vec3(1), Aov::caustic);
             film.add_pass(pass, image);
         }

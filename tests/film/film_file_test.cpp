@@ -65,7 +65,7 @@ TEST_F(FilmFile, comes_back_without_discs) {
     EXPECT_TRUE(film.sums().photons.rgb.empty());
     write_film(path("a.film"), film);
     EXPECT_EQ(read_film(path("a.film")).sums(), film.sums());
-    EXPECT_LT(bytes_of(film).size() + 96 * key.pixels(),
+    EXPECT_LT(bytes_of(film).size() + 24 * key.pixels(),
               bytes_of(film_of(small_key(), numbers(0, 40))).size());
 }
 

@@ -125,7 +125,7 @@ TEST(Film, what_photons_bring_is_summed_by_area) {
     key.alpha = 0.5;
     Film film(key);
     for (const std::uint32_t pass : {3U, 7U, 20U}) {
-        PassImage image(1, {}, true);
+        PassImage image(1, {}, photon_cells_of(1, 1));
         image.add_light(0, Vec3(pass == 3 ? 2 : pass == 7 ? 4 : 8), Aov::caustic);
         image.add_camera_light(0, Vec3(5), Aov::direct);
         film.add_pass(pass, image);
@@ -147,7 +147,7 @@ TEST(Film, squares_of_what_photons_bring_are_those_of_complete_batches) {
     key.alpha = 0.5;
     Film film(key);
     for (std::uint32_t pass = 0; pass < 20; ++pass) {
-        PassImage image(9, {}, true);
+        PassImage image(9, {}, photon_cells_of(9, 1));
         for (std::size_t i = 0; i < 9; ++i) {
             image.add_light(i, Vec3(i < 8 ? 2 : 11), Aov::caustic);
             image.add_camera_light(i, Vec3(5), Aov::direct);

@@ -3,6 +3,7 @@
 
 #include "core/random.h"
 #include "film/film.h"
+#include "film/luminance.h"
 #include "visible_points/radius.h"
 
 #include <cmath>
@@ -16,7 +17,7 @@ struct Line {
     double a = 1;
     double c = 0.8;
     double eye = 0.5;
-    double photon_noise = 0;  // standard deviation, of a pixel in a pass
+    double photon_noise = 0;  // standard deviation, of a photon cell in a pass, as discs make it
     double shared_noise = 0;  // of all pixels together, by photons
     double camera_noise = 0;
 };
@@ -38,12 +39,15 @@ Film line_film(const FilmKey& key, const std::vector<std::uint32_t>& passes, con
         };
         RandomStream shared(key.seed, Purpose::test, pass, 0xFFFFFF);
         const double of_all = noise(shared);
-        PassImage image(key.pixels(), key.aovs, true);
+        const BlockGrid cells = photon_cells_of(key);
+        PassImage image(key.pixels(), key.aovs, cells);
         for (std::size_t i = 0; i < key.pixels(); ++i) {
             RandomStream own(key.seed, Purpose::test, pass, static_cast<std::uint32_t>(i));
+            const auto number = static_cast<std::uint32_t>(cells.block_of(i));
+            RandomStream of_cell(key.seed, Purpose::test, pass, 0x800000 + number);
             const Line l = line(i);
             const double photons =
-                l.a + l.c * area + l.photon_noise * noise(own) + l.shared_noise * of_all;
+                l.a + l.c * area + l.photon_noise * noise(of_cell) + l.shared_noise * of_all;
             const double eye = l.eye + l.camera_noise * noise(own);
             image.add_light(i, Vec3(static_cast<float>(photons)), Aov::indirect);
             image.add_camera_light(i, Vec3(static_cast<float>(eye)), Aov::direct);

@@ -3,6 +3,7 @@
 
 #include "core/random.h"
 #include "film/film.h"
+#include "film/luminance.h"
 #include "math/wavelengths.h"
 
 #include <cmath>
@@ -23,7 +24,9 @@ inline FilmKey small_key(int width = 19, int height = 10) {
 
 /// A pass of skewed noise, some of it negative, of many magnitudes: a function of (seed, number).
 inline PassImage noise_pass(const FilmKey& key, std::uint32_t number) {
-    PassImage image(key.pixels(), key.aovs, key.has_discs(), key.light_groups.size());
+    std::optional<BlockGrid> photon_cells;
+    if (key.has_discs()) photon_cells = photon_cells_of(key);
+    PassImage image(key.pixels(), key.aovs, photon_cells, key.light_groups.size());
     for (std::size_t i = 0; i < key.pixels(); ++i) {
         RandomStream random(key.seed, Purpose::test, number, static_cast<std::uint32_t>(i));
         const float size = std::exp(20 * random.next_float() - 12);

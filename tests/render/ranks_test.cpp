@@ -70,7 +70,7 @@ TEST(FilmTransfer, a_film_arrives_as_it_is) {
     });
 }
 
-/// docs/guide/clusters.md: 160.5 bytes a pixel, 48.75 for each group of an open batch, 16.75 for
+/// docs/guide/clusters.md: 88.5 bytes a pixel, 48.75 for each group of an open batch, 16.75 for
 /// early batches, some hundreds for the head; 64.25, 48 and 16.25 without discs; 48 for a light
 /// group.
 TEST(FilmTransfer, sends_the_sums_and_little_more) {
@@ -87,9 +87,9 @@ TEST(FilmTransfer, sends_the_sums_and_little_more) {
         });
     };
     constexpr double kPixels = 64.0 * 64;
-    EXPECT_NEAR(static_cast<double>(sent(16, 32)), 160.5 * kPixels + 300, 200);
-    EXPECT_NEAR(static_cast<double>(sent(21, 36)), (160.5 + 4 * 48.75) * kPixels + 300, 200);
-    EXPECT_NEAR(static_cast<double>(sent(0, 16)), (160.5 + 16.75) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(16, 32)), 88.5 * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(21, 36)), (88.5 + 4 * 48.75) * kPixels + 300, 200);
+    EXPECT_NEAR(static_cast<double>(sent(0, 16)), (88.5 + 16.75) * kPixels + 300, 200);
     key.alpha = 0;
     EXPECT_NEAR(static_cast<double>(sent(0, 16)), (64.25 + 16.25) * kPixels + 300, 200);
     EXPECT_NEAR(static_cast<double>(sent(16, 32)), 64.25 * kPixels + 300, 200);
