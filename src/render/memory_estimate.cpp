@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t kOnce = std::uint64_t{3} << 20U;
 /// Film, pass and picture; of the film, 20 bytes for a second stratum of passes
 /// (film/pass_groups.h).
-constexpr std::uint64_t kReferencePixel = 224;
+constexpr std::uint64_t kReferencePixel = 240;
 /// What learning holds beside these; photons are traced when it is over.
 constexpr std::uint64_t kLearningPixel = 650;
 /// One more visible point, with its place in the index.
