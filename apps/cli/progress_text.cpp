@@ -2,7 +2,6 @@
 #include "apps/cli/progress_text.h"
 
 #include "core/duration_text.h"
-#include "math/wavelengths.h"
 
 #include <fmt/format.h>
 

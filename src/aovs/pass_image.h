@@ -65,8 +65,8 @@ public:
     void add_camera_light(std::size_t pixel, const Vec3& rgb, Aov owner) {
         add_light(pixel, rgb, owner);
         if (!photon_cells_ || !finite(rgb)) return;
-        for (unsigned c = 0; c < 3; ++c)
-            by_camera_[photon_cells_->block_of(pixel)][c].add(term_of(rgb[static_cast<int>(c)]));
+        Pixel& cell = by_camera_[photon_cells_->block_of(pixel)];
+        for (unsigned c = 0; c < 3; ++c) cell[c].add(term_of(rgb[static_cast<int>(c)]));
     }
 
     /// Adds a value that add_light() has added before to the group of its light; it is clamped or

@@ -4,7 +4,6 @@
 #include "math/wavelengths.h"
 #include "visible_points/radius.h"
 
-#include <array>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -12,18 +11,11 @@ namespace {
 
 /// A whole batch, with sums over its passes in the film.
 struct BatchAreas {
-    std::array<double, kBatchPasses> areas{};
+    double mean = 0;  // over all passes of the batch
     double held = 0;  // sum over its passes in the film
     double count = 0;
     double shown = 0;  // count and sum with the shares of passes in the picture
     double shown_areas = 0;
-
-    /// Returns the mean over passes [begin, end) of the batch.
-    double mean(std::uint64_t begin, std::uint64_t end) const {
-        double sum = 0;
-        for (std::uint64_t i = begin; i < end; ++i) sum += areas.at(i);
-        return sum / static_cast<double>(end - begin);
-    }
 };
 
 /// Advances to the next batch.
@@ -32,7 +24,7 @@ BatchAreas next_batch(const Film& film, std::uint64_t batch, DiscAreaSequence& a
     const PassRange range = batch_range(batch);
     for (std::uint64_t p = range.begin; p < range.end; ++p) {
         const double area = areas.next();
-        result.areas.at(p - range.begin) = area;
+        result.mean += area / kBatchPasses;
         if (film.passes().count_in({p, p + 1}) == 0) continue;
         const double share = film.share_of_pass(p);
         result.held += area;
@@ -55,13 +47,12 @@ struct Sums {
     double squares = 0;
 
     void add(const BatchAreas& batch) {
-        const double mean = batch.mean(0, kBatchPasses);
         passes += batch.count;
         held += batch.held;
         shown += batch.shown;
         shown_areas += batch.shown_areas;
-        means += batch.count * mean;
-        means_by_held += mean * batch.held;
+        means += batch.count * batch.mean;
+        means_by_held += batch.mean * batch.held;
     }
 
     void add_complete(double area, double count) {
@@ -69,14 +60,6 @@ struct Sums {
         squares += count * area * area;
     }
 };
-
-/// Adds the complete batches among the passes of a whole one.
-void add_complete(const BatchAreas& batch, const std::vector<PassRange>& early, Sums& sums) {
-    for (const PassRange& range : early)
-        sums.add_complete(batch.mean(range.begin, range.end), static_cast<double>(range.size()));
-    if (early.empty() && batch.count == kBatchPasses)
-        sums.add_complete(batch.mean(0, kBatchPasses), kBatchPasses);
-}
 
 }  // namespace
 
@@ -86,11 +69,14 @@ std::optional<DiscAreas> disc_areas(const Film& film) {
     DiscAreaSequence areas(film.key().alpha);
     Sums sums;
     const std::vector<PassRange> early = early_batches(film.passes());
+    for (const PassRange& range : early)
+        sums.add_complete(area_of(range, film.key().alpha), static_cast<double>(range.size()));
     for (std::uint64_t batch = 0; batch_range(batch).begin < film.passes().ranges().back().end;
          ++batch) {
         const BatchAreas next = next_batch(film, batch, areas);
         sums.add(next);
-        add_complete(next, batch == 0 ? early : std::vector<PassRange>(), sums);
+        const bool is_parted = batch == 0 && !early.empty();
+        if (next.count == kBatchPasses && !is_parted) sums.add_complete(next.mean, kBatchPasses);
     }
     result.mean = sums.areas / result.complete.passes;
     result.squares = sums.squares - sums.areas * result.mean;

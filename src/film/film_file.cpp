@@ -17,7 +17,7 @@ constexpr WordFileKind kKind{kFilmMagic, "film file",
 bool sums_fill(std::uint64_t words, const FilmHead& head) {
     const FilmKey& key = head.key;
     const std::uint64_t open_group_count = open_groups(head).size();
-    const std::uint64_t early = !key.sequential && has_early_batches(head.passes) ? 1 : 0;
+    const std::uint64_t early = has_early_sums(key, head.passes) ? 1 : 0;
     const auto blocks = [](int pixels) {
         return static_cast<std::uint64_t>((pixels + kErrorBlock - 1) / kErrorBlock);
     };

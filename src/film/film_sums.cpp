@@ -80,9 +80,13 @@ FilmSums empty_sums(FilmKey key) {
     return sums;
 }
 
+bool has_early_sums(const FilmKey& key, const PassSet& passes) {
+    return !key.sequential && has_early_batches(passes);
+}
+
 EarlySums empty_early_sums(const FilmKey& key, const PassSet& passes) {
     EarlySums sums;
-    if (key.sequential || !has_early_batches(passes)) return sums;
+    if (!has_early_sums(key, passes)) return sums;
     const std::size_t blocks = blocks_of(key, kErrorBlock).count();
     sums.pixel_squares.resize(key.pixels());
     sums.block_squares.resize(blocks);

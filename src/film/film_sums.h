@@ -82,6 +82,9 @@ struct FilmSums {
 /// Returns sums of zero, sized by the key. @param key  with at least one pixel.
 FilmSums empty_sums(FilmKey key);
 
+/// Returns whether a film of those passes has sums of early batches.
+bool has_early_sums(const FilmKey& key, const PassSet& passes);
+
 /// Returns sums of zero, sized for those passes. @param key  of a film.
 EarlySums empty_early_sums(const FilmKey& key, const PassSet& passes);
 

@@ -36,9 +36,10 @@ CountedBlocks counted_blocks(const Film& film, Objective objective) {
     return counted;
 }
 
-/// @param counted  at least one block.
-double noise_of(const Film& film, const std::vector<CountedBlock>& counted, bool extrapolated) {
-    const auto errors = extrapolated ? extrapolated_block_errors(film) : std::vector<double>();
+/// @param counted  at least one block. @param errors  of all blocks less their bias; empty for
+/// those of the blocks themselves.
+double noise_of(const Film& film, const std::vector<CountedBlock>& counted,
+                const std::vector<double>& errors) {
     std::vector<double> scaled;
     for (const CountedBlock& block : counted) {
         const double error = errors.empty() ? block.luminance.standard_error : errors[block.number];
@@ -49,9 +50,9 @@ double noise_of(const Film& film, const std::vector<CountedBlock>& counted, bool
     return wider * scaled[(scaled.size() * 95 + 99) / 100 - 1];
 }
 
-/// @param counted  at least one block. @return nothing if the bias is unknown.
-std::optional<double> bias_of(const Film& film, const std::vector<CountedBlock>& counted) {
-    const std::vector<Bias> biases = block_biases(film);
+/// @param counted  at least one block. @param biases  of all blocks; empty if they are unknown.
+std::optional<double> bias_of(const std::vector<CountedBlock>& counted,
+                              const std::vector<Bias>& biases) {
     if (biases.empty()) return {};
     double sum = 0;
     for (const CountedBlock& block : counted) {
@@ -60,14 +61,6 @@ std::optional<double> bias_of(const Film& film, const std::vector<CountedBlock>&
         sum += square / (block.scale * block.scale);
     }
     return std::sqrt(std::max(0.0, sum / static_cast<double>(counted.size())));
-}
-
-/// @param counted  at least one block.
-TargetError error_of(const Film& film, const std::vector<CountedBlock>& counted,
-                     const ErrorTerms& terms) {
-    TargetError error{noise_of(film, counted, terms.extrapolated)};
-    if (terms.bias && !terms.extrapolated) error.bias = bias_of(film, counted).value_or(0);
-    return error;
 }
 
 }  // namespace
@@ -92,15 +85,23 @@ std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {
     if (film.batches().count < kTargetBatches || is_too_dim(film)) return {};
     const CountedBlocks counted = counted_blocks(film, terms.objective);
     if (counted.bright.empty()) return {};
-    TargetError error = error_of(film, counted.bright, terms);
-    if (!counted.dark.empty()) error.of_dark = error_of(film, counted.dark, terms).value();
+    const auto extrapolated =
+        terms.extrapolated ? extrapolated_block_errors(film) : std::vector<double>();
+    const auto biases =
+        terms.bias && !terms.extrapolated ? block_biases(film) : std::vector<Bias>();
+    const auto error_of = [&](const std::vector<CountedBlock>& blocks) {
+        return TargetError{noise_of(film, blocks, extrapolated),
+                           bias_of(blocks, biases).value_or(0)};
+    };
+    TargetError error = error_of(counted.bright);
+    if (!counted.dark.empty()) error.of_dark = error_of(counted.dark).value();
     return error;
 }
 
 std::optional<double> relative_bias(const Film& film) {
     const CountedBlocks counted = counted_blocks(film, Objective::relative);
     if (counted.bright.empty()) return {};
-    return bias_of(film, counted.bright);
+    return bias_of(counted.bright, block_biases(film));
 }
 
 }  // namespace sunfleck::engine

@@ -2,7 +2,6 @@
 #include "stats/stats.h"
 
 #include "film/error_bars.h"
-#include "math/wavelengths.h"
 #include "planning/epoch.h"
 #include "render/count_pass.h"
 #include "stats/image_stats.h"

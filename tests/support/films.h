@@ -11,8 +11,8 @@ namespace sunfleck::engine::testing_support {
 
 /// Calls see(film) after each pass.
 template <class See>
-void render_batches(const Scene& scene, const RenderSettings& settings, std::uint32_t batches,
-                    const See& see) {
+Film film_of_batches(const Scene& scene, const RenderSettings& settings, std::uint32_t batches,
+                     const See& see) {
     const PixelWindow window = window_of(scene.film());
     FilmKey key;
     key.width = window.width();
@@ -24,15 +24,12 @@ void render_batches(const Scene& scene, const RenderSettings& settings, std::uin
         add_pass(film, p, render_pass(scene, settings, p, *epoch));
         see(film);
     }
+    return film;
 }
 
 inline Film film_of_batches(const Scene& scene, const RenderSettings& settings,
                             std::uint32_t batches) {
-    std::optional<Film> last;
-    render_batches(scene, settings, batches, [&](const Film& film) {
-        if (film.pass_count() == batches * kBatchPasses) last = film;
-    });
-    return *std::move(last);
+    return film_of_batches(scene, settings, batches, [](const Film&) {});
 }
 
 }  // namespace sunfleck::engine::testing_support
